@@ -1,0 +1,18 @@
+// A body: a shape, where it is at t = 0, and how it moves over one unit of t. World axes, caller's units.
+#pragma once
+
+#include <graze/shape.hpp>
+
+namespace graze {
+
+// World position of the body's point x at time t (linear motion):
+//   position + R(orientation) x + t displacement.
+template <Scalar S>
+struct Body {
+  Shape<S> shape = {};
+  Vec3<S> position = Vec3<S>::Zero();
+  Quaternion<S> orientation = {};          // any q != 0, see Quaternion
+  Vec3<S> displacement = Vec3<S>::Zero();  // length per unit of t
+};
+
+}  // namespace graze

@@ -1,0 +1,102 @@
+// The convex hull of finitely many points. Duplicates, interior points and every order are allowed; nothing is
+// ever simplified. Copies share the immutable vertices.
+//
+// Beside the vertices as given, by index, a hull keeps them by axis for its support scan, prepared:
+//   scan_i = (vertex_i - center) 2^-exponent,
+// with center_i = 0 unless the vertices' offset along axis i exceeds their extent; then every difference is
+// exact (Sterbenz 1974: b/2 <= a <= 2b makes a - b exact), so a large common offset costs no accuracy. The
+// power of two brings the largest coordinate near 1, so no product in a scan overflows or vanishes.
+#pragma once
+
+#include <cmath>
+#include <graze/scalar.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+template <Scalar S>
+class Hull {
+ public:
+  // Scans run over whole blocks; the padding repeats vertex 0, which can win no tie against it.
+  static constexpr std::size_t kBlock = 8;
+
+  Hull() = default;  // empty: invalid_input
+
+  explicit Hull(std::span<const Vec3<S>> vertices) : data_(std::make_shared<const Data>(vertices)) {}
+  Hull(std::initializer_list<Vec3<S>> vertices)
+      : Hull(std::span<const Vec3<S>>(vertices.begin(), vertices.size())) {}
+
+  [[nodiscard]] std::size_t size() const { return data_ ? data_->vertices.size() : 0; }
+  [[nodiscard]] const Vec3<S>& vertex(std::size_t i) const { return data_->vertices[i]; }
+  [[nodiscard]] std::span<const Vec3<S>> vertices() const {
+    return data_ ? std::span<const Vec3<S>>(data_->vertices) : std::span<const Vec3<S>>();
+  }
+
+  // The prepared scan. Valid for a non-empty hull of finite vertices.
+  [[nodiscard]] const S* scan(int axis) const { return data_->scan.data() + axis * data_->padded; }
+  [[nodiscard]] std::size_t padded_size() const { return data_->padded; }
+  [[nodiscard]] const Vec3<S>& center() const { return data_->center; }
+  [[nodiscard]] int exponent() const { return data_->exponent; }
+  // Half extents of the bounding box, and its centre, in the units and frame of the scan.
+  [[nodiscard]] const Vec3<S>& scan_half_extents() const { return data_->half; }
+  [[nodiscard]] const Vec3<S>& scan_middle() const { return data_->middle; }
+  // False if any vertex is NaN or infinite.
+  [[nodiscard]] bool finite() const { return data_ && data_->finite; }
+  // The largest magnitude of a coordinate, and the least that is not zero.
+  [[nodiscard]] S largest() const { return data_->largest; }
+  [[nodiscard]] S smallest_nonzero() const { return data_->smallest; }
+
+ private:
+  struct Data {
+    explicit Data(std::span<const Vec3<S>> given);
+
+    std::vector<Vec3<S>> vertices;
+    std::vector<S> scan;  // x..., y..., z..., each `padded` long
+    std::size_t padded = 0;
+    Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
+    int exponent = 0;
+    bool finite = true;
+    S largest = 0, smallest = 0;
+  };
+  std::shared_ptr<const Data> data_;
+};
+
+template <Scalar S>
+Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), given.end()) {
+  if (vertices.empty()) return;
+  Vec3<S> low = vertices[0], high = vertices[0];
+  for (const Vec3<S>& v : vertices) {
+    for (int i = 0; i < 3; ++i) {
+      const S magnitude = std::abs(v[i]);
+      if (!(magnitude <= std::numeric_limits<S>::max())) finite = false;
+      largest = magnitude > largest ? magnitude : largest;
+      if (magnitude > 0 && (smallest == 0 || magnitude < smallest)) smallest = magnitude;
+    }
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  if (!finite) return;
+  for (int i = 0; i < 3; ++i) {
+    // Halved before adding: the sum of two finite numbers may overflow.
+    const S middle_i = low[i] / 2 + high[i] / 2, half_i = high[i] / 2 - low[i] / 2;
+    if (std::abs(middle_i) > 3 * half_i) center[i] = middle_i;
+  }
+  S reach = 0;
+  for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
+  exponent = reach > 0 ? std::ilogb(reach) : 0;
+  padded = (vertices.size() + kBlock - 1) / kBlock * kBlock;
+  scan.resize(3 * padded);
+  for (std::size_t k = 0; k < padded; ++k) {
+    const Vec3<S>& v = vertices[k < vertices.size() ? k : 0];
+    for (int i = 0; i < 3; ++i) scan[i * padded + k] = std::scalbn(v[i] - center[i], -exponent);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const S l = std::scalbn(low[i] - center[i], -exponent), h = std::scalbn(high[i] - center[i], -exponent);
+    half[i] = (h - l) / 2;
+    middle[i] = l + half[i];
+  }
+}
+
+}  // namespace graze

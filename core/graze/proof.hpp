@@ -1,0 +1,47 @@
+// The proof of a linear answer: an axis bounds the time of impact from below, a portal from above.
+//
+// Notation (world axes, t = 0)   C = A - B + ball(m), m the target distance;   v = v_B - v_A, exact;
+//   h(n) = max over C of n.c;   contact at t iff t v in C;   TOI = the least such t in [0, T], or infinity.
+//
+// Axis n (any non-zero triple of doubles, not normalised). It proves
+//   TOI >= h(n) / (n.v)          when n.v < 0 (every t below lies outside the half-space n.c <= h(n));
+//   TOI = infinity, a miss       when h(n) < min(0, T n.v)  (T * 0 = 0, for T = infinity too).
+// Portal: k support pairs (a_i, b_i), k <= 3, or <= 4 for contact at t = 0. If some convex combination of the
+// a_i - b_i is s v (within m of it) with 0 <= s <= T, then TOI <= s.
+//
+// Every number is a double whatever scalar made the proof, so it says exactly what it says. A proof states
+// only bounds that hold without condition for the true shapes; the checker lives in oracles/check_proof.hpp
+// and shares no code with the search.
+#pragma once
+
+#include <array>
+#include <graze/scalar.hpp>
+
+namespace graze {
+
+// A point of a posed body at t = 0, named so that it is exact:
+//   position + R(orientation) vertex + offset.
+// `vertex` is the index of a hull's or box's vertex (0, the origin, for points and spheres); `offset` is in
+// world axes, with |offset| <= the sphere's radius, and zero for every other shape.
+struct Feature {
+  std::uint32_t vertex = 0;
+  Vec3<double> offset = Vec3<double>::Zero();
+};
+
+struct SupportPair {
+  Feature a, b;
+};
+
+struct Proof {
+  // Claim: TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
+  double toi_lower = 0;
+  bool has_axis = false;
+  Vec3<double> axis = Vec3<double>::Zero();
+
+  // Claim: TOI <= toi_upper. Infinity claims nothing and needs no portal.
+  double toi_upper = kInfinity<double>;
+  int portal_size = 0;
+  std::array<SupportPair, 4> portal;
+};
+
+}  // namespace graze

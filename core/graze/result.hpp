@@ -1,0 +1,79 @@
+// What a cast is asked, and what it answers. One aggregate each; every field says when it is valid.
+#pragma once
+
+#include <graze/proof.hpp>
+#include <optional>
+
+namespace graze {
+
+enum class Outcome : std::uint8_t {
+  initially_overlapping,  // contact at t = 0, touching included; TOI 0
+  hit,                    // TOI in (0, T]
+  miss,                   // no contact in [0, T]
+  not_converged,          // neither is shown within the budget; the bracket is what is known
+  invalid_input,          // see CastResult::invalid
+};
+
+enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep };
+
+// What is wanted; what is not asked for is not computed. The verdict (outcome and bracket) always is.
+enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proof = 4, everything = 7 };
+[[nodiscard]] constexpr Request operator|(Request l, Request r) {
+  return static_cast<Request>(static_cast<unsigned>(l) | static_cast<unsigned>(r));
+}
+[[nodiscard]] constexpr bool asks_for(Request request, Request what) {
+  return (static_cast<unsigned>(request) & static_cast<unsigned>(what)) != 0;
+}
+
+// Why an input was refused.
+enum class Invalid : std::uint8_t {
+  none,
+  not_finite,          // a NaN or an infinite coordinate, extent or displacement
+  out_of_range,        // a magnitude outside the range of core/graze/validate.hpp
+  empty_hull,          // a hull without a vertex
+  negative_extent,     // a radius or a half extent below zero
+  zero_quaternion,     // an orientation (0, 0, 0, 0)
+  bad_horizon,         // t_max below zero or NaN
+  bad_target,          // target_distance below zero, infinite or NaN
+  bad_tolerance,       // tolerance below zero, infinite or NaN, or a budget below one
+};
+
+template <Scalar S>
+struct CastOptions {
+  Method method = Method::mpr_sweep;
+  Request request = Request::normal | Request::witnesses;
+  S t_max = 1;            // T; infinity makes it a ray
+  S target_distance = 0;  // m: contact is when the distance reaches m (length)
+  // Convergence target (length over scale): the search may stop once the path is this near to contact.
+  // 0 stops at the rounding bound of the method, where nothing is left to gain.
+  S tolerance = 0;
+  int max_iterations = 256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
+};
+
+// How much was done. Nothing here depends on timing; equal inputs give equal counts.
+struct Counters {
+  int iterations = 0;      // steps of the method's outer loop
+  int supports = 0;        // support evaluations of the CSO, all stages
+  int gjk_iterations = 0;  // closest-point solves
+  int portal_steps = 0;    // portal discovery and refinement steps
+};
+
+template <Scalar S>
+struct CastResult {
+  Outcome outcome = Outcome::invalid_input;
+  Invalid invalid = Invalid::none;  // for invalid_input
+  Method method = Method::mpr_sweep;
+  // toi_lower <= TOI <= toi_upper in the sense of the tier (standard: true for some convex set within
+  // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
+  S toi_lower = std::numeric_limits<S>::quiet_NaN();
+  S toi_upper = std::numeric_limits<S>::quiet_NaN();
+  // hit, when asked for: unit, from A to B, world axes, a supporting normal of C at the contact.
+  Vec3<S> normal = Vec3<S>::Zero();
+  // hit, when asked for: world points of A and of B at toi_lower.
+  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
+  // hit, miss, not_converged, when asked for; bounds are absent where rounding leaves nothing unconditional.
+  std::optional<Proof> proof;
+  Counters counters;
+};
+
+}  // namespace graze

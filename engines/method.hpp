@@ -1,0 +1,44 @@
+// The methods that can be judged, by name. Ours are engines like any other.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "corpus/case.hpp"
+
+namespace graze::engine {
+
+// An answer in doubles, whatever scalar computed it (a float is a double). Fields as in CastResult.
+struct Answer {
+  Outcome outcome = Outcome::invalid_input;
+  Invalid invalid = Invalid::none;
+  double toi_lower = 0, toi_upper = 0;
+  Vec3<double> normal = Vec3<double>::Zero(), point_a = Vec3<double>::Zero(), point_b = Vec3<double>::Zero();
+  std::optional<Proof> proof;
+  Counters counters;
+};
+
+struct Ask {
+  Request request = Request::verdict;
+  double tolerance = 0;      // over scale; 0: the method's rounding bound
+  int max_iterations = 0;    // 0: the method's default
+};
+
+struct EngineMethod {
+  std::string name;    // "ca", "gjk", "mpr"
+  std::string scalar;  // "float", "double"
+  std::string tier;    // "standard"
+  double unit_roundoff;
+  Answer (*cast)(const corpus::Case&, const Ask&);
+  // The case as this method sees it: every number rounded to its scalar. Proofs and guarantees are about it.
+  corpus::Case (*seen)(const corpus::Case&);
+  // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one cast takes,
+  // the median over `repeats` timed batches.
+  double (*time_ns)(const corpus::Case&, const Ask&, int repeats);
+};
+
+[[nodiscard]] std::span<const EngineMethod> methods();
+// By "mpr", "mpr/double", ...: nullptr if there is none.
+[[nodiscard]] const EngineMethod* find_method(std::string_view name);
+
+}  // namespace graze::engine
