@@ -1,0 +1,267 @@
+// Where a line enters C: minkowski portal refinement along a direction, in the plane across it.
+//
+//   z_in = min z over {c in C : c projects to the origin},   C rounded by its radius;   Frame: frame.hpp.
+//
+// Notation   q = (x, y, z), a support point in the frame;   a portal = up to three of them whose projections hold the
+//   origin in their hull;   lambda their weights;   n = the portal's normal, n_z < 0.
+// A portal bounds from above, z_in <= sum lambda z; its normal from below, z_in >= h(n) / n_z. [Snethen 2008]
+// Discovery is the same question in the plane: GJK in two dimensions; a support that stays on its own side of the
+// origin proves that the line misses, with n_z = 0.
+// Differs: lines instead of rays, so no point of C's inside is needed to start from; a flat projection (a flat C seen
+// edge on, a segment, a point) has portals of two points or of one.
+//
+// Rounding: every decision is the sign of a cross product of projected points, which are small where the decision is
+// close: a wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
+#pragma once
+
+#include <graze/frame.hpp>
+#include <graze/result.hpp>
+
+namespace graze {
+
+template <Scalar S>
+struct PortalPoint {
+  CsoPoint<S> c;
+  Vec3<S> q;
+};
+
+template <Scalar S>
+struct Portal {
+  int size = 0;  // 1: the line meets a vertex; 2: an edge, C's projection being flat; 3: a triangle, x-y counter-clockwise
+  std::array<PortalPoint<S>, 3> p;
+};
+
+template <Scalar S>
+struct PortalSearch {
+  enum class State : std::uint8_t { entered, missed, accepted, rejected, exhausted };
+  State state = State::exhausted;
+  Portal<S> portal;
+  std::array<S, 3> lambda{};
+  S lower = -kInfinity<S>, upper = kInfinity<S>;  // of z_in
+  Vec3<S> n = Vec3<S>::Zero();                    // world axes, unit: the normal that proves lower, or the miss
+};
+
+namespace detail {
+
+template <Scalar S>
+S cross2(const Vec3<S>& a, const Vec3<S>& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+// Support along n given in the frame. `mirror` = -1 looks at C from behind: z becomes -z, so that the exit of the line
+// is the entry of the mirrored one.
+template <Scalar S>
+struct PortalView {
+  const Cso<S>& cso;
+  const Frame<S>& frame;
+  S mirror;
+  Counters& counters;
+
+  [[nodiscard]] Vec3<S> world(const Vec3<S>& n) const { return frame.to_world(Vec3<S>(n[0], n[1], mirror * n[2])); }
+  [[nodiscard]] PortalPoint<S> support(const Vec3<S>& n) const {
+    ++counters.supports;
+    PortalPoint<S> out;
+    out.c = cso.rounded_support(unit(world(n)));
+    out.q = frame.to_frame(out.c.w);
+    out.q[2] *= mirror;
+    return out;
+  }
+};
+
+// The weights of the origin in the portal's projection; what rounding makes negative is zero.
+template <Scalar S>
+std::array<S, 3> portal_weights(const Portal<S>& portal) {
+  const auto& p = portal.p;
+  std::array<S, 3> l{1, 0, 0};
+  if (portal.size == 2) {
+    const Vec3<S> e = p[1].q - p[0].q;
+    const S length_sq = e[0] * e[0] + e[1] * e[1];
+    l[1] = length_sq > 0 ? -(p[0].q[0] * e[0] + p[0].q[1] * e[1]) / length_sq : S(0);
+    l[1] = std::min(std::max(l[1], S(0)), S(1));
+    l[0] = 1 - l[1];
+  } else if (portal.size == 3) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      l[i] = std::max(cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q), S(0));
+    }
+    const S sum = l[0] + l[1] + l[2];
+    if (sum > 0) {
+      for (S& one : l) one /= sum;
+    } else {
+      l = {1, 0, 0};
+    }
+  }
+  return l;
+}
+
+// A triangle whose unit normal has |n_z| below this is seen edge on: n_z is then the rounding of a cross product of
+// edges, 8 u, and says nothing.
+template <Scalar S>
+inline constexpr S kEdgeOn = 8 * kUnitRoundoff<S>;
+
+// Unit, n_z <= 0.
+template <Scalar S>
+Vec3<S> portal_normal(const Portal<S>& portal) {
+  const auto& p = portal.p;
+  Vec3<S> n(0, 0, -1);
+  const Vec3<S> e = p[1].q - p[0].q;
+  if (portal.size == 3) {
+    n = -e.cross(Vec3<S>(p[2].q - p[0].q));
+  } else if (portal.size == 2) {
+    // In the plane of the edge and the line.
+    const S across = std::sqrt(e[0] * e[0] + e[1] * e[1]);
+    if (across > 0) n = Vec3<S>(e[0] * e[2] / across, e[1] * e[2] / across, -across);
+  }
+  return unit(n);
+}
+
+// An edge-on triangle becomes the edge on whose sides the origin lies farthest apart.
+template <Scalar S>
+void flatten(Portal<S>& portal) {
+  std::size_t best = 0;
+  S least = kInfinity<S>;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<S>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
+    const S inner = a[0] * b[0] + a[1] * b[1];
+    if (inner < least) {
+      least = inner;
+      best = i;
+    }
+  }
+  portal.p = {portal.p[(best + 1) % 3], portal.p[(best + 2) % 3], portal.p[best]};
+  portal.size = 2;
+}
+
+}  // namespace detail
+
+// Finds a portal, or that the line misses C (state missed, n across the line, n.c < 0 on all of C).
+template <Scalar S>
+PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
+  using namespace detail;
+  using State = typename PortalSearch<S>::State;
+  PortalSearch<S> out;
+  auto& p = out.portal.p;
+  const auto missed = [&](const Vec3<S>& n) {
+    out.state = State::missed;
+    out.n = unit(view.world(n));
+    return out;
+  };
+  const auto found = [&](int size) {
+    out.state = State::entered;
+    out.portal.size = size;
+    if (size == 3 && cross2(Vec3<S>(p[1].q - p[0].q), Vec3<S>(p[2].q - p[0].q)) < 0) std::swap(p[1], p[2]);
+    return out;
+  };
+
+  p[0] = view.support(Vec3<S>(0, 0, -1));
+  Vec3<S> n(-p[0].q[0], -p[0].q[1], 0);
+  if (n == Vec3<S>::Zero()) return found(1);  // the foremost point itself, on the line
+  p[1] = view.support(n);
+  if (n.dot(p[1].q) < 0) return missed(n);
+
+  while (budget-- > 0) {
+    ++view.counters.portal_steps;
+    const Vec3<S> e = p[1].q - p[0].q;
+    const S side = cross2(p[0].q, p[1].q);  // > 0: the origin is on the left of the edge
+    n = side >= 0 ? Vec3<S>(-e[1], e[0], 0) : Vec3<S>(e[1], -e[0], 0);
+    const S inner = p[0].q[0] * p[1].q[0] + p[0].q[1] * p[1].q[1];
+    if (side == 0 && (inner > 0 || n == Vec3<S>::Zero())) {
+      // The origin on the edge's own line, beyond its nearer end: reach past that end.
+      if (p[1].q.template head<2>().squaredNorm() < p[0].q.template head<2>().squaredNorm()) std::swap(p[0], p[1]);
+      n = Vec3<S>(-p[0].q[0], -p[0].q[1], 0);
+      if (n == Vec3<S>::Zero()) return found(1);
+      p[1] = view.support(n);
+      if (n.dot(p[1].q) < 0) return missed(n);
+      continue;
+    }
+    p[2] = view.support(n);
+    if (n.dot(p[2].q) < 0) return missed(n);
+    if (side == 0) {
+      // The origin on the edge itself: either half-plane will do.
+      if (n.dot(p[2].q) > 0) return found(3);
+      const PortalPoint<S> other = view.support(-n);
+      if (!(n.dot(other.q) < 0)) return found(2);
+      p[2] = other;
+      return found(3);
+    }
+    // Counter-clockwise, p0 -> p1 seen from the origin's side.
+    const S turn = side >= 0 ? S(1) : S(-1);
+    const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
+    if (right >= 0 && left >= 0) return found(3);
+    if (right < left) {
+      p[1] = p[2];
+    } else {
+      p[0] = p[2];
+    }
+  }
+  return out;
+}
+
+// What a refinement may stop at, in z of the view.
+template <Scalar S>
+struct PortalLimits {
+  S accept_at;      // upper <= accept_at: accepted
+  S reject_beyond;  // lower > reject_beyond: rejected
+  S gap;            // the normal's plane is this near the portal: entered
+};
+
+// Moves the portal to the surface of C. Takes the state `entered` of find_portal.
+template <Scalar S>
+void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, const PortalLimits<S>& limits, int budget) {
+  using namespace detail;
+  using State = typename PortalSearch<S>::State;
+  auto& p = search.portal.p;
+  int& size = search.portal.size;
+  search.state = State::exhausted;
+  while (true) {
+    search.lambda = portal_weights(search.portal);
+    S upper = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) upper += search.lambda[i] * p[i].q[2];
+    search.upper = std::min(search.upper, upper);
+    if (search.upper <= limits.accept_at) {
+      search.state = State::accepted;
+      return;
+    }
+    if (budget-- <= 0) return;
+    ++view.counters.portal_steps;
+
+    Vec3<S> n = portal_normal(search.portal);
+    if (size == 3 && !(n[2] < -kEdgeOn<S>)) {
+      flatten(search.portal);
+      n = portal_normal(search.portal);
+    }
+    if (!(n[2] < 0)) return;  // NaN, or a portal along the line
+    const PortalPoint<S> w = view.support(n);
+    const S reach = n.dot(w.q);
+    if (const S lower = reach / n[2]; lower > search.lower) {
+      search.lower = lower;
+      search.n = view.world(n);
+    }
+    if (search.lower > limits.reject_beyond) {
+      search.state = State::rejected;
+      return;
+    }
+    S face = n.dot(p[0].q);
+    for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
+    if (!(reach - face > limits.gap)) {
+      search.state = State::entered;
+      return;
+    }
+    if (size == 1) return;  // the foremost point was not: only rounding can say so
+    if (size == 2) {
+      const S along = w.q[0] * (p[1].q[0] - p[0].q[0]) + w.q[1] * (p[1].q[1] - p[0].q[1]);
+      p[along > 0 ? 1 : 0] = w;
+    } else {
+      // The origin is in one of the three triangles that w makes with the portal's edges.
+      const S a = cross2(p[0].q, w.q), b = cross2(p[1].q, w.q), c = cross2(p[2].q, w.q);
+      if (a <= 0 && b >= 0) {
+        p[2] = w;
+      } else if (b <= 0 && c >= 0) {
+        p[0] = w;
+      } else {
+        p[1] = w;
+      }
+    }
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,198 @@
+// From an answer to a proof: only what holds without condition for the true shapes.     Frame: world.
+//
+// Everything is done in double whatever scalar found the answer, on the CSO of the very same bodies. Each claim is
+// moved outward by the rounding of what it rests on, so the checker, which is exact, accepts it; where a claim cannot
+// be made after that (a tie, a graze below the rounding), the proof leaves it out.
+//
+// Notation   h = h(n) + R |n|;   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... ;   s = t 2^(j - k).
+#pragma once
+
+#include <graze/sweep.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// The radii of the rounded support points of a proof are shortened by this factor, so that |offset| <= radius holds
+// exactly: e is a unit vector within 4 u, and the product rounds once more.
+inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
+
+struct ProofContext {
+  const Cso<double>& cso;
+  Vec3<double> r;
+  double s_max;  // of the path; infinite for a ray
+  double point;  // bounds the error of each component of a core support point, and of h(n) over |n|_1
+
+  // |fl(n.r) - n.r| <= 5 u sum |n_i r_i|: r's own rounding, three products, two sums.
+  [[nodiscard]] double delta_r(const Vec3<double>& n) const {
+    return 6 * kUnitRoundoff<double> * n.cwiseProduct(r).cwiseAbs().sum();
+  }
+  // An upper bound of h(n) + R |n|.
+  [[nodiscard]] double reach(const Vec3<double>& n, Counters& counters) const {
+    ++counters.supports;
+    const double size = n.cwiseAbs().sum(), rounded = cso.radius() * n.norm();
+    const double h = n.dot(cso.support(n).w) + rounded;
+    return h + size * (point + 8 * kUnitRoundoff<double> * (cso.scale() + cso.radius()));
+  }
+};
+
+// The lower half, from n as it stands. Returns false if n proves nothing.
+inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss, Proof& proof, Counters& counters) {
+  if (!(n.cwiseAbs().maxCoeff() > 0)) return false;
+  const double h = c.reach(n, counters);
+  if (!(h < 0)) return false;
+  const double rate = n.dot(c.r) - c.delta_r(n);  // at most n.r
+  if (miss) {
+    // h < min(0, s_max n.r)
+    if (!(rate >= 0) && !(h < c.s_max * (1 + 4 * kUnitRoundoff<double>) * rate)) return false;
+    proof.toi_lower = kInfinity<double>;
+  } else {
+    if (!(rate < 0)) return false;
+    const double t = c.cso.to_time(h / rate * (1 - 8 * kUnitRoundoff<double>));
+    if (!(t > proof.toi_lower)) return false;
+    proof.toi_lower = t;
+  }
+  proof.has_axis = true;
+  proof.axis = n;
+  return true;
+}
+
+// n turned until n.r >= 0: for a path without end only such an axis proves a miss. What it costs is h(r) times the
+// turn, which is nothing where C is left behind.
+inline Vec3<double> level(const ProofContext& c, const Vec3<double>& n) {
+  const double excess = -(n.dot(c.r) - 2 * c.delta_r(n)), length_sq = c.r.squaredNorm();
+  return excess > 0 && length_sq > 0 ? Vec3<double>(n + c.r * (excess / length_sq * (1 + 1e-15))) : n;
+}
+
+// An axis for a miss, by the distance of C from the whole path: GJK on C swept along -r.
+inline void prove_miss(const ProofContext& c, const Vec3<double>& hint, Proof& proof, Counters& counters) {
+  const bool ray = !(c.s_max < kInfinity<double>);
+  if (prove_lower(c, hint, true, proof, counters)) return;
+  if (ray && prove_lower(c, level(c, hint), true, proof, counters)) return;
+  double s_end = c.s_max;
+  if (const double length_sq = c.r.squaredNorm(); length_sq > 0) {
+    // No contact is later: s r.r <= h(r) + R |r|.
+    s_end = std::min(s_end, std::max(c.reach(c.r, counters), 0.0) / length_sq);
+  }
+  const auto swept = [&](const Vec3<double>& n) {
+    CsoPoint<double> p = c.cso.support(n);
+    if (n.dot(c.r) < 0) {
+      p.w -= s_end * c.r;
+      p.e = Vec3<double>::UnitX();  // tells the two ends of a sweep apart
+    }
+    return p;
+  };
+  Simplex<double> simplex;
+  const Vec3<double> start = -(c.cso.middle() - (s_end / 2) * c.r);
+  const Distance<double> d =
+      gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0, c.cso.radius(), 256, counters);
+  if (prove_lower(c, d.n, true, proof, counters)) return;
+  prove_lower(c, level(c, d.n), true, proof, counters);
+}
+
+inline SupportPair pair_of(const Cso<double>& cso, const CsoPoint<double>& p, double unit_a, double unit_b) {
+  SupportPair out;
+  out.a.vertex = p.vertex_a;
+  out.b.vertex = p.vertex_b;
+  (void)cso;
+  out.a.offset = p.e * (unit_a * kInside);
+  out.b.offset = p.e * (-unit_b * kInside);
+  return out;
+}
+
+// The upper half: a portal of three points, every sign of it beyond its rounding.
+// The projection of each point is known within `e` = its own error + 12 u of its length for the frame and the dot
+// products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
+inline void prove_upper(const ProofContext& c, double radius_a, double radius_b, Proof& proof, Counters& counters) {
+  if (!(c.s_max > 0)) return;
+  const Frame<double> frame(c.r);
+  const double z_max = c.s_max * frame.length;
+  const double gap = 4 * kUnitRoundoff<double> * c.cso.scale();
+  const PortalSearch<double> search = enter_line(c.cso, frame, z_max, gap, 256, counters);
+  if (search.portal.size != 3) return;
+  double longest = 0, area = 0, low = kInfinity<double>, high = -kInfinity<double>;
+  for (const auto& p : search.portal.p) {
+    longest = std::max(longest, p.c.w.cwiseAbs().sum());
+    low = std::min(low, p.q[2]);
+    high = std::max(high, p.q[2]);
+  }
+  // kInside moves a rounded point by 8 u R; directions rounded to S and back cost nothing more in double.
+  const double e = 2 * c.point + 24 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  double sign_error = 0;
+  std::array<double, 3> l;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double>&a = search.portal.p[(i + 1) % 3].q, &b = search.portal.p[(i + 2) % 3].q;
+    const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
+    const double error = 2 * e * across + 4 * e * e;
+    l[i] = cross2(a, b);
+    if (!(l[i] > error)) return;
+    area += l[i];
+    sign_error += error;
+  }
+  double z = 0;
+  for (std::size_t i = 0; i < 3; ++i) z += l[i] / area * search.portal.p[i].q[2];
+  // The weights are known within sign_error / area each, relative to the spread of z.
+  z += e + 4 * (high - low) * sign_error / area;
+  if (!(z >= 0 && z <= z_max * (1 - 4 * kUnitRoundoff<double>))) return;
+  const double t = c.cso.to_time(z / frame.length * (1 + 8 * kUnitRoundoff<double>));
+  if (!(t < kInfinity<double>)) return;
+  proof.toi_upper = t;
+  proof.portal_size = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    proof.portal[i] = pair_of(c.cso, search.portal.p[i].c, radius_a, radius_b);
+  }
+}
+
+// Contact at t = 0: four points around the origin, every volume beyond its rounding.
+inline void prove_start(const ProofContext& c, double radius_a, double radius_b, Proof& proof, Counters& counters) {
+  Simplex<double> simplex;
+  const auto rounded = [&](const Vec3<double>& n) { return c.cso.rounded_support(unit(n)); };
+  const Vec3<double> start = -c.cso.middle();
+  gjk_distance(rounded, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0, 0.0, 256, counters);
+  if (simplex.size != 4) return;
+  double longest = 0;
+  for (const auto& p : simplex.point) longest = std::max(longest, p.w.cwiseAbs().sum());
+  const double e = c.point + 16 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  // det(a, b, c) of three points within e each: |error| <= 3 e (2 longest)^2, and 8 u of the product itself.
+  const double error = 16 * e * longest * longest;
+  double side = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3<double>&a = simplex.point[(i + 1) % 4].w, &b = simplex.point[(i + 2) % 4].w,
+                 &d = simplex.point[(i + 3) % 4].w;
+    const double volume = (i % 2 == 0 ? 1 : -1) * a.dot(b.cross(d));
+    if (!(std::abs(volume) > error) || side * volume < 0) return;
+    side = volume;
+  }
+  proof.toi_upper = 0;
+  proof.portal_size = 4;
+  for (std::size_t i = 0; i < 4; ++i) proof.portal[i] = pair_of(c.cso, simplex.point[i], radius_a, radius_b);
+}
+
+}  // namespace detail
+
+// n: the axis that the method found (world axes, from A to B), or zero.
+template <Scalar S>
+Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, const Vec3<S>& n,
+            Counters& counters) {
+  const Cso<double> cso(a, b, options.target_distance);
+  const detail::ProofContext context{cso, cso.direction(),
+                                     cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0,
+                                     cso.rounding()};
+  const auto radius = [](const Body<S>& body) {
+    return std::visit([](const auto& shape) { return detail::bounds(shape).radius; }, body.shape);
+  };
+  const double radius_a = radius(a), radius_b = radius(b);
+  const Vec3<double> axis = n.template cast<double>();
+  Proof proof;
+  if (outcome == Outcome::miss) {
+    detail::prove_miss(context, axis, proof, counters);
+  } else if (outcome == Outcome::initially_overlapping) {
+    detail::prove_start(context, radius_a, radius_b, proof, counters);
+  } else if (outcome == Outcome::hit || outcome == Outcome::not_converged) {
+    detail::prove_lower(context, axis, false, proof, counters);
+    detail::prove_upper(context, radius_a, radius_b, proof, counters);
+  }
+  return proof;
+}
+
+}  // namespace graze
