@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross
 #include <concepts>
 #include <cstdint>
 #include <limits>
