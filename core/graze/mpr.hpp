@@ -66,7 +66,7 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   if (in.upper > z_max && in.state == State::entered) out.upper = limits.s_max;
   out.contact = contact_of(in);
   if (in.state == State::exhausted) return out;
-  if (in.lower > 0) {
+  if (in.lower > 0 && in.upper > limits.noise) {
     out.outcome = Outcome::hit;
     return out;
   }

@@ -105,13 +105,58 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
   Vec3<S> n(0, 0, -1);
   const Vec3<S> e = p[1].q - p[0].q;
   if (portal.size == 3) {
-    n = -e.cross(Vec3<S>(p[2].q - p[0].q));
+    n = -face_normal(p[0].q, p[1].q, p[2].q);
   } else if (portal.size == 2) {
     // In the plane of the edge and the line.
     const S across = std::sqrt(e[0] * e[0] + e[1] * e[1]);
     if (across > 0) n = Vec3<S>(e[0] * e[2] / across, e[1] * e[2] / across, -across);
   }
   return unit(n);
+}
+
+// z where the line meets the portal's plane, from the corner nearest to the line: on a sliver the weights are the
+// rounding of small areas, the plane is not.
+template <Scalar S>
+S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
+  std::size_t nearest = 0;
+  S least = kInfinity<S>;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(portal.size); ++i) {
+    const S dist_sq = portal.p[i].q.template head<2>().squaredNorm();
+    if (dist_sq < least) {
+      least = dist_sq;
+      nearest = i;
+    }
+  }
+  const Vec3<S>& q = portal.p[nearest].q;
+  return q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2];
+}
+
+// The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it is on
+// their common side, as always on lattices. Then the largest: the others may have no area at all.
+template <Scalar S>
+void replace_corner(Portal<S>& portal, const PortalPoint<S>& w) {
+  auto& p = portal.p;
+  const std::array<S, 3> beside = {cross2(p[0].q, w.q), cross2(p[1].q, w.q), cross2(p[2].q, w.q)};
+  std::size_t out = 3;
+  S largest = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    if (beside[j] <= 0 && beside[k] >= 0) {
+      const S area = cross2(p[j].q, p[k].q) + (beside[k] - beside[j]);
+      if (area > largest) {
+        largest = area;
+        out = i;
+      }
+    }
+  }
+  // No triangle at all is rounding: w is beside the origin, and the corner farthest from both goes.
+  if (out == 3) {
+    out = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      if ((p[i].q - w.q).template head<2>().squaredNorm() > (p[out].q - w.q).template head<2>().squaredNorm()) out = i;
+    }
+  }
+  p[out] = w;
 }
 
 // An edge-on triangle becomes the edge on whose sides the origin lies farthest apart.
@@ -175,18 +220,20 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
     }
     p[2] = view.support(n);
     if (n.dot(p[2].q) < 0) return missed(n);
-    if (side == 0) {
-      // The origin on the edge itself: either half-plane will do.
-      if (n.dot(p[2].q) > 0) return found(3);
+    if (side == 0 || p[2].c.same_feature(p[0].c) || p[2].c.same_feature(p[1].c)) {
+      // The origin on the edge itself, as far as rounding can tell: either half-plane will do.
+      if (n.dot(Vec3<S>(p[2].q - p[0].q)) > 0) return found(3);
       const PortalPoint<S> other = view.support(-n);
       if (!(n.dot(other.q) < 0)) return found(2);
       p[2] = other;
       return found(3);
     }
-    // Counter-clockwise, p0 -> p1 seen from the origin's side.
+    // Counter-clockwise, p0 -> p1 seen from the origin's side. Outside by less than rounding is inside, or two
+    // triangles beside a silhouette that runs through the origin would hand it to each other for ever.
     const S turn = side >= 0 ? S(1) : S(-1);
     const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
-    if (right >= 0 && left >= 0) return found(3);
+    const S noise = 4 * kUnitRoundoff<S> * (view.cso.scale() + view.cso.radius());
+    if (right >= -noise * (p[2].q - p[0].q).norm() && left >= -noise * (p[2].q - p[1].q).norm()) return found(3);
     if (right < left) {
       p[1] = p[2];
     } else {
@@ -213,23 +260,21 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   int& size = search.portal.size;
   search.state = State::exhausted;
   while (true) {
-    search.lambda = portal_weights(search.portal);
-    S upper = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) upper += search.lambda[i] * p[i].q[2];
-    search.upper = std::min(search.upper, upper);
-    if (search.upper <= limits.accept_at) {
-      search.state = State::accepted;
-      return;
-    }
-    if (budget-- <= 0) return;
-    ++view.counters.portal_steps;
-
     Vec3<S> n = portal_normal(search.portal);
     if (size == 3 && !(n[2] < -kEdgeOn<S>)) {
       flatten(search.portal);
       n = portal_normal(search.portal);
     }
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
+    search.upper = portal_height(search.portal, n);
+    if (search.upper <= limits.accept_at) {
+      search.state = State::accepted;
+      search.lambda = portal_weights(search.portal);
+      return;
+    }
+    if (budget-- <= 0) return;
+    ++view.counters.portal_steps;
+
     const PortalPoint<S> w = view.support(n);
     const S reach = n.dot(w.q);
     if (const S lower = reach / n[2]; lower > search.lower) {
@@ -244,22 +289,25 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
     if (!(reach - face > limits.gap)) {
       search.state = State::entered;
+      search.lambda = portal_weights(search.portal);
       return;
     }
     if (size == 1) return;  // the foremost point was not: only rounding can say so
     if (size == 2) {
-      const S along = w.q[0] * (p[1].q[0] - p[0].q[0]) + w.q[1] * (p[1].q[1] - p[0].q[1]);
-      p[along > 0 ? 1 : 0] = w;
-    } else {
-      // The origin is in one of the three triangles that w makes with the portal's edges.
-      const S a = cross2(p[0].q, w.q), b = cross2(p[1].q, w.q), c = cross2(p[2].q, w.q);
-      if (a <= 0 && b >= 0) {
+      const Vec3<S> e = p[1].q - p[0].q, f = w.q - p[0].q;
+      const S area = cross2(e, f), significant = 16 * kUnitRoundoff<S> * (std::abs(e[0]) + std::abs(e[1])) *
+                                                 (view.cso.scale() + view.cso.radius());
+      if (std::abs(area) > significant) {
+        // The edge was on the silhouette: beside it C goes on.
         p[2] = w;
-      } else if (b <= 0 && c >= 0) {
-        p[0] = w;
+        if (area < 0) std::swap(p[0], p[1]);
+        size = 3;
       } else {
-        p[1] = w;
+        const S along = w.q[0] * e[0] + w.q[1] * e[1];
+        p[along > 0 ? 1 : 0] = w;
       }
+    } else {
+      replace_corner(search.portal, w);
     }
   }
 }

@@ -41,6 +41,16 @@ Vec3<S> unit(const Vec3<S>& n) {
   return scaled / scaled.norm();
 }
 
+// (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in every
+// direction, also along them, where the face reaches far; the short edge keeps the error relative to the area.
+template <Scalar S>
+Vec3<S> face_normal(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
+  const Vec3<S> ab = b - a, bc = c - b, ca = a - c;
+  const S ab_sq = ab.squaredNorm(), bc_sq = bc.squaredNorm(), ca_sq = ca.squaredNorm();
+  if (ab_sq >= bc_sq && ab_sq >= ca_sq) return bc.cross(ca);
+  return bc_sq >= ca_sq ? ca.cross(ab) : ab.cross(bc);
+}
+
 template <Scalar S>
 struct Closest {
   Vec3<S> v = Vec3<S>::Zero();
@@ -104,9 +114,9 @@ Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
       std::swap(at[0], at[i]);
     }
   }
-  const Vec3<S>& a = y[static_cast<std::size_t>(at[0])];
-  const Vec3<S> e1 = y[static_cast<std::size_t>(at[1])] - a, e2 = y[static_cast<std::size_t>(at[2])] - a;
-  const Vec3<S> m = e1.cross(e2);
+  const Vec3<S>&a = y[static_cast<std::size_t>(at[0])], &b = y[static_cast<std::size_t>(at[1])],
+          &c = y[static_cast<std::size_t>(at[2])];
+  const Vec3<S> e1 = b - a, e2 = c - a, m = face_normal(a, b, c);
   const S area_sq = m.squaredNorm();
   Closest<S> out;
   if (!(area_sq > 0)) return out;
