@@ -22,8 +22,9 @@ struct Spin {
 struct Expect {
   std::string by;
   std::optional<Outcome> outcome;
-  std::optional<double> toi_lower, toi_upper;  // the doubles on either side of the exact TOI (equal if it is one)
-  std::string toi_exact;                       // "n/d" or "n" where the TOI is rational, else empty
+  std::optional<double> toi_lower,
+      toi_upper;          // the doubles on either side of the exact TOI (equal if it is one)
+  std::string toi_exact;  // "n/d" or "n" where the TOI is rational, else empty
   std::optional<double> t_in, t_out, distance, depth;
   std::optional<Vec3<double>> normal;
 };

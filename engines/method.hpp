@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "corpus/case.hpp"
 
@@ -14,14 +15,14 @@ struct Answer {
   Invalid invalid = Invalid::none;
   double toi_lower = 0, toi_upper = 0;
   Vec3<double> normal = Vec3<double>::Zero(), point_a = Vec3<double>::Zero(), point_b = Vec3<double>::Zero();
-  std::optional<Proof> proof;
-  Counters counters;
+  std::optional<Proof> proof = {};
+  Counters counters = {};
 };
 
 struct Ask {
   Request request = Request::verdict;
-  double tolerance = 0;      // over scale; 0: the method's rounding bound
-  int max_iterations = 0;    // 0: the method's default
+  double tolerance = 0;    // over scale; 0: the method's rounding bound
+  int max_iterations = 0;  // 0: the method's default
 };
 
 struct EngineMethod {
@@ -29,16 +30,22 @@ struct EngineMethod {
   std::string scalar;  // "float", "double"
   std::string tier;    // "standard"
   double unit_roundoff;
+  // A case for which unsupported() says something comes back as invalid_input with Invalid::none.
   Answer (*cast)(const corpus::Case&, const Ask&);
   // The case as this method sees it: every number rounded to its scalar. Proofs and guarantees are about it.
   corpus::Case (*seen)(const corpus::Case&);
-  // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one cast takes,
-  // the median over `repeats` timed batches.
+  // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one cast
+  // takes, the median over `repeats` timed batches.
   double (*time_ns)(const corpus::Case&, const Ask&, int repeats);
+
+  [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
 };
 
 [[nodiscard]] std::span<const EngineMethod> methods();
-// By "mpr", "mpr/double", ...: nullptr if there is none.
+// By "mpr" (the first of that name, in double), "mpr/double", ...: nullptr if there is none.
 [[nodiscard]] const EngineMethod* find_method(std::string_view name);
+
+// What in a case no method here answers ("a rotating motion", ...); empty when all of them do.
+[[nodiscard]] std::string unsupported(const corpus::Case& problem);
 
 }  // namespace graze::engine

@@ -1,9 +1,11 @@
-// What is true of a linear case: the exact answer, and exact measures of any proposed one. No CGAL header here.
+// What is true of a linear case: the exact answer, and exact measures of any proposed one. No CGAL header
+// here.
 //
 // Polytopes (point, box, hull; any dimension of the CSO, any rational pose): decided exactly, everything.
-// Spheres, alone or against a polytope, and target distances: the CSO is a polytope rounded by R, and every
-// question is a comparison of a squared rational distance with R^2, decided exactly.
-// Cost and limits: see linear_truth.cpp.
+// Spheres, alone or against a polytope, and target distances: the CSO is a polytope P rounded by
+// R = r_A + r_B + m, and every question is a comparison of a squared rational distance with R^2, decided
+// exactly. Cost and limits: see linear_truth.cpp. One object is for one thread: answers are computed when
+// first asked for.
 #pragma once
 
 #include <memory>
@@ -11,49 +13,73 @@
 #include <string>
 
 #include "corpus/case.hpp"
+#include "oracles/enclosure.hpp"
 
 namespace graze::oracle {
 
-// An enclosure of a real number by doubles: low <= x <= high, at most a few units in the last place wide.
-struct Enclosure {
-  double low = 0, high = 0;
+// {t in R : t v in C}, rounded to the nearest doubles.
+struct ContactInterval {
+  double t_in = 0, t_out = 0;
 };
 
+// Enclosures are two neighbouring doubles, or one, unless the function says otherwise.
 class LinearTruth {
  public:
-  // Throws std::invalid_argument for a case it does not decide (rotation, unknown shape, non-finite input).
+  // Throws std::invalid_argument for a case that it does not decide (rotation, unknown shape) and for bad
+  // input (a number that is not finite, a negative extent, an empty hull, a zero quaternion, t_max or target
+  // below 0).
   explicit LinearTruth(const corpus::Case& problem);
   ~LinearTruth();
   LinearTruth(LinearTruth&&) noexcept;
   LinearTruth& operator=(LinearTruth&&) noexcept;
 
-  [[nodiscard]] Outcome outcome() const;  // initially_overlapping, hit or miss
-  // The largest double not above the TOI, and the least not below it; infinity for a miss.
+  // initially_overlapping, hit or miss. Under the policy pass_over a start in contact that leaves or slides
+  // is a miss.
+  [[nodiscard]] Outcome outcome() const;
+  // The largest double not above the TOI, and the least not below it; infinity for a miss. (A hit beyond the
+  // largest double, possible for T = infinity, lies between that and infinity.)
   [[nodiscard]] double toi_lower() const;
   [[nodiscard]] double toi_upper() const;
-  // "n/d" in lowest terms where the TOI is rational and known as such (polytopes without rounding), else "".
+  // "n/d" or "n" in lowest terms where the TOI is rational: always without rounding, and with it where the
+  // discriminant of its quadratic is a square (a ball on a slab); else "".
   [[nodiscard]] std::string toi_exact() const;
-  // sign(t - TOI), exact; -1 for a miss.
+  // sign(t - TOI), exact; -1 for a miss. t is not NaN.
   [[nodiscard]] int compare(double t) const;
 
-  // DESIGN section 1, in units of length (not squared, not over scale).
+  // Units of length (not squared, not over scale). Bounding boxes are the posed shapes', in world axes.
   [[nodiscard]] Enclosure scale() const;
-  [[nodiscard]] Enclosure clearance() const;  // of a miss: distance of the path from C; 0 otherwise
-  [[nodiscard]] Enclosure depth() const;      // of a hit or a start in contact: least translation after which the path misses
-  [[nodiscard]] Enclosure distance_at(double t) const;      // of t v from C; 0 inside
-  [[nodiscard]] Enclosure depth_before(double t) const;     // depth of the path over [0, t); 0 if it makes no contact, and for t = 0
-  [[nodiscard]] Enclosure backward_error(double t) const;   // max of the two above, for finite t >= 0
-  [[nodiscard]] Enclosure forward_error(double t) const;    // |t - TOI| |v|; needs a hit
-  // The lateness of a bracket's lower end: depth_before(t) if t > TOI, else 0.
+  // Of a miss: the distance of the path from C; 0 otherwise.
+  [[nodiscard]] Enclosure clearance() const;
+  // Of a hit or a start in contact: the least translation after which the path over [0, T] misses; 0 of a
+  // miss.
+  [[nodiscard]] Enclosure depth() const;
+  // For finite t: the distance of t v from C; 0 inside.
+  [[nodiscard]] Enclosure distance_at(double t) const;
+  // For t >= 0, infinity too: depth of the path over [0, t); 0 if it makes no contact, and for t = 0. T does
+  // not cut the path.
+  [[nodiscard]] Enclosure depth_before(double t) const;
+  // The larger of the two above. For a time that is not finite and >= 0: infinity.
+  [[nodiscard]] Enclosure backward_error(double t) const;
+  // |t - TOI| |v|; infinity for a miss. With R > 0 and an irrational TOI also within 2^-230 TOI |v|.
+  [[nodiscard]] Enclosure forward_error(double t) const;
+  // The lateness of a bracket's lower end: depth_before(t) if t > TOI, else 0. (t = infinity claims a miss.)
   [[nodiscard]] Enclosure lateness(double t) const;
-  // h(n) - n.(TOI v), over |n|: how far n is from being a supporting normal at the contact; needs a hit.
+  // (h(n) - n.(TOI v)) / |n|, h of C: how far n is from being a supporting normal at the contact. Needs a
+  // contact in the path (for a start in contact, TOI = 0); infinity for a miss and for a zero or non-finite
+  // n. With an irrational TOI also within 2^-230 TOI |v|.
   [[nodiscard]] Enclosure normal_error(const Vec3<double>& n) const;
-  // Distance of a world point from A (or B) as it stands at time t.
+  // Distance of a world point from A ('a') or B ('b') as it stands at time t; infinity for what is not
+  // finite.
   [[nodiscard]] Enclosure distance_from_body(char body, double t, const Vec3<double>& world_point) const;
   // Distance between the bodies at t = 0 (target distance not counted); 0 in contact.
   [[nodiscard]] Enclosure distance() const;
+  [[nodiscard]] double nearest_distance() const;  // the same, as the nearest double
   // The dimension of the hull of the CSO's vertices, 0..3 (before rounding).
   [[nodiscard]] int dimension() const;
+  // True if the CSO is a polytope: no radius, no target distance.
+  [[nodiscard]] bool is_polytope() const;
+  // The signed answer of a polytope (std::logic_error otherwise): nothing if the line misses.
+  [[nodiscard]] std::optional<ContactInterval> contact_interval() const;
 
  private:
   struct Impl;

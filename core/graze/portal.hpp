@@ -57,6 +57,8 @@ struct PortalView {
   S mirror;
   Counters& counters;
 
+  // What rounding may move a projected support point by, typically: 4 u of the lengths in it.
+  [[nodiscard]] S noise() const { return 4 * kUnitRoundoff<S> * (cso.scale() + cso.radius()); }
   [[nodiscard]] Vec3<S> world(const Vec3<S>& n) const { return frame.to_world(Vec3<S>(n[0], n[1], mirror * n[2])); }
   [[nodiscard]] PortalPoint<S> support(const Vec3<S>& n) const {
     ++counters.supports;
@@ -132,16 +134,22 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
 }
 
 // The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it is on
-// their common side, as always on lattices. Then the largest: the others may have no area at all.
+// their common side as far as rounding can tell, as always on lattices. Then the largest: the others may have no area
+// at all. `noise` bounds the error of a projected coordinate.
 template <Scalar S>
-void replace_corner(Portal<S>& portal, const PortalPoint<S>& w) {
+void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   auto& p = portal.p;
-  const std::array<S, 3> beside = {cross2(p[0].q, w.q), cross2(p[1].q, w.q), cross2(p[2].q, w.q)};
+  std::array<S, 3> beside, doubt;
+  const S size_w = std::abs(w.q[0]) + std::abs(w.q[1]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    beside[i] = cross2(p[i].q, w.q);
+    doubt[i] = noise * (std::abs(p[i].q[0]) + std::abs(p[i].q[1]) + size_w);
+  }
   std::size_t out = 3;
   S largest = -1;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    if (beside[j] <= 0 && beside[k] >= 0) {
+    if (beside[j] <= doubt[j] && beside[k] >= -doubt[k]) {
       const S area = cross2(p[j].q, p[k].q) + (beside[k] - beside[j]);
       if (area > largest) {
         largest = area;
@@ -232,7 +240,7 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
     // triangles beside a silhouette that runs through the origin would hand it to each other for ever.
     const S turn = side >= 0 ? S(1) : S(-1);
     const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
-    const S noise = 4 * kUnitRoundoff<S> * (view.cso.scale() + view.cso.radius());
+    const S noise = view.noise();
     if (right >= -noise * (p[2].q - p[0].q).norm() && left >= -noise * (p[2].q - p[1].q).norm()) return found(3);
     if (right < left) {
       p[1] = p[2];
@@ -258,6 +266,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   using State = typename PortalSearch<S>::State;
   auto& p = search.portal.p;
   int& size = search.portal.size;
+  const S noise = view.noise();
   search.state = State::exhausted;
   while (true) {
     Vec3<S> n = portal_normal(search.portal);
@@ -295,8 +304,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     if (size == 1) return;  // the foremost point was not: only rounding can say so
     if (size == 2) {
       const Vec3<S> e = p[1].q - p[0].q, f = w.q - p[0].q;
-      const S area = cross2(e, f), significant = 16 * kUnitRoundoff<S> * (std::abs(e[0]) + std::abs(e[1])) *
-                                                 (view.cso.scale() + view.cso.radius());
+      const S area = cross2(e, f), significant = 4 * noise * (std::abs(e[0]) + std::abs(e[1]));
       if (std::abs(area) > significant) {
         // The edge was on the silhouette: beside it C goes on.
         p[2] = w;
@@ -307,7 +315,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
         p[along > 0 ? 1 : 0] = w;
       }
     } else {
-      replace_corner(search.portal, w);
+      replace_corner(search.portal, w, noise);
     }
   }
 }
