@@ -2,9 +2,9 @@
 //
 //   TOI = the least t in [0, t_max] with  A + t v_A  and  B + t v_B  in contact (touching counts), or none.
 //
-// Inputs: bodies in world axes, the caller's units. Tier standard: the answer is true for some convex set within
-// kappa u scale of C = A - B; kappa per method in docs/guarantees.md. No throw, no allocation, no global state.
-// A ray cast is the cast of a Point.
+// Inputs: bodies in world axes, the caller's units. Tier standard: the answer is true for some convex set
+// within kappa u scale of C = A - B; kappa per method in docs/guarantees.md. No throw, no allocation, no
+// global state. A ray cast is the cast of a Point.
 #pragma once
 
 #include <graze/gjk_casts.hpp>
@@ -17,8 +17,8 @@ namespace detail {
 
 // sum lambda_i (vertex_i of the body + radius e_i) at time t, in world coordinates.
 template <Scalar S>
-Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, const Simplex<S>& contact, const Vec3<S>& n,
-                bool of_a, S t) {
+Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, const Simplex<S>& contact,
+                const Vec3<S>& n, bool of_a, S t) {
   Vec3<S> own = Vec3<S>::Zero(), out = Vec3<S>::Zero();
   for (int i = 0; i < contact.size; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
@@ -27,7 +27,8 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
     const Vec3<S>& e = p.e == Vec3<S>::Zero() ? n : p.e;
     out += contact.lambda[k] * (of_a ? side.radius : -side.radius) * e;
   }
-  const Vec3<S> center = std::visit([](const auto& shape) { return bounds(shape).center; }, body.shape).template cast<S>();
+  const Vec3<S> center =
+      std::visit([](const auto& shape) { return bounds(shape).center; }, body.shape).template cast<S>();
   Vec3<S> shift = body.position + t * body.displacement + side.to_world(center);
   out += side.to_world(own);
   for (int i = 0; i < 3; ++i) shift[i] += cso.to_length(out[i]);
@@ -35,15 +36,20 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
 }
 
 template <Scalar S>
-void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, const Cso<S>& cso,
-          const Sweep<S>& sweep) {
+void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+          const Cso<S>& cso, const Sweep<S>& sweep) {
   out.outcome = sweep.outcome;
   switch (sweep.outcome) {
-    case Outcome::initially_overlapping: out.toi_lower = out.toi_upper = 0; break;
-    case Outcome::miss: out.toi_lower = out.toi_upper = kInfinity<S>; break;
+    case Outcome::initially_overlapping:
+      out.toi_lower = out.toi_upper = 0;
+      break;
+    case Outcome::miss:
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      break;
     default:
       out.toi_lower = std::min(cso.to_time(sweep.lower), options.t_max);
-      out.toi_upper = sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
+      out.toi_upper =
+          sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
   }
   if (out.outcome == Outcome::hit) {
     if (asks_for(options.request, Request::normal)) out.normal = sweep.n;
@@ -56,7 +62,6 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
     out.proof = prove(a, b, options, out.outcome, sweep.n, out.counters);
   }
 }
-
 
 template <Scalar S, class Search>
 CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
@@ -88,7 +93,8 @@ CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const
 }  // namespace detail
 
 template <Scalar S>
-CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
+CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
+                                            const CastOptions<S>& options = {}) {
   return detail::cast_with(
       Method::conservative_advancement, a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
@@ -108,18 +114,20 @@ CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions
 template <Scalar S>
 CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
   return detail::cast_with(Method::mpr_sweep, a, b, options,
-                           [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>&, Counters& counters) {
-                             return mpr_sweep(cso, limits, counters);
-                           });
+                           [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>&,
+                              Counters& counters) { return mpr_sweep(cso, limits, counters); });
 }
 
 // By options.method.
 template <Scalar S>
 CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
   switch (options.method) {
-    case Method::conservative_advancement: return cast_conservative_advancement(a, b, options);
-    case Method::gjk_ray_cast: return cast_gjk_ray(a, b, options);
-    case Method::mpr_sweep: break;
+    case Method::conservative_advancement:
+      return cast_conservative_advancement(a, b, options);
+    case Method::gjk_ray_cast:
+      return cast_gjk_ray(a, b, options);
+    case Method::mpr_sweep:
+      break;
   }
   return cast_mpr_sweep(a, b, options);
 }

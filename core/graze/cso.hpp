@@ -5,8 +5,8 @@
 //   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance), axes the world's.
 // Powers of two are exact, so scaling a problem by one changes no bit of what the solvers see.
 //
-// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is the
-// core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
+// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is
+// the core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
 // Rounding of a support point: w = R_A a - (R_B b + d), the offset d as in offset.hpp. Per component
 //   |fl(w) - w| <= u (20 |a|_1 + 20 |b|_1 + 3 (|a| + |b| + |d|))  rotated;  u (3 (|a| + |b| + |d|))  else,
@@ -18,7 +18,8 @@
 
 namespace graze {
 
-// A support point of C: w = a - b, by the vertices of A and B and, on a rounded C, the ball's unit direction e.
+// A support point of C: w = a - b, by the vertices of A and B and, on a rounded C, the ball's unit direction
+// e.
 template <Scalar S>
 struct CsoPoint {
   Vec3<S> w = Vec3<S>::Zero();
@@ -41,13 +42,15 @@ struct Side {
   Support support = nullptr;
   Vertex vertex = nullptr;
   const void* hull = nullptr;
-  S unit = 1;  // internal length of one scan unit
+  S unit = 1;                                                // internal length of one scan unit
   Vec3<S> half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();  // bounds, internal units, own axes
   Mat3<S> rotation = Mat3<S>::Identity();
   bool rotated = false;
   S radius = 0;
 
-  [[nodiscard]] Vec3<S> to_own(const Vec3<S>& n) const { return rotated ? Vec3<S>(rotation.transpose() * n) : n; }
+  [[nodiscard]] Vec3<S> to_own(const Vec3<S>& n) const {
+    return rotated ? Vec3<S>(rotation.transpose() * n) : n;
+  }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& x) const { return rotated ? Vec3<S>(rotation * x) : x; }
   // sum over axes of the largest |coordinate|: bounds |x|_1 over the core.
   [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).sum(); }
@@ -170,7 +173,8 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k) {
   side.radius = static_cast<S>(unit * bounds.radius);
   const Quaternion<Given>& q = body.orientation;
   // A point's rotation about itself, and so a sphere's, cannot be seen.
-  side.rotated = !q.is_identity() && bounds.half.cwiseAbs().maxCoeff() + bounds.middle.cwiseAbs().maxCoeff() > 0;
+  side.rotated =
+      !q.is_identity() && bounds.half.cwiseAbs().maxCoeff() + bounds.middle.cwiseAbs().maxCoeff() > 0;
   if (side.rotated) {
     side.rotation = rotation_matrix({double(q.w), double(q.x), double(q.y), double(q.z)}).template cast<S>();
   }
@@ -201,7 +205,8 @@ class Cso {
     const double target = std::ldexp(static_cast<double>(target_distance), -k_);
     target_ = static_cast<S>(target);
     radius_ = a_.radius + b_.radius + target_;
-    const Vec3<double> v = body_b.displacement.template cast<double>() - body_a.displacement.template cast<double>();
+    const Vec3<double> v =
+        body_b.displacement.template cast<double>() - body_a.displacement.template cast<double>();
     const double speed = v.cwiseAbs().maxCoeff();
     j_ = speed > 0 ? std::ilogb(speed) : 0;
     r_ = (std::ldexp(1.0, -j_) * v).template cast<S>();
@@ -235,9 +240,11 @@ class Cso {
   [[nodiscard]] S radius() const { return radius_; }
   [[nodiscard]] S target() const { return target_; }
   // In [1, 2) internal units (0 for two coinciding points), and within a factor 3 below the pair's scale: the
-  // largest side of either box in its own axes, or the largest coordinate of the distance between their centres.
+  // largest side of either box in its own axes, or the largest coordinate of the distance between their
+  // centres.
   [[nodiscard]] S scale() const { return scale_; }
-  // Bounds the error of each component of any core support point, and of h(n) over |n|_1, choice of vertex included.
+  // Bounds the error of each component of any core support point, and of h(n) over |n|_1, choice of vertex
+  // included.
   [[nodiscard]] S rounding() const {
     const S lengths = a_.reach() + b_.reach() + d_.cwiseAbs().sum();
     return (a_.rotated || b_.rotated ? S(64) : S(12)) * kUnitRoundoff<S> * lengths;
@@ -248,8 +255,12 @@ class Cso {
 
   // t = s 2^(k - j), and back; infinite where t_max is, or where it is out of S's range.
   [[nodiscard]] S to_time(S s) const { return static_cast<S>(std::ldexp(static_cast<double>(s), k_ - j_)); }
-  [[nodiscard]] S to_parameter(S t) const { return static_cast<S>(std::ldexp(static_cast<double>(t), j_ - k_)); }
-  [[nodiscard]] S to_length(S internal) const { return static_cast<S>(std::ldexp(static_cast<double>(internal), k_)); }
+  [[nodiscard]] S to_parameter(S t) const {
+    return static_cast<S>(std::ldexp(static_cast<double>(t), j_ - k_));
+  }
+  [[nodiscard]] S to_length(S internal) const {
+    return static_cast<S>(std::ldexp(static_cast<double>(internal), k_));
+  }
 
  private:
   template <Scalar Given>

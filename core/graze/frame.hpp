@@ -1,6 +1,6 @@
-// Parallel projection along a direction r: the line {s r} becomes the origin of a plane, and "does the line meet C"
-// becomes "is the origin in the projected C". Axes e1, e2 across, e3 = r / |r|, so that a point c has the
-// coordinates (e1.c, e2.c, e3.c), and the line's point s r has (0, 0, s |r|).
+// Parallel projection along a direction r: the line {s r} becomes the origin of a plane, and "does the line
+// meet C" becomes "is the origin in the projected C". Axes e1, e2 across, e3 = r / |r|, so that a point c has
+// the coordinates (e1.c, e2.c, e3.c), and the line's point s r has (0, 0, s |r|).
 //
 // |e_i.e_j - delta_ij| <= 4 u: the tilt moves a point of the line by at most 4 u of its distance from 0.
 #pragma once

@@ -1,7 +1,8 @@
-// distance(x, C) = min |c - x| over c in C, for the core C of a CSO: GJK.     Units: internal.     Frame: world axes.
+// distance(x, C) = min |c - x| over c in C, for the core C of a CSO: GJK.     Units: internal.     Frame:
+// world axes.
 //
-// Guarantee: lower <= distance <= upper, up to `Cso::rounding` and a few u |x|. Both are honest at every step:
-// upper is the length of a convex combination of points of C - x, lower = n.x - h(n) for a unit n.
+// Guarantee: lower <= distance <= upper, up to `Cso::rounding` and a few u |x|. Both are honest at every
+// step: upper is the length of a convex combination of points of C - x, lower = n.x - h(n) for a unit n.
 // Notation   y = w - x;   v = the simplex's point closest to 0;   n = unit vector from the simplex to x.
 // [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003, 4.3]   stop when upper - lower <= gap.
 // Differs: a step that neither adds a point nor brings v nearer ends the search with the bracket that it has.
@@ -19,12 +20,12 @@ struct Distance {
   bool stalled = false;         // the gap was not closed
 };
 
-// `support(n)` is the core's, or that of a set made from it. `simplex` may come from a former call (of any x): a warm
-// start; if it is empty, the search begins along `start`. On return it holds the closest feature.
+// `support(n)` is the core's, or that of a set made from it. `simplex` may come from a former call (of any
+// x): a warm start; if it is empty, the search begins along `start`. On return it holds the closest feature.
 // Stops early once upper <= near_enough.
 template <Scalar S, class Support>
-Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>& start, Simplex<S>& simplex, S gap,
-                         S near_enough, int budget, Counters& counters) {
+Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>& start, Simplex<S>& simplex,
+                         S gap, S near_enough, int budget, Counters& counters) {
   Distance<S> out;
   if (simplex.size == 0) {
     simplex.add(support(start));
@@ -66,10 +67,10 @@ Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>
 
 // The same of the core itself.
 template <Scalar S>
-Distance<S> gjk_distance(const Cso<S>& cso, const Vec3<S>& x, Simplex<S>& simplex, S gap, S near_enough, int budget,
-                         Counters& counters) {
-  return gjk_distance([&cso](const Vec3<S>& n) { return cso.support(n); }, x, Vec3<S>(x - cso.middle()), simplex, gap,
-                      near_enough, budget, counters);
+Distance<S> gjk_distance(const Cso<S>& cso, const Vec3<S>& x, Simplex<S>& simplex, S gap, S near_enough,
+                         int budget, Counters& counters) {
+  return gjk_distance([&cso](const Vec3<S>& n) { return cso.support(n); }, x, Vec3<S>(x - cso.middle()),
+                      simplex, gap, near_enough, budget, counters);
 }
 
 }  // namespace graze

@@ -2,8 +2,8 @@
 //
 // Both walk along the path s r by axes: a unit n with h(n) + R < n.(s r) proves that no contact is before
 //   s' = s + (n.(s r) - h(n) - R) / -(n.r)      when n.r < 0,     and none at all when n.r >= 0.
-// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise, or where the
-// caller lets them; a portal then closes the bracket from above.
+// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise, or
+// where the caller lets them; a portal then closes the bracket from above.
 #pragma once
 
 #include <graze/mpr.hpp>
@@ -29,10 +29,11 @@ bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max
   return true;
 }
 
-// Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a stall, only a
-// portal can tell whether the path goes on to hit.
+// Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a
+// stall, only a portal can tell whether the path goes on to hit.
 template <Scalar S>
-void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart, Counters& counters) {
+void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart,
+                      Counters& counters) {
   if (apart <= limits.noise) {
     out.outcome = out.lower > 0 ? Outcome::hit : Outcome::initially_overlapping;
     out.upper = out.lower;
@@ -52,36 +53,36 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
 
 }  // namespace detail
 
-// Distance, advance, distance, ... [Mirtich 1996; the lecture].  Differs from the lecture in: the loop runs while the
-// shapes are apart (not while they are near); an axis along which they do not approach proves a miss, it divides
-// nothing; the path's end is checked before a contact is claimed.
+// Distance, advance, distance, ... [Mirtich 1996; the lecture].  Differs from the lecture in: the loop runs
+// while the shapes are apart (not while they are near); an axis along which they do not approach proves a
+// miss, it divides nothing; the path's end is checked before a contact is claimed.
 template <Scalar S>
-Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin, const Vec3<S>& n_begin,
-                                  Counters& counters) {
+Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin,
+                                  const Vec3<S>& n_begin, Counters& counters) {
   Sweep<S> out;
   out.lower = s_begin;
   out.n = n_begin;
   const Vec3<S>& r = cso.direction();
   const S R = cso.radius();
+  S apart = kInfinity<S>;
   while (counters.supports < limits.budget) {
     ++counters.iterations;
     const Vec3<S> x = out.lower * r;
-    const Distance<S> d = gjk_distance(cso, x, out.contact, limits.noise / 4, R + limits.noise, limits.budget, counters);
-    const S apart = d.upper - R;
-    if (apart <= limits.target && (out.lower > 0 || apart <= limits.noise)) {
-      detail::close_from_above(out, cso, limits, apart, counters);
-      return out;
-    }
-    if (!(d.lower - R > 0)) break;  // the search stalled: nothing separates them, nothing shows contact
+    const Distance<S> d =
+        gjk_distance(cso, x, out.contact, limits.fine(), R + limits.fine(), limits.budget, counters);
+    apart = d.upper - R;
+    // Near enough; or near, with no axis left that separates: what rounding leaves of a contact, or a stall.
+    const S least = apart <= limits.noise ? limits.fine() : S(0);
+    if (apart <= limits.enough(out.lower) || !(d.lower - R > least)) break;
     if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
   }
-  detail::close_from_above(out, cso, limits, kInfinity<S>, counters);
+  detail::close_from_above(out, cso, limits, apart, counters);
   return out;
 }
 
-// Each support point clips the path at once, instead of after a converged distance. [van den Bergen, Ray Casting
-// against General Convex Objects with Application to Continuous Collision Detection, 2004]
-// Differs: the simplex keeps points of C, not of C - x, so nothing is translated as x moves.
+// Each support point clips the path at once, instead of after a converged distance. [van den Bergen, Ray
+// Casting against General Convex Objects with Application to Continuous Collision Detection, 2004] Differs:
+// the simplex keeps points of C, not of C - x, so nothing is translated as x moves.
 template <Scalar S>
 Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin, const Vec3<S>& n_begin,
                       Counters& counters) {
@@ -94,18 +95,15 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
   Simplex<S>& simplex = out.contact;
   simplex.add(cso.support(x - cso.middle()));
   ++counters.supports;
-  S nearest = kInfinity<S>;
+  S nearest = kInfinity<S>, apart = kInfinity<S>;
   while (counters.supports < limits.budget) {
     ++counters.iterations;
     const Closest<S> closest = closest_to_origin(simplex, x);
     ++counters.gjk_iterations;
     reduce(simplex, closest);
-    const S distance = std::sqrt(closest.dist_sq), apart = distance - R;
-    if (apart <= limits.target && (out.lower > 0 || apart <= limits.noise)) {
-      detail::close_from_above(out, cso, limits, apart, counters);
-      return out;
-    }
-    if (simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
+    const S distance = std::sqrt(closest.dist_sq);
+    apart = distance - R;
+    if (apart <= limits.enough(out.lower) || simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
     const CsoPoint<S> next = cso.support(closest.n);
     ++counters.supports;
     const S clear = closest.n.dot(x - next.w) - R;
@@ -118,7 +116,7 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     x = out.lower * r;
     if (!simplex.holds(next)) simplex.add(next);
   }
-  detail::close_from_above(out, cso, limits, kInfinity<S>, counters);
+  detail::close_from_above(out, cso, limits, apart, counters);
   return out;
 }
 

@@ -1,5 +1,5 @@
-// The convex hull of finitely many points. Duplicates, interior points and every order are allowed; nothing is
-// ever simplified. Copies share the immutable vertices.
+// The convex hull of finitely many points. Duplicates, interior points and every order are allowed; nothing
+// is ever simplified. Copies share the immutable vertices.
 //
 // Beside the vertices as given, by index, a hull keeps them by axis for its support scan, prepared:
 //   scan_i = (vertex_i - center) 2^-exponent,

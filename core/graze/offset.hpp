@@ -1,9 +1,10 @@
 // The offset between two posed frames, with large common parts removed before they can cost accuracy.
 //
-//   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 4 u |offset| + 2^-98 (|p_A| + |p_B| + |c_A| + |c_B|),
+//   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 4 u |offset| + 2^-98 (|p_A| + |p_B| + |c_A| +
+//   |c_B|),
 //
-// computed as an unevaluated sum hi + lo of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Only additions and
-// std::fma are used, so contracting multiply-adds cannot change a result.
+// computed as an unevaluated sum hi + lo of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Only additions
+// and std::fma are used, so contracting multiply-adds cannot change a result.
 #pragma once
 
 #include <array>
@@ -71,8 +72,8 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
   return out;
 }
 
-// R(q), each entry within 17 u: the off-diagonal ones are s (xy +- wz) with |s (|xy| + |wz|)| <= 1 and 8 roundings,
-// the diagonal ones 1 - s (yy + zz) with s (yy + zz) <= 2.
+// R(q), each entry within 17 u: the off-diagonal ones are s (xy +- wz) with |s (|xy| + |wz|)| <= 1 and 8
+// roundings, the diagonal ones 1 - s (yy + zz) with s (yy + zz) <= 2.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
   const double s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   Mat3<double> r;

@@ -2,16 +2,17 @@
 //
 //   z_in = min z over {c in C : c projects to the origin},   C rounded by its radius;   Frame: frame.hpp.
 //
-// Notation   q = (x, y, z), a support point in the frame;   a portal = up to three of them whose projections hold the
+// Notation   q = (x, y, z), a support point in the frame;   a portal = up to three of them whose projections
+// hold the
 //   origin in their hull;   lambda their weights;   n = the portal's normal, n_z < 0.
 // A portal bounds from above, z_in <= sum lambda z; its normal from below, z_in >= h(n) / n_z. [Snethen 2008]
-// Discovery is the same question in the plane: GJK in two dimensions; a support that stays on its own side of the
-// origin proves that the line misses, with n_z = 0.
-// Differs: lines instead of rays, so no point of C's inside is needed to start from; a flat projection (a flat C seen
-// edge on, a segment, a point) has portals of two points or of one.
+// Discovery is the same question in the plane: GJK in two dimensions; a support that stays on its own side of
+// the origin proves that the line misses, with n_z = 0. Differs: lines instead of rays, so no point of C's
+// inside is needed to start from; a flat projection (a flat C seen edge on, a segment, a point) has portals
+// of two points or of one.
 //
-// Rounding: every decision is the sign of a cross product of projected points, which are small where the decision is
-// close: a wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
+// Rounding: every decision is the sign of a cross product of projected points, which are small where the
+// decision is close: a wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
 #pragma once
 
 #include <graze/frame.hpp>
@@ -27,7 +28,8 @@ struct PortalPoint {
 
 template <Scalar S>
 struct Portal {
-  int size = 0;  // 1: the line meets a vertex; 2: an edge, C's projection being flat; 3: a triangle, x-y counter-clockwise
+  int size = 0;  // 1: the line meets a vertex; 2: an edge, C's projection being flat; 3: a triangle, x-y
+                 // counter-clockwise
   std::array<PortalPoint<S>, 3> p;
 };
 
@@ -38,7 +40,7 @@ struct PortalSearch {
   Portal<S> portal;
   std::array<S, 3> lambda{};
   S lower = -kInfinity<S>, upper = kInfinity<S>;  // of z_in
-  Vec3<S> n = Vec3<S>::Zero();                    // world axes, unit: the normal that proves lower, or the miss
+  Vec3<S> n = Vec3<S>::Zero();  // world axes, unit: the normal that proves lower, or the miss
 };
 
 namespace detail {
@@ -48,8 +50,8 @@ S cross2(const Vec3<S>& a, const Vec3<S>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-// Support along n given in the frame. `mirror` = -1 looks at C from behind: z becomes -z, so that the exit of the line
-// is the entry of the mirrored one.
+// Support along n given in the frame. `mirror` = -1 looks at C from behind: z becomes -z, so that the exit of
+// the line is the entry of the mirrored one.
 template <Scalar S>
 struct PortalView {
   const Cso<S>& cso;
@@ -59,7 +61,9 @@ struct PortalView {
 
   // What rounding may move a projected support point by, typically: 4 u of the lengths in it.
   [[nodiscard]] S noise() const { return 4 * kUnitRoundoff<S> * (cso.scale() + cso.radius()); }
-  [[nodiscard]] Vec3<S> world(const Vec3<S>& n) const { return frame.to_world(Vec3<S>(n[0], n[1], mirror * n[2])); }
+  [[nodiscard]] Vec3<S> world(const Vec3<S>& n) const {
+    return frame.to_world(Vec3<S>(n[0], n[1], mirror * n[2]));
+  }
   [[nodiscard]] PortalPoint<S> support(const Vec3<S>& n) const {
     ++counters.supports;
     PortalPoint<S> out;
@@ -95,8 +99,8 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   return l;
 }
 
-// A triangle whose unit normal has |n_z| below this is seen edge on: n_z is then the rounding of a cross product of
-// edges, 8 u, and says nothing.
+// A triangle whose unit normal has |n_z| below this is seen edge on: n_z is then the rounding of a cross
+// product of edges, 8 u, and says nothing.
 template <Scalar S>
 inline constexpr S kEdgeOn = 8 * kUnitRoundoff<S>;
 
@@ -116,8 +120,8 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
   return unit(n);
 }
 
-// z where the line meets the portal's plane, from the corner nearest to the line: on a sliver the weights are the
-// rounding of small areas, the plane is not.
+// z where the line meets the portal's plane, from the corner nearest to the line: on a sliver the weights are
+// the rounding of small areas, the plane is not.
 template <Scalar S>
 S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   std::size_t nearest = 0;
@@ -133,9 +137,9 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   return q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2];
 }
 
-// The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it is on
-// their common side as far as rounding can tell, as always on lattices. Then the largest: the others may have no area
-// at all. `noise` bounds the error of a projected coordinate.
+// The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
+// is on their common side as far as rounding can tell, as always on lattices. Then the largest: the others
+// may have no area at all. `noise` bounds the error of a projected coordinate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   auto& p = portal.p;
@@ -161,7 +165,8 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   if (out == 3) {
     out = 0;
     for (std::size_t i = 1; i < 3; ++i) {
-      if ((p[i].q - w.q).template head<2>().squaredNorm() > (p[out].q - w.q).template head<2>().squaredNorm()) out = i;
+      if ((p[i].q - w.q).template head<2>().squaredNorm() > (p[out].q - w.q).template head<2>().squaredNorm())
+        out = i;
     }
   }
   p[out] = w;
@@ -219,7 +224,8 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
     const S inner = p[0].q[0] * p[1].q[0] + p[0].q[1] * p[1].q[1];
     if (side == 0 && (inner > 0 || n == Vec3<S>::Zero())) {
       // The origin on the edge's own line, beyond its nearer end: reach past that end.
-      if (p[1].q.template head<2>().squaredNorm() < p[0].q.template head<2>().squaredNorm()) std::swap(p[0], p[1]);
+      if (p[1].q.template head<2>().squaredNorm() < p[0].q.template head<2>().squaredNorm())
+        std::swap(p[0], p[1]);
       n = Vec3<S>(-p[0].q[0], -p[0].q[1], 0);
       if (n == Vec3<S>::Zero()) return found(1);
       p[1] = view.support(n);
@@ -236,12 +242,13 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
       p[2] = other;
       return found(3);
     }
-    // Counter-clockwise, p0 -> p1 seen from the origin's side. Outside by less than rounding is inside, or two
-    // triangles beside a silhouette that runs through the origin would hand it to each other for ever.
+    // Counter-clockwise, p0 -> p1 seen from the origin's side. Outside by less than rounding is inside, or
+    // two triangles beside a silhouette that runs through the origin would hand it to each other for ever.
     const S turn = side >= 0 ? S(1) : S(-1);
     const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
     const S noise = view.noise();
-    if (right >= -noise * (p[2].q - p[0].q).norm() && left >= -noise * (p[2].q - p[1].q).norm()) return found(3);
+    if (right >= -noise * (p[2].q - p[0].q).norm() && left >= -noise * (p[2].q - p[1].q).norm())
+      return found(3);
     if (right < left) {
       p[1] = p[2];
     } else {
@@ -261,7 +268,8 @@ struct PortalLimits {
 
 // Moves the portal to the surface of C. Takes the state `entered` of find_portal.
 template <Scalar S>
-void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, const PortalLimits<S>& limits, int budget) {
+void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, const PortalLimits<S>& limits,
+                   int budget) {
   using namespace detail;
   using State = typename PortalSearch<S>::State;
   auto& p = search.portal.p;

@@ -1,10 +1,11 @@
 // From an answer to a proof: only what holds without condition for the true shapes.     Frame: world.
 //
-// Everything is done in double whatever scalar found the answer, on the CSO of the very same bodies. Each claim is
-// moved outward by the rounding of what it rests on, so the checker, which is exact, accepts it; where a claim cannot
-// be made after that (a tie, a graze below the rounding), the proof leaves it out.
+// Everything is done in double whatever scalar found the answer, on the CSO of the very same bodies. Each
+// claim is moved outward by the rounding of what it rests on, so the checker, which is exact, accepts it;
+// where a claim cannot be made after that (a tie, a graze below the rounding), the proof leaves it out.
 //
-// Notation   h = h(n) + R |n|;   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... ;   s = t 2^(j - k).
+// Notation   h = h(n) + R |n|;   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... ;   s = t 2^(j -
+// k).
 #pragma once
 
 #include <graze/sweep.hpp>
@@ -13,8 +14,8 @@ namespace graze {
 
 namespace detail {
 
-// The radii of the rounded support points of a proof are shortened by this factor, so that |offset| <= radius holds
-// exactly: e is a unit vector within 4 u, and the product rounds once more.
+// The radii of the rounded support points of a proof are shortened by this factor, so that |offset| <= radius
+// holds exactly: e is a unit vector within 4 u, and the product rounds once more.
 inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
 
 struct ProofContext {
@@ -37,14 +38,15 @@ struct ProofContext {
 };
 
 // The lower half, from n as it stands. Returns false if n proves nothing.
-inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss, Proof& proof, Counters& counters) {
+inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss, Proof& proof,
+                        Counters& counters) {
   if (!(n.cwiseAbs().maxCoeff() > 0)) return false;
   const double h = c.reach(n, counters);
   if (!(h < 0)) return false;
   const double rate = n.dot(c.r) - c.delta_r(n);  // at most n.r
   if (miss) {
     // h < min(0, s_max n.r)
-    if (!(rate >= 0) && !(h < c.s_max * (1 + 4 * kUnitRoundoff<double>) * rate)) return false;
+    if (!(rate >= 0) && !(h < c.s_max * (1 + 4 * kUnitRoundoff<double>)*rate)) return false;
     proof.toi_lower = kInfinity<double>;
   } else {
     if (!(rate < 0)) return false;
@@ -57,8 +59,8 @@ inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss,
   return true;
 }
 
-// n turned until n.r >= 0: for a path without end only such an axis proves a miss. What it costs is h(r) times the
-// turn, which is nothing where C is left behind.
+// n turned until n.r >= 0: for a path without end only such an axis proves a miss. What it costs is h(r)
+// times the turn, which is nothing where C is left behind.
 inline Vec3<double> level(const ProofContext& c, const Vec3<double>& n) {
   const double excess = -(n.dot(c.r) - 2 * c.delta_r(n)), length_sq = c.r.squaredNorm();
   return excess > 0 && length_sq > 0 ? Vec3<double>(n + c.r * (excess / length_sq * (1 + 1e-15))) : n;
@@ -84,8 +86,8 @@ inline void prove_miss(const ProofContext& c, const Vec3<double>& hint, Proof& p
   };
   Simplex<double> simplex;
   const Vec3<double> start = -(c.cso.middle() - (s_end / 2) * c.r);
-  const Distance<double> d =
-      gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0, c.cso.radius(), 256, counters);
+  const Distance<double> d = gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0,
+                                          c.cso.radius(), 256, counters);
   if (prove_lower(c, d.n, true, proof, counters)) return;
   prove_lower(c, level(c, d.n), true, proof, counters);
 }
@@ -101,9 +103,10 @@ inline SupportPair pair_of(const Cso<double>& cso, const CsoPoint<double>& p, do
 }
 
 // The upper half: a portal of three points, every sign of it beyond its rounding.
-// The projection of each point is known within `e` = its own error + 12 u of its length for the frame and the dot
-// products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
-inline void prove_upper(const ProofContext& c, double radius_a, double radius_b, Proof& proof, Counters& counters) {
+// The projection of each point is known within `e` = its own error + 12 u of its length for the frame and the
+// dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
+inline void prove_upper(const ProofContext& c, double radius_a, double radius_b, Proof& proof,
+                        Counters& counters) {
   if (!(c.s_max > 0)) return;
   const Frame<double> frame(c.r);
   const double z_max = c.s_max * frame.length;
@@ -144,7 +147,8 @@ inline void prove_upper(const ProofContext& c, double radius_a, double radius_b,
 }
 
 // Contact at t = 0: four points around the origin, every volume beyond its rounding.
-inline void prove_start(const ProofContext& c, double radius_a, double radius_b, Proof& proof, Counters& counters) {
+inline void prove_start(const ProofContext& c, double radius_a, double radius_b, Proof& proof,
+                        Counters& counters) {
   Simplex<double> simplex;
   const auto rounded = [&](const Vec3<double>& n) { return c.cso.rounded_support(unit(n)); };
   const Vec3<double> start = -c.cso.middle();
@@ -158,7 +162,7 @@ inline void prove_start(const ProofContext& c, double radius_a, double radius_b,
   double side = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&a = simplex.point[(i + 1) % 4].w, &b = simplex.point[(i + 2) % 4].w,
-                 &d = simplex.point[(i + 3) % 4].w;
+          &d = simplex.point[(i + 3) % 4].w;
     const double volume = (i % 2 == 0 ? 1 : -1) * a.dot(b.cross(d));
     if (!(std::abs(volume) > error) || side * volume < 0) return;
     side = volume;
@@ -172,8 +176,8 @@ inline void prove_start(const ProofContext& c, double radius_a, double radius_b,
 
 // n: the axis that the method found (world axes, from A to B), or zero.
 template <Scalar S>
-Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, const Vec3<S>& n,
-            Counters& counters) {
+Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome,
+            const Vec3<S>& n, Counters& counters) {
   const Cso<double> cso(a, b, options.target_distance);
   const detail::ProofContext context{cso, cso.direction(),
                                      cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0,

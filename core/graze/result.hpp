@@ -28,14 +28,14 @@ enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proo
 // Why an input was refused.
 enum class Invalid : std::uint8_t {
   none,
-  not_finite,          // a NaN or an infinite coordinate, extent or displacement
-  out_of_range,        // a magnitude outside the range of core/graze/validate.hpp
-  empty_hull,          // a hull without a vertex
-  negative_extent,     // a radius or a half extent below zero
-  zero_quaternion,     // an orientation (0, 0, 0, 0)
-  bad_horizon,         // t_max below zero or NaN
-  bad_target,          // target_distance below zero, infinite or NaN
-  bad_tolerance,       // tolerance below zero, infinite or NaN, or a budget below one
+  not_finite,       // a NaN or an infinite coordinate, extent or displacement
+  out_of_range,     // a magnitude outside the range of core/graze/validate.hpp
+  empty_hull,       // a hull without a vertex
+  negative_extent,  // a radius or a half extent below zero
+  zero_quaternion,  // an orientation (0, 0, 0, 0)
+  bad_horizon,      // t_max below zero or NaN
+  bad_target,       // target_distance below zero, infinite or NaN
+  bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
 };
 
 template <Scalar S>
@@ -47,7 +47,8 @@ struct CastOptions {
   // Convergence target (length over scale): the search may stop once the path is this near to contact.
   // 0 stops at the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
-  int max_iterations = 256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
+  int max_iterations =
+      256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
 };
 
 // How much was done. Nothing here depends on timing; equal inputs give equal counts.

@@ -4,12 +4,12 @@
 //   v = sum lambda_i y_i,  lambda > 0,  and n, a unit vector from the simplex to the origin.
 // Notation   e = an edge,  m = the normal of a face.
 //
-// v is always a convex combination as rounded, so |v| bounds the distance from above whatever went wrong before.
-// n is found from the feature, not from v: at contact v is noise, but the normal of a triangle is not. A feature
-// too thin to have a normal (a sliver, a flat tetrahedron) is left to its own edges and faces.
+// v is always a convex combination as rounded, so |v| bounds the distance from above whatever went wrong
+// before. n is found from the feature, not from v: at contact v is noise, but the normal of a triangle is
+// not. A feature too thin to have a normal (a sliver, a flat tetrahedron) is left to its own edges and faces.
 // Cf. Ericson, Real-Time Collision Detection (2005), 5.1; van den Bergen, Collision Detection (2003), 4.3.
-// Differs: the answer is the least |v| over all features whose weights are positive, so that a wrong region can
-// cost a step, never an answer.
+// Differs: the answer is the least |v| over all features whose weights are positive, so that a wrong region
+// can cost a step, never an answer.
 #pragma once
 
 #include <graze/cso.hpp>
@@ -41,8 +41,9 @@ Vec3<S> unit(const Vec3<S>& n) {
   return scaled / scaled.norm();
 }
 
-// (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in every
-// direction, also along them, where the face reaches far; the short edge keeps the error relative to the area.
+// (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in
+// every direction, also along them, where the face reaches far; the short edge keeps the error relative to
+// the area.
 template <Scalar S>
 Vec3<S> face_normal(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
   const Vec3<S> ab = b - a, bc = c - b, ca = a - c;
@@ -88,7 +89,8 @@ Closest<S> closest_vertex(const Points4<S>& y, int i) {
 template <Scalar S>
 Closest<S> closest_edge(const Points4<S>& y, int i, int j) {
   // Measured from the end nearer to the origin: less is cancelled.
-  if (y[static_cast<std::size_t>(j)].squaredNorm() < y[static_cast<std::size_t>(i)].squaredNorm()) std::swap(i, j);
+  if (y[static_cast<std::size_t>(j)].squaredNorm() < y[static_cast<std::size_t>(i)].squaredNorm())
+    std::swap(i, j);
   const Vec3<S>&from = y[static_cast<std::size_t>(i)], &to = y[static_cast<std::size_t>(j)];
   const Vec3<S> e = to - from;
   const S along = -from.dot(e), length_sq = e.squaredNorm();
@@ -115,7 +117,7 @@ Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
     }
   }
   const Vec3<S>&a = y[static_cast<std::size_t>(at[0])], &b = y[static_cast<std::size_t>(at[1])],
-          &c = y[static_cast<std::size_t>(at[2])];
+        &c = y[static_cast<std::size_t>(at[2])];
   const Vec3<S> e1 = b - a, e2 = c - a, m = face_normal(a, b, c);
   const S area_sq = m.squaredNorm();
   Closest<S> out;
@@ -127,7 +129,8 @@ Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
   out.dist_sq = out.v.squaredNorm();
   out.n = unit(m.dot(a) > 0 ? Vec3<S>(-m) : m);
   out.size = 3;
-  out.index = {static_cast<std::uint8_t>(at[0]), static_cast<std::uint8_t>(at[1]), static_cast<std::uint8_t>(at[2])};
+  out.index = {static_cast<std::uint8_t>(at[0]), static_cast<std::uint8_t>(at[1]),
+               static_cast<std::uint8_t>(at[2])};
   out.lambda = {lambda0, lambda1, lambda2};
   return out;
 }
@@ -141,14 +144,15 @@ void try_triangle(Closest<S>& best, const Points4<S>& y, int i, int j, int k) {
 }
 
 // The interior of the tetrahedron, by the signs of its volumes; size 0 if the origin is outside, or if the
-// tetrahedron is too flat for its volume to have a sign (then the faces decide). v is what its weights leave: how
-// far rounding let the combination miss the origin.
+// tetrahedron is too flat for its volume to have a sign (then the faces decide). v is what its weights leave:
+// how far rounding let the combination miss the origin.
 template <Scalar S>
 Closest<S> closest_inside(const Points4<S>& y) {
   const Vec3<S> e1 = y[1] - y[0], e2 = y[2] - y[0], e3 = y[3] - y[0], a = -y[0];
   const Vec3<S> m = e2.cross(e3);
   const S volume = e1.dot(m);
-  // |error of volume| <= 8 u |e1||e2||e3|: three roundings in each product, three in the sum, two in the edges.
+  // |error of volume| <= 8 u |e1||e2||e3|: three roundings in each product, three in the sum, two in the
+  // edges.
   const S doubt = 8 * kUnitRoundoff<S> * e1.norm() * e2.norm() * e3.norm();
   Closest<S> out;
   if (!(std::abs(volume) > doubt)) return out;

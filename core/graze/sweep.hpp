@@ -12,22 +12,28 @@ template <Scalar S>
 struct Sweep {
   Outcome outcome = Outcome::not_converged;
   S lower = 0, upper = kInfinity<S>;  // of s; not for a miss
-  Vec3<S> n = Vec3<S>::Zero();        // unit: the axis that proves lower, or the miss; zero if lower is 0 by default
-  // hit: points of C and their weights, the combination at the contact. Where a point has no direction e of its own,
-  // n serves for all.
+  Vec3<S> n =
+      Vec3<S>::Zero();  // unit: the axis that proves lower, or the miss; zero if lower is 0 by default
+  // hit: points of C and their weights, the combination at the contact. Where a point has no direction e of
+  // its own, n serves for all.
   Simplex<S> contact;
 };
 
 template <Scalar S>
 struct SweepLimits {
   S s_max = 1;
-  S noise = 0;    // internal length: a distance that rounding cannot tell from contact
-  S target = 0;   // internal length: where the caller lets the search stop; >= noise
+  S noise = 0;   // internal length: a distance that rounding cannot tell from contact
+  S target = 0;  // internal length: where the caller lets the search stop; >= noise
   int budget = 256;
+
+  // What the searches by distance strive for before they settle for the noise: an eighth of it, 4 u scale.
+  [[nodiscard]] S fine() const { return noise / 8; }
+  // The distance at which such a search may stop at s: a start in contact is only claimed at the noise.
+  [[nodiscard]] S enough(S s) const { return s > 0 && target > noise ? target : fine(); }
 };
 
-// kContact u scale is contact: the rounding of a support point is 3 u to 24 u of the lengths in it (cso.hpp), a closest
-// point adds as much again.
+// kContact u scale is contact: the rounding of a support point is 3 u to 24 u of the lengths in it (cso.hpp),
+// a closest point adds as much again.
 inline constexpr int kContact = 32;
 
 template <Scalar S>
@@ -47,13 +53,15 @@ struct Clip {
   Vec3<S> n = Vec3<S>::Zero();  // proves enter (if > 0), or the miss
 };
 
-// The part of the path inside C's bounding box: three slabs. It narrows the interval, it never moves the origin.
+// The part of the path inside C's bounding box: three slabs. It narrows the interval, it never moves the
+// origin.
 template <Scalar S>
 Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   Clip<S> out;
   out.leave = s_max;
   const Vec3<S>& r = cso.direction();
-  Vec3<S> n_leave = Vec3<S>::Zero();  // n.r = 1 for both: their sum has n.r = 0 and proves a miss where leave < enter
+  Vec3<S> n_leave =
+      Vec3<S>::Zero();  // n.r = 1 for both: their sum has n.r = 0 and proves a miss where leave < enter
   Vec3<S> n_enter = Vec3<S>::Zero();
   for (int i = 0; i < 3; ++i) {
     for (const S sign : {S(1), S(-1)}) {
@@ -79,7 +87,8 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   }
   // Outward by the rounding of h: the clip must never lose a contact.
   const S slack = cso.rounding() + 4 * kUnitRoundoff<S> * cso.radius();
-  const S slack_s = slack * (n_enter.cwiseAbs().sum() + n_leave.cwiseAbs().sum()) + 4 * kUnitRoundoff<S> * out.enter;
+  const S slack_s =
+      slack * (n_enter.cwiseAbs().sum() + n_leave.cwiseAbs().sum()) + 4 * kUnitRoundoff<S> * out.enter;
   if (out.leave + slack_s < out.enter) {
     out.missed = true;
     out.n = unit(Vec3<S>(n_enter + n_leave));
@@ -93,7 +102,8 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
 
 // Entry of the line into C, as a bracket of z = s |r|, closed to `gap`.
 template <Scalar S>
-PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S gap, int budget, Counters& counters) {
+PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S gap, int budget,
+                           Counters& counters) {
   const detail::PortalView<S> view{cso, frame, S(1), counters};
   PortalSearch<S> search = find_portal(view, budget);
   if (search.state == PortalSearch<S>::State::entered) {

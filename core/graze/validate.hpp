@@ -1,8 +1,8 @@
 // The door: what a query accepts. Everything behind it may assume finite numbers in range.
 //
-// Range of a magnitude: 0, or kLeastMagnitude to kGreatestMagnitude. It holds every finite float, and leaves the
-// products of three lengths, two quaternion components and a time that the solvers and the proofs form far from
-// both ends of double's exponent range.
+// Range of a magnitude: 0, or kLeastMagnitude to kGreatestMagnitude. It holds every finite float, and leaves
+// the products of three lengths, two quaternion components and a time that the solvers and the proofs form
+// far from both ends of double's exponent range.
 #pragma once
 
 #include <graze/body.hpp>
@@ -19,7 +19,8 @@ namespace detail {
 inline Invalid check_magnitude(double x) {
   const double magnitude = x < 0 ? -x : x;
   if (!(magnitude <= std::numeric_limits<double>::max())) return Invalid::not_finite;
-  if (magnitude == 0 || (magnitude >= kLeastMagnitude && magnitude <= kGreatestMagnitude)) return Invalid::none;
+  if (magnitude == 0 || (magnitude >= kLeastMagnitude && magnitude <= kGreatestMagnitude))
+    return Invalid::none;
   return Invalid::out_of_range;
 }
 
@@ -78,8 +79,7 @@ Invalid validate(const Body<S>& body) {
 template <Scalar S>
 Invalid validate(const CastOptions<S>& options) {
   if (!(options.t_max >= 0)) return Invalid::bad_horizon;
-  if (!(options.target_distance >= 0) ||
-      detail::check_magnitude(options.target_distance) != Invalid::none) {
+  if (!(options.target_distance >= 0) || detail::check_magnitude(options.target_distance) != Invalid::none) {
     return Invalid::bad_target;
   }
   if (!(options.tolerance >= 0 && options.tolerance < kInfinity<S>) || options.max_iterations < 1) {

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+#include <graze/cast.hpp>
+
+namespace graze {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Invalid refused(const Body<double>& a, const Body<double>& b = {}, const CastOptions<double>& options = {}) {
+  const auto r = cast(a, b, options);
+  EXPECT_EQ(r.outcome == Outcome::invalid_input, r.invalid != Invalid::none);
+  if (r.outcome == Outcome::invalid_input) {
+    EXPECT_TRUE(std::isnan(r.toi_lower));
+    EXPECT_EQ(r.counters.supports, 0);
+  }
+  return r.invalid;
+}
+
+TEST(Validate, EachBadShapeHasItsReason) {
+  EXPECT_EQ(refused({.shape = Sphere<double>{-1}}), Invalid::negative_extent);
+  EXPECT_EQ(refused({.shape = Sphere<double>{kNan}}), Invalid::not_finite);
+  EXPECT_EQ(refused({.shape = Box<double>{{1, -1e-9, 1}}}), Invalid::negative_extent);
+  EXPECT_EQ(refused({.shape = Box<double>{{1, kInfinity<double>, 1}}}), Invalid::not_finite);
+  EXPECT_EQ(refused({.shape = Hull<double>()}), Invalid::empty_hull);
+  EXPECT_EQ(refused({.shape = Hull<double>(std::span<const Vec3<double>>())}), Invalid::empty_hull);
+  EXPECT_EQ(refused({.shape = Hull<double>{{0, 0, 0}, {kNan, 0, 0}}}), Invalid::not_finite);
+  EXPECT_EQ(refused({.shape = Hull<double>{{0, 0, 0}, {1e61, 0, 0}}}), Invalid::out_of_range);
+  EXPECT_EQ(refused({.shape = Hull<double>{{0, 0, 0}, {1e-61, 1, 0}}}), Invalid::out_of_range);
+}
+
+TEST(Validate, ZeroExtentsAreShapes) {
+  EXPECT_EQ(refused({.shape = Sphere<double>{0}}), Invalid::none);
+  EXPECT_EQ(refused({.shape = Box<double>{{0, 0, 0}}}), Invalid::none);
+  EXPECT_EQ(refused({.shape = Hull<double>{{1, 2, 3}}}), Invalid::none);
+}
+
+TEST(Validate, PoseAndMotion) {
+  const Body<double> good{.shape = Sphere<double>{1}};
+  for (int i = 0; i < 3; ++i) {
+    for (const double bad : {kNan, kInfinity<double>, -kInfinity<double>}) {
+      Body<double> body = good;
+      body.position[i] = bad;
+      EXPECT_EQ(refused(good, body), Invalid::not_finite);
+      body = good;
+      body.displacement[i] = bad;
+      EXPECT_EQ(refused(body, good), Invalid::not_finite);
+    }
+    Body<double> far = good;
+    far.position[i] = 1.1e60;
+    EXPECT_EQ(refused(far, good), Invalid::out_of_range);
+    far.position[i] = 1e-61;
+    EXPECT_EQ(refused(far, good), Invalid::out_of_range);
+  }
+  Body<double> body = good;
+  body.orientation = {0, 0, 0, 0};
+  EXPECT_EQ(refused(body), Invalid::zero_quaternion);
+  body.orientation = {0, kNan, 0, 0};
+  EXPECT_EQ(refused(body), Invalid::not_finite);
+  body.orientation = {-3, 0, 0, 0};
+  EXPECT_EQ(refused(body), Invalid::none);
+}
+
+TEST(Validate, Options) {
+  CastOptions<double> options;
+  for (const double bad : {-1.0, kNan}) {
+    options = {};
+    options.t_max = bad;
+    EXPECT_EQ(refused({}, {}, options), Invalid::bad_horizon);
+    options = {};
+    options.target_distance = bad;
+    EXPECT_EQ(refused({}, {}, options), Invalid::bad_target);
+    options = {};
+    options.tolerance = bad;
+    EXPECT_EQ(refused({}, {}, options), Invalid::bad_tolerance);
+  }
+  options = {};
+  options.max_iterations = 0;
+  EXPECT_EQ(refused({}, {}, options), Invalid::bad_tolerance);
+  options = {};
+  options.t_max = kInfinity<double>;
+  EXPECT_EQ(refused({}, {}, options), Invalid::none);
+}
+
+TEST(Validate, EveryFiniteFloatIsInRange) {
+  const Body<float> a{.shape = Box<float>{Vec3<float>::Constant(std::numeric_limits<float>::max())}};
+  const Body<float> b{.shape = Sphere<float>{std::numeric_limits<float>::denorm_min()},
+                      .position = Vec3<float>::Constant(-std::numeric_limits<float>::max()),
+                      .displacement = Vec3<float>::Constant(std::numeric_limits<float>::denorm_min())};
+  EXPECT_EQ(cast(a, b).outcome, Outcome::initially_overlapping);
+  EXPECT_EQ(cast(b, a).outcome, Outcome::initially_overlapping);
+}
+
+// 1e-60 to 1e60: the same scene at both ends answers as in the middle.
+TEST(Validate, EndsOfTheRangeAnswer) {
+  for (const double unit : {1e-59, 1.0, 1e58}) {
+    for (const Method method : {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep}) {
+      const Body<double> a{.shape = Box<double>{{unit, unit, unit}}};
+      const Body<double> b{.shape = Hull<double>{{0, 0, 0}, {unit, 0, 0}, {0, unit, 0}, {0, 0, unit}},
+                           .position = {5 * unit, 0.25 * unit, 0.25 * unit},
+                           .displacement = {-8 * unit, 0, 0}};
+      CastOptions<double> options;
+      options.method = method;
+      options.request = Request::everything;
+      const auto r = cast(a, b, options);
+      ASSERT_EQ(r.outcome, Outcome::hit) << unit;
+      EXPECT_NEAR(r.toi_lower, 0.5, 1e-14) << unit;
+      EXPECT_LE(r.proof->toi_lower, 0.5 + 1e-15) << unit;
+      EXPECT_GT(r.proof->toi_lower, 0.499) << unit;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze
