@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Every source is laid out by clang-format with the repository's settings. usage: format.sh SOURCE_DIR
+set -euo pipefail
+cd "$1"
+command -v clang-format-14 >/dev/null || { echo "clang-format-14 is missing: packages.txt lists it"; exit 1; }
+mapfile -t files < <(find core corpus oracles engines properties fuzz tools tests bench examples \
+  \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) | sort)
+((${#files[@]} > 20)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
+clang-format-14 --dry-run --Werror "${files[@]}"
+echo "${#files[@]} sources are laid out as .clang-format says"
