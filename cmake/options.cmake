@@ -2,6 +2,7 @@
 # graze_own, an INTERFACE target that only our own binaries link.
 option(GRAZE_TOOLS "Build the judge and the graze command (CGAL: GPL)" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
 option(GRAZE_WERROR "Warnings are errors in our own targets" OFF)
 set(GRAZE_SANITIZE "" CACHE STRING "Sanitizers for our own targets, e.g. address,undefined")
 

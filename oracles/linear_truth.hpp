@@ -55,14 +55,15 @@ class LinearTruth {
   [[nodiscard]] Enclosure depth() const;
   // For finite t: the distance of t v from C; 0 inside.
   [[nodiscard]] Enclosure distance_at(double t) const;
-  // For t >= 0, infinity too: depth of the path over [0, t); 0 if it makes no contact, and for t = 0. T does
-  // not cut the path.
+  // Depth of the path over [0, t); 0 if it makes no contact, and for t <= 0. T does not cut it; t may be
+  // infinite. Infinity for NaN.
   [[nodiscard]] Enclosure depth_before(double t) const;
   // The larger of the two above. For a time that is not finite and >= 0: infinity.
   [[nodiscard]] Enclosure backward_error(double t) const;
   // |t - TOI| |v|; infinity for a miss. With R > 0 and an irrational TOI also within 2^-230 TOI |v|.
   [[nodiscard]] Enclosure forward_error(double t) const;
-  // The lateness of a bracket's lower end: depth_before(t) if t > TOI, else 0. (t = infinity claims a miss.)
+  // The lateness of a bracket's lower end: depth_before(t) if t > TOI, else 0; no
+  // more than the whole path's for a time beyond T, and for infinity, which claims a miss. Infinity for NaN.
   [[nodiscard]] Enclosure lateness(double t) const;
   // (h(n) - n.(TOI v)) / |n|, h of C: how far n is from being a supporting normal at the contact. Needs a
   // contact in the path (for a start in contact, TOI = 0); infinity for a miss and for a zero or non-finite

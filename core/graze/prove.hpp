@@ -186,7 +186,7 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
     return std::visit([](const auto& shape) { return detail::bounds(shape).radius; }, body.shape);
   };
   const double radius_a = radius(a), radius_b = radius(b);
-  const Vec3<double> axis = n.template cast<double>();
+  const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {
     detail::prove_miss(context, axis, proof, counters);

@@ -1,0 +1,115 @@
+// What a full proof costs to check: an axis with its tightest lower bound, a three-point portal with its
+// tightest upper one. Two hulls of 8 to 16 vertices, identity and rotated poses, 256 random cases each.
+//
+// The tight bounds are made with the checker itself, by bisection over the doubles: what a checker accepts
+// last is the tightest bound. Its truth is the business of tests/oracles/check_proof_test.cpp.
+#include "oracles/check_proof.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Geometry>
+#include <bit>
+#include <chrono>
+
+#include "tests/oracles/proof_cases.hpp"
+
+namespace graze::test {
+namespace {
+
+using oracle::check_proof;
+using oracle::CheckCost;
+using oracle::Refusal;
+
+// The doubles >= 0 are ordered as their bits are.
+template <class Accepts>
+double last_accepted(double accepted, double refused, const Accepts& accepts) {
+  auto low = std::bit_cast<std::int64_t>(accepted), high = std::bit_cast<std::int64_t>(refused);
+  while (high - low > 1 || low - high > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (accepts(std::bit_cast<double>(middle)) ? low : high) = middle;
+  }
+  return std::bit_cast<double>(low);
+}
+
+struct Job {
+  corpus::Case problem;
+  Proof proof;
+};
+
+std::vector<Job> jobs(Pose pose, int fewest, int most) {
+  std::vector<Job> made;
+  Draw draw(7);
+  while (made.size() < 256) {
+    Job job;
+    corpus::Case& c = job.problem;
+    const Hull<double> a = draw.hull(Numbers::doubles, fewest, most),
+                       b = draw.hull(Numbers::doubles, fewest, most);
+    c = approaching(draw, Numbers::doubles, pose, a, b);
+    c.t_max = kInfinity<double>;
+    Proof& proof = job.proof;
+    proof.has_axis = true;
+    proof.axis = c.b.position - c.a.position;
+    proof.toi_lower = 0x1p-60;
+    proof.portal_size = 3;
+    Vec3<double> middle = Vec3<double>::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      Feature* features[2] = {&proof.portal[k].a, &proof.portal[k].b};
+      const Body<double>* bodies[2] = {&c.a, &c.b};
+      for (std::size_t side = 0; side < 2; ++side) {
+        const auto& hull = std::get<Hull<double>>(bodies[side]->shape);
+        features[side]->vertex = static_cast<std::uint32_t>(draw.random.below(hull.size()));
+        const Quaternion<double>& q = bodies[side]->orientation;
+        const Vec3<double> at = bodies[side]->position + Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized() *
+                                                             hull.vertex(features[side]->vertex);
+        middle += (side == 0 ? at : Vec3<double>(-at)) / 3;
+      }
+    }
+    c.b.displacement = c.a.displacement + middle;
+    proof.toi_upper = 1e6;
+    if (!check_proof(c, proof).accepted()) continue;
+    Proof trial = proof;
+    proof.toi_lower = last_accepted(proof.toi_lower, 1e6, [&](double t) {
+      trial.toi_lower = t;
+      return check_proof(c, trial).accepted();
+    });
+    trial = proof;
+    proof.toi_upper = last_accepted(1e6, 0.0, [&](double t) {
+      trial.toi_upper = t;
+      return check_proof(c, trial).accepted();
+    });
+    made.push_back(job);
+  }
+  return made;
+}
+
+void check_full_proof(benchmark::State& state) {
+  const auto pose = static_cast<Pose>(state.range(0));
+  const auto made = jobs(pose, static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
+  CheckCost cost;
+  std::vector<double> each;
+  for (auto _ : state) {
+    for (const Job& job : made) {
+      const auto start = std::chrono::steady_clock::now();
+      benchmark::DoNotOptimize(check_proof(job.problem, job.proof, &cost).refusal);
+      const auto end = std::chrono::steady_clock::now();
+      each.push_back(std::chrono::duration<double, std::nano>(end - start).count());
+    }
+  }
+  const auto middle = each.begin() + static_cast<std::ptrdiff_t>(each.size() / 2);
+  std::nth_element(each.begin(), middle, each.end());
+  state.counters["median_ns"] = *middle;
+  const double all =
+      static_cast<double>(cost.double_decisions + cost.extended_decisions + cost.exact_decisions);
+  state.counters["double"] = static_cast<double>(cost.double_decisions) / all;
+  state.counters["extended"] = static_cast<double>(cost.extended_decisions) / all;
+  state.counters["exact"] = static_cast<double>(cost.exact_decisions) / all;
+}
+BENCHMARK(check_full_proof)
+    ->ArgNames({"pose", "fewest", "most"})
+    ->Args({static_cast<int>(Pose::identity), 8, 16})
+    ->Args({static_cast<int>(Pose::rotated), 8, 16})
+    ->Args({static_cast<int>(Pose::identity), 64, 64})
+    ->Args({static_cast<int>(Pose::rotated), 64, 64});
+
+}  // namespace
+}  // namespace graze::test

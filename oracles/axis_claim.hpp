@@ -1,0 +1,90 @@
+// What an axis n proves, over any of the checker's arithmetics. Notation as in core/graze/proof.hpp;
+// R = radius_A + radius_B + m; H = max over vertices of n.(a - b), so h(n) = H + R |n|; w = wA wB > 0.
+//
+//   TOI >= t > 0   iff  n.v < 0 and h(n) - t n.v <= 0
+//   a miss         iff  h(n) - t n.v < 0  with t = T where n.v < 0 (T = infinity: never), else t = 0
+// Both ask for the sign of D + w R |n|, D = w (H - t n.v). For R > 0 it is <= 0 iff D <= 0 and
+// D^2 >= w^2 R^2 |n|^2; strict likewise.
+#pragma once
+
+#include <graze/proof.hpp>
+
+#include "oracles/posed_exact.hpp"
+
+namespace graze::oracle {
+
+struct AxisQuestion {
+  const Solid& a;
+  const Solid& b;
+  const Vec3<double>& n;
+  double target_distance;
+
+  [[nodiscard]] bool rounded() const { return a.radius > 0 || b.radius > 0 || target_distance > 0; }
+};
+
+struct Scans {
+  Scan a, b;
+};
+
+// Does D + w R |n| lie below zero (or at zero, unless strict)?
+template <class N>
+[[nodiscard]] Answer below_zero(const AxisQuestion& ask, const Pair<N>& pair, const N& d, bool strict) {
+  const Sign s = sign(d);
+  if (!ask.rounded()) return strict ? is_negative(s) : at_most_zero(s);
+  const Answer side = strict ? is_negative(s) : at_most_zero(s);
+  if (side == Answer::no) return side;
+  const Triple<N> n = triple<N>(ask.n);
+  const N radius = pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance));
+  const Sign excess = sign(d * d - radius * radius * dot(n, n));
+  return both(side, strict ? is_positive(excess) : at_least_zero(excess));
+}
+
+// w (H + offset part), the exact maximum up to N's error.
+template <class N>
+[[nodiscard]] N weighted_support(const AxisQuestion& ask, const Pair<N>& pair, const Triple<N>& n,
+                                 Scans& scans) {
+  const N of_a = support(ask.a, pair.a.into_body(n), scans.a);
+  const N of_b = support(ask.b, pair.b.into_body(-n), scans.b);
+  return pair.weigh(dot(n, pair.offset)) + (pair.b.rotated ? pair.b.weight * of_a : of_a) +
+         (pair.a.rotated ? pair.a.weight * of_b : of_b);
+}
+
+enum class AxisFinding { holds, not_approaching, fails, unknown };
+
+[[nodiscard]] constexpr AxisFinding finding(Answer answer) {
+  return answer == Answer::yes  ? AxisFinding::holds
+         : answer == Answer::no ? AxisFinding::fails
+                                : AxisFinding::unknown;
+}
+
+// TOI >= t, for 0 < t < infinity.
+template <class N>
+[[nodiscard]] AxisFinding lower_claim(const AxisQuestion& ask, double t, Scans& scans) {
+  const Pair<N> pair(ask.a, ask.b);
+  const Triple<N> n = triple<N>(ask.n);
+  const N approach = dot(n, pair.velocity);
+  const N high = weighted_support(ask, pair, n, scans);
+  const Answer approaching = is_negative(sign(approach));
+  if (approaching == Answer::no) return AxisFinding::not_approaching;
+  const Answer below = below_zero(ask, pair, high - pair.weigh(approach * t), false);
+  return approaching == Answer::unknown ? AxisFinding::unknown : finding(below);
+}
+
+// No contact in [0, T].
+template <class N>
+[[nodiscard]] AxisFinding miss_claim(const AxisQuestion& ask, double horizon, Scans& scans) {
+  const Pair<N> pair(ask.a, ask.b);
+  const Triple<N> n = triple<N>(ask.n);
+  const N approach = dot(n, pair.velocity);
+  const N high = weighted_support(ask, pair, n, scans);
+  const Answer at_start = below_zero(ask, pair, high, true);
+  if (at_start == Answer::no) return AxisFinding::fails;
+  const Answer approaching = is_negative(sign(approach));
+  if (approaching == Answer::no) return finding(at_start);
+  if (horizon == kInfinity<double>)
+    return approaching == Answer::yes ? AxisFinding::fails : AxisFinding::unknown;
+  // With n.v < 0 the end of the path is the stronger demand; with n.v >= 0 it is implied by the start.
+  return finding(both(at_start, below_zero(ask, pair, high - pair.weigh(approach * horizon), true)));
+}
+
+}  // namespace graze::oracle
