@@ -65,6 +65,12 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   out.upper = std::max(in.upper, S(0)) / frame.length;
   out.lower = std::min(std::max(in.lower, S(0)) / frame.length, out.upper);
   if (in.upper > z_max && in.state == State::entered) out.upper = limits.s_max;
+  // The portal is at the surface as far as rounding can tell, but its plane lies almost along the line: where
+  // exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than the
+  // gap.
+  if (in.state == State::entered && limits.target <= limits.noise && in.upper - in.lower > limits.noise) {
+    out.lower = out.upper;
+  }
   out.contact = contact_of(in);
   if (in.state == State::exhausted) return out;
   if (in.lower > 0 && in.upper > limits.noise) {

@@ -99,10 +99,13 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   return l;
 }
 
-// A triangle whose unit normal has |n_z| below this is seen edge on: n_z is then the rounding of a cross
-// product of edges, 8 u, and says nothing.
+// A triangle whose projected area is within the rounding of its corners is seen edge on: its n_z has no sign.
 template <Scalar S>
-inline constexpr S kEdgeOn = 8 * kUnitRoundoff<S>;
+bool edge_on(const Portal<S>& portal, S noise) {
+  const Vec3<S> e = portal.p[1].q - portal.p[0].q, f = portal.p[2].q - portal.p[0].q;
+  const S around = std::abs(e[0]) + std::abs(e[1]) + std::abs(f[0]) + std::abs(f[1]);
+  return !(cross2(e, f) > noise * around);
+}
 
 // Unit, n_z <= 0.
 template <Scalar S>
@@ -125,8 +128,10 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
 template <Scalar S>
 S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   std::size_t nearest = 0;
-  S least = kInfinity<S>;
+  S least = kInfinity<S>, low = kInfinity<S>, high = -kInfinity<S>;
   for (std::size_t i = 0; i < static_cast<std::size_t>(portal.size); ++i) {
+    low = std::min(low, portal.p[i].q[2]);
+    high = std::max(high, portal.p[i].q[2]);
     const S dist_sq = portal.p[i].q.template head<2>().squaredNorm();
     if (dist_sq < least) {
       least = dist_sq;
@@ -134,7 +139,7 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
     }
   }
   const Vec3<S>& q = portal.p[nearest].q;
-  return q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2];
+  return std::min(std::max(q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2], low), high);
 }
 
 // The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
@@ -277,11 +282,9 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   const S noise = view.noise();
   search.state = State::exhausted;
   while (true) {
-    Vec3<S> n = portal_normal(search.portal);
-    if (size == 3 && !(n[2] < -kEdgeOn<S>)) {
-      flatten(search.portal);
-      n = portal_normal(search.portal);
-    }
+    if (size == 3 && edge_on(search.portal, noise)) flatten(search.portal);
+    const Vec3<S> n = portal_normal(search.portal);
+
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
     search.upper = portal_height(search.portal, n);
     if (search.upper <= limits.accept_at) {

@@ -135,8 +135,10 @@ inline void prove_upper(const ProofContext& c, double radius_a, double radius_b,
   double z = 0;
   for (std::size_t i = 0; i < 3; ++i) z += l[i] / area * search.portal.p[i].q[2];
   // The weights are known within sign_error / area each, relative to the spread of z.
-  z += e + 4 * (high - low) * sign_error / area;
-  if (!(z >= 0 && z <= z_max * (1 - 4 * kUnitRoundoff<double>))) return;
+  const double z_error = e + 4 * (high - low) * sign_error / area;
+  if (!(z - z_error >= 0)) return;
+  z += z_error;
+  if (!(z <= z_max * (1 - 4 * kUnitRoundoff<double>))) return;
   const double t = c.cso.to_time(z / frame.length * (1 + 8 * kUnitRoundoff<double>));
   if (!(t < kInfinity<double>)) return;
   proof.toi_upper = t;
