@@ -144,7 +144,9 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
 
 // The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
 // is on their common side as far as rounding can tell, as always on lattices. Then the largest: the others
-// may have no area at all. `noise` bounds the error of a projected coordinate.
+// may have no area at all. `noise` bounds the error of a projected coordinate; discovery let the origin lie
+// outside by as much, so the doubt must be wider, or a portal that is outside finds no successor and two of
+// them alternate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   auto& p = portal.p;
@@ -152,7 +154,7 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   const S size_w = std::abs(w.q[0]) + std::abs(w.q[1]);
   for (std::size_t i = 0; i < 3; ++i) {
     beside[i] = cross2(p[i].q, w.q);
-    doubt[i] = noise * (std::abs(p[i].q[0]) + std::abs(p[i].q[1]) + size_w);
+    doubt[i] = 4 * noise * (std::abs(p[i].q[0]) + std::abs(p[i].q[1]) + size_w);
   }
   std::size_t out = 3;
   S largest = -1;

@@ -40,7 +40,7 @@ enum class Invalid : std::uint8_t {
 
 template <Scalar S>
 struct CastOptions {
-  Method method = Method::mpr_sweep;
+  Method method = Method::gjk_ray_cast;
   Request request = Request::normal | Request::witnesses;
   S t_max = 1;            // T; infinity makes it a ray
   S target_distance = 0;  // m: contact is when the distance reaches m (length)
@@ -63,7 +63,7 @@ template <Scalar S>
 struct CastResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  // for invalid_input
-  Method method = Method::mpr_sweep;
+  Method method = Method::gjk_ray_cast;
   // toi_lower <= TOI <= toi_upper in the sense of the tier (standard: true for some convex set within
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
