@@ -253,6 +253,8 @@ class Cso {
   [[nodiscard]] const detail::Side<S>& side_a() const { return a_; }
   [[nodiscard]] const detail::Side<S>& side_b() const { return b_; }
 
+  [[nodiscard]] int length_exponent() const { return k_; }
+  [[nodiscard]] int speed_exponent() const { return j_; }
   // t = s 2^(k - j), and back; infinite where t_max is, or where it is out of S's range.
   [[nodiscard]] S to_time(S s) const { return static_cast<S>(std::ldexp(static_cast<double>(s), k_ - j_)); }
   [[nodiscard]] S to_parameter(S t) const {

@@ -2,12 +2,14 @@
 //
 // Everything is done in double whatever scalar found the answer, on the CSO of the very same bodies. Each
 // claim is moved outward by the rounding of what it rests on, so the checker, which is exact, accepts it;
-// where a claim cannot be made after that (a tie, a graze below the rounding), the proof leaves it out.
+// where a claim cannot be made after that (a graze below the rounding), it is decided exactly where that is
+// cheap, or left out.
 //
 // Notation   h = h(n) + R |n|;   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... ;   s = t 2^(j -
 // k).
 #pragma once
 
+#include <graze/exact/portal_sign.hpp>
 #include <graze/sweep.hpp>
 
 namespace graze {
@@ -92,60 +94,74 @@ inline void prove_miss(const ProofContext& c, const Vec3<double>& hint, Proof& p
   prove_lower(c, level(c, d.n), true, proof, counters);
 }
 
-inline SupportPair pair_of(const Cso<double>& cso, const CsoPoint<double>& p, double unit_a, double unit_b) {
+template <Scalar S>
+double radius_of(const Body<S>& body) {
+  return std::visit([](const auto& shape) { return bounds(shape).radius; }, body.shape);
+}
+
+inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double radius_b) {
   SupportPair out;
   out.a.vertex = p.vertex_a;
   out.b.vertex = p.vertex_b;
-  (void)cso;
-  out.a.offset = p.e * (unit_a * kInside);
-  out.b.offset = p.e * (-unit_b * kInside);
+  out.a.offset = p.e * (radius_a * kInside);
+  out.b.offset = p.e * (-radius_b * kInside);
   return out;
 }
 
-// The upper half: a portal of three points, every sign of it beyond its rounding.
-// The projection of each point is known within `e` = its own error + 12 u of its length for the frame and the
-// dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
-inline void prove_upper(const ProofContext& c, double radius_a, double radius_b, Proof& proof,
-                        Counters& counters) {
+// Is the line's point in the portal beyond all rounding, and at which t at the latest? Infinite if neither
+// can be said. The projection of each point is known within `e` = its own error + 12 u of its length for the
+// frame and the dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
+inline double filtered_upper(const ProofContext& c, const Portal<double>& portal, double length,
+                             double z_max) {
+  double longest = 0, area = 0, low = kInfinity<double>, high = -kInfinity<double>;
+  for (const auto& p : portal.p) {
+    longest = std::max(longest, p.c.w.cwiseAbs().sum());
+    low = std::min(low, p.q[2]);
+    high = std::max(high, p.q[2]);
+  }
+  // kInside moves a rounded point by 8 u R.
+  const double e = 2 * c.point + 24 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  double sign_error = 0;
+  std::array<double, 3> l;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
+    const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
+    const double error = 2 * e * across + 4 * e * e;
+    l[i] = cross2(a, b);
+    if (!(l[i] > error)) return kInfinity<double>;
+    area += l[i];
+    sign_error += error;
+  }
+  double z = 0;
+  for (std::size_t i = 0; i < 3; ++i) z += l[i] / area * portal.p[i].q[2];
+  // The weights are known within sign_error / area each, relative to the spread of z.
+  const double z_error = e + 4 * (high - low) * sign_error / area;
+  if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * kUnitRoundoff<double>))) return kInfinity<double>;
+  return c.cso.to_time((z + z_error) / length * (1 + 8 * kUnitRoundoff<double>));
+}
+
+// The upper half: a portal of three points, every sign of it beyond its rounding, or, where there is a tie,
+// exact.
+template <Scalar S>
+void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, double t_max, Proof& proof,
+                 Counters& counters) {
   if (!(c.s_max > 0)) return;
   const Frame<double> frame(c.r);
   const double z_max = c.s_max * frame.length;
   const double gap = 4 * kUnitRoundoff<double> * c.cso.scale();
   const PortalSearch<double> search = enter_line(c.cso, frame, z_max, gap, 256, counters);
   if (search.portal.size != 3) return;
-  double longest = 0, area = 0, low = kInfinity<double>, high = -kInfinity<double>;
-  for (const auto& p : search.portal.p) {
-    longest = std::max(longest, p.c.w.cwiseAbs().sum());
-    low = std::min(low, p.q[2]);
-    high = std::max(high, p.q[2]);
+  double t = filtered_upper(c, search.portal, frame.length, z_max);
+  const double radius_a = radius_of(a), radius_b = radius_of(b);
+  for (std::size_t i = 0; i < 3; ++i) proof.portal[i] = pair_of(search.portal.p[i].c, radius_a, radius_b);
+  if (!(t < kInfinity<double>)&&!(c.cso.radius() > 0)) {
+    const exact::Pierced pierced =
+        exact::pierce(a, b, proof.portal, t_max, c.cso.length_exponent(), c.cso.speed_exponent());
+    if (pierced.pierced) t = pierced.t_upper;
   }
-  // kInside moves a rounded point by 8 u R; directions rounded to S and back cost nothing more in double.
-  const double e = 2 * c.point + 24 * kUnitRoundoff<double> * (longest + c.cso.radius());
-  double sign_error = 0;
-  std::array<double, 3> l;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double>&a = search.portal.p[(i + 1) % 3].q, &b = search.portal.p[(i + 2) % 3].q;
-    const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
-    const double error = 2 * e * across + 4 * e * e;
-    l[i] = cross2(a, b);
-    if (!(l[i] > error)) return;
-    area += l[i];
-    sign_error += error;
-  }
-  double z = 0;
-  for (std::size_t i = 0; i < 3; ++i) z += l[i] / area * search.portal.p[i].q[2];
-  // The weights are known within sign_error / area each, relative to the spread of z.
-  const double z_error = e + 4 * (high - low) * sign_error / area;
-  if (!(z - z_error >= 0)) return;
-  z += z_error;
-  if (!(z <= z_max * (1 - 4 * kUnitRoundoff<double>))) return;
-  const double t = c.cso.to_time(z / frame.length * (1 + 8 * kUnitRoundoff<double>));
   if (!(t < kInfinity<double>)) return;
   proof.toi_upper = t;
   proof.portal_size = 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    proof.portal[i] = pair_of(c.cso, search.portal.p[i].c, radius_a, radius_b);
-  }
 }
 
 // Contact at t = 0: four points around the origin, every volume beyond its rounding.
@@ -171,7 +187,7 @@ inline void prove_start(const ProofContext& c, double radius_a, double radius_b,
   }
   proof.toi_upper = 0;
   proof.portal_size = 4;
-  for (std::size_t i = 0; i < 4; ++i) proof.portal[i] = pair_of(c.cso, simplex.point[i], radius_a, radius_b);
+  for (std::size_t i = 0; i < 4; ++i) proof.portal[i] = pair_of(simplex.point[i], radius_a, radius_b);
 }
 
 }  // namespace detail
@@ -184,19 +200,15 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
   const detail::ProofContext context{cso, cso.direction(),
                                      cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0,
                                      cso.rounding()};
-  const auto radius = [](const Body<S>& body) {
-    return std::visit([](const auto& shape) { return detail::bounds(shape).radius; }, body.shape);
-  };
-  const double radius_a = radius(a), radius_b = radius(b);
   const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {
     detail::prove_miss(context, axis, proof, counters);
   } else if (outcome == Outcome::initially_overlapping) {
-    detail::prove_start(context, radius_a, radius_b, proof, counters);
+    detail::prove_start(context, detail::radius_of(a), detail::radius_of(b), proof, counters);
   } else if (outcome == Outcome::hit || outcome == Outcome::not_converged) {
     detail::prove_lower(context, axis, false, proof, counters);
-    detail::prove_upper(context, radius_a, radius_b, proof, counters);
+    detail::prove_upper(context, a, b, static_cast<double>(options.t_max), proof, counters);
   }
   return proof;
 }
