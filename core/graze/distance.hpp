@@ -1,0 +1,67 @@
+// distance(A, B) = min |a - b| at t = 0, with the closest points and a separating axis: GJK.
+//
+// Units: the caller's length, world axes. Guarantee: lower <= distance <= upper up to kappa u scale
+// (docs/guarantees.md); where the bodies are apart by more than that, the normal proves lower: both lie on
+// its sides. 0, 0 in contact. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]. The stopping rule is the
+// duality gap upper - lower.
+#pragma once
+
+#include <graze/sweep.hpp>
+#include <graze/validate.hpp>
+#include <graze/witness.hpp>
+
+namespace graze {
+
+template <Scalar S>
+struct DistanceOptions {
+  Request request = Request::normal | Request::witnesses;
+  S tolerance = 0;           // of the gap, over scale; 0: the rounding bound
+  int max_iterations = 256;  // support evaluations
+};
+
+template <Scalar S>
+struct DistanceResult {
+  Invalid invalid = Invalid::none;  // other than none: nothing else is valid
+  S lower = 0, upper = kInfinity<S>;
+  bool stalled = false;  // the gap asked for was not reached; the bracket is what is known
+  // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.
+  Vec3<S> normal = Vec3<S>::Zero();
+  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
+  Counters counters;
+};
+
+template <Scalar S>
+DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {}) {
+  DistanceResult<S> out;
+  CastOptions<S> checked;
+  checked.tolerance = options.tolerance;
+  checked.max_iterations = options.max_iterations;
+  out.invalid = validate(a, b, checked);
+  if (out.invalid != Invalid::none) return out;
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const S R = cso.radius();
+  Simplex<S> simplex;
+  const Distance<S> d = gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex,
+                                     options.tolerance > 0 ? limits.target : limits.fine(), R + limits.fine(),
+                                     options.max_iterations, out.counters);
+  out.counters.iterations = out.counters.gjk_iterations;
+  const S apart = d.upper - R;
+  // Nearer than rounding can tell is contact.
+  if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
+    out.lower = out.upper = 0;
+    return out;
+  }
+  out.lower = std::max(cso.to_length(d.lower - R), S(0));
+  out.upper = cso.to_length(apart);
+  out.stalled = d.stalled && !(apart - (d.lower - R) <= limits.noise);
+  if (!(out.lower > 0)) return out;
+  if (asks_for(options.request, Request::normal)) out.normal = d.n;
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = detail::witness(a, cso.side_a(), cso, simplex, d.n, true, S(0));
+    out.point_b = detail::witness(b, cso.side_b(), cso, simplex, d.n, false, S(0));
+  }
+  return out;
+}
+
+}  // namespace graze

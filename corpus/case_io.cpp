@@ -1,0 +1,225 @@
+#include "corpus/case_io.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "corpus/case_json.hpp"
+#include "corpus/names.hpp"
+#include "corpus/shape_json.hpp"
+
+namespace graze::corpus {
+namespace {
+
+void read_one(std::string_view text, const std::string& name, int line, ReadResult& result) {
+  const ParsedJson parsed = parse_json(text);
+  if (parsed.error) {
+    result.errors.push_back({name, line, parsed.error->path, parsed.error->what});
+    return;
+  }
+  try {
+    result.cases.push_back(case_from_json(parsed.value, ""));
+  } catch (const Malformed& error) {
+    result.errors.push_back({name, line, error.path, error.what});
+  }
+}
+
+// An id names one case. Reports the second of two, and drops it.
+void drop_repeated_ids(std::vector<Case>& cases, std::map<std::string, std::string>& seen,
+                       const std::string& file, std::vector<ReadError>& errors) {
+  std::erase_if(cases, [&](const Case& problem) {
+    const auto [first, inserted] = seen.emplace(problem.id, file);
+    if (!inserted) {
+      errors.push_back({file, 0, "id",
+                        json_quote(problem.id) + " was already read from " + first->second +
+                            "; every case has its own id"});
+    }
+    return !inserted;
+  });
+}
+
+// The fields of a case in the order of the schema; `starts_line` in the pretty form.
+struct Field {
+  const char* key;
+  std::string value;
+  bool starts_line;
+};
+
+std::vector<Field> fields_of(const Case& problem) {
+  std::vector<Field> fields;
+  const auto add = [&](const char* key, std::string value, bool starts_line) {
+    fields.push_back({key, std::move(value), starts_line});
+  };
+  add("schema", "\"graze.case/1\"", false);
+  add("id", json_quote(problem.id), false);
+  if (!problem.family.empty()) add("family", json_quote(problem.family), false);
+  if (problem.hardness) add("hardness", json_number(*problem.hardness), false);
+  if (!problem.comment.empty()) add("comment", json_quote(problem.comment), true);
+  if (!problem.source.empty()) add("source", json_quote(problem.source), true);
+  if (!problem.flags.empty()) {
+    std::string flags = "[";
+    for (const std::string& flag : problem.flags) flags += (flags.size() > 1 ? ", " : "") + json_quote(flag);
+    add("flags", flags + "]", true);
+  }
+  add("a", write_body(problem.a, problem.spin_a), true);
+  add("b", write_body(problem.b, problem.spin_b), true);
+  bool starts_line = true;
+  const auto question = [&](const char* key, std::string value) {
+    add(key, std::move(value), starts_line);
+    starts_line = false;
+  };
+  if (problem.t_max != 1) question("t_max", json_number(problem.t_max));
+  if (std::bit_cast<std::uint64_t>(problem.target_distance) != 0) {
+    question("target_distance", json_number(problem.target_distance));
+  }
+  if (problem.start_policy != StartPolicy::report)
+    question("start_policy", json_quote(name_of(problem.start_policy)));
+  if (problem.query != Query::cast) question("query", json_quote(name_of(problem.query)));
+  if (problem.query == Query::penetration_along) question("direction", write_vec3(problem.direction));
+  if (problem.expect) add("expect", write_expect(*problem.expect), true);
+  return fields;
+}
+
+bool same(double l, double r) { return std::bit_cast<std::uint64_t>(l) == std::bit_cast<std::uint64_t>(r); }
+bool same(const std::optional<double>& l, const std::optional<double>& r) {
+  return l.has_value() == r.has_value() && (!l || same(*l, *r));
+}
+bool same(const Vec3<double>& l, const Vec3<double>& r) {
+  return same(l[0], r[0]) && same(l[1], r[1]) && same(l[2], r[2]);
+}
+bool same(const Quaternion<double>& l, const Quaternion<double>& r) {
+  return same(l.w, r.w) && same(l.x, r.x) && same(l.y, r.y) && same(l.z, r.z);
+}
+
+struct SameShape {
+  bool operator()(const Point<double>&, const Point<double>&) const { return true; }
+  bool operator()(const Sphere<double>& l, const Sphere<double>& r) const { return same(l.radius, r.radius); }
+  bool operator()(const Box<double>& l, const Box<double>& r) const {
+    return same(l.half_extents, r.half_extents);
+  }
+  bool operator()(const Hull<double>& l, const Hull<double>& r) const {
+    return std::equal(l.vertices().begin(), l.vertices().end(), r.vertices().begin(), r.vertices().end(),
+                      [](const Vec3<double>& p, const Vec3<double>& q) { return same(p, q); });
+  }
+  template <class L, class R>
+  bool operator()(const L&, const R&) const {
+    return false;
+  }
+};
+
+bool same(const Body<double>& l, const Body<double>& r) {
+  return std::visit(SameShape{}, l.shape, r.shape) && same(l.position, r.position) &&
+         same(l.orientation, r.orientation) && same(l.displacement, r.displacement);
+}
+bool same(const Spin& l, const Spin& r) { return same(l.rotation, r.rotation) && same(l.pivot, r.pivot); }
+bool same(const Expect& l, const Expect& r) {
+  return l.by == r.by && l.outcome == r.outcome && same(l.toi_lower, r.toi_lower) &&
+         same(l.toi_upper, r.toi_upper) && l.toi_exact == r.toi_exact && same(l.t_in, r.t_in) &&
+         same(l.t_out, r.t_out) && same(l.distance, r.distance) && same(l.depth, r.depth) &&
+         l.normal.has_value() == r.normal.has_value() && (!l.normal || same(*l.normal, *r.normal));
+}
+
+}  // namespace
+
+std::string ReadError::text() const {
+  std::string text = file;
+  if (line > 0) text.append(":").append(std::to_string(line));
+  text += ": ";
+  if (!field.empty()) text += field + ": ";
+  return text + what;
+}
+
+ReadResult read_text(std::string_view text, const std::string& name, bool jsonl) {
+  ReadResult result;
+  if (jsonl) {
+    for (const TextLine& line : split_lines(text)) read_one(line.text, name, line.number, result);
+    std::map<std::string, std::string> seen;
+    drop_repeated_ids(result.cases, seen, name, result.errors);
+  } else if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) {
+    read_one(text, name, 0, result);
+  }
+  if (result.cases.empty() && result.errors.empty()) {
+    result.errors.push_back({name, 0, "", "holds no case; one JSON object, or one a line in a .jsonl file"});
+  }
+  return result;
+}
+
+ReadResult read_file(const std::filesystem::path& path) {
+  FileText file = read_whole_file(path.string());
+  if (!file.error.empty()) return {{}, {{path.string(), 0, "", std::move(file.error)}}};
+  return read_text(file.text, path.string(), path.extension() == ".jsonl");
+}
+
+ReadResult read_directory(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator it(directory, error), end; !error && it != end;
+       it.increment(error)) {
+    const auto extension = it->path().extension();
+    if (it->is_regular_file() && (extension == ".json" || extension == ".jsonl")) files.push_back(it->path());
+  }
+  ReadResult all;
+  if (error) all.errors.push_back({directory.string(), 0, "", "cannot be read: " + error.message()});
+  std::sort(files.begin(), files.end());
+  std::map<std::string, std::string> seen;
+  for (const auto& path : files) {
+    ReadResult one = read_file(path);
+    drop_repeated_ids(one.cases, seen, path.string(), one.errors);
+    std::move(one.cases.begin(), one.cases.end(), std::back_inserter(all.cases));
+    std::move(one.errors.begin(), one.errors.end(), std::back_inserter(all.errors));
+  }
+  if (all.cases.empty() && all.errors.empty()) {
+    all.errors.push_back(
+        {directory.string(), 0, "", "holds no case; .json or .jsonl files with one or more"});
+  }
+  return all;
+}
+
+std::string write_expect(const Expect& expect) {
+  std::string text = "{";
+  const auto field = [&](const char* key, const std::string& value) {
+    text += (text.size() > 1 ? ", \"" : "\"") + std::string(key) + "\": " + value;
+  };
+  if (expect.outcome) field("outcome", json_quote(name_of(*expect.outcome)));
+  field("by", json_quote(expect.by));
+  if (expect.toi_lower && expect.toi_upper) {
+    std::string toi =
+        "{\"lower\": " + json_number(*expect.toi_lower) + ", \"upper\": " + json_number(*expect.toi_upper);
+    if (!expect.toi_exact.empty()) toi += ", \"exact\": " + json_quote(expect.toi_exact);
+    field("toi", toi + "}");
+  }
+  if (expect.t_in) field("t_in", json_number(*expect.t_in));
+  if (expect.t_out) field("t_out", json_number(*expect.t_out));
+  if (expect.distance) field("distance", json_number(*expect.distance));
+  if (expect.depth) field("depth", json_number(*expect.depth));
+  if (expect.normal) field("normal", write_vec3(*expect.normal));
+  return text + "}";
+}
+
+std::string write_case(const Case& problem) {
+  std::string text;
+  for (const Field& field : fields_of(problem)) {
+    text += (text.empty() ? "{\"" : ", \"") + std::string(field.key) + "\": " + field.value;
+  }
+  return text + "}";
+}
+
+std::string write_case_pretty(const Case& problem) {
+  std::string text;
+  for (const Field& field : fields_of(problem)) {
+    text += text.empty() ? "{\"" : field.starts_line ? ",\n \"" : ", \"";
+    text += std::string(field.key) + "\": " + field.value;
+  }
+  return text + "}\n";
+}
+
+bool same_case(const Case& l, const Case& r) {
+  return l.id == r.id && l.family == r.family && same(l.hardness, r.hardness) && l.comment == r.comment &&
+         l.source == r.source && l.flags == r.flags && same(l.a, r.a) && same(l.b, r.b) &&
+         same(l.spin_a, r.spin_a) && same(l.spin_b, r.spin_b) && same(l.t_max, r.t_max) &&
+         same(l.target_distance, r.target_distance) && l.start_policy == r.start_policy &&
+         l.query == r.query && same(l.direction, r.direction) &&
+         l.expect.has_value() == r.expect.has_value() && (!l.expect || same(*l.expect, *r.expect));
+}
+
+}  // namespace graze::corpus

@@ -1,0 +1,48 @@
+// Reading and writing cases. The schema graze.case/1 is docs/case-format.md.
+//
+// Guarantees. A number is the double nearest to its decimal or hexfloat. What a writer wrote reads back to
+// the same bits. Nothing throws. A file gives all its good cases and an error for every bad one.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "corpus/case.hpp"
+
+namespace graze::corpus {
+
+// What was wrong, where, and what would be right; one line.
+struct ReadError {
+  std::string file;
+  int line = 0;       // of a .jsonl file, from 1; 0 for a file that holds one object
+  std::string field;  // the path of the field, such as a.shape.vertices[3]; may be empty
+  std::string what;
+
+  // `file:line: field: what`
+  [[nodiscard]] std::string text() const;
+};
+
+struct ReadResult {
+  std::vector<Case> cases;
+  std::vector<ReadError> errors;
+  [[nodiscard]] bool ok() const { return errors.empty(); }
+};
+
+// A file holds one object, or one a line if its name ends in .jsonl. No case at all is an error.
+[[nodiscard]] ReadResult read_file(const std::filesystem::path& path);
+[[nodiscard]] ReadResult read_text(std::string_view text, const std::string& name, bool jsonl);
+// Every .json and .jsonl file under a directory, in the order of their paths. An id that appears twice, and a
+// directory without a case, are errors.
+[[nodiscard]] ReadResult read_directory(const std::filesystem::path& directory);
+
+// One line, without the newline at its end.
+[[nodiscard]] std::string write_case(const Case& problem);
+// A few lines, each body on its own, with the newline at the end.
+[[nodiscard]] std::string write_case_pretty(const Case& problem);
+// The object of the field `expect`.
+[[nodiscard]] std::string write_expect(const Expect& expect);
+
+// Equal in every field, doubles by their bits (so -0 differs from 0).
+[[nodiscard]] bool same_case(const Case& l, const Case& r);
+
+}  // namespace graze::corpus

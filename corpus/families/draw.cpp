@@ -1,0 +1,287 @@
+#include "corpus/families/draw.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace graze::corpus {
+namespace {
+
+// The least positive multiple below which a capped hull's other vertices stay (length; sizes are about 4).
+constexpr double kBelowCap = 0.25;
+
+Shape<double> negated(const Shape<double>& shape) {
+  const Hull<double>* hull = std::get_if<Hull<double>>(&shape);
+  if (hull == nullptr) return shape;  // the others are symmetric about their origin
+  std::vector<Vec3<double>> vertices(hull->vertices().begin(), hull->vertices().end());
+  for (Vec3<double>& v : vertices) v = Vec3<double>(0 - v[0], 0 - v[1], 0 - v[2]);
+  return Hull<double>(std::span<const Vec3<double>>(vertices));
+}
+
+Shape<double> rotated(const Quaternion<double>& cube, const Shape<double>& shape) {
+  if (const auto* box = std::get_if<Box<double>>(&shape)) {
+    const Vec3<double> half = rotate(cube, box->half_extents);
+    return Box<double>{Vec3<double>(std::abs(half[0]), std::abs(half[1]), std::abs(half[2]))};
+  }
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+    std::vector<Vec3<double>> vertices(hull->vertices().begin(), hull->vertices().end());
+    for (Vec3<double>& v : vertices) v = rotate(cube, v);
+    return Hull<double>(std::span<const Vec3<double>>(vertices));
+  }
+  return shape;
+}
+
+void turn_body(const Quaternion<double>& q, bool into_shape, Body<double>& body) {
+  if (into_shape && body.orientation.is_identity()) {
+    body.shape = rotated(q, body.shape);
+  } else {
+    body.orientation = multiply(q, body.orientation);
+  }
+  body.position = rotate(q, body.position);
+  body.displacement = rotate(q, body.displacement);
+}
+
+}  // namespace
+
+Vec3<double> rotate(const Quaternion<double>& q, const Vec3<double>& x) {
+  const double n = ((q.w * q.w + q.x * q.x) + q.y * q.y) + q.z * q.z;
+  const double m[3][3] = {{(q.w * q.w + q.x * q.x) - (q.y * q.y + q.z * q.z), 2 * (q.x * q.y - q.w * q.z),
+                           2 * (q.x * q.z + q.w * q.y)},
+                          {2 * (q.x * q.y + q.w * q.z), (q.w * q.w + q.y * q.y) - (q.x * q.x + q.z * q.z),
+                           2 * (q.y * q.z - q.w * q.x)},
+                          {2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x),
+                           (q.w * q.w + q.z * q.z) - (q.x * q.x + q.y * q.y)}};
+  Vec3<double> y;
+  // 0 + turns a -0 into 0.
+  for (int i = 0; i < 3; ++i) y[i] = 0 + ((m[i][0] * x[0] + m[i][1] * x[1]) + m[i][2] * x[2]) / n;
+  return y;
+}
+
+Quaternion<double> multiply(const Quaternion<double>& l, const Quaternion<double>& r) {
+  return {
+      ((l.w * r.w - l.x * r.x) - l.y * r.y) - l.z * r.z, ((l.w * r.x + l.x * r.w) + l.y * r.z) - l.z * r.y,
+      ((l.w * r.y - l.x * r.z) + l.y * r.w) + l.z * r.x, ((l.w * r.z + l.x * r.y) - l.y * r.x) + l.z * r.w};
+}
+
+double bounding_radius(const Shape<double>& shape) {
+  const auto norm = [](const Vec3<double>& v) {
+    return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
+  };
+  double radius = 0;
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) radius = sphere->radius;
+  if (const auto* box = std::get_if<Box<double>>(&shape)) radius = norm(box->half_extents);
+  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+    for (const Vec3<double>& v : hull->vertices()) radius = std::max(radius, norm(v));
+  }
+  return radius * (1 + 8 * kUnitRoundoff<double>);
+}
+
+double round_to_float(double x) {
+  const double c = x * (0x1p29 + 1);
+  return c - (c - x);
+}
+
+double power_of_ten(int k) {
+  double power = 1;
+  for (int i = 0; i < std::abs(k); ++i) power *= 10;
+  return k < 0 ? 1 / power : power;
+}
+
+Draw::Draw(std::uint64_t seed) : random(seed), coordinates(static_cast<Coordinates>(random.below(3))) {}
+
+double Draw::snap(double x) const {
+  switch (coordinates) {
+    case Coordinates::floats:
+      return round_to_float(x);
+    case Coordinates::doubles:
+      return x;
+    case Coordinates::integers:
+      return 0 + std::floor(x + 0.5);
+  }
+  return x;
+}
+
+Vec3<double> Draw::snap(const Vec3<double>& x) const { return {snap(x[0]), snap(x[1]), snap(x[2])}; }
+
+double Draw::coordinate(double reach) { return snap(random.uniform(-reach, reach)); }
+
+Vec3<double> Draw::vector(double reach) {
+  const double x = coordinate(reach), y = coordinate(reach), z = coordinate(reach);
+  return {x, y, z};
+}
+
+double Draw::grid_step() const {
+  switch (coordinates) {
+    case Coordinates::floats:
+      return 0x1p-10;
+    case Coordinates::doubles:
+      return 0x1p-30;
+    case Coordinates::integers:
+      return 1;
+  }
+  return 1;
+}
+
+double Draw::on_grid(double reach) {
+  const double steps = std::floor(reach / grid_step());
+  return (static_cast<double>(random.below(static_cast<std::uint64_t>(2 * steps) + 1)) - steps) * grid_step();
+}
+
+double Draw::positive_on_grid(double reach) {
+  const double steps = std::floor(reach / grid_step());
+  return static_cast<double>(random.below(static_cast<std::uint64_t>(steps)) + 1) * grid_step();
+}
+
+Shape<double> Draw::hull(double reach, int vertices) {
+  std::vector<Vec3<double>> list;
+  for (int k = 0; k < vertices; ++k) list.push_back(vector(reach));
+  return Hull<double>(std::span<const Vec3<double>>(list));
+}
+
+Shape<double> Draw::shape(double reach, int vertices) {
+  switch (random.below(8)) {
+    case 0:
+      return Point<double>{};
+    case 1:
+      return Sphere<double>{std::abs(coordinate(reach))};
+    case 2:
+    case 3: {
+      const Vec3<double> half = vector(reach);
+      return Box<double>{Vec3<double>(std::abs(half[0]), std::abs(half[1]), std::abs(half[2]))};
+    }
+    default:
+      return hull(reach, vertices);
+  }
+}
+
+Quaternion<double> Draw::pose() {
+  if (random.once_in(2)) return {};
+  Quaternion<double> q;
+  do {
+    q.w = random.integer(-3, 3);
+    q.x = random.integer(-3, 3);
+    q.y = random.integer(-3, 3);
+    q.z = random.integer(-3, 3);
+  } while (q.w == 0 && q.is_identity());
+  return q;
+}
+
+Quaternion<double> Draw::pose_about_z() {
+  Quaternion<double> q;
+  q.w = random.integer(1, 5);
+  q.z = random.integer(-5, 5);
+  return q;
+}
+
+Quaternion<double> Draw::cube_rotation() {
+  // |q|^2 of 1, 2 or 4: with 3, the rotation is one of 120 degrees about no diagonal of the cube's.
+  Quaternion<double> q;
+  double n = 0;
+  do {
+    q.w = random.integer(-1, 1);
+    q.x = random.integer(-1, 1);
+    q.y = random.integer(-1, 1);
+    q.z = random.integer(-1, 1);
+    n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  } while (n == 0 || n == 3);
+  return q;
+}
+
+Shape<double> Draw::capped_hull(double reach, double lift) {
+  std::vector<Vec3<double>> list;
+  const double a = positive_on_grid(reach), b = on_grid(reach);
+  switch (random.below(3)) {
+    case 0:
+      list = {Vec3<double>(0, 0, 0)};
+      break;
+    case 1:
+      list = {Vec3<double>(a, b, 0), Vec3<double>(-a, -b, 0)};
+      break;
+    default: {
+      // A parallelogram about the origin: (a, b) and a vector to its left.
+      const double c = -positive_on_grid(reach), d = positive_on_grid(reach);
+      list = {Vec3<double>(a, std::abs(b), 0), Vec3<double>(c, d, 0), Vec3<double>(-a, -std::abs(b), 0),
+              Vec3<double>(-c, -d, 0)};
+      break;
+    }
+  }
+  const int vertices = random.integer(4, 24);
+  while (static_cast<int>(list.size()) < vertices) {
+    const double x = on_grid(reach), y = on_grid(reach);
+    const double below = std::max(positive_on_grid(2 * reach), std::max(kBelowCap, grid_step()));
+    list.emplace_back(x, y, -below);
+  }
+  // Any order: no method may lean on the top feature being first.
+  for (std::size_t k = list.size(); k > 1; --k) std::swap(list[k - 1], list[random.below(k)]);
+  for (Vec3<double>& v : list) v = Vec3<double>(0 + v[0], 0 + v[1], 0 + (v[2] - lift));
+  return Hull<double>(std::span<const Vec3<double>>(list));
+}
+
+Capped Draw::capped(double reach) {
+  switch (random.below(8)) {
+    case 0:
+      return {Point<double>{}, 0};
+    case 1: {
+      const double radius = positive_on_grid(reach);
+      return {Sphere<double>{radius}, -radius};
+    }
+    case 2:
+    case 3: {
+      const double x = positive_on_grid(reach), y = positive_on_grid(reach), z = positive_on_grid(reach);
+      return {Box<double>{Vec3<double>(x, y, z)}, -z};
+    }
+    default: {
+      const double lift = on_grid(reach);
+      return {capped_hull(reach, lift), lift};
+    }
+  }
+}
+
+Capped Draw::capped_below(double reach) {
+  const Capped above = capped(reach);
+  return {negated(above.shape), 0 - above.lift};
+}
+
+void set_motion(Draw& draw, Case& problem, const Vec3<double>& v) {
+  const Vec3<double> shared = draw.random.once_in(4) ? draw.vector(8) : Vec3<double>::Zero();
+  const Vec3<double> sum(v[0] + shared[0], v[1] + shared[1], v[2] + shared[2]);
+  const bool exact = sum[0] - shared[0] == v[0] && sum[1] - shared[1] == v[1] && sum[2] - shared[2] == v[2] &&
+                     draw.snap(sum) == sum;
+  problem.a.displacement = exact ? shared : Vec3<double>::Zero();
+  problem.b.displacement = exact ? sum : v;
+}
+
+void vary_time_scale(Draw& draw, Case& problem) {
+  if (!draw.random.once_in(4)) return;
+  const int exponent = draw.random.integer(-8, 8);
+  for (Body<double>* body : {&problem.a, &problem.b}) {
+    for (int i = 0; i < 3; ++i) body->displacement[i] = std::scalbn(body->displacement[i], exponent);
+  }
+  problem.t_max = std::scalbn(problem.t_max, -exponent);
+}
+
+void turn_exactly(Draw& draw, Case& problem) {
+  const Quaternion<double> q = draw.cube_rotation();
+  const bool into_shape = draw.random.once_in(2);
+  turn_body(q, into_shape, problem.a);
+  turn_body(q, into_shape, problem.b);
+}
+
+void turn_rounded(Draw& draw, Case& problem) {
+  Quaternion<double> q;
+  do {
+    q = draw.pose();
+  } while (q.is_identity());
+  for (Body<double>* body : {&problem.a, &problem.b}) {
+    turn_body(q, false, *body);
+    if (draw.coordinates != Coordinates::floats) continue;
+    body->position = draw.snap(body->position);
+    body->displacement = draw.snap(body->displacement);
+  }
+}
+
+void maybe_swap(Draw& draw, Case& problem) {
+  if (draw.random.once_in(2)) std::swap(problem.a, problem.b);
+}
+
+}  // namespace graze::corpus

@@ -1,0 +1,85 @@
+// What the families draw with: coordinates of three kinds, shapes, poses, motions.
+//
+// Grid. Tie families need sums that are exact, so beside free coordinates there are those on a grid:
+// multiples of 2^-10 (float), 2^-30 (double) or 1 (integer), below 2^12 in magnitude; sums of a few of them
+// are exact.
+#pragma once
+
+#include "corpus/case.hpp"
+#include "corpus/random.hpp"
+
+namespace graze::corpus {
+
+enum class Coordinates { floats, doubles, integers };
+
+// q x conj(q) / |q|^2 in doubles; exact where every product and quotient is.
+[[nodiscard]] Vec3<double> rotate(const Quaternion<double>& q, const Vec3<double>& x);
+[[nodiscard]] Quaternion<double> multiply(const Quaternion<double>& l, const Quaternion<double>& r);
+// The radius of a ball about the body's origin that holds the shape, rounded up.
+[[nodiscard]] double bounding_radius(const Shape<double>& shape);
+// x rounded to the 24 bits of a float (Veltkamp's splitting; Dekker 1971), for |x| within 2^-126 .. 2^100.
+// Not by a conversion to float and back: g++ 12 vectorises three of those in a row, at -O2, to no rounding at
+// all.
+[[nodiscard]] double round_to_float(double x);
+// 10^k, k an integer: exact up to 22, correctly rounded for -22 and above.
+[[nodiscard]] double power_of_ten(int k);
+
+// A shape with its highest point on the plane z = 0 once moved by (0, 0, lift), the origin in its top
+// feature.
+struct Capped {
+  Shape<double> shape;
+  double lift = 0;
+};
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed);
+
+  Random random;
+  Coordinates coordinates;
+
+  // Free coordinates, |x| <= reach.
+  double coordinate(double reach);
+  Vec3<double> vector(double reach);
+  // Grid coordinates, |x| <= reach; a positive one is at least a grid step.
+  double on_grid(double reach);
+  double positive_on_grid(double reach);
+  double grid_step() const;
+  // x as this kind of coordinate: rounded to float, kept, or rounded to an integer.
+  double snap(double x) const;
+  Vec3<double> snap(const Vec3<double>& x) const;
+
+  // Point, sphere, box or hull of `vertices` vertices within |x_i| <= reach.
+  Shape<double> shape(double reach, int vertices);
+  Shape<double> hull(double reach, int vertices);
+  // Identity half of the time, else four integers of -3..3.
+  Quaternion<double> pose();
+  // A turn about z by an integer quaternion (w, 0, 0, z): it leaves every z-coordinate as it is, exactly.
+  Quaternion<double> pose_about_z();
+  // One of the 24 rotations of the cube, as (w, x, y, z) of -1, 0, 1: exact on every double.
+  Quaternion<double> cube_rotation();
+
+  // Point, sphere, box, or hull of 4..24 vertices of which 1, 2 or 4 are the top feature. On the grid.
+  Capped capped(double reach);
+  // As capped, but the plane z = 0 is below: the mirror image at the origin.
+  Capped capped_below(double reach);
+
+ private:
+  Shape<double> capped_hull(double reach, double lift);
+};
+
+// Gives the relative displacement v to B, or shares it: A gets something and B gets v more, where that is
+// exact.
+void set_motion(Draw& draw, Case& problem, const Vec3<double>& v);
+// Speeds the motion up by a power of two and shortens t_max by the same, or the other way: the same path.
+void vary_time_scale(Draw& draw, Case& problem);
+// Turns the whole scene by a cube rotation, exactly: into the poses, or, where they are identities, half of
+// the time into the shapes.
+void turn_exactly(Draw& draw, Case& problem);
+// Turns the whole scene by an integer quaternion; positions and displacements are rounded to the kind of
+// coordinate (floats or doubles).
+void turn_rounded(Draw& draw, Case& problem);
+// Swaps A and B once in two.
+void maybe_swap(Draw& draw, Case& problem);
+
+}  // namespace graze::corpus

@@ -1,0 +1,121 @@
+#include "corpus/proof_io.hpp"
+
+#include "corpus/case_json.hpp"
+#include "corpus/names.hpp"
+#include "corpus/shape_json.hpp"
+
+namespace graze::corpus {
+namespace {
+
+constexpr std::string_view kSchema = "graze.proof/1";
+constexpr std::string_view kPortalForm = "a portal is an array of at most four pairs {\"a\", \"b\"}";
+
+Feature read_feature(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"vertex", "offset"});
+  Feature feature;
+  feature.vertex = read_index(fields.required("vertex", "the index of a vertex, 0 for a point or a sphere"),
+                              fields.path("vertex"));
+  if (const JsonValue* offset = fields.optional("offset")) {
+    feature.offset = read_vec3(*offset, fields.path("offset"), "an offset is an array of three numbers");
+  }
+  return feature;
+}
+
+Proof read_proof(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal"});
+  Proof proof;
+  proof.toi_lower =
+      read_extended(fields.required("toi_lower", "a time, or \"inf\" for a miss"), fields.path("toi_lower"));
+  if (const JsonValue* axis = fields.optional("axis")) {
+    proof.has_axis = true;
+    proof.axis = read_vec3(*axis, fields.path("axis"), "an axis is an array of three numbers");
+  }
+  proof.toi_upper = read_extended(fields.required("toi_upper", "a time, or \"inf\" for no claim"),
+                                  fields.path("toi_upper"));
+  if (const JsonValue* portal = fields.optional("portal")) {
+    const std::string where = fields.path("portal");
+    const std::vector<JsonValue>& pairs = read_array(*portal, where, kPortalForm);
+    if (pairs.size() > proof.portal.size()) {
+      throw Malformed{where, describe(*portal) + "; " + std::string(kPortalForm)};
+    }
+    for (const JsonValue& item : pairs) {
+      const Fields pair(item, item_path(where, proof.portal_size), {"a", "b"});
+      SupportPair& target = proof.portal[proof.portal_size];
+      target.a = read_feature(pair.required("a", "a point of body a"), pair.path("a"));
+      target.b = read_feature(pair.required("b", "a point of body b"), pair.path("b"));
+      ++proof.portal_size;
+    }
+  }
+  return proof;
+}
+
+ProofRecord read_record(const JsonValue& value) {
+  const Fields fields(value, "", {"schema", "case", "method", "scalar", "outcome", "proof"});
+  const JsonValue& schema = fields.required("schema", "\"graze.proof/1\"");
+  if (read_string(schema, "schema") != kSchema) {
+    throw Malformed{"schema", describe(schema) + "; this version reads " + json_quote(kSchema)};
+  }
+  ProofRecord record;
+  record.problem =
+      case_from_json(fields.required("case", "the case that the proof is about, in full"), "case");
+  record.method = read_string(fields.required("method", "the name of the method"), "method");
+  record.scalar = read_string(fields.required("scalar", "\"float\" or \"double\""), "scalar");
+  record.outcome = static_cast<Outcome>(
+      read_choice(fields.required("outcome", "one of " + joined(kOutcomeNames)), "outcome", kOutcomeNames));
+  record.proof = read_proof(fields.required("proof", "an object with toi_lower and toi_upper"), "proof");
+  return record;
+}
+
+std::string write_feature(const Feature& feature) {
+  std::string text = "{\"vertex\": " + std::to_string(feature.vertex);
+  if (is_set(feature.offset)) text += ", \"offset\": " + write_vec3(feature.offset);
+  return text + "}";
+}
+
+}  // namespace
+
+ProofReadResult read_proofs_text(std::string_view text, const std::string& name) {
+  ProofReadResult result;
+  for (const TextLine& line : split_lines(text)) {
+    const ParsedJson parsed = parse_json(line.text);
+    if (parsed.error) {
+      result.errors.push_back({name, line.number, parsed.error->path, parsed.error->what});
+      continue;
+    }
+    try {
+      result.proofs.push_back(read_record(parsed.value));
+      result.proofs.back().line = line.number;
+    } catch (const Malformed& error) {
+      result.errors.push_back({name, line.number, error.path, error.what});
+    }
+  }
+  if (result.proofs.empty() && result.errors.empty()) {
+    result.errors.push_back({name, 0, "", "holds no proof; one JSON object a line, schema graze.proof/1"});
+  }
+  return result;
+}
+
+ProofReadResult read_proofs_file(const std::filesystem::path& path) {
+  FileText file = read_whole_file(path.string());
+  if (!file.error.empty()) return {{}, {{path.string(), 0, "", std::move(file.error)}}};
+  return read_proofs_text(file.text, path.string());
+}
+
+std::string write_proof(const ProofRecord& record) {
+  const Proof& proof = record.proof;
+  std::string text = "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +
+                     ", \"method\": " + json_quote(record.method) +
+                     ", \"scalar\": " + json_quote(record.scalar) +
+                     ", \"outcome\": " + json_quote(name_of(record.outcome)) +
+                     ", \"proof\": {\"toi_lower\": " + json_number(proof.toi_lower);
+  if (proof.has_axis) text += ", \"axis\": " + write_vec3(proof.axis);
+  text += ", \"toi_upper\": " + json_number(proof.toi_upper) + ", \"portal\": [";
+  for (int i = 0; i < proof.portal_size; ++i) {
+    const SupportPair& pair = proof.portal[i];
+    text += std::string(i > 0 ? ", " : "") + "{\"a\": " + write_feature(pair.a) +
+            ", \"b\": " + write_feature(pair.b) + "}";
+  }
+  return text + "]}}";
+}
+
+}  // namespace graze::corpus

@@ -1,0 +1,37 @@
+// The text form of a proof, graze.proof/1: one JSON object a line, which holds its case in full, so that a
+// file of proofs can be checked by itself. Numbers read back to the same bits; an infinite bound is "inf".
+//
+//   {"schema": "graze.proof/1", "case": {...}, "method": "mpr", "scalar": "double", "outcome": "hit",
+//    "proof": {"toi_lower": 0.25, "axis": [0, -1, 0], "toi_upper": 0.25,
+//              "portal": [{"a": {"vertex": 0}, "b": {"vertex": 0, "offset": [0, -1, 0]}}]}}
+//
+// No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
+// proof claims is not judged here: a reader's proof may be false.
+#pragma once
+
+#include "corpus/case_io.hpp"
+
+namespace graze::corpus {
+
+struct ProofRecord {
+  Case problem;
+  std::string method;  // "mpr"
+  std::string scalar;  // "float", "double"
+  Outcome outcome = Outcome::not_converged;
+  Proof proof;
+  int line = 0;  // where it was read, from 1; not written
+};
+
+struct ProofReadResult {
+  std::vector<ProofRecord> proofs;
+  std::vector<ReadError> errors;
+  [[nodiscard]] bool ok() const { return errors.empty(); }
+};
+
+[[nodiscard]] ProofReadResult read_proofs_file(const std::filesystem::path& path);
+[[nodiscard]] ProofReadResult read_proofs_text(std::string_view text, const std::string& name);
+
+// One line, without the newline at its end.
+[[nodiscard]] std::string write_proof(const ProofRecord& record);
+
+}  // namespace graze::corpus

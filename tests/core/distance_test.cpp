@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+#include <graze/distance.hpp>
+#include <graze/overlap.hpp>
+
+#include "tests/core/draw.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+
+template <class S>
+class DistanceQuery : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(DistanceQuery, Scalars);
+
+TYPED_TEST(DistanceQuery, SpheresAndBoxesByTheirClosedForms) {
+  using S = TypeParam;
+  Draw draw{61};
+  int apart = 0, together = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Vec3<S> half = draw.vector<S>(1).cwiseAbs();
+    const Body<S> box{.shape = Box<S>{half}, .position = draw.vector<S>(round % 2 ? 2 : 0.2)};
+    const Body<S> ball{.shape = Sphere<S>{S(draw.between(0.1, 0.5))},
+                       .position = draw.vector<S>(round % 2 ? 3 : 1)};
+    const Vec3<double> p = ball.position.template cast<double>() - box.position.template cast<double>();
+    const Vec3<double> nearest =
+        p.cwiseMin(half.template cast<double>()).cwiseMax(-half.template cast<double>());
+    const double expected = (p - nearest).norm() - double(std::get<Sphere<S>>(ball.shape).radius);
+    const double slack = 64 * double(kUnitRoundoff<S>) * 6;
+    if (std::abs(expected) < slack) continue;
+    const DistanceResult<S> d = distance(box, ball);
+    EXPECT_FALSE(d.stalled);
+    if (expected < 0) {
+      ++together;
+      EXPECT_EQ(d.upper, 0) << round;
+    } else {
+      ++apart;
+      EXPECT_NEAR(d.lower, expected, slack) << round;
+      EXPECT_NEAR(d.upper, expected, slack) << round;
+      EXPECT_NEAR((d.point_b - d.point_a).norm(), expected, 2 * slack) << round;
+      EXPECT_NEAR(d.normal.dot(d.point_b - d.point_a), expected, 2 * slack) << round;
+      EXPECT_NEAR((d.point_b - ball.position).norm(), std::get<Sphere<S>>(ball.shape).radius, slack) << round;
+      EXPECT_LT((d.point_a.template cast<double>() - nearest - box.position.template cast<double>()).norm(),
+                1e-2);
+    }
+    const Outcome outcome = expected < 0 ? Outcome::initially_overlapping : Outcome::miss;
+    EXPECT_EQ(overlap_gjk(box, ball).outcome, outcome) << round;
+    EXPECT_EQ(overlap_mpr(box, ball).outcome, outcome) << round;
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(together, 30);
+}
+
+TYPED_TEST(DistanceQuery, SwappedBodiesSwapTheAnswer) {
+  using S = TypeParam;
+  Draw draw{62};
+  for (int round = 0; round < 200; ++round) {
+    Body<S> a{.shape = draw.hull<S>(12, 1)}, b{.shape = draw.hull<S>(9, 1), .position = draw.vector<S>(3)};
+    b.orientation = draw.turn<S>();
+    const DistanceResult<S> ab = distance(a, b), ba = distance(b, a);
+    const double slack = 64 * double(kUnitRoundoff<S>) * 6;
+    EXPECT_NEAR(ab.upper, ba.upper, slack) << round;
+    if (ab.lower < 0.1) continue;
+    EXPECT_LT((ab.normal + ba.normal).norm(), 1e-2) << round;
+    EXPECT_NEAR((ab.point_a - ab.point_b).norm(), ab.upper, slack);
+  }
+}
+
+TEST(DistanceDoor, BadInputIsRefused) {
+  EXPECT_EQ(distance<double>({.shape = Sphere<double>{-1}}, {}).invalid, Invalid::negative_extent);
+  EXPECT_EQ(overlap_mpr<double>({.shape = Hull<double>()}, {}).invalid, Invalid::empty_hull);
+  EXPECT_EQ(overlap_gjk<double>({.shape = Hull<double>()}, {}).outcome, Outcome::invalid_input);
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,224 @@
+// The families: the same bits everywhere, sound cases, and each level as hard as it says, by the exact
+// oracle.
+#include "corpus/families.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "corpus/case_io.hpp"
+#include "corpus/random.hpp"
+#include "oracles/linear_truth.hpp"
+
+namespace graze::corpus {
+namespace {
+
+constexpr std::uint64_t kSeeds = 24;
+
+TEST(Families, AreFoundByName) {
+  EXPECT_EQ(families().size(), 6u);
+  for (const Family& family : families()) EXPECT_EQ(find_family(family.name), &family);
+  EXPECT_EQ(find_family("no such family"), nullptr);
+}
+
+// Every bit of every level's first cases, through the writer, which keeps every bit. Made by g++ 12 on
+// x86-64; any other compiler, flag or machine must give the same.
+TEST(Families, AreTheSameBitsEverywhere) {
+  const struct {
+    const char* name;
+    std::uint64_t hash;
+  } golden[] = {
+      {"random", 0x24c4cb8439c2702bu},          {"aligned_boxes", 0x21721981b372a7e9u},
+      {"grazing", 0x7f71dd8a30967f96u},         {"size_ratio", 0x581c2dd2f08677b0u},
+      {"far_from_origin", 0x9414bd44dc81a2b0u}, {"touching", 0xd5a33e25c95b13c3u},
+  };
+  for (const auto& [name, hash] : golden) {
+    const Family* family = find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    std::string text;
+    for (const double level : family->levels) {
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+        text += write_case(family->generate(level, seed)) + "\n";
+    }
+    EXPECT_EQ(fnv1a(text), hash) << name;
+  }
+}
+
+TEST(Families, ReadBackAsTheyAreAndDifferBySeed) {
+  for (const Family& family : families()) {
+    std::set<std::string> bodies;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const Case problem = family.generate(family.levels.front(), seed);
+      const ReadResult read = read_text(write_case(problem), problem.id, false);
+      ASSERT_TRUE(read.ok()) << read.errors[0].text();
+      EXPECT_TRUE(same_case(read.cases[0], problem)) << problem.id;
+      const std::string text = write_case(problem);
+      bodies.insert(text.substr(text.find("\"a\"")));
+    }
+    EXPECT_EQ(bodies.size(), 100u) << family.name;
+  }
+}
+
+TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
+  const Family& grazing = *find_family("grazing");
+  EXPECT_EQ(grazing.generate(8, 42).id, "grazing/h8/s42");
+  EXPECT_EQ(grazing.generate(1000, 1).id, "grazing/h16/s1");
+  EXPECT_EQ(grazing.generate(-5, 1).id, "grazing/h1/s1");
+  EXPECT_EQ(grazing.generate(7.6, 1).hardness, 8);
+}
+
+// Guards against a family that draws one kind of thing only.
+TEST(Families, MixShapesPosesOutcomesAndHorizons) {
+  std::set<std::string> kinds;
+  for (const Family& family : families()) {
+    std::size_t hits = 0, misses = 0, starts = 0, rotated = 0, infinite = 0;
+    for (const double level : family.levels) {
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        const Case problem = family.generate(level, seed);
+        kinds.insert("shape " + std::to_string(problem.a.shape.index()));
+        kinds.insert("shape " + std::to_string(problem.b.shape.index()));
+        rotated += !problem.a.orientation.is_identity() || !problem.b.orientation.is_identity();
+        infinite += std::isinf(problem.t_max);
+        const Outcome outcome = oracle::LinearTruth(problem).outcome();
+        hits += outcome == Outcome::hit;
+        misses += outcome == Outcome::miss;
+        starts += outcome == Outcome::initially_overlapping;
+      }
+    }
+    const std::size_t total = family.levels.size() * kSeeds;
+    EXPECT_GE(hits, total / 8) << family.name;
+    EXPECT_GE(misses, total / 8) << family.name;
+    EXPECT_GE(rotated, total / 4) << family.name;
+    EXPECT_LE(rotated, total * 19 / 20) << family.name;
+    // The three that are about paths from a start apart hold no start in contact.
+    const bool apart = family.name == "grazing" || family.name == "size_ratio";
+    EXPECT_EQ(starts == 0, apart) << family.name;
+    EXPECT_EQ(infinite > 0, family.name != "touching") << family.name;
+  }
+  EXPECT_EQ(kinds.size(), 4u);
+}
+
+TEST(Grazing, MissesByExactlyItsHardness) {
+  const Family& family = *find_family("grazing");
+  for (const double level : {1.0, 4.0, 8.0, 12.0}) {
+    const double wanted = std::pow(10, -level);
+    std::size_t misses = 0;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const Case problem = family.generate(level, seed);
+      const oracle::LinearTruth truth(problem);
+      if (truth.outcome() != Outcome::miss) continue;
+      ++misses;
+      // Full doubles are turned and rounded: 16 u times coordinates of up to 128. Floats are 2^-24 off 10^-k.
+      EXPECT_NEAR(truth.clearance().high, wanted, wanted * 0x1p-23 + 16 * 128 * 0x1p-53) << problem.id;
+    }
+    EXPECT_GE(misses, kSeeds / 8);
+  }
+}
+
+TEST(Grazing, IsMetNoDeeperThanItsHardness) {
+  const Family& family = *find_family("grazing");
+  for (const double level : {1.0, 4.0, 8.0, 12.0}) {
+    const double wanted = std::pow(10, -level);
+    std::size_t hits = 0;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const Case problem = family.generate(level, seed);
+      const oracle::LinearTruth truth(problem);
+      if (truth.outcome() != Outcome::hit) continue;
+      ++hits;
+      EXPECT_LE(truth.depth().low, wanted * (1 + 0x1p-23) + 16 * 128 * 0x1p-53) << problem.id;
+    }
+    EXPECT_GE(hits, kSeeds / 8);
+  }
+}
+
+TEST(Touching, StartsInContactExactlyAtHardnessZeroAndMoreRarelyBefore) {
+  const Family& family = *find_family("touching");
+  std::size_t apart = 0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Case touching = family.generate(0, seed);
+    EXPECT_EQ(oracle::LinearTruth(touching).outcome(), Outcome::initially_overlapping) << touching.id;
+    EXPECT_EQ(oracle::LinearTruth(touching).distance().high, 0) << touching.id;
+    const Case near = family.generate(-1, seed);
+    const oracle::LinearTruth truth(near);
+    if (truth.outcome() == Outcome::initially_overlapping) continue;
+    ++apart;
+    // One unit in the last place of 1, in float or in double; a vertex over a vertex may be off sideways.
+    EXPECT_LE(truth.distance().low, 0x1p-23) << near.id;
+    EXPECT_GT(truth.distance().high, 0) << near.id;
+  }
+  EXPECT_GE(apart, kSeeds / 4);
+}
+
+TEST(AlignedBoxes, ShareAsManyPlanesAsTheHardnessSays) {
+  const Family& family = *find_family("aligned_boxes");
+  for (const double level : family.levels) {
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const Case problem = family.generate(level, seed);
+      // A cube rotation in the poses permutes the extents of both boxes alike.
+      int ties = 0;
+      const auto extents = [](const Body<double>& body) {
+        const Vec3<double> h = std::get<Box<double>>(body.shape).half_extents;
+        const Quaternion<double>& q = body.orientation;
+        const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+        // |entries| of a rotation of the cube: 0 or 1.
+        const double m[3][3] = {{q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z, 2 * (q.x * q.y - q.w * q.z),
+                                 2 * (q.x * q.z + q.w * q.y)},
+                                {2 * (q.x * q.y + q.w * q.z), q.w * q.w + q.y * q.y - q.x * q.x - q.z * q.z,
+                                 2 * (q.y * q.z - q.w * q.x)},
+                                {2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x),
+                                 q.w * q.w + q.z * q.z - q.x * q.x - q.y * q.y}};
+        Vec3<double> e;
+        for (int i = 0; i < 3; ++i) {
+          e[i] = (std::abs(m[i][0]) * h[0] + std::abs(m[i][1]) * h[1] + std::abs(m[i][2]) * h[2]) / n;
+        }
+        return e;
+      };
+      const Vec3<double> ea = extents(problem.a), eb = extents(problem.b);
+      for (int i = 0; i < 3; ++i) {
+        const double offset = std::abs(problem.b.position[i] - problem.a.position[i]);
+        ties += offset == ea[i] + eb[i] || offset == std::abs(ea[i] - eb[i]);
+      }
+      EXPECT_EQ(ties, static_cast<int>(level)) << problem.id;
+    }
+  }
+}
+
+TEST(SizeRatio, IsTheRatioOfTheBodies) {
+  const Family& family = *find_family("size_ratio");
+  for (const double level : family.levels) {
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const Case problem = family.generate(level, seed);
+      const auto reach = [](const Shape<double>& shape) {
+        double most = 0;
+        if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) most = sphere->radius;
+        if (const auto* box = std::get_if<Box<double>>(&shape)) most = box->half_extents.maxCoeff();
+        if (const auto* hull = std::get_if<Hull<double>>(&shape)) most = hull->largest();
+        return most;
+      };
+      const double large = std::max(reach(problem.a.shape), reach(problem.b.shape));
+      // 2 to 4 times 10^k, rounded to an integer at most; hulls and boxes reach a little below their top.
+      EXPECT_GE(large, 2 * std::pow(10, level)) << problem.id;
+      EXPECT_LE(large, 4 * std::pow(10, level) + 2) << problem.id;
+    }
+  }
+}
+
+TEST(FarFromOrigin, IsAsFarAsTheHardnessSays) {
+  const Family& family = *find_family("far_from_origin");
+  for (const double level : {4.0, 6.0, 8.0}) {
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      const Case problem = family.generate(level, seed);
+      for (const Body<double>* body : {&problem.a, &problem.b}) {
+        double most = body->position.cwiseAbs().maxCoeff();
+        if (const auto* hull = std::get_if<Hull<double>>(&body->shape))
+          most = std::max(most, hull->largest());
+        EXPECT_GE(most, 0.5 * std::pow(10, level) - 100) << problem.id;
+        EXPECT_LE(most, std::pow(10, level) + 100) << problem.id;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze::corpus

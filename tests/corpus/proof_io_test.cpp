@@ -1,0 +1,101 @@
+// Proofs as text: they read back to the same bits, and what is malformed is refused with the field named.
+#include "corpus/proof_io.hpp"
+
+#include <gtest/gtest.h>
+
+namespace graze::corpus {
+namespace {
+
+ProofRecord example() {
+  ProofRecord record;
+  record.problem.id = "test/proof";
+  record.problem.a.shape = Box<double>{Vec3<double>(1, 2, 3)};
+  record.problem.b.shape = Sphere<double>{0.1};
+  record.problem.b.displacement = Vec3<double>(0, 0, -1);
+  record.method = "mpr";
+  record.scalar = "double";
+  record.outcome = Outcome::hit;
+  record.proof.toi_lower = 1.0 / 3;
+  record.proof.has_axis = true;
+  record.proof.axis = Vec3<double>(-0.0, 5e-324, 1);
+  record.proof.toi_upper = 2.0 / 3;
+  record.proof.portal_size = 3;
+  record.proof.portal[0].a.vertex = 7;
+  record.proof.portal[1].b.offset = Vec3<double>(0, 0, 0.1);
+  record.proof.portal[2].b.offset = Vec3<double>(0, -0.0, 0);
+  return record;
+}
+
+void expect_same(const ProofRecord& l, const ProofRecord& r) {
+  // Equal text is equal bits: the round trip of numbers is tested on its own.
+  EXPECT_EQ(write_proof(l), write_proof(r));
+  EXPECT_TRUE(same_case(l.problem, r.problem));
+  EXPECT_EQ(l.method, r.method);
+  EXPECT_EQ(l.scalar, r.scalar);
+  EXPECT_EQ(l.outcome, r.outcome);
+  EXPECT_EQ(l.proof.toi_lower, r.proof.toi_lower);
+  EXPECT_EQ(l.proof.has_axis, r.proof.has_axis);
+  EXPECT_EQ(l.proof.axis, r.proof.axis);
+  EXPECT_EQ(l.proof.toi_upper, r.proof.toi_upper);
+  ASSERT_EQ(l.proof.portal_size, r.proof.portal_size);
+  for (int i = 0; i < l.proof.portal_size; ++i) {
+    EXPECT_EQ(l.proof.portal[i].a.vertex, r.proof.portal[i].a.vertex);
+    EXPECT_EQ(l.proof.portal[i].b.vertex, r.proof.portal[i].b.vertex);
+    EXPECT_EQ(l.proof.portal[i].a.offset, r.proof.portal[i].a.offset);
+    EXPECT_EQ(l.proof.portal[i].b.offset, r.proof.portal[i].b.offset);
+  }
+}
+
+TEST(ProofIo, ReadsBackWhatItWrote) {
+  ProofRecord bare = example();
+  bare.outcome = Outcome::miss;
+  bare.proof = {};
+  bare.proof.toi_lower = kInfinity<double>;
+  const std::string text = write_proof(example()) + "\n" + write_proof(bare) + "\n";
+  const ProofReadResult result = read_proofs_text(text, "p.jsonl");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  ASSERT_EQ(result.proofs.size(), 2u);
+  expect_same(result.proofs[0], example());
+  expect_same(result.proofs[1], bare);
+  EXPECT_EQ(result.proofs[1].line, 2);
+  EXPECT_TRUE(std::signbit(result.proofs[0].proof.axis[0]));
+}
+
+TEST(ProofIo, RefusesWhatIsMalformedAndKeepsTheRest) {
+  const std::string sound = write_proof(example());
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = sound;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  const struct {
+    std::string text;
+    const char* message;
+  } malformations[] = {
+      {"{", "p.jsonl:1: not JSON"},
+      {replaced("graze.proof/1", "graze.proof/9"), "p.jsonl:1: schema: "},
+      {replaced("\"radius\": 0.1", "\"radius\": -1"), "p.jsonl:1: case.b.shape.radius: -1 is negative"},
+      {replaced("\"outcome\": \"hit\"", "\"outcome\": \"hits\""),
+       "p.jsonl:1: outcome: the string \"hits\"; one of"},
+      {replaced("\"toi_lower\"", "\"toi\""), "p.jsonl:1: proof: unknown field \"toi\""},
+      {replaced("\"vertex\": 7", "\"vertex\": -7"),
+       "p.jsonl:1: proof.portal[0].a.vertex: the number -7; an index"},
+      {replaced("\"vertex\": 7", "\"vertex\": 4294967296"), "p.jsonl:1: proof.portal[0].a.vertex: "},
+      {replaced("[0, 0, 0.1]", "[0, 0]"), "p.jsonl:1: proof.portal[1].b.offset: an array of 2"},
+      {replaced("\"portal\": [", "\"portal\": [1, 2, "), "p.jsonl:1: proof.portal: an array of 5"},
+      {replaced("\"portal\": [", "\"portal\": [1, "), "p.jsonl:1: proof.portal[0]: the number 1"},
+      {replaced("\"axis\": [", "\"axis\": [1, "), "p.jsonl:1: proof.axis: an array of 4"},
+  };
+  for (const auto& malformation : malformations) {
+    const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");
+    EXPECT_EQ(result.proofs.size(), 1u);
+    ASSERT_EQ(result.errors.size(), 1u) << malformation.text;
+    const std::string line = result.errors[0].text();
+    EXPECT_EQ(line.substr(0, std::string(malformation.message).size()), malformation.message) << line;
+  }
+}
+
+TEST(ProofIo, AnEmptyReadFails) { EXPECT_FALSE(read_proofs_text("\n", "p.jsonl").ok()); }
+
+}  // namespace
+}  // namespace graze::corpus
