@@ -23,7 +23,7 @@ namespace graze {
 template <Scalar S>
 struct PortalPoint {
   CsoPoint<S> c;
-  Vec3<S> q;
+  Vec3<S> q = Vec3<S>::Zero();
 };
 
 template <Scalar S>

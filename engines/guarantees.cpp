@@ -1,0 +1,102 @@
+#include "engines/guarantees.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "engines/guarantees_text.hpp"
+
+namespace graze::engine {
+namespace {
+
+using Json = nlohmann::json;
+
+// Beyond these a row must say by which mechanism.
+constexpr double kPlainKappa = 1024, kPlainStallCap = 0.001;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw std::runtime_error(where + ": " + what);
+}
+
+const Json& field(const Json& row, const std::string& where, const char* name) {
+  const auto found = row.find(name);
+  if (found == row.end()) refuse(where, std::string("the field \"") + name + "\" is missing");
+  return *found;
+}
+
+std::string text_field(const Json& row, const std::string& where, const char* name) {
+  const Json& value = field(row, where, name);
+  if (!value.is_string()) refuse(where + "." + name, "must be a string");
+  return value.get<std::string>();
+}
+
+double number_field(const Json& row, const std::string& where, const char* name) {
+  const Json& value = field(row, where, name);
+  if (!value.is_number() || !(value.get<double>() >= 0)) refuse(where + "." + name, "must be a number >= 0");
+  return value.get<double>();
+}
+
+Guarantee parse_row(const Json& row, const std::string& where) {
+  static const std::set<std::string> kFields = {"method",        "scalar",    "tier",     "kappa_polytope",
+                                                "kappa_rounded", "stall_cap", "mechanism"};
+  if (!row.is_object()) refuse(where, "must be an object");
+  for (const auto& [key, value] : row.items()) {
+    if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
+  }
+  Guarantee g{.method = text_field(row, where, "method"),
+              .scalar = text_field(row, where, "scalar"),
+              .tier = text_field(row, where, "tier"),
+              .kappa_polytope = number_field(row, where, "kappa_polytope"),
+              .kappa_rounded = number_field(row, where, "kappa_rounded"),
+              .stall_cap = number_field(row, where, "stall_cap"),
+              .mechanism = text_field(row, where, "mechanism")};
+  const bool beyond =
+      std::max(g.kappa_polytope, g.kappa_rounded) > kPlainKappa || g.stall_cap > kPlainStallCap;
+  if (beyond && g.mechanism.empty()) {
+    refuse(where + ".mechanism", "must name what needs a kappa above 1024 or a stall cap above 0.001");
+  }
+  return g;
+}
+
+}  // namespace
+
+double Guarantee::kappa(const corpus::Case& problem) const {
+  const auto is_sphere = [](const Body<double>& body) {
+    return std::holds_alternative<Sphere<double>>(body.shape);
+  };
+  const bool rounded = is_sphere(problem.a) || is_sphere(problem.b) || problem.target_distance > 0;
+  return rounded ? kappa_rounded : kappa_polytope;
+}
+
+std::vector<Guarantee> parse_guarantees(std::string_view text) {
+  const Json document = Json::parse(text, nullptr, false);
+  if (document.is_discarded() || !document.is_object()) refuse("guarantees", "must be one JSON object");
+  if (text_field(document, "guarantees", "schema") != "graze.guarantees/1") {
+    refuse("guarantees.schema", "must be \"graze.guarantees/1\"");
+  }
+  const Json& rows = field(document, "guarantees", "rows");
+  if (!rows.is_array() || rows.empty()) refuse("guarantees.rows", "must be an array with a row or more");
+  std::vector<Guarantee> table;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string where = "guarantees.rows[" + std::to_string(i) + "]";
+    table.push_back(parse_row(rows[i], where));
+    if (!names.insert(table.back().name()).second) refuse(where, "repeats the row of " + table.back().name());
+  }
+  return table;
+}
+
+std::span<const Guarantee> guarantees() {
+  static const std::vector<Guarantee> kTable = parse_guarantees(kGuaranteesText);
+  return kTable;
+}
+
+const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method) {
+  for (const Guarantee& row : table) {
+    if (row.method == method.name && row.scalar == method.scalar && row.tier == method.tier) return &row;
+  }
+  return nullptr;
+}
+
+}  // namespace graze::engine

@@ -1,0 +1,35 @@
+// What each method promises, and what `graze certify` holds it to. docs/guarantees.md explains a row.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/case.hpp"
+#include "engines/method.hpp"
+
+namespace graze::engine {
+
+struct Guarantee {
+  std::string method, scalar, tier;
+  // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
+  double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
+  double kappa_rounded = 0;   // a sphere, or a target distance
+  double stall_cap = 0;       // the largest fraction of a family's cases that may end not_converged
+  std::string mechanism;      // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
+
+  [[nodiscard]] double kappa(const corpus::Case& problem) const;
+  [[nodiscard]] std::string name() const { return method + "/" + scalar + " " + tier; }
+};
+
+// The table built into the library (engines/guarantees.json).
+[[nodiscard]] std::span<const Guarantee> guarantees();
+
+// Reads a table from JSON text; throws std::runtime_error, whose message names the row and the field.
+[[nodiscard]] std::vector<Guarantee> parse_guarantees(std::string_view text);
+
+// The row of a method in a table: nullptr if it has none, and then it promises nothing.
+[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method);
+
+}  // namespace graze::engine

@@ -1,0 +1,92 @@
+#include "tools/answer_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "corpus/json_value.hpp"
+#include "corpus/names.hpp"
+
+namespace graze::tool {
+namespace {
+
+// The shortest decimal that reads back to the same bits; null for what JSON has no number for. An integer
+// keeps a decimal point, for readers that would take -0 for an integer and lose its sign.
+std::string json_number(double x) {
+  if (!std::isfinite(x)) return "null";
+  std::string text = fmt::format("{}", x);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string json_vector(const Vec3<double>& v) {
+  return fmt::format("[{}, {}, {}]", json_number(v.x()), json_number(v.y()), json_number(v.z()));
+}
+
+std::string vector_text(const Vec3<double>& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
+
+bool has_times(const engine::Answer& answer) {
+  return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
+}
+
+}  // namespace
+
+std::string invalid_text(Invalid invalid) {
+  switch (invalid) {
+    case Invalid::none:
+      return "a kind of case that this method does not answer";
+    case Invalid::not_finite:
+      return "a NaN or an infinite number";
+    case Invalid::out_of_range:
+      return "a magnitude outside 1e-60 to 1e60";
+    case Invalid::empty_hull:
+      return "a hull without a vertex";
+    case Invalid::negative_extent:
+      return "a radius or a half extent below zero";
+    case Invalid::zero_quaternion:
+      return "an orientation of (0, 0, 0, 0)";
+    case Invalid::bad_horizon:
+      return "a t_max below zero";
+    case Invalid::bad_target:
+      return "a target distance below zero or out of range";
+    case Invalid::bad_tolerance:
+      return "a tolerance below zero, or a budget below one";
+  }
+  return "an unknown reason";
+}
+
+std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
+                         const engine::Answer& answer) {
+  std::string text = fmt::format("{}\n", problem.id);
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<10}{}\n", name, value);
+  };
+  line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
+  line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
+  if (has_times(answer)) line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
+  if (answer.outcome == Outcome::hit) {
+    line("normal", vector_text(answer.normal));
+    line("point_a", vector_text(answer.point_a));
+    line("point_b", vector_text(answer.point_b));
+  }
+  line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                           answer.counters.supports));
+  return text;
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
+                        const engine::Answer& answer) {
+  const bool hit = answer.outcome == Outcome::hit;
+  const std::string toi = has_times(answer)
+                              ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
+                                            json_number(answer.toi_upper))
+                              : "null";
+  return fmt::format(
+      R"({{"id": {}, "outcome": "{}", "toi": {}, "normal": {}, "point_a": {}, "point_b": {}, "method": "{}", "tier": "{}", "iterations": {}}})",
+      corpus::json_quote(problem.id), corpus::name_of(answer.outcome), toi,
+      hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
+      hit ? json_vector(answer.point_b) : "null", method.name, method.tier, answer.counters.iterations);
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,22 @@
+// An answer as text: a block to read, or one JSON object a line whose numbers read back to the same bits.
+#pragma once
+
+#include <string>
+
+#include "corpus/case.hpp"
+#include "engines/method.hpp"
+
+namespace graze::tool {
+
+[[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
+                                       const engine::Answer& answer);
+
+// {"id", "outcome", "toi": {"lower", "upper"}, "normal", "point_a", "point_b", "method", "tier",
+// "iterations"}; null for what the answer does not hold: a miss has no toi, only a hit has a normal and
+// witnesses, and "upper" is null where nothing bounds the time from above.
+[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
+                                      const engine::Answer& answer);
+
+[[nodiscard]] std::string invalid_text(Invalid invalid);
+
+}  // namespace graze::tool

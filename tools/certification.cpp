@@ -1,0 +1,143 @@
+#include "tools/certification.hpp"
+
+#include <fmt/format.h>
+
+#include "corpus/case_io.hpp"
+#include "tools/parallel.hpp"
+#include "tools/progress.hpp"
+#include "tools/table.hpp"
+
+namespace graze::tool {
+namespace {
+
+constexpr Request kJudged = Request::everything;
+// What a caller gets by default, and what the time of a cast is about.
+constexpr Request kTimed = Request::normal | Request::witnesses;
+constexpr std::size_t kTimedCases = 24;  // a suite
+constexpr int kTimedBatches = 5;
+// Measures a method without a row by the plain constant; it promises nothing, so nothing can break.
+constexpr double kPlainKappa = 1024;
+
+// All methods on one case.
+struct Judged {
+  std::vector<Judgement> judgements;  // by method
+  std::vector<double> true_backward;  // by method; NaN where it was not measured
+  std::unique_ptr<Truth> given;       // kept if it was made
+  bool oracle_asked = false;
+};
+
+bool same_question(const corpus::Case& l, corpus::Case r) {
+  r.expect = l.expect;
+  return corpus::same_case(l, r);
+}
+
+Judged judge_case(const corpus::Case& problem, bool measure, const Settings& settings) {
+  Judged judged;
+  judged.given = std::make_unique<Truth>(problem);
+  std::unique_ptr<Truth> rounded;  // the case as seen in float, if that is another
+  for (const engine::EngineMethod* method : settings.methods) {
+    const corpus::Case seen = method->seen(problem);
+    Truth* truth = judged.given.get();
+    if (!same_question(seen, problem)) {
+      if (!rounded) rounded = std::make_unique<Truth>(seen);
+      truth = rounded.get();
+    }
+    const engine::Guarantee* row = engine::find_guarantee(settings.guarantees, *method);
+    const Limits limits{.kappa = row != nullptr ? row->kappa(problem) : kPlainKappa,
+                        .unit_roundoff = method->unit_roundoff};
+    const engine::Answer answer = method->cast(problem, {.request = kJudged});
+    judged.judgements.push_back(judge(*truth, answer, limits, measure, kJudged));
+    const bool against_given = measure && method->scalar != "double" && why_invalid(problem).empty();
+    judged.true_backward.push_back(against_given ? errors_of(*judged.given, answer, Request::verdict).backward
+                                                 : std::numeric_limits<double>::quiet_NaN());
+  }
+  judged.oracle_asked = judged.given->made() || (rounded && rounded->made());
+  if (!judged.given->made()) judged.given.reset();
+  return judged;
+}
+
+void time_suite(const Suite& suite, const Settings& settings, std::vector<Tally*>& tallies) {
+  const std::size_t stride = std::max<std::size_t>(1, suite.cases.size() / kTimedCases);
+  for (std::size_t i = 0; i < suite.cases.size(); i += stride) {
+    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+      tallies[m]->ns.push_back(
+          settings.methods[m]->time_ns(suite.cases[i], {.request = kTimed}, kTimedBatches));
+    }
+  }
+}
+
+}  // namespace
+
+Certification certify(const std::vector<Suite>& suites, const Settings& settings) {
+  Certification result;
+  for (const engine::EngineMethod* method : settings.methods) {
+    for (const Suite& suite : suites) {
+      result.tallies.push_back({.method = method->name, .scalar = method->scalar, .family = suite.family});
+    }
+  }
+  for (std::size_t s = 0; s < suites.size(); ++s) {
+    const Suite& suite = suites[s];
+    std::vector<Judged> judged(suite.cases.size());
+    {
+      Progress progress("judging " + suite.family, suite.cases.size());
+      for_each_index(suite.cases.size(), settings.threads, [&](std::size_t i) {
+        judged[i] = judge_case(suite.cases[i], i % suite.oracle_every == 0, settings);
+        progress.step();
+      });
+    }
+    std::vector<Tally*> tallies;
+    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+      tallies.push_back(&result.tallies[m * suites.size() + s]);
+    }
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+      bool convicted = false;
+      for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+        const Judgement& judgement = judged[i].judgements[m];
+        tallies[m]->add(suite.cases[i].id, judgement);
+        tallies[m]->true_backward.push_back(judged[i].true_backward[m]);
+        convicted = convicted || judgement.faulty() || judgement.stalled;
+      }
+      if (convicted) result.convicted.push_back(suite.cases[i]);
+      result.oracle_cases += judged[i].oracle_asked ? 1 : 0;
+      if (judged[i].given && judged[i].given->exact().outcome() == Outcome::hit) {
+        result.hits.push_back(std::move(judged[i].given));
+      }
+    }
+    time_suite(suite, settings, tallies);
+  }
+  for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+    const engine::Guarantee* row = engine::find_guarantee(settings.guarantees, *settings.methods[m]);
+    const std::size_t before = result.breaches.size();
+    for (std::size_t s = 0; s < suites.size(); ++s) {
+      for (std::string& line : breaches(result.tallies[m * suites.size() + s], row)) {
+        result.breaches.push_back(std::move(line));
+      }
+    }
+    result.kept.push_back(result.breaches.size() == before);
+  }
+  return result;
+}
+
+std::string guarantee_table(const Certification& certification, const Settings& settings) {
+  Table table({{"method", Align::left},
+               {"tier", Align::left},
+               {"kappa\npolytopes"},
+               {"kappa\nrounded"},
+               {"stalls\nat most"},
+               {"held", Align::left},
+               {"mechanism", Align::left}});
+  for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+    const engine::EngineMethod& method = *settings.methods[m];
+    const engine::Guarantee* row = engine::find_guarantee(settings.guarantees, method);
+    if (row == nullptr) {
+      table.add_row({method.full_name(), method.tier, "-", "-", "-", "no row", ""});
+      continue;
+    }
+    table.add_row({method.full_name(), method.tier, fmt::to_string(row->kappa_polytope),
+                   fmt::to_string(row->kappa_rounded), fmt::to_string(row->stall_cap),
+                   certification.kept[m] ? "yes" : "NO", row->mechanism});
+  }
+  return table.text();
+}
+
+}  // namespace graze::tool

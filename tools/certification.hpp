@@ -1,0 +1,41 @@
+// Certification: suites of cases, every method judged on each, tallied. Pure but for the clock.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engines/guarantees.hpp"
+#include "tools/judge.hpp"
+#include "tools/tally.hpp"
+
+namespace graze::tool {
+
+struct Suite {
+  std::string family;
+  std::vector<corpus::Case> cases = {};  // linear casts
+  std::size_t oracle_every =
+      1;  // the exact oracle measures every so many of them, beside what it must decide
+};
+
+struct Settings {
+  std::vector<const engine::EngineMethod*> methods;
+  std::span<const engine::Guarantee> guarantees;
+  unsigned threads = 1;
+};
+
+struct Certification {
+  std::vector<Tally> tallies;                // by method, then by suite
+  std::vector<std::string> breaches;         // empty: every method keeps its row
+  std::vector<bool> kept;                    // by method
+  std::vector<corpus::Case> convicted = {};  // cases on which some method is at fault or stalled, each once
+  std::vector<std::unique_ptr<Truth>> hits;  // measured cases that are hits, for the study of tolerances
+  std::size_t oracle_cases = 0;              // distinct cases for which an exact answer was made
+};
+
+[[nodiscard]] Certification certify(const std::vector<Suite>& suites, const Settings& settings);
+
+// Which methods there are, what their rows promise, and whether it was kept.
+[[nodiscard]] std::string guarantee_table(const Certification& certification, const Settings& settings);
+
+}  // namespace graze::tool

@@ -1,0 +1,242 @@
+// graze certify: how accurate, how fast and how safe is each method, and does it keep its guarantee?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "corpus/families.hpp"
+#include "corpus/location.hpp"
+#include "tools/certification.hpp"
+#include "tools/commands.hpp"
+#include "tools/inputs.hpp"
+#include "tools/tolerance_study.hpp"
+
+namespace graze::tool {
+namespace {
+
+// How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
+constexpr std::size_t kStudiedHits = 64;
+
+struct Arguments {
+  std::vector<std::string> files, families, methods = {"all"};
+  std::size_t count = 4000, oracle_every = 20;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;  // 0: as many as the machine has
+  std::string corpus, guarantees, save, plot;
+};
+
+std::vector<engine::Guarantee> guarantee_rows(const Arguments& arguments) {
+  if (arguments.guarantees.empty()) return {engine::guarantees().begin(), engine::guarantees().end()};
+  std::ifstream file(arguments.guarantees);
+  if (!file) throw std::runtime_error(arguments.guarantees + ": cannot be read");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  try {
+    return engine::parse_guarantees(text);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(arguments.guarantees + ": " + error.what());
+  }
+}
+
+// The linear casts among `cases`, as one suite. A question about overlap or distance is judged as the cast of
+// the same bodies, which is the harder question; any other is complained about, or only counted in our own
+// corpus.
+struct Intake {
+  std::size_t recast = 0, skipped = 0;
+
+  Suite suite(std::string name, const std::string& file, const std::vector<corpus::Case>& cases, bool ours) {
+    Suite suite{.family = std::move(name)};
+    for (corpus::Case problem : cases) {
+      if (problem.query == corpus::Query::overlap || problem.query == corpus::Query::distance) {
+        problem.query = corpus::Query::cast;
+        ++recast;
+      }
+      const std::string why = engine::unsupported(problem);
+      if (why.empty()) {
+        suite.cases.push_back(std::move(problem));
+        continue;
+      }
+      ++skipped;
+      if (!ours) {
+        complain(fmt::format("{}: case {}: has {}, which this version does not judge; give a linear cast",
+                             file, problem.id, why));
+      }
+    }
+    return suite;
+  }
+};
+
+Suite generated_suite(const corpus::Family& family, const Arguments& arguments) {
+  Suite suite{.family = std::string(family.name), .oracle_every = arguments.oracle_every};
+  for (std::size_t i = 0; i < arguments.count; ++i) {
+    suite.cases.push_back(family.generate(family.levels[i % family.levels.size()], arguments.seed + i));
+  }
+  // Neighbours have different levels, so a sample of every k-th would miss levels whenever k and their number
+  // have a common factor; sorting by level keeps every level in the sample.
+  std::stable_sort(suite.cases.begin(), suite.cases.end(), [](const corpus::Case& l, const corpus::Case& r) {
+    return l.hardness.value_or(0) < r.hardness.value_or(0);
+  });
+  return suite;
+}
+
+std::vector<const corpus::Family*> wanted_families(const Arguments& arguments) {
+  std::vector<const corpus::Family*> wanted;
+  if (arguments.files.empty() && arguments.families.empty()) {
+    for (const corpus::Family& family : corpus::families()) wanted.push_back(&family);
+  }
+  for (const std::string& name : arguments.families) {
+    const corpus::Family* family = corpus::find_family(name);
+    if (family == nullptr) {
+      throw std::runtime_error(
+          fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
+    }
+    wanted.push_back(family);
+  }
+  return wanted;
+}
+
+std::vector<Truth*> studied_hits(const std::vector<std::unique_ptr<Truth>>& hits) {
+  std::vector<Truth*> chosen;
+  const std::size_t stride = std::max<std::size_t>(1, (hits.size() + kStudiedHits - 1) / kStudiedHits);
+  for (std::size_t i = 0; i < hits.size(); i += stride) chosen.push_back(hits[i].get());
+  return chosen;
+}
+
+void print_tables(const Certification& certification, const Settings& settings,
+                  const std::vector<ToleranceRow>& study, const Intake& intake) {
+  std::size_t judged = 0;
+  for (const Tally& tally : certification.tallies) judged += tally.cases;
+  fmt::print(
+      "Certification: {} casts judged, by proof first; {} cases answered by the exact oracle as well.\n",
+      judged, certification.oracle_cases);
+  if (intake.recast > 0)
+    fmt::print("{} questions about overlap or distance are judged as casts.\n", intake.recast);
+  if (intake.skipped > 0) fmt::print("{} cases are not linear casts, and were left out.\n", intake.skipped);
+  fmt::print("\n{}\n", tally_table(certification.tallies));
+  fmt::print(
+      "wrong, late, off, contact off: by more than kappa u scale of the method's row, in the case as the "
+      "method's\n"
+      "scalar sees it. excused: a wrong verdict within it. Errors are over scale, of the bracket's worse "
+      "end, on the\n"
+      "cases by oracle; true in.: the backward error of a float answer against the input before rounding to "
+      "float.\n"
+      "median ns: one cast with normal and witnesses, shapes built beforehand.\n\n");
+  if (!study.empty()) {
+    fmt::print(
+        "Error against time: backward error of the bracket's ends over scale, on {} measured hits.\n\n{}\n",
+        study.front().cases, tolerance_table(study));
+  }
+  fmt::print("Guarantees\n\n{}\n", guarantee_table(certification, settings));
+  for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
+  fmt::print("{}\n", certification.breaches.empty() ? "Every method keeps its row of the guarantee table."
+                                                    : "A method breaks its row of the guarantee table.");
+}
+
+int run(const Arguments& arguments) {
+  const std::vector<engine::Guarantee> rows = guarantee_rows(arguments);
+  const Settings settings{.methods = select_methods(arguments.methods),
+                          .guarantees = rows,
+                          .threads = arguments.threads > 0
+                                         ? arguments.threads
+                                         : std::max(1U, std::thread::hardware_concurrency())};
+  if (arguments.oracle_every == 0) throw std::runtime_error("--oracle-every: must be 1 or more");
+  const std::vector<const corpus::Family*> families = wanted_families(arguments);
+  std::unique_ptr<OutputFile> save;
+  if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
+
+  std::vector<Suite> suites;
+  Intake intake;
+  bool bad = false;
+  if (arguments.files.empty() && arguments.families.empty()) {
+    const corpus::ReadResult curated =
+        corpus::read_directory(arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
+                                                        : std::filesystem::path(arguments.corpus));
+    for (const corpus::ReadError& error : curated.errors) complain(error.text());
+    bad = !curated.ok();
+    suites.push_back(intake.suite("curated", "", curated.cases, true));
+  }
+  const CaseFiles files = read_case_files(arguments.files);
+  for (const CaseFile& file : files.files)
+    suites.push_back(intake.suite(file.name, file.name, file.cases, false));
+  bad = bad || files.bad || (!arguments.files.empty() && intake.skipped > 0);
+  for (const corpus::Family* family : families) suites.push_back(generated_suite(*family, arguments));
+  std::erase_if(suites, [](const Suite& suite) { return suite.cases.empty(); });
+  if (suites.empty()) {
+    if (!bad) complain("there is no case to judge; give a file with one, or a count above 0");
+    return 2;
+  }
+
+  const Certification certification = certify(suites, settings);
+  // Float cannot follow a tolerance below its own u: the study is of double.
+  std::vector<const engine::EngineMethod*> studied = settings.methods;
+  std::erase_if(studied, [](const engine::EngineMethod* m) { return m->scalar != "double"; });
+  std::vector<ToleranceRow> study;
+  if (!certification.hits.empty() && !studied.empty()) {
+    study = study_tolerances(studied, studied_hits(certification.hits), settings.threads);
+  }
+  print_tables(certification, settings, study, intake);
+  if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(study, arguments.plot));
+  if (save) {
+    for (const corpus::Case& problem : certification.convicted) save->write_line(corpus::write_case(problem));
+    save->close();
+  }
+  if (bad) return 2;
+  return certification.breaches.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_certify_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "certify", "How accurate, fast and safe is each method? Judges it against its guarantee.");
+  command
+      ->add_option("files", arguments->files,
+                   "Case files to judge instead of what is built in; - is standard input")
+      ->type_name("FILE");
+  command->add_option("--family", arguments->families, "Judge cases of this family (may be repeated)")
+      ->type_name("NAME");
+  command->add_option("--count", arguments->count, "Generated cases a family (4000)")->type_name("N");
+  command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")->type_name("S");
+  command
+      ->add_option("--method", arguments->methods,
+                   "ca, gjk, mpr, one with its scalar (mpr/float), or all (may be repeated)")
+      ->type_name("NAME");
+  command
+      ->add_option("--oracle-every", arguments->oracle_every,
+                   "Also measure every N-th generated case by the exact oracle (20); of files, all are")
+      ->type_name("N");
+  command
+      ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
+      ->type_name("N");
+  command
+      ->add_option("--plot", arguments->plot,
+                   "Write the data and the picture of error against time into this folder")
+      ->type_name("DIR");
+  command
+      ->add_option("--save", arguments->save,
+                   "Write the cases that a method got wrong or stalled on to this file")
+      ->type_name("OUT.jsonl");
+  command->add_option("--corpus", arguments->corpus, "The folder of curated cases")->type_name("DIR");
+  command
+      ->add_option("--guarantees", arguments->guarantees,
+                   "Hold the methods to this table instead of the built-in one")
+      ->type_name("FILE");
+  command->footer(
+      "Without files or families: the curated corpus and every generated family. An answer is judged by its "
+      "proof\n"
+      "first; the exact oracle decides what is refused or unproved, and measures the errors on a sample.\n"
+      "docs/guarantees.md says what each column means.\n\n"
+      "  graze certify\n"
+      "  graze certify --family grazing --count 20000 --method mpr/float --save hard.jsonl\n"
+      "  graze certify my_cases.jsonl\n\n"
+      "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not, 2 for bad "
+      "input.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace graze::tool

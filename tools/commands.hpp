@@ -1,0 +1,14 @@
+// The subcommands of graze, one file each. Every one adds itself to the command line and, when it has run,
+// leaves its exit code: 0, 1 where a judgement went against what was judged, 2 for bad input.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace graze::tool {
+
+void add_cast_command(CLI::App& app, int& exit_code);
+void add_check_command(CLI::App& app, int& exit_code);
+void add_certify_command(CLI::App& app, int& exit_code);
+void add_generate_command(CLI::App& app, int& exit_code);
+
+}  // namespace graze::tool

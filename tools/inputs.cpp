@@ -1,0 +1,82 @@
+#include "tools/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+namespace graze::tool {
+namespace {
+
+// One object a line if the first line that is not empty is an object by itself.
+bool looks_like_lines(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos || text[begin] != '{') return false;
+  const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  return line[line.find_last_not_of(" \t\r")] == '}';
+}
+
+}  // namespace
+
+void complain(const std::string& what) { fmt::print(stderr, "graze: {}\n", what); }
+
+std::string read_stdin() {
+  return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+}
+
+CaseFiles read_case_files(const std::vector<std::string>& names) {
+  CaseFiles files;
+  for (const std::string& name : names) {
+    corpus::ReadResult result;
+    if (name == "-") {
+      const std::string text = read_stdin();
+      result = corpus::read_text(text, "standard input", looks_like_lines(text));
+    } else {
+      result = corpus::read_file(name);
+    }
+    for (const corpus::ReadError& error : result.errors) complain(error.text());
+    files.bad = files.bad || !result.ok();
+    files.files.push_back({name, std::move(result.cases)});
+  }
+  return files;
+}
+
+OutputFile::OutputFile(std::string name) : name_(std::move(name)), is_stdout_(name_ == "-") {
+  if (is_stdout_) return;
+  file_.open(name_, std::ios::trunc);
+  if (!file_) throw std::runtime_error(name_ + ": cannot be written; name a file in a folder that can");
+}
+
+void OutputFile::write_line(const std::string& line) { (is_stdout_ ? std::cout : file_) << line << '\n'; }
+
+void OutputFile::close() {
+  std::ostream& stream = is_stdout_ ? std::cout : file_;
+  stream.flush();
+  if (!stream) throw std::runtime_error(name_ + ": could not be written to its end");
+}
+
+std::vector<const engine::EngineMethod*> select_methods(const std::vector<std::string>& names) {
+  std::vector<const engine::EngineMethod*> selected;
+  std::vector<bool> used(names.size(), false);
+  for (const engine::EngineMethod& method : engine::methods()) {
+    bool wanted = false;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == "all" || names[i] == method.name || names[i] == method.full_name()) {
+        used[i] = wanted = true;
+      }
+    }
+    if (wanted) selected.push_back(&method);
+  }
+  const auto unknown = std::find(used.begin(), used.end(), false);
+  if (unknown != used.end()) {
+    throw std::runtime_error(fmt::format(
+        "--method: {} is no method; it is ca, gjk, mpr, one of them with its scalar (mpr/float), or all",
+        names[static_cast<std::size_t>(unknown - used.begin())]));
+  }
+  return selected;
+}
+
+}  // namespace graze::tool

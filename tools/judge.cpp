@@ -1,0 +1,364 @@
+#include "tools/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/names.hpp"
+#include "tools/table.hpp"
+
+namespace graze::tool {
+namespace {
+
+using engine::Answer;
+using oracle::Enclosure;
+using oracle::LinearTruth;
+
+bool claims_contact(Outcome outcome) {
+  return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
+}
+
+// Over a scale of 0 an error of 0 is 0 and any other is infinite.
+double over(double length, double scale) {
+  if (length == 0) return 0;
+  return scale > 0 ? length / scale : kInfinity<double>;
+}
+
+// What no answer may look like, whatever is true of the case; empty for a sensible one.
+std::string senseless(const corpus::Case& problem, const Answer& answer) {
+  const double lower = answer.toi_lower, upper = answer.toi_upper;
+  switch (answer.outcome) {
+    case Outcome::initially_overlapping:
+      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
+      return {};
+    case Outcome::miss:
+      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
+      return {};
+    case Outcome::hit:
+      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= problem.t_max)) {
+        return "a hit has a bracket that is no interval of times up to t_max";
+      }
+      return {};
+    case Outcome::not_converged:
+      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
+        return "the bracket of not_converged is no interval";
+      }
+      return {};
+    case Outcome::invalid_input:
+      return {};
+  }
+  return "an outcome that does not exist";
+}
+
+// --- What an accepted proof settles, in double. Every bound is rounded up by kSlack, and the scale down:
+// what is then still within the limit is so without doubt; the rest is the oracle's.
+constexpr double kSlack = 1 + 1e-6;
+
+struct Box3 {
+  Vec3<double> low, high;
+  [[nodiscard]] Vec3<double> center() const { return low / 2 + high / 2; }
+  [[nodiscard]] double diagonal() const { return (high - low).norm(); }
+};
+
+Vec3<double> rotated(const Quaternion<double>& q, const Vec3<double>& x) {
+  if (q.is_identity()) return x;
+  const Vec3<double> r(q.x, q.y, q.z);
+  return x + 2 / (q.w * q.w + r.squaredNorm()) * (q.w * r.cross(x) + r.cross(r.cross(x)));
+}
+
+// Of the rotated shape, relative to the body's position.
+Box3 bounds_of(const Body<double>& body) {
+  Box3 bounds{Vec3<double>::Constant(kInfinity<double>), Vec3<double>::Constant(-kInfinity<double>)};
+  const auto add = [&](const Vec3<double>& x) {
+    const Vec3<double> y = rotated(body.orientation, x);
+    bounds.low = bounds.low.cwiseMin(y);
+    bounds.high = bounds.high.cwiseMax(y);
+  };
+  if (const auto* box = std::get_if<Box<double>>(&body.shape)) {
+    for (unsigned k = 0; k < 8; ++k) {
+      const Vec3<double> signs((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+      add(signs.cwiseProduct(box->half_extents));
+    }
+  } else if (const auto* hull = std::get_if<Hull<double>>(&body.shape)) {
+    for (const Vec3<double>& x : hull->vertices()) add(x);
+  } else {
+    const auto* sphere = std::get_if<Sphere<double>>(&body.shape);
+    const double radius = sphere != nullptr ? sphere->radius : 0;
+    bounds = {Vec3<double>::Constant(-radius), Vec3<double>::Constant(radius)};
+  }
+  return bounds;
+}
+
+// Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
+// origin); then the error of the coordinates is subtracted.
+double scale_from_below(const corpus::Case& problem) {
+  const Box3 a = bounds_of(problem.a), b = bounds_of(problem.b);
+  const double centers = (problem.b.position - problem.a.position + b.center() - a.center()).norm();
+  const auto magnitude = [](const Box3& box) {
+    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  };
+  const double coordinates =
+      magnitude(a) + magnitude(b) + problem.a.position.norm() + problem.b.position.norm();
+  const double scale = std::max({a.diagonal(), b.diagonal(), centers});
+  return std::max(0.0, 0.99 * scale - 64 * kUnitRoundoff<double> * coordinates);
+}
+
+// An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
+//   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
+//   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
+//   the axis proves that the path up to t misses it.
+double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
+  const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
+  const double before =
+      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * std::abs(proof.axis.normalized().dot(v))
+                                            : kInfinity<double>)
+                          : 0;
+  return kSlack * std::max(apart, before);
+}
+
+bool proves_verdict(const Proof& proof, Outcome outcome) {
+  switch (outcome) {
+    case Outcome::miss:
+      return proof.toi_lower == kInfinity<double>;
+    case Outcome::hit:
+      return proof.toi_upper < kInfinity<double>;
+    case Outcome::initially_overlapping:
+      return proof.toi_upper == 0;
+    default:
+      return false;
+  }
+}
+
+// True if nothing about the answer is left open by its accepted proof.
+bool settled_by(const Proof& proof, const corpus::Case& problem, const Answer& answer, const Limits& limits) {
+  if (!proves_verdict(proof, answer.outcome)) return false;
+  if (answer.outcome != Outcome::hit) return true;
+  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+  const double rounding = 8 * kUnitRoundoff<double> *
+                          (problem.a.displacement.norm() + problem.b.displacement.norm()) * answer.toi_upper;
+  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
+                                proved_backward_error(proof, v, answer.toi_upper));
+  return error + rounding <= limits.kappa * limits.unit_roundoff * scale_from_below(problem);
+}
+
+// --- What the exact oracle says.
+
+// How far the normal is from supporting C where the path is at contact:  (h(n) - n.(t v)) / |n|.
+// The answer is true of a convex set near C, whose time of impact may be far from C's own at a graze, and its
+// normal is a normal there: so t is the TOI or either end of the bracket, whichever is best.
+double normal_error(const LinearTruth& exact, const Answer& answer, const Vec3<double>& v) {
+  const double at_toi = exact.normal_error(answer.normal).low, slope = answer.normal.normalized().dot(v);
+  const double toi = exact.toi_lower();
+  return std::min(
+      {at_toi, at_toi + (toi - answer.toi_lower) * slope, at_toi + (toi - answer.toi_upper) * slope});
+}
+
+double witness_error(const LinearTruth& exact, const Answer& answer, const Limits& limits) {
+  double worst = 0;
+  for (const char body : {'a', 'b'}) {
+    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
+    // The coordinates are rounded too, allowed beside the limit: a witness is the sum of position, motion and
+    // offset, and both additions round each coordinate by u of its size.
+    const double rounding = 2 * limits.unit_roundoff * point.norm();
+    worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding);
+  }
+  return worst;
+}
+
+// Keeps the first reason.
+void convict(std::string& fault, std::string why) {
+  if (fault.empty()) fault = std::move(why);
+}
+
+void judge_contact(Judgement& judgement, const LinearTruth& exact, const Answer& answer,
+                   const corpus::Case& problem, const Limits& limits, double limit, Request request) {
+  if (answer.outcome != Outcome::hit || exact.outcome() == Outcome::miss) return;
+  const double scale = exact.scale().low;
+  if (asks_for(request, Request::normal)) {
+    const double length = answer.normal.norm();
+    const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+    if (!(std::abs(length - 1) <= 16 * limits.unit_roundoff)) {
+      convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
+    } else if (!(answer.normal.dot(v) <= limits.kappa * limits.unit_roundoff * v.norm())) {
+      convict(judgement.bad_contact, "the normal points along the motion");
+    } else if (const double error = normal_error(exact, answer, v); error > limit) {
+      convict(judgement.bad_contact,
+              fmt::format("the normal supports C {:.2e} of scale beyond the contact", over(error, scale)));
+    }
+  }
+  if (asks_for(request, Request::witnesses)) {
+    if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) {
+      convict(judgement.bad_contact, "a witness is not finite");
+    } else if (const double error = witness_error(exact, answer, limits); error > limit) {
+      convict(judgement.bad_contact,
+              fmt::format("a witness is {:.2e} of scale off its body", over(error, scale)));
+    }
+  }
+}
+
+void judge_by_oracle(Judgement& judgement, const LinearTruth& exact, const Answer& answer,
+                     const corpus::Case& problem, const Limits& limits, Request request) {
+  const double scale = exact.scale().high;
+  const double limit = limits.kappa * limits.unit_roundoff * scale;
+  const bool contact = exact.outcome() != Outcome::miss;
+  const auto beyond = [&](const Enclosure& error) { return error.low > limit; };
+  const auto in_scale = [&](const Enclosure& error) { return short_number(over(error.low, scale)); };
+
+  if (answer.outcome == Outcome::miss) {
+    if (!contact) return;
+    const Enclosure depth = exact.depth();
+    if (beyond(depth)) {
+      convict(judgement.wrong, fmt::format("says miss; the path meets C {} of scale deep", in_scale(depth)));
+    } else {
+      judgement.excused = true;
+    }
+    return;
+  }
+  if (contact) {
+    const Enclosure lateness = exact.lateness(answer.toi_lower);
+    if (beyond(lateness)) {
+      convict(judgement.late,
+              fmt::format("toi_lower {:.17g} is past the contact at {:.17g}, {} of scale deep",
+                          answer.toi_lower, exact.toi_lower(), in_scale(lateness)));
+    }
+  }
+  if (claims_contact(answer.outcome)) {
+    if (!contact) {
+      const Enclosure clearance = exact.clearance();
+      if (beyond(clearance)) {
+        convict(judgement.wrong, fmt::format("says {}; the path stays {} of scale away",
+                                             corpus::name_of(answer.outcome), in_scale(clearance)));
+        return;
+      }
+      judgement.excused = true;
+    }
+    for (const double t : {answer.toi_lower, answer.toi_upper}) {
+      const Enclosure error = exact.backward_error(t);
+      if (beyond(error)) {
+        convict(judgement.off, fmt::format("backward error {} of scale at t = {:.17g}", in_scale(error), t));
+      }
+    }
+    judge_contact(judgement, exact, answer, problem, limits, limit, request);
+    return;
+  }
+  // not_converged. Its finite upper end claims contact by then; up to the first contact the distance from C
+  // never grows (C is convex), so it is least at that end.
+  if (answer.toi_upper < kInfinity<double> && (!contact || exact.compare(answer.toi_upper) < 0)) {
+    const Enclosure apart = contact ? exact.distance_at(answer.toi_upper) : exact.clearance();
+    if (beyond(apart)) {
+      convict(judgement.wrong, fmt::format("says contact by {:.17g}; the path stays {} of scale away",
+                                           answer.toi_upper, in_scale(apart)));
+    }
+  }
+}
+
+}  // namespace
+
+const LinearTruth& Truth::exact() {
+  if (!exact_) exact_ = std::make_unique<LinearTruth>(problem_);
+  return *exact_;
+}
+
+std::string why_invalid(const corpus::Case& problem) {
+  // The range that every method accepts: 0, and magnitudes of 1e-60 to 1e60.
+  const auto in_range = [](double x) {
+    const double magnitude = std::abs(x);
+    return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
+  };
+  const auto vector_in_range = [&](const Vec3<double>& x) {
+    return in_range(x.x()) && in_range(x.y()) && in_range(x.z());
+  };
+  for (const Body<double>* body : {&problem.a, &problem.b}) {
+    const Quaternion<double>& q = body->orientation;
+    if (!vector_in_range(body->position) || !vector_in_range(body->displacement) ||
+        !vector_in_range({q.x, q.y, q.z}) || !in_range(q.w)) {
+      return "a magnitude outside 1e-60 to 1e60";
+    }
+    if (q.w == 0 && q.is_identity()) return "a zero quaternion";
+    if (const auto* sphere = std::get_if<Sphere<double>>(&body->shape)) {
+      if (!in_range(sphere->radius)) return "a radius outside 1e-60 to 1e60";
+      if (sphere->radius < 0) return "a negative radius";
+    } else if (const auto* box = std::get_if<Box<double>>(&body->shape)) {
+      if (!vector_in_range(box->half_extents)) return "a half extent outside 1e-60 to 1e60";
+      if (box->half_extents.minCoeff() < 0) return "a negative half extent";
+    } else if (const auto* hull = std::get_if<Hull<double>>(&body->shape)) {
+      if (hull->size() == 0) return "a hull without a vertex";
+      for (const Vec3<double>& vertex : hull->vertices()) {
+        if (!vector_in_range(vertex)) return "a vertex outside 1e-60 to 1e60";
+      }
+    }
+  }
+  if (!(problem.t_max >= 0)) return "a negative t_max";
+  if (!in_range(problem.target_distance) || problem.target_distance < 0)
+    return "a target distance out of range";
+  return {};
+}
+
+Errors errors_of(Truth& truth, const Answer& answer, Request request) {
+  Errors errors;
+  const LinearTruth& exact = truth.exact();
+  const double scale = exact.scale().high;
+  const bool contact = exact.outcome() != Outcome::miss;
+  if (answer.outcome == Outcome::invalid_input || !senseless(truth.problem(), answer).empty()) return errors;
+  if (answer.outcome == Outcome::miss) {
+    if (contact) errors.backward = over(exact.depth().high, scale);
+    return errors;
+  }
+  // A bracket without an upper end has no error there.
+  for (const double t : {answer.toi_lower, answer.toi_upper}) {
+    if (!(t < kInfinity<double>)) continue;
+    const double backward = over(exact.backward_error(t).high, scale);
+    errors.backward = std::fmax(errors.backward, backward);
+    if (contact) errors.forward = std::fmax(errors.forward, over(exact.forward_error(t).high, scale));
+  }
+  if (answer.outcome == Outcome::hit && contact) {
+    if (asks_for(request, Request::normal) && answer.normal.allFinite() && !answer.normal.isZero(0)) {
+      const corpus::Case& problem = truth.problem();
+      const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+      errors.normal = over(std::max(0.0, normal_error(exact, answer, v)), scale);
+    }
+    if (asks_for(request, Request::witnesses) && answer.point_a.allFinite() && answer.point_b.allFinite()) {
+      errors.witness = over(std::max(exact.distance_from_body('a', answer.toi_lower, answer.point_a).high,
+                                     exact.distance_from_body('b', answer.toi_lower, answer.point_b).high),
+                            scale);
+    }
+  }
+  return errors;
+}
+
+Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle, Request request) {
+  Judgement judgement;
+  judgement.outcome = answer.outcome;
+  judgement.stalled = answer.outcome == Outcome::not_converged;
+
+  const std::string invalid = why_invalid(truth.problem());
+  const bool refused = answer.outcome == Outcome::invalid_input;
+  if (refused != !invalid.empty()) {
+    convict(judgement.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
+  }
+  if (refused || !invalid.empty()) return judgement;
+  if (const std::string why = senseless(truth.problem(), answer); !why.empty()) {
+    convict(judgement.wrong, why);
+    return judgement;
+  }
+
+  bool settled = false;
+  if (answer.proof) {
+    const oracle::Verdict verdict = oracle::check_proof(truth.problem(), *answer.proof);
+    if (!verdict.accepted()) {
+      judgement.proof = ProofState::refused;
+      judgement.false_proof = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
+    } else if (proves_verdict(*answer.proof, answer.outcome)) {
+      judgement.proof = ProofState::accepted;
+      settled = settled_by(*answer.proof, truth.problem(), answer, limits);
+    }
+  }
+  if (settled && !ask_oracle) return judgement;
+  judgement.by_oracle = true;
+  judge_by_oracle(judgement, truth.exact(), answer, truth.problem(), limits, request);
+  judgement.errors = errors_of(truth, answer, request);
+  return judgement;
+}
+
+}  // namespace graze::tool

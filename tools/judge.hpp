@@ -1,0 +1,88 @@
+// Judges one answer to one case: is the verdict right, is the time never late, is the bracket as near as its
+// guarantee says?
+//
+// The proof is looked at first: where it is accepted and the answer's bracket stays within kappa u scale of
+// what it proves, it settles everything and the exact oracle is not asked. The oracle decides the rest, and
+// whatever it is asked to decide for the sample.
+//
+//   limit = kappa u scale, a length.   v = v_B - v_A.   Errors are those of docs/guarantees.md, by the exact
+//   oracle.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "corpus/case.hpp"
+#include "engines/method.hpp"
+#include "oracles/check_proof.hpp"
+#include "oracles/linear_truth.hpp"
+
+namespace graze::tool {
+
+// One case and its exact answer, made when it is first asked for (milliseconds). One thread at a time.
+class Truth {
+ public:
+  explicit Truth(corpus::Case problem) : problem_(std::move(problem)) {}
+  [[nodiscard]] const corpus::Case& problem() const { return problem_; }
+  [[nodiscard]] const oracle::LinearTruth& exact();
+  [[nodiscard]] bool made() const { return exact_ != nullptr; }
+
+ private:
+  corpus::Case problem_;
+  std::unique_ptr<oracle::LinearTruth> exact_;
+};
+
+struct Limits {
+  double kappa = 0;
+  double unit_roundoff = 0;
+};
+
+// Over scale. NaN where the answer or the truth has no such error.
+struct Errors {
+  double forward = std::numeric_limits<double>::quiet_NaN();  // the larger of the bracket's two ends
+  double backward =
+      std::numeric_limits<double>::quiet_NaN();  // the same; of a wrong verdict: depth or clearance
+  double normal = std::numeric_limits<double>::quiet_NaN();  // h(n) - n.(t v), see normal_error in judge.cpp
+  double witness =
+      std::numeric_limits<double>::quiet_NaN();  // the larger distance of the two from their bodies
+};
+
+enum class ProofState {
+  none,      // no proof, or one that proves less than the verdict
+  accepted,  // and it proves the verdict
+  refused,   // a claim of it is false
+};
+
+struct Judgement {
+  Outcome outcome = Outcome::invalid_input;
+  // Faults: why, or empty.
+  std::string wrong;        // the verdict, by more than the limit; or an answer that says nothing sensible
+  std::string late;         // toi_lower, by more than the limit
+  std::string off;          // an end of the bracket has a backward error above the limit
+  std::string bad_contact;  // the normal or a witness is further off than the limit
+  std::string false_proof;  // which claim of it is false
+  // No fault by itself: its frequency is capped.
+  bool stalled = false;  // not_converged
+  bool excused = false;  // verdict wrong within the limit: the question is decided by less than that
+  ProofState proof = ProofState::none;
+  bool by_oracle = false;
+  Errors errors;  // by_oracle only
+
+  [[nodiscard]] bool faulty() const {
+    return !(wrong.empty() && late.empty() && off.empty() && bad_contact.empty() && false_proof.empty());
+  }
+};
+
+// `truth` is about the case as the method saw it. `ask_oracle`: measure the errors even if the proof settles
+// all.
+[[nodiscard]] Judgement judge(Truth& truth, const engine::Answer& answer, const Limits& limits,
+                              bool ask_oracle, Request request);
+
+// The errors of an answer against any truth: for a float answer, against the input before it was rounded.
+[[nodiscard]] Errors errors_of(Truth& truth, const engine::Answer& answer, Request request);
+
+// Why a method must refuse this case ("a number is not finite", ...); empty for a valid one.
+[[nodiscard]] std::string why_invalid(const corpus::Case& problem);
+
+}  // namespace graze::tool

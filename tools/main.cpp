@@ -1,0 +1,54 @@
+// The command graze.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "tools/commands.hpp"
+#include "tools/inputs.hpp"
+#ifdef GRAZE_HAS_CORPUS_COMMAND
+#include "tools/corpus_command.hpp"
+#endif
+
+int main(int argc, char** argv) {
+  int exit_code = 0;
+  try {
+    CLI::App app(
+        "graze: certified casts for convex shapes. It casts a moving shape against another, proves its\n"
+        "answers, checks proofs, and certifies how accurate, how fast and how safe each method is.",
+        "graze");
+    app.set_version_flag("--version", "graze " GRAZE_VERSION);
+    app.require_subcommand(1);
+    app.footer(
+        "  graze certify               judges our methods on the hard cases and families that are built in\n"
+        "  graze cast pair.json        answers a case of your own; docs/case-format.md says how to write "
+        "one\n"
+        "  graze COMMAND --help        says more about each command\n\n"
+        "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input, which one line on stderr "
+        "explains.");
+    graze::tool::add_cast_command(app, exit_code);
+    graze::tool::add_check_command(app, exit_code);
+    graze::tool::add_certify_command(app, exit_code);
+    graze::tool::add_generate_command(app, exit_code);
+#ifdef GRAZE_HAS_CORPUS_COMMAND
+    graze::tool::add_corpus_command(app, exit_code);
+#endif
+    const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {
+      throw std::runtime_error(std::string(argv[1]) + " is no command; graze --help lists them");
+    }
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+      return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+      graze::tool::complain(std::string(error.what()) + "; see graze --help");
+      return 2;
+    }
+  } catch (const std::exception& error) {
+    graze::tool::complain(error.what());
+    return 2;
+  }
+  return exit_code;
+}
