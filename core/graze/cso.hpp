@@ -173,8 +173,8 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k) {
   side.radius = static_cast<S>(unit * bounds.radius);
   const Quaternion<Given>& q = body.orientation;
   // A point's rotation about itself, and so a sphere's, cannot be seen.
-  side.rotated =
-      !q.is_identity() && bounds.half.cwiseAbs().maxCoeff() + bounds.middle.cwiseAbs().maxCoeff() > 0;
+  const Vec3<double> off = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
+  side.rotated = !q.is_identity() && off.maxCoeff() > 0;
   if (side.rotated) {
     side.rotation = rotation_matrix({double(q.w), double(q.x), double(q.y), double(q.z)}).template cast<S>();
   }

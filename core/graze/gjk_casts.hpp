@@ -29,6 +29,18 @@ bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max
   return true;
 }
 
+// On a rounded C the contact is where the core's closest point looks towards x: known to u, while the axis
+// that proved the bound is known to the root of it, as every supporting normal of a curved surface is.
+template <Scalar S>
+void point_at(Simplex<S>& contact, const Vec3<S>& x) {
+  Vec3<S> towards = x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) {
+    towards -= contact.lambda[i] * contact.point[i].w;
+  }
+  const Vec3<S> e = unit(towards);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) contact.point[i].e = e;
+}
+
 // Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a
 // stall, only a portal can tell whether the path goes on to hit.
 template <Scalar S>
@@ -37,6 +49,7 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   if (apart <= limits.noise) {
     out.outcome = out.lower > 0 ? Outcome::hit : Outcome::initially_overlapping;
     out.upper = out.lower;
+    if (cso.radius() > 0) point_at(out.contact, Vec3<S>(out.lower * cso.direction()));
     return;
   }
   const int iterations = counters.iterations;

@@ -99,12 +99,13 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   return l;
 }
 
-// A triangle whose projected area is within the rounding of its corners is seen edge on: its n_z has no sign.
+// Does the projected triangle have more area than rounding makes? Without it, it is seen edge on: its n_z has
+// no sign.
 template <Scalar S>
-bool edge_on(const Portal<S>& portal, S noise) {
-  const Vec3<S> e = portal.p[1].q - portal.p[0].q, f = portal.p[2].q - portal.p[0].q;
-  const S around = std::abs(e[0]) + std::abs(e[1]) + std::abs(f[0]) + std::abs(f[1]);
-  return !(cross2(e, f) > noise * around);
+bool has_area(const PortalPoint<S>& a, const PortalPoint<S>& b, const PortalPoint<S>& c, S rounding) {
+  const Vec3<S> e = b.q - a.q, f = c.q - a.q;
+  return std::abs(cross2(e, f)) >
+         rounding * (std::abs(e[0]) + std::abs(e[1]) + std::abs(f[0]) + std::abs(f[1]));
 }
 
 // Unit, n_z <= 0.
@@ -142,53 +143,52 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   return std::min(std::max(q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2], low), high);
 }
 
+// How far the origin lies outside the projected triangle a b c, counter-clockwise, by its worst edge; 0
+// inside.
+template <Scalar S>
+S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
+  S worst = 0;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
+    const S length = std::hypot((*to)[0] - (*from)[0], (*to)[1] - (*from)[1]);
+    if (length > 0) worst = std::max(worst, -cross2(*from, *to) / length);
+  }
+  return worst;
+}
+
 // The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
 // is on their common side as far as rounding can tell, as always on lattices. Then the largest: the others
-// may have no area at all. `noise` bounds the error of a projected coordinate; discovery let the origin lie
-// outside by as much, so the doubt must be wider, or a portal that is outside finds no successor and two of
-// them alternate.
+// may have no area at all. `noise` bounds the error of a projected coordinate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   auto& p = portal.p;
-  std::array<S, 3> beside, doubt;
-  const S size_w = std::abs(w.q[0]) + std::abs(w.q[1]);
+  std::array<S, 3> off, area;
   for (std::size_t i = 0; i < 3; ++i) {
-    beside[i] = cross2(p[i].q, w.q);
-    doubt[i] = 4 * noise * (std::abs(p[i].q[0]) + std::abs(p[i].q[1]) + size_w);
+    const Vec3<S>&b = p[(i + 1) % 3].q, &c = p[(i + 2) % 3].q;
+    off[i] = outside(w.q, b, c);
+    area[i] = cross2(Vec3<S>(b - w.q), Vec3<S>(c - w.q));
   }
+  const S least = std::min({off[0], off[1], off[2]});
   std::size_t out = 3;
-  S largest = -1;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    if (beside[j] <= doubt[j] && beside[k] >= -doubt[k]) {
-      const S area = cross2(p[j].q, p[k].q) + (beside[k] - beside[j]);
-      if (area > largest) {
-        largest = area;
-        out = i;
-      }
-    }
+    if (off[i] <= least + noise / 2 && (out == 3 || area[i] > area[out])) out = i;
   }
-  // No triangle at all is rounding: w is beside the origin, and the corner farthest from both goes.
-  if (out == 3) {
-    out = 0;
-    for (std::size_t i = 1; i < 3; ++i) {
-      if ((p[i].q - w.q).template head<2>().squaredNorm() > (p[out].q - w.q).template head<2>().squaredNorm())
-        out = i;
-    }
-  }
-  p[out] = w;
+  if (out < 3) p[out] = w;
 }
 
-// An edge-on triangle becomes the edge on whose sides the origin lies farthest apart.
+// An edge-on triangle becomes that of its edges which the line meets first, of those that have the origin
+// between their ends: so the height of the portal never rises, and no two portals alternate.
 template <Scalar S>
 void flatten(Portal<S>& portal) {
   std::size_t best = 0;
-  S least = kInfinity<S>;
+  S lowest = kInfinity<S>;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<S>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
-    const S inner = a[0] * b[0] + a[1] * b[1];
-    if (inner < least) {
-      least = inner;
+    const S from_a = -(a[0] * (b[0] - a[0]) + a[1] * (b[1] - a[1]));
+    const S from_b = b[0] * (b[0] - a[0]) + b[1] * (b[1] - a[1]);
+    if (!(from_a >= 0 && from_b >= 0 && from_a + from_b > 0)) continue;
+    const S height = (a[2] * from_b + b[2] * from_a) / (from_a + from_b);
+    if (height < lowest) {
+      lowest = height;
       best = i;
     }
   }
@@ -254,8 +254,10 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
     const S turn = side >= 0 ? S(1) : S(-1);
     const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
     const S noise = view.noise();
-    if (right >= -noise * (p[2].q - p[0].q).norm() && left >= -noise * (p[2].q - p[1].q).norm())
-      return found(3);
+    const auto across = [](const PortalPoint<S>& x, const PortalPoint<S>& y) {
+      return std::hypot(y.q[0] - x.q[0], y.q[1] - x.q[1]);
+    };
+    if (right >= -noise * across(p[0], p[2]) && left >= -noise * across(p[1], p[2])) return found(3);
     if (right < left) {
       p[1] = p[2];
     } else {
@@ -284,7 +286,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   const S noise = view.noise();
   search.state = State::exhausted;
   while (true) {
-    if (size == 3 && edge_on(search.portal, noise)) flatten(search.portal);
+    if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal);
     const Vec3<S> n = portal_normal(search.portal);
 
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
@@ -316,12 +318,11 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     }
     if (size == 1) return;  // the foremost point was not: only rounding can say so
     if (size == 2) {
-      const Vec3<S> e = p[1].q - p[0].q, f = w.q - p[0].q;
-      const S area = cross2(e, f), significant = 4 * noise * (std::abs(e[0]) + std::abs(e[1]));
-      if (std::abs(area) > significant) {
+      const Vec3<S> e = p[1].q - p[0].q;
+      if (has_area(p[0], p[1], w, 4 * noise)) {
         // The edge was on the silhouette: beside it C goes on.
         p[2] = w;
-        if (area < 0) std::swap(p[0], p[1]);
+        if (cross2(e, Vec3<S>(w.q - p[0].q)) < 0) std::swap(p[0], p[1]);
         size = 3;
       } else {
         const S along = w.q[0] * e[0] + w.q[1] * e[1];

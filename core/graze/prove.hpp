@@ -109,33 +109,42 @@ inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double ra
 }
 
 // Is the line's point in the portal beyond all rounding, and at which t at the latest? Infinite if neither
-// can be said. The projection of each point is known within `e` = its own error + 12 u of its length for the
-// frame and the dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2.
+// can be said.
+//
+// The projection of each corner is known within `e` per coordinate = its own error + 12 u of its length for
+// the frame and the dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2: that decides
+// whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving corner i by d moves
+// it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however thin the triangle.
+// While e is below 1/64 of the least altitude, the second order is less than as much again. What the rounded
+// weights leave, rho = sum l q, is taken back by g.rho.
 inline double filtered_upper(const ProofContext& c, const Portal<double>& portal, double length,
                              double z_max) {
-  double longest = 0, area = 0, low = kInfinity<double>, high = -kInfinity<double>;
-  for (const auto& p : portal.p) {
-    longest = std::max(longest, p.c.w.cwiseAbs().sum());
-    low = std::min(low, p.q[2]);
-    high = std::max(high, p.q[2]);
-  }
+  double longest = 0;
+  for (const auto& p : portal.p) longest = std::max(longest, p.c.w.cwiseAbs().sum());
   // kInside moves a rounded point by 8 u R.
   const double e = 2 * c.point + 24 * kUnitRoundoff<double> * (longest + c.cso.radius());
-  double sign_error = 0;
+  double area = 0, side = 0;
   std::array<double, 3> l;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<double>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
     const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
-    const double error = 2 * e * across + 4 * e * e;
     l[i] = cross2(a, b);
-    if (!(l[i] > error)) return kInfinity<double>;
+    if (!(l[i] > 2 * e * across + 4 * e * e)) return kInfinity<double>;
     area += l[i];
-    sign_error += error;
+    side = std::max(side, std::hypot(a[0] - b[0], a[1] - b[1]));
   }
-  double z = 0;
-  for (std::size_t i = 0; i < 3; ++i) z += l[i] / area * portal.p[i].q[2];
-  // The weights are known within sign_error / area each, relative to the spread of z.
-  const double z_error = e + 4 * (high - low) * sign_error / area;
+  if (!(64 * e * side < area)) return kInfinity<double>;
+  const Vec3<double> n = face_normal(portal.p[0].q, portal.p[1].q, portal.p[2].q);
+  const double gx = -n[0] / n[2], gy = -n[1] / n[2];
+  double z = 0, rho_x = 0, rho_y = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double>& q = portal.p[i].q;
+    z += l[i] / area * q[2];
+    rho_x += l[i] / area * q[0];
+    rho_y += l[i] / area * q[1];
+  }
+  z -= gx * rho_x + gy * rho_y;
+  const double z_error = 4 * e * (1 + std::abs(gx) + std::abs(gy));
   if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * kUnitRoundoff<double>))) return kInfinity<double>;
   return c.cso.to_time((z + z_error) / length * (1 + 8 * kUnitRoundoff<double>));
 }

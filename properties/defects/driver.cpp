@@ -1,0 +1,85 @@
+// Does a law notice a planted defect? Runs laws over generated cases until one breaks.
+//
+//   driver LAW CASES   exit 0: the law held on all of them; 1: it broke, and the reason is printed; 2: no
+//   such law driver --all CASES one line a law driver --laws      their names
+//
+// The methods come from the translation unit that it is linked with: run.sh compiles that one against patched
+// headers of core, and leaves everything else as it is.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "corpus/case_io.hpp"
+#include "corpus/families.hpp"
+#include "properties/draw_case.hpp"
+#include "properties/law.hpp"
+
+namespace {
+
+using graze::corpus::Case;
+
+// Half drawn, half from the easier levels of the families: the same cases in every run.
+std::vector<Case> sample(int count) {
+  std::vector<Case> all;
+  graze::corpus::Random random(20260117);
+  for (int seed = 0; static_cast<int>(all.size()) < count; ++seed) {
+    for (const graze::corpus::Family& family : graze::corpus::families()) {
+      const std::size_t level = static_cast<std::size_t>(seed) % ((family.levels.size() + 1) / 2);
+      all.push_back(family.generate(family.levels[level], static_cast<std::uint64_t>(seed)));
+      all.push_back(graze::law::draw_case(random, seed % 100));
+    }
+  }
+  return all;
+}
+
+// The number of cases before the law broke, or -1.
+int first_broken(const graze::law::Law& law, const std::vector<Case>& cases, bool print) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const graze::engine::EngineMethod& method : graze::engine::methods()) {
+      const graze::law::LawResult result = law.check(cases[i], method);
+      if (result.holding != graze::law::Holding::broken) continue;
+      if (print) {
+        std::printf("%s: %s\n%s\n", method.full_name().c_str(), result.reason.c_str(),
+                    graze::corpus::write_case(cases[i]).c_str());
+      }
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 2 && std::strcmp(argv[1], "--laws") == 0) {
+    for (const graze::law::Law& law : graze::law::laws()) std::printf("%s\n", std::string(law.name).c_str());
+    return 0;
+  }
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: %s LAW|--all CASES, or --laws\n", argv[0]);
+    return 2;
+  }
+  const std::vector<Case> cases = sample(std::atoi(argv[2]));
+  if (std::strcmp(argv[1], "--all") == 0) {
+    bool broken = false;
+    for (const graze::law::Law& law : graze::law::laws()) {
+      const int first = first_broken(law, cases, false);
+      broken = broken || first >= 0;
+      if (first >= 0) std::printf("  %-22s broken by case %d\n", std::string(law.name).c_str(), first);
+    }
+    return broken ? 1 : 0;
+  }
+  const graze::law::Law* law = graze::law::find_law(argv[1]);
+  if (!law) {
+    std::fprintf(stderr, "no law %s\n", argv[1]);
+    return 2;
+  }
+  const int first = first_broken(*law, cases, true);
+  if (first < 0) {
+    std::printf("%s holds on %zu cases\n", argv[1], cases.size());
+    return 0;
+  }
+  std::printf("%s is broken by case %d of %zu\n", argv[1], first, cases.size());
+  return 1;
+}

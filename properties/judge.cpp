@@ -1,0 +1,183 @@
+#include "properties/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "engines/guarantees.hpp"
+#include "properties/case_edit.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::Answer;
+using engine::EngineMethod;
+using oracle::LinearTruth;
+
+double kappa(const EngineMethod& method, const Case& problem) {
+  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+  return row ? row->kappa(problem) : std::numeric_limits<double>::infinity();
+}
+
+double bound_of(const EngineMethod& method, const Case& problem) {
+  return kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high;
+}
+
+const LinearTruth& truth_of(const Case& problem) {
+  struct Entry {
+    Case problem;
+    std::optional<LinearTruth> truth;
+  };
+  thread_local std::array<Entry, 4> kept;
+  thread_local std::size_t next = 0;
+  for (const Entry& entry : kept) {
+    if (entry.truth && same_input(entry.problem, problem)) return *entry.truth;
+  }
+  Entry& entry = kept[next++ % kept.size()];
+  entry.truth.reset();
+  entry.truth.emplace(problem);
+  entry.problem = problem;
+  return *entry.truth;
+}
+
+bool is_linear_question(const Case& problem) {
+  return engine::unsupported(problem).empty() && in_domain(problem);
+}
+
+bool claims_contact(const Answer& answer) {
+  return answer.outcome == Outcome::hit || answer.outcome == Outcome::initially_overlapping;
+}
+
+std::string_view label_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::initially_overlapping:
+      return "initially_overlapping";
+    case Outcome::hit:
+      return "hit";
+    case Outcome::miss:
+      return "miss";
+    case Outcome::not_converged:
+      return "not_converged";
+    case Outcome::invalid_input:
+      return "invalid_input";
+  }
+  return "no outcome";
+}
+
+std::string hex(double x) { return fmt::format("{:a} ({})", x, x); }
+std::string hex(const Vec3<double>& x) {
+  return fmt::format("[{}, {}, {}]", hex(x[0]), hex(x[1]), hex(x[2]));
+}
+
+std::string describe(const Answer& answer) {
+  return fmt::format("{}, toi in [{}, {}], normal {}, points {} and {}, {} iterations",
+                     label_of(answer.outcome), hex(answer.toi_lower), hex(answer.toi_upper),
+                     hex(answer.normal), hex(answer.point_a), hex(answer.point_b),
+                     answer.counters.iterations);
+}
+
+namespace {
+
+std::string describe(const LinearTruth& truth) {
+  return fmt::format("{}, toi in [{}, {}]", label_of(truth.outcome()), hex(truth.toi_lower()),
+                     hex(truth.toi_upper()));
+}
+
+std::string over(double error, const LinearTruth& truth) {
+  return fmt::format("{} ({:.3g} of the scale)", error, error / truth.scale().low);
+}
+
+}  // namespace
+
+std::string verdict_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+  const bool contact = truth.outcome() != Outcome::miss;
+  if (answer.outcome == Outcome::miss && contact && truth.depth().low > bound) {
+    return fmt::format("miss claimed of a path of depth {}; true: {}", over(truth.depth().low, truth),
+                       describe(truth));
+  }
+  if (claims_contact(answer) && !contact && truth.clearance().low > bound) {
+    return fmt::format("{} claimed of a path of clearance {}", label_of(answer.outcome),
+                       over(truth.clearance().low, truth));
+  }
+  if (answer.outcome == Outcome::invalid_input) return "a valid case was refused";
+  return "";
+}
+
+std::string late_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+  if (answer.outcome == Outcome::miss || !(answer.toi_lower > 0)) return "";  // a miss is judged as a verdict
+  if (std::isinf(answer.toi_lower)) return "an infinite toi_lower without a miss";
+  const double late = truth.lateness(answer.toi_lower).low;
+  if (!(late > bound)) return "";
+  return fmt::format("toi_lower {} is late by a depth of {}; true: {}", hex(answer.toi_lower),
+                     over(late, truth), describe(truth));
+}
+
+std::string early_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+  if (answer.outcome == Outcome::miss || std::isinf(answer.toi_upper)) return "";  // nothing is claimed
+  if (truth.compare(answer.toi_upper) >= 0) return "";
+  const double early = truth.distance_at(answer.toi_upper).low;
+  if (!(early > bound)) return "";
+  return fmt::format("toi_upper {} is early by a distance of {}; true: {}", hex(answer.toi_upper),
+                     over(early, truth), describe(truth));
+}
+
+std::string time_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+  if (!claims_contact(answer)) return "";
+  for (const double t : {answer.toi_lower, answer.toi_upper}) {
+    if (!(t >= 0) || std::isinf(t)) return "a contact at no time: " + describe(answer);
+    const double error = truth.backward_error(t).low;
+    if (error > bound) {
+      return fmt::format("{} at {} has backward error {}; true: {}", label_of(answer.outcome), hex(t),
+                         over(error, truth), describe(truth));
+    }
+  }
+  return "";
+}
+
+std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<double>& n, double bound) {
+  const LinearTruth& truth = truth_of(problem);
+  // h(n) - n.(t v) over |n|, at the true time and at the claimed one; the latter may be negative, where t v
+  // is outside of C, by no more than the answer's own backward error.
+  const double at_truth = truth.normal_error(n).low;
+  const double elapsed = truth.toi_lower() - answer.toi_lower;
+  const double at_claim = at_truth + elapsed * velocity(problem).dot(n) / n.norm();
+  if (at_truth <= bound || std::abs(at_claim) <= bound) return "";
+  return fmt::format(
+      "the normal {} misses the cone of supporting normals by {} at the true contact, by {} at its own",
+      hex(n), over(at_truth, truth), at_claim);
+}
+
+std::string any_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+  for (const auto fault : {&verdict_fault, &late_fault, &early_fault, &time_fault}) {
+    if (std::string reason = fault(truth, answer, bound); !reason.empty()) return reason;
+  }
+  return "";
+}
+
+LawResult holds(std::vector<std::string_view> labels) { return {Holding::holds, "", std::move(labels)}; }
+LawResult broken(std::string reason) { return {Holding::broken, std::move(reason), {}}; }
+LawResult not_applicable(std::string why) { return {Holding::not_applicable, std::move(why), {}}; }
+
+bool agree(const Answer& one, const Answer& other, double u) {
+  if (one.outcome != other.outcome) return false;
+  if (one.outcome == Outcome::not_converged) return false;
+  if (one.outcome != Outcome::hit) return true;
+  const double gap = std::max(one.toi_lower - other.toi_upper, other.toi_lower - one.toi_upper);
+  return gap <= 16 * u * std::max(one.toi_upper, other.toi_upper);
+}
+
+LawResult arbitrate(const EngineMethod& method, std::initializer_list<Asked> asked,
+                    std::string_view disagreement) {
+  std::string all(disagreement);
+  for (const Asked& one : asked) all += fmt::format("; {}: {}", one.name, describe(one.answer));
+  LawResult result = holds({"arbitrated"});
+  for (const Asked& one : asked) {
+    const std::string fault = any_fault(truth_of(one.problem), one.answer, bound_of(method, one.problem));
+    if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, one.name, fault));
+    if (one.answer.outcome == Outcome::not_converged) result.labels.push_back("not_converged");
+  }
+  return result;
+}
+
+}  // namespace graze::law

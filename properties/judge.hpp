@@ -1,0 +1,72 @@
+// What the laws share: the row that a method is held to, the oracle's answer kept for the case at hand, and
+// the faults that an answer may have by it.
+//
+// Notation   u the unit roundoff of the method, kappa its row of the guarantees, scale as the oracle gives
+// it;
+//            the bound of a method on a case is kappa u scale, a length.
+// A fault is a printable reason, or empty. Enclosures are compared by the end that favours the method: a few
+// units in the last place of an error are not what a law is about.
+#pragma once
+
+#include "oracles/linear_truth.hpp"
+#include "properties/law.hpp"
+
+namespace graze::law {
+
+// kappa of the method's row for this kind of case; infinite for a method without a row, which promises
+// nothing.
+[[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
+[[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+
+// The oracle's answer; the last few are kept, since a campaign asks many laws about one case.
+[[nodiscard]] const oracle::LinearTruth& truth_of(const corpus::Case& problem);
+
+// A cast that the methods know, in the domain: the laws speak about nothing else (but the door's).
+[[nodiscard]] bool is_linear_question(const corpus::Case& problem);
+
+[[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
+[[nodiscard]] std::string_view label_of(Outcome outcome);
+[[nodiscard]] std::string hex(double x);
+[[nodiscard]] std::string hex(const Vec3<double>& x);
+[[nodiscard]] std::string describe(const engine::Answer& answer);
+
+// Contact or no contact, wrong by more than the bound in clearance or depth.
+[[nodiscard]] std::string verdict_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+                                        double bound);
+// toi_lower late: the path over [0, toi_lower) goes deeper than the bound.
+[[nodiscard]] std::string late_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+                                     double bound);
+// toi_upper early: before the TOI, and farther from contact than the bound.
+[[nodiscard]] std::string early_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+                                      double bound);
+// Backward error of either end of a hit's bracket beyond the bound.
+[[nodiscard]] std::string time_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+                                     double bound);
+// n is no supporting normal of C, neither at the true contact nor at the contact that the answer claims: at a
+// graze the two may be far apart, and each is right for some convex set within the bound of C.
+[[nodiscard]] std::string normal_fault(const corpus::Case& problem, const engine::Answer& answer,
+                                       const Vec3<double>& n, double bound);
+// The first fault of verdict and times.
+[[nodiscard]] std::string any_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+                                    double bound);
+
+[[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
+[[nodiscard]] LawResult broken(std::string reason);
+[[nodiscard]] LawResult not_applicable(std::string why);
+
+// Two answers that should be the same contact: equal verdicts, and brackets that overlap or lie within a few
+// u of each other. False only raises a question.
+[[nodiscard]] bool agree(const engine::Answer& one, const engine::Answer& other, double u);
+
+// A question, what the method said to it, and how a reason calls it.
+struct Asked {
+  std::string_view name;
+  const corpus::Case& problem;
+  const engine::Answer& answer;
+};
+// The exact oracle looks at every answer in turn; the first with a fault is named. None: the questions are
+// ill-conditioned, and every answer is within its row.
+[[nodiscard]] LawResult arbitrate(const engine::EngineMethod& method, std::initializer_list<Asked> asked,
+                                  std::string_view disagreement);
+
+}  // namespace graze::law

@@ -1,0 +1,121 @@
+#include "properties/judge_cast.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/case_io.hpp"
+#include "properties/case_edit.hpp"
+#include "properties/judge.hpp"
+#include "properties/laws_proof.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::Answer;
+using engine::EngineMethod;
+
+namespace {
+
+// A lower bound of the scale, without an oracle: half the largest coordinate by which the bodies differ or
+// extend. Only decides what the oracle need not see, so an underestimate costs time and nothing else.
+double least_scale(const Case& problem) {
+  double scale = 0;
+  for (const Body<double>* body : {&problem.a, &problem.b}) {
+    if (const auto* sphere = std::get_if<Sphere<double>>(&body->shape))
+      scale = std::max(scale, sphere->radius);
+    if (const auto* box = std::get_if<Box<double>>(&body->shape)) {
+      scale = std::max(scale, box->half_extents.maxCoeff());
+    }
+    if (const auto* hull = std::get_if<Hull<double>>(&body->shape)) {
+      for (const Vec3<double>& x : hull->vertices()) {
+        scale = std::max(scale, (x - hull->vertex(0)).cwiseAbs().maxCoeff() / 2);
+      }
+    }
+  }
+  return scale;
+}
+
+struct Proved {
+  double lower = 0, upper = kInfinity<double>;
+};
+
+// Whether the proved bounds say by themselves that the answer is within its row.
+bool settled(const Answer& answer, const Proved& proved, double speed, double bound) {
+  if (answer.outcome == Outcome::miss) return std::isinf(proved.lower);
+  if (answer.outcome == Outcome::initially_overlapping) return proved.upper == 0;
+  if (answer.outcome != Outcome::hit) return false;
+  const double width = std::max(answer.toi_upper, proved.upper) - std::min(answer.toi_lower, proved.lower);
+  return proved.upper < kInfinity<double> && width * speed <= bound;
+}
+
+std::string fault_by_oracle(const Case& problem, const EngineMethod& method, const Answer& answer) {
+  return any_fault(truth_of(problem), answer, bound_of(method, problem));
+}
+
+}  // namespace
+
+CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
+  CastJudgement judgement;
+  std::vector<const EngineMethod*> asked;
+  for (const EngineMethod& method : engine::methods()) {
+    if (method.scalar != "double") continue;
+    asked.push_back(&method);
+    judgement.said.push_back({method.full_name(), method.cast(problem, {.request = Request::everything})});
+  }
+  const auto blame = [&](std::size_t i, const std::string& fault) {
+    if (!fault.empty() && judgement.fault.empty()) judgement.fault = judgement.said[i].method + ": " + fault;
+  };
+  if (must_be_refused(problem)) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      if (judgement.said[i].answer.outcome != Outcome::invalid_input) blame(i, "bad input is let in");
+    }
+    return judgement;
+  }
+  if (!is_linear_question(problem)) return judgement;  // outside of the range: an answer promises nothing
+
+  Proved proved;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Answer& answer = judgement.said[i].answer;
+    blame(i, consistency_fault(problem, *asked[i], answer, Request::everything));
+    blame(i, proof_fault(problem, answer));
+    if (!judgement.fault.empty()) return judgement;
+    if (answer.proof) {
+      proved.lower = std::max(proved.lower, answer.proof->toi_lower);
+      proved.upper = std::min(proved.upper, answer.proof->toi_upper);
+    }
+  }
+  const double speed = velocity(problem).stableNorm();
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const EngineMethod& method = *asked[i];
+    const Answer& answer = judgement.said[i].answer;
+    const double bound = kappa(method, problem) * method.unit_roundoff * least_scale(problem);
+    if (!ask_oracle && settled(answer, proved, speed, bound)) continue;
+    judgement.by_oracle = true;
+    blame(i, fault_by_oracle(problem, method, answer));
+  }
+  return judgement;
+}
+
+std::string report(const Case& problem, const CastJudgement& judgement) {
+  std::string text = "fault: " + judgement.fault + "\ncase: " + corpus::write_case(problem) + "\nnumbers:";
+  for (const double x : scalars(problem)) text += fmt::format(" {:a}", x);
+  text += "\n";
+  for (const CastJudgement::Said& one : judgement.said) {
+    text += fmt::format("{}: {}\n", one.method, describe(one.answer));
+    if (!one.answer.proof) continue;
+    const Proof& proof = *one.answer.proof;
+    text += fmt::format("  proof: toi in [{}, {}], axis {}, portal of {}\n", hex(proof.toi_lower),
+                        hex(proof.toi_upper), proof.has_axis ? hex(proof.axis) : "none", proof.portal_size);
+  }
+  if (is_linear_question(problem)) {
+    const oracle::LinearTruth& truth = truth_of(problem);
+    text += fmt::format("oracle: {}, toi in [{}, {}], clearance {}, depth {}, scale {}\n",
+                        label_of(truth.outcome()), hex(truth.toi_lower()), hex(truth.toi_upper()),
+                        truth.clearance().high, truth.depth().high, truth.scale().high);
+  }
+  return text;
+}
+
+}  // namespace graze::law

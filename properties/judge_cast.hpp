@@ -1,0 +1,34 @@
+// One case, all methods in double, judged by proofs; the exact oracle settles what the proofs leave open.
+//
+//   1  what must be refused is refused, and nothing in the domain is;
+//   2  every answer is consistent in itself (laws_proof.hpp);
+//   3  every proof is accepted by the exact checker, so L = the largest lower bound of any of them and U =
+//   the
+//      least upper bound hold for the true TOI, whatever method found them;
+//   4  an answer that lies within [L, U], where L and U are a few roundings apart, is right;
+//   5  any other answer goes to the oracle, as does every answer of a case that is asked for (a sample).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "properties/law.hpp"
+
+namespace graze::law {
+
+struct CastJudgement {
+  std::string fault;       // empty: nothing is wrong
+  bool by_oracle = false;  // whether the oracle was asked
+  struct Said {
+    std::string method;
+    engine::Answer answer;
+  };
+  std::vector<Said> said;  // every side's answer
+};
+
+[[nodiscard]] CastJudgement judge_cast(const corpus::Case& problem, bool ask_oracle);
+
+// The case as JSON, every number as a hexfloat, every side's answer, and the fault: several lines.
+[[nodiscard]] std::string report(const corpus::Case& problem, const CastJudgement& judgement);
+
+}  // namespace graze::law

@@ -1,0 +1,41 @@
+// A law: one sentence about every answer of every method, as a plain function of a case and a method.
+//
+// RapidCheck, the fuzzers, the corpus runs and the tool call the same functions. A law never throws, asks the
+// method itself (as often as it needs), and answers: holds, broken with a reason, or not applicable. Where a
+// metamorphic law sees two answers differ, it blames nobody by itself: the exact oracle says which one breaks
+// its row, since at a graze two times may both be right and yet far apart.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "corpus/case.hpp"
+#include "engines/method.hpp"
+
+namespace graze::law {
+
+enum class Holding { holds, broken, not_applicable };
+
+struct LawResult {
+  Holding holding = Holding::holds;
+  std::string reason;  // broken: what was seen and what should be, numbers as hexfloats; not applicable: why
+  // Classification of what was drawn, for counting: the outcome, and what the law distinguishes.
+  std::vector<std::string_view> labels;
+};
+
+// What a law stands on, hence what it costs: the method alone, the checker of proofs, or the exact oracle.
+enum class Needs { metamorphic, proof, oracle };
+
+struct Law {
+  std::string_view name;
+  std::string_view sentence;
+  Needs needs;
+  LawResult (*check)(const corpus::Case&, const engine::EngineMethod&);
+};
+
+[[nodiscard]] std::span<const Law> laws();
+[[nodiscard]] const Law* find_law(std::string_view name);  // nullptr if there is none
+
+}  // namespace graze::law

@@ -1,0 +1,136 @@
+#include "properties/laws_oracle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "properties/case_edit.hpp"
+#include "properties/judge.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::Answer;
+using engine::EngineMethod;
+using oracle::LinearTruth;
+
+namespace {
+
+using Fault = std::string (*)(const LinearTruth&, const Answer&, double);
+
+LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  const Answer answer = method.cast(seen, {});
+  const LinearTruth& truth = truth_of(seen);
+  const std::string reason = fault(truth, answer, bound_of(method, seen));
+  if (!reason.empty()) return broken(reason + "; answered: " + describe(answer));
+  LawResult result = holds({label_of(truth.outcome())});
+  if (answer.outcome == Outcome::not_converged) result.labels.push_back("not_converged");
+  return result;
+}
+
+}  // namespace
+
+LawResult verdict_is_right(const Case& problem, const EngineMethod& method) {
+  return judged_by(&verdict_fault, problem, method);
+}
+
+LawResult never_late(const Case& problem, const EngineMethod& method) {
+  return judged_by(&late_fault, problem, method);
+}
+
+LawResult bracket_holds_toi(const Case& problem, const EngineMethod& method) {
+  return judged_by(
+      [](const LinearTruth& truth, const Answer& answer, double bound) {
+        std::string late = late_fault(truth, answer, bound);
+        return late.empty() ? early_fault(truth, answer, bound) : late;
+      },
+      problem, method);
+}
+
+LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
+  return judged_by(&time_fault, problem, method);
+}
+
+LawResult normal_supports(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  const Answer answer = method.cast(seen, {.request = Request::normal});
+  if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
+  const LinearTruth& truth = truth_of(seen);
+  if (truth.outcome() != Outcome::hit)
+    return holds({label_of(answer.outcome), "near a start in contact or a miss"});
+  const std::string fault = normal_fault(seen, answer, answer.normal, bound_of(method, seen));
+  if (!fault.empty()) return broken(fault + ": " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
+LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  const Answer answer = method.cast(seen, {.request = Request::witnesses});
+  if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
+  const LinearTruth& truth = truth_of(seen);
+  const double bound = bound_of(method, seen);
+  // A coordinate of a witness, position + t displacement + ..., is rounded at the size of its largest term.
+  const auto rounding = [&](const Body<double>& body, const Vec3<double>& point) {
+    const double size = std::max({point.cwiseAbs().maxCoeff(), body.position.cwiseAbs().maxCoeff(),
+                                  answer.toi_lower * body.displacement.cwiseAbs().maxCoeff()});
+    return 8 * method.unit_roundoff * size;
+  };
+  const double slack_a = rounding(seen.a, answer.point_a), slack_b = rounding(seen.b, answer.point_b);
+  for (const char body : {'a', 'b'}) {
+    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
+    const double away = truth.distance_from_body(body, answer.toi_lower, point).low;
+    if (!(away <= bound + (body == 'a' ? slack_a : slack_b))) {
+      return broken(fmt::format("the witness of {} lies {} away from it at toi_lower: {}", body, away,
+                                describe(answer)));
+    }
+  }
+  // toi_lower may be a bound short of contact, and either witness a bound off its body.
+  const double gap = (answer.point_a - answer.point_b).norm();
+  if (!(gap <= seen.target_distance + 3 * bound + slack_a + slack_b)) {
+    return broken(fmt::format("the witnesses of a contact lie {} apart: {}", gap, describe(answer)));
+  }
+  return holds({label_of(answer.outcome)});
+}
+
+LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  const Answer answer = method.cast(seen, {.request = Request::proof});
+  if (answer.outcome != Outcome::hit && answer.outcome != Outcome::miss)
+    return holds({label_of(answer.outcome)});
+  if (!answer.proof) return holds({label_of(answer.outcome), "no proof"});
+  const LinearTruth& truth = truth_of(seen);
+  // The bracket may be a bound off, and the proof a bound wider than the bracket.
+  const double bound = 2 * bound_of(method, seen);
+  const Proof& proof = *answer.proof;
+  LawResult result = holds({label_of(answer.outcome)});
+  if (answer.outcome == Outcome::miss) {
+    if (std::isinf(proof.toi_lower)) return result;
+    result.labels.push_back("miss unproved");
+    if (truth.clearance().low > bound) {
+      return broken(fmt::format("a miss of clearance {} is not proved, only TOI >= {}", truth.clearance().low,
+                                hex(proof.toi_lower)));
+    }
+    return result;
+  }
+  const double short_of = proof.has_axis ? truth.distance_at(proof.toi_lower).low : 0;
+  if (short_of > bound) {
+    return broken(fmt::format("the axis proves only toi_lower {}, {} short of contact: {}",
+                              hex(proof.toi_lower), short_of, describe(answer)));
+  }
+  const bool upper = std::isfinite(proof.toi_upper);
+  const double beyond = upper ? truth.depth_before(proof.toi_upper).low : 0;
+  if (beyond > bound) {
+    return broken(fmt::format("the portal proves only toi_upper {}, {} deep: {}", hex(proof.toi_upper),
+                              beyond, describe(answer)));
+  }
+  if (!proof.has_axis) result.labels.push_back("no axis");
+  if (!upper) result.labels.push_back("no portal");
+  return result;
+}
+
+}  // namespace graze::law

@@ -1,0 +1,142 @@
+#include "properties/shrink.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "properties/case_edit.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+
+namespace {
+
+// The measure of a number: 0 for 0, then significant bits and exponent; smaller reads better.
+int complexity(double x) {
+  if (x == 0) return 0;
+  if (!std::isfinite(x)) return 1;  // an infinite horizon; nothing else infinite is drawn
+  int exponent = 0;
+  const double mantissa = std::frexp(std::abs(x), &exponent);
+  const auto bits = static_cast<std::uint64_t>(std::scalbn(mantissa, 53));
+  const int significant = 53 - std::countr_zero(bits);
+  return 1 + 2 * significant + std::abs(exponent - 1) + (x < 0 ? 1 : 0);
+}
+
+double keep_bits(double x, int bits) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return std::scalbn(std::nearbyint(std::scalbn(mantissa, bits)), exponent - bits);
+}
+
+std::vector<double> simpler_numbers(double x) {
+  std::vector<double> all;
+  if (!std::isfinite(x)) return all;
+  for (const double y : {0.0, 1.0, x < 0 ? -1.0 : 2.0, std::nearbyint(x), keep_bits(x, 2), keep_bits(x, 8),
+                         keep_bits(x, 24), x / 2, -x, keep_bits(x, 40)}) {
+    if (complexity(y) < complexity(x) && std::find(all.begin(), all.end(), y) == all.end()) all.push_back(y);
+  }
+  return all;
+}
+
+void simpler_shapes(const Case& problem, Body<double> Case::*body, std::vector<Case>& all) {
+  const auto with = [&](Shape<double> shape) {
+    Case other = problem;
+    (other.*body).shape = std::move(shape);
+    all.push_back(std::move(other));
+  };
+  const Shape<double>& shape = (problem.*body).shape;
+  if (!std::holds_alternative<Point<double>>(shape)) with(Point<double>{});
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  if (!hull) return;
+  // Halves, then single vertices.
+  for (std::size_t chunk = hull->size() / 2; chunk >= 1; chunk /= 2) {
+    for (std::size_t first = 0; first + chunk <= hull->size(); first += chunk) {
+      std::vector<Vec3<double>> rest;
+      for (std::size_t i = 0; i < hull->size(); ++i) {
+        if (i < first || i >= first + chunk) rest.push_back(hull->vertex(i));
+      }
+      if (!rest.empty()) with(Hull<double>(std::span<const Vec3<double>>(rest)));
+    }
+  }
+}
+
+bool plain(const Body<double>& body) {
+  const Quaternion<double>& q = body.orientation;
+  return q.is_identity() && q.w == 1;
+}
+
+}  // namespace
+
+std::vector<Case> simpler(const Case& problem) {
+  std::vector<Case> all;
+  const auto with = [&](auto&& edit) {
+    Case other = problem;
+    edit(other);
+    all.push_back(std::move(other));
+  };
+  for (const auto body : {&Case::a, &Case::b}) {
+    simpler_shapes(problem, body, all);
+    if (!plain(problem.*body)) with([&](Case& c) { (c.*body).orientation = {}; });
+    if (!(problem.*body).displacement.isZero(0)) with([&](Case& c) { (c.*body).displacement.setZero(); });
+  }
+  // A brought to the origin, and to rest: B keeps what it is relative to A.
+  if (!problem.a.position.isZero(0)) {
+    with([](Case& c) {
+      c.b.position -= c.a.position;
+      c.a.position.setZero();
+    });
+  }
+  if (!problem.a.displacement.isZero(0)) {
+    with([](Case& c) {
+      c.b.displacement -= c.a.displacement;
+      c.a.displacement.setZero();
+    });
+  }
+  if (problem.t_max != 1) with([](Case& c) { c.t_max = 1; });
+  // Every number by itself; a quaternion may not vanish.
+  const std::vector<double> numbers = scalars(problem);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (const double y : simpler_numbers(numbers[i])) {
+      std::size_t at = 0;
+      bool turned_by_number = false;
+      Case other = map_scalars(problem, [&](Slot slot, double x) {
+        if (at++ != i) return x;
+        turned_by_number = slot == Slot::orientation;
+        return slot == Slot::extent || slot == Slot::horizon || slot == Slot::target ? std::abs(y) : y;
+      });
+      if (turned_by_number && must_be_refused(other) && !must_be_refused(problem)) continue;
+      all.push_back(std::move(other));
+    }
+  }
+  const auto measure = [](const Case& c) {
+    long long sum = 0;
+    for (const double x : scalars(c)) sum += 1 + complexity(x);
+    // An identity turn and a unit horizon count as nothing, so that both are goals.
+    for (const Body<double>* body : {&c.a, &c.b}) sum -= plain(*body) ? 10 : 0;
+    return sum - (c.t_max == 1 ? 10 : 0);
+  };
+  const long long limit = measure(problem);
+  std::erase_if(all, [&](Case& c) {
+    c.expect.reset();
+    return measure(c) >= limit;
+  });
+  return all;
+}
+
+Case minimised(Case problem, const std::function<bool(const Case&)>& fails, int budget) {
+  for (bool smaller = true; smaller && budget > 0;) {
+    smaller = false;
+    for (Case& candidate : simpler(problem)) {
+      if (budget-- <= 0) break;
+      if (!fails(candidate)) continue;
+      problem = std::move(candidate);
+      smaller = true;
+      break;
+    }
+  }
+  return problem;
+}
+
+}  // namespace graze::law

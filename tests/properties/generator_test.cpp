@@ -1,0 +1,129 @@
+// The generator and the shrinking are tested too: what is drawn, that it repeats, that shrinking ends small.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "corpus/case_io.hpp"
+#include "properties/case_edit.hpp"
+#include "properties/draw_case.hpp"
+#include "properties/judge.hpp"
+#include "properties/shrink.hpp"
+
+namespace graze::law {
+namespace {
+
+TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
+  corpus::Random random(5);
+  std::map<Outcome, int> outcomes;
+  std::map<std::size_t, int> shapes;
+  int touching = 0, rotated = 0, rays = 0, rounded = 0;
+  constexpr int kCases = 400;
+  for (int i = 0; i < kCases; ++i) {
+    const corpus::Case problem = draw_case(random, i % 100);
+    ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
+    const oracle::LinearTruth& truth = truth_of(problem);
+    ++outcomes[truth.outcome()];
+    ++shapes[problem.a.shape.index()];
+    // Contact with no depth at all: touching at the start, or a path that grazes.
+    touching += truth.outcome() != Outcome::miss && truth.depth().high == 0;
+    rotated += !problem.a.orientation.is_identity();
+    rays += problem.t_max == kInfinity<double>;
+    rounded += problem.target_distance > 0;
+  }
+  for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::initially_overlapping}) {
+    EXPECT_GE(outcomes[outcome], kCases / 10) << label_of(outcome);
+  }
+  for (std::size_t shape = 0; shape < 4; ++shape) EXPECT_GE(shapes[shape], kCases / 20);
+  EXPECT_GE(touching, kCases / 50);
+  EXPECT_GE(rotated, kCases / 20);
+  EXPECT_GE(rays, kCases / 40);
+  EXPECT_GE(rounded, kCases / 40);
+}
+
+TEST(DrawCase, is_a_function_of_its_bits) {
+  corpus::Random one(99), two(99);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_case(one, i), draw_case(two, i)));
+}
+
+TEST(Simpler, every_chain_ends_and_every_step_is_valid) {
+  corpus::Random random(7);
+  for (int i = 0; i < 20; ++i) {
+    const corpus::Case problem = draw_case(random, 100);
+    // Everything fails: the descent ends at two points at the origin, at rest.
+    const corpus::Case least = minimised(problem, [](const corpus::Case& c) { return in_domain(c); });
+    EXPECT_TRUE(std::holds_alternative<Point<double>>(least.a.shape));
+    EXPECT_TRUE(std::holds_alternative<Point<double>>(least.b.shape));
+    EXPECT_TRUE(least.b.position.isZero(0) && least.b.displacement.isZero(0));
+    EXPECT_TRUE(least.a.orientation.is_identity());
+    EXPECT_EQ(least.t_max, 1);
+  }
+}
+
+TEST(Simpler, a_hit_shrinks_to_small_integers) {
+  corpus::Random random(11);
+  int shrunk = 0;
+  while (shrunk < 5) {
+    const corpus::Case problem = draw_case(random, 50);
+    const auto is_hit = [](const corpus::Case& c) {
+      return in_domain(c) && truth_of(c).outcome() == Outcome::hit && truth_of(c).depth().low > 0;
+    };
+    if (!is_hit(problem)) continue;
+    ++shrunk;
+    const corpus::Case least = minimised(problem, is_hit, 2000);
+    ASSERT_TRUE(is_hit(least));
+    for (const double x : scalars(least)) EXPECT_LE(std::abs(x), 4) << corpus::write_case(least);
+  }
+}
+
+// The edits the laws rest on, against the exact oracle: the true answer is what the edit promises.
+TEST(CaseEdit, true_answers_are_related_as_the_laws_say) {
+  corpus::Random random(3);
+  int rays = 0, splits = 0, moves = 0, scales = 0;
+  for (int i = 0; i < 200; ++i) {
+    const corpus::Case problem = draw_case(random, i % 60);
+    const std::string shown = corpus::write_case(problem);
+    const oracle::LinearTruth truth(problem);
+    const auto same = [&](const corpus::Case& other) {
+      const oracle::LinearTruth its(other);
+      return its.outcome() == truth.outcome() && its.toi_lower() == truth.toi_lower() &&
+             its.toi_upper() == truth.toi_upper();
+    };
+    EXPECT_TRUE(same(swapped(problem))) << shown;
+    EXPECT_LE(oracle::LinearTruth(grown(problem, hash_of(problem))).toi_lower(), truth.toi_lower()) << shown;
+    if (const auto other = scaled(problem, 9)) {
+      EXPECT_TRUE(same(*other)) << shown;
+      ++scales;
+    }
+    if (const auto other = translated(problem, hash_of(problem))) {
+      EXPECT_TRUE(same(*other)) << shown;
+      ++moves;
+    }
+    if (const auto other = ray_against_cso(problem)) {
+      EXPECT_TRUE(same(*other)) << shown;
+      ++rays;
+    }
+    if (const auto parts = split(problem, hash_of(problem))) {
+      const oracle::LinearTruth before(parts->before), after(parts->after);
+      const bool contact = truth.outcome() != Outcome::miss;
+      EXPECT_EQ(contact, before.outcome() != Outcome::miss || after.outcome() != Outcome::miss) << shown;
+      ++splits;
+    }
+  }
+  EXPECT_GE(scales, 100);
+  EXPECT_GE(moves, 100);
+  EXPECT_GE(rays, 10);
+  EXPECT_GE(splits, 40);
+}
+
+TEST(CaseEdit, exact_means_exact) {
+  EXPECT_EQ(exact_sum(1, 0x1p-52), 1 + 0x1p-52);
+  EXPECT_FALSE(exact_sum(1, 0x1p-54));
+  EXPECT_FALSE(exact_sum(1e308, 1e308));
+  EXPECT_EQ(exact_product(3, 0.5), 1.5);
+  EXPECT_FALSE(exact_product(0.1, 0.1));
+  EXPECT_FALSE(exact_product(1e-200, 1e-200));
+  EXPECT_EQ(exact_product(0, 0.1), 0);
+}
+
+}  // namespace
+}  // namespace graze::law
