@@ -8,9 +8,15 @@
 // A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is
 // the core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
-// Rounding of a support point: w = R_A a - (R_B b + d), the offset d as in offset.hpp. Per component
-//   |fl(w) - w| <= u (20 |a|_1 + 20 |b|_1 + 3 (|a| + |b| + |d|))  rotated;  u (3 (|a| + |b| + |d|))  else,
-// with 17 u per entry of R and 3 u for a product of three terms; `rounding()` bounds it over all of C.
+// Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp; |a|, |b| the cores' radii about
+// their scan's origin, M = |a| + |b| + |d|. Per component
+//   point_error = 4 u M                          unrotated: d is within 2 u, two sums round once each;
+//   point_error = 4 u M + 19 u (|a| + |b|)       rotated: rows of R within 9 sqrt(3) u, a product of three
+//   terms 3 u.
+// Rounding of h(n) = n.w, over |n|:
+//   reach_error = sqrt(3) point_error + 3 u M + 6 u (|a| + |b|), or 44 u (|a| + |b|) rotated: the product,
+//   and a vertex that is not the greatest, because n was turned (19 u) and products compared (3 u), each
+//   counted at both vertices.
 #pragma once
 
 #include <graze/body.hpp>
@@ -52,8 +58,8 @@ struct Side {
     return rotated ? Vec3<S>(rotation.transpose() * n) : n;
   }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& x) const { return rotated ? Vec3<S>(rotation * x) : x; }
-  // sum over axes of the largest |coordinate|: bounds |x|_1 over the core.
-  [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).sum(); }
+  // Bounds |x| over the core.
+  [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
 };
 
 template <Scalar S>
@@ -243,12 +249,17 @@ class Cso {
   // largest side of either box in its own axes, or the largest coordinate of the distance between their
   // centres.
   [[nodiscard]] S scale() const { return scale_; }
-  // Bounds the error of each component of any core support point, and of h(n) over |n|_1, choice of vertex
-  // included.
-  [[nodiscard]] S rounding() const {
-    const S lengths = a_.reach() + b_.reach() + d_.cwiseAbs().sum();
-    return (a_.rotated || b_.rotated ? S(64) : S(12)) * kUnitRoundoff<S> * lengths;
+  // See above. `extent` is M, which also bounds |w|.
+  [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + d_.norm(); }
+  [[nodiscard]] S point_error() const {
+    const S turned = rotated() ? S(19) * (a_.reach() + b_.reach()) : S(0);
+    return kUnitRoundoff<S> * (4 * extent() + turned);
   }
+  [[nodiscard]] S reach_error() const {
+    const S turned = (rotated() ? S(44) : S(6)) * (a_.reach() + b_.reach());
+    return S(1.75) * point_error() + kUnitRoundoff<S> * (3 * extent() + turned);
+  }
+  [[nodiscard]] bool rotated() const { return a_.rotated || b_.rotated; }
 
   [[nodiscard]] const detail::Side<S>& side_a() const { return a_; }
   [[nodiscard]] const detail::Side<S>& side_b() const { return b_; }

@@ -70,6 +70,7 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   // gap.
   if (in.state == State::entered && limits.target <= limits.noise && in.upper - in.lower > limits.noise) {
     out.lower = out.upper;
+    out.n = in.facing;
   }
   out.contact = contact_of(in);
   if (in.state == State::exhausted) return out;

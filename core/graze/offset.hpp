@@ -72,15 +72,16 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
   return out;
 }
 
-// R(q), each entry within 17 u: the off-diagonal ones are s (xy +- wz) with |s (|xy| + |wz|)| <= 1 and 8
-// roundings, the diagonal ones 1 - s (yy + zz) with s (yy + zz) <= 2.
+// R(q), each entry within 9 u: the numerators are within 4 u |q|^2 (three sums of rounded products whose
+// magnitudes add up to at most |q|^2), |q|^2 is within 4 u relatively, the quotient rounds once, and no entry
+// exceeds 1.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
-  const double s = 2 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  const double ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
   Mat3<double> r;
-  r << 1 - s * (q.y * q.y + q.z * q.z), s * (q.x * q.y - q.w * q.z), s * (q.x * q.z + q.w * q.y),
-      s * (q.x * q.y + q.w * q.z), 1 - s * (q.x * q.x + q.z * q.z), s * (q.y * q.z - q.w * q.x),
-      s * (q.x * q.z - q.w * q.y), s * (q.y * q.z + q.w * q.x), 1 - s * (q.x * q.x + q.y * q.y);
-  return r;
+  r << ww + xx - yy - zz, 2 * (q.x * q.y - q.w * q.z), 2 * (q.x * q.z + q.w * q.y),  //
+      2 * (q.x * q.y + q.w * q.z), ww - xx + yy - zz, 2 * (q.y * q.z - q.w * q.x),   //
+      2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x), ww - xx - yy + zz;
+  return r / (ww + xx + yy + zz);
 }
 
 inline Vec3<double> accurate_offset(const Vec3<double>& p_a, const Quaternion<double>& q_a,

@@ -40,7 +40,8 @@ struct PortalSearch {
   Portal<S> portal;
   std::array<S, 3> lambda{};
   S lower = -kInfinity<S>, upper = kInfinity<S>;  // of z_in
-  Vec3<S> n = Vec3<S>::Zero();  // world axes, unit: the normal that proves lower, or the miss
+  Vec3<S> n = Vec3<S>::Zero();       // world axes, unit: the normal that proves lower, or the miss
+  Vec3<S> facing = Vec3<S>::Zero();  // entered: the last portal's own normal, which supports C within the gap
 };
 
 namespace detail {
@@ -74,26 +75,61 @@ struct PortalView {
   }
 };
 
-// The weights of the origin in the portal's projection; what rounding makes negative is zero.
+// Where the line passes the edge a b, seen along it: the weight of b, within the edge; 0 if it has no length
+// across.
+template <Scalar S>
+S weight_along(const Vec3<S>& a, const Vec3<S>& b) {
+  const S ex = b[0] - a[0], ey = b[1] - a[1], length_sq = ex * ex + ey * ey;
+  if (!(length_sq > 0)) return 0;
+  return std::min(std::max(-(a[0] * ex + a[1] * ey) / length_sq, S(0)), S(1));
+}
+
+// The corner whose weight is most negative, if the origin lies beyond the edge opposite to it; 3 if it lies
+// inside.
+template <Scalar S>
+std::size_t corner_beyond(const Portal<S>& portal) {
+  const auto& p = portal.p;
+  std::size_t out = 3;
+  S worst = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const S l = cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q);
+    if (l < worst) {
+      worst = l;
+      out = i;
+    }
+  }
+  return out;
+}
+
+// The weights of the origin in the portal's projection, all >= 0.
 template <Scalar S>
 std::array<S, 3> portal_weights(const Portal<S>& portal) {
   const auto& p = portal.p;
   std::array<S, 3> l{1, 0, 0};
   if (portal.size == 2) {
-    const Vec3<S> e = p[1].q - p[0].q;
-    const S length_sq = e[0] * e[0] + e[1] * e[1];
-    l[1] = length_sq > 0 ? -(p[0].q[0] * e[0] + p[0].q[1] * e[1]) / length_sq : S(0);
-    l[1] = std::min(std::max(l[1], S(0)), S(1));
+    l[1] = weight_along(p[0].q, p[1].q);
     l[0] = 1 - l[1];
   } else if (portal.size == 3) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      l[i] = std::max(cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q), S(0));
+    if (const std::size_t i = corner_beyond(portal); i < 3) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      l[i] = 0;
+      l[k] = weight_along(p[j].q, p[k].q);
+      l[j] = 1 - l[k];
+      return l;
     }
-    const S sum = l[0] + l[1] + l[2];
-    if (sum > 0) {
-      for (S& one : l) one /= sum;
-    } else {
-      l = {1, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) l[i] = cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q);
+    const S area = l[0] + l[1] + l[2];
+    if (!(area > 0)) return {1, 0, 0};
+    // Twice: the second round takes back the combination's distance from the line, which rounding of small
+    // areas left.
+    Vec3<S> rho = Vec3<S>::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      l[i] /= area;
+      rho += l[i] * p[i].q;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3<S> e = p[(i + 2) % 3].q - p[(i + 1) % 3].q;
+      l[i] = std::max(l[i] - cross2(e, rho) / area, S(0));
     }
   }
   return l;
@@ -124,23 +160,35 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
   return unit(n);
 }
 
-// z where the line meets the portal's plane, from the corner nearest to the line: on a sliver the weights are
-// the rounding of small areas, the plane is not.
+// z where the line meets the portal: on its plane, from the corner nearest to the line (on a sliver the
+// weights are the rounding of small areas, the plane is not), never beyond the corners. A line that passes
+// beside the triangle, if only by rounding, meets the edge that it passes: a steep plane would carry it off.
 template <Scalar S>
 S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
-  std::size_t nearest = 0;
-  S least = kInfinity<S>, low = kInfinity<S>, high = -kInfinity<S>;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(portal.size); ++i) {
-    low = std::min(low, portal.p[i].q[2]);
-    high = std::max(high, portal.p[i].q[2]);
-    const S dist_sq = portal.p[i].q.template head<2>().squaredNorm();
-    if (dist_sq < least) {
-      least = dist_sq;
-      nearest = i;
+  const auto& p = portal.p;
+  if (portal.size == 1) return p[0].q[2];
+  std::size_t j = 0, k = 1;
+  if (portal.size == 3) {
+    const std::size_t beyond = corner_beyond(portal);
+    if (beyond == 3) {
+      std::size_t nearest = 0;
+      S least = kInfinity<S>, low = kInfinity<S>, high = -kInfinity<S>;
+      for (std::size_t i = 0; i < 3; ++i) {
+        low = std::min(low, p[i].q[2]);
+        high = std::max(high, p[i].q[2]);
+        const S dist_sq = p[i].q.template head<2>().squaredNorm();
+        if (dist_sq < least) {
+          least = dist_sq;
+          nearest = i;
+        }
+      }
+      const Vec3<S>& q = p[nearest].q;
+      return std::min(std::max(q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2], low), high);
     }
+    j = (beyond + 1) % 3;
+    k = (beyond + 2) % 3;
   }
-  const Vec3<S>& q = portal.p[nearest].q;
-  return std::min(std::max(q[2] + (n[0] * q[0] + n[1] * q[1]) / n[2], low), high);
+  return p[j].q[2] + weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]);
 }
 
 // How far the origin lies outside the projected triangle a b c, counter-clockwise, by its worst edge; 0
@@ -288,7 +336,6 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   while (true) {
     if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal);
     const Vec3<S> n = portal_normal(search.portal);
-
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
     search.upper = portal_height(search.portal, n);
     if (search.upper <= limits.accept_at) {
@@ -314,19 +361,19 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     if (!(reach - face > limits.gap)) {
       search.state = State::entered;
       search.lambda = portal_weights(search.portal);
+      search.facing = view.world(n);
       return;
     }
     if (size == 1) return;  // the foremost point was not: only rounding can say so
     if (size == 2) {
       const Vec3<S> e = p[1].q - p[0].q;
+      p[2] = w;
       if (has_area(p[0], p[1], w, 4 * noise)) {
         // The edge was on the silhouette: beside it C goes on.
-        p[2] = w;
         if (cross2(e, Vec3<S>(w.q - p[0].q)) < 0) std::swap(p[0], p[1]);
         size = 3;
       } else {
-        const S along = w.q[0] * e[0] + w.q[1] * e[1];
-        p[along > 0 ? 1 : 0] = w;
+        flatten(search.portal);
       }
     } else {
       replace_corner(search.portal, w, noise);

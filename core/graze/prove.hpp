@@ -24,8 +24,6 @@ struct ProofContext {
   const Cso<double>& cso;
   Vec3<double> r;
   double s_max;  // of the path; infinite for a ray
-  double point;  // bounds the error of each component of a core support point, and of h(n) over |n|_1
-
   // |fl(n.r) - n.r| <= 5 u sum |n_i r_i|: r's own rounding, three products, two sums.
   [[nodiscard]] double delta_r(const Vec3<double>& n) const {
     return 6 * kUnitRoundoff<double> * n.cwiseProduct(r).cwiseAbs().sum();
@@ -33,9 +31,11 @@ struct ProofContext {
   // An upper bound of h(n) + R |n|.
   [[nodiscard]] double reach(const Vec3<double>& n, Counters& counters) const {
     ++counters.supports;
-    const double size = n.cwiseAbs().sum(), rounded = cso.radius() * n.norm();
-    const double h = n.dot(cso.support(n).w) + rounded;
-    return h + size * (point + 8 * kUnitRoundoff<double> * (cso.scale() + cso.radius()));
+    const double size = n.norm();
+    const double h = n.dot(cso.support(n).w) + cso.radius() * size;
+    // R is a sum of three rounded terms, |n| is within 3 u, their product and the last sum round once each.
+    return h + size * (cso.reach_error() + 8 * kUnitRoundoff<double> * (cso.radius() + cso.extent())) *
+                   (1 + 8 * kUnitRoundoff<double>);
   }
 };
 
@@ -51,7 +51,7 @@ inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss,
     if (!(rate >= 0) && !(h < c.s_max * (1 + 4 * kUnitRoundoff<double>)*rate)) return false;
     proof.toi_lower = kInfinity<double>;
   } else {
-    if (!(rate < 0)) return false;
+    if (!(n.dot(c.r) + c.delta_r(n) < 0)) return false;
     const double t = c.cso.to_time(h / rate * (1 - 8 * kUnitRoundoff<double>));
     if (!(t > proof.toi_lower)) return false;
     proof.toi_lower = t;
@@ -111,18 +111,17 @@ inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double ra
 // Is the line's point in the portal beyond all rounding, and at which t at the latest? Infinite if neither
 // can be said.
 //
-// The projection of each corner is known within `e` per coordinate = its own error + 12 u of its length for
-// the frame and the dot products; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4 e^2: that decides
-// whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving corner i by d moves
-// it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however thin the triangle.
-// While e is below 1/64 of the least altitude, the second order is less than as much again. What the rounded
-// weights leave, rho = sum l q, is taken back by g.rho.
+// The projection of each corner is known within `e` per coordinate = its own error, 8 u of its length for the
+// product, the frame and r, and 8 u R that kInside takes; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4
+// e^2: that decides whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving
+// corner i by d moves it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however
+// thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
+// of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
 inline double filtered_upper(const ProofContext& c, const Portal<double>& portal, double length,
                              double z_max) {
-  double longest = 0;
-  for (const auto& p : portal.p) longest = std::max(longest, p.c.w.cwiseAbs().sum());
-  // kInside moves a rounded point by 8 u R.
-  const double e = 2 * c.point + 24 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  constexpr double u = kUnitRoundoff<double>;
+  const double extent = c.cso.extent() + c.cso.radius();
+  const double e = c.cso.point_error() + 8 * u * extent + 8 * u * c.cso.radius();
   double area = 0, side = 0;
   std::array<double, 3> l;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -144,13 +143,13 @@ inline double filtered_upper(const ProofContext& c, const Portal<double>& portal
     rho_y += l[i] / area * q[1];
   }
   z -= gx * rho_x + gy * rho_y;
-  const double z_error = 4 * e * (1 + std::abs(gx) + std::abs(gy));
-  if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * kUnitRoundoff<double>))) return kInfinity<double>;
-  return c.cso.to_time((z + z_error) / length * (1 + 8 * kUnitRoundoff<double>));
+  const double z_error = (1.25 * e + 4 * u * extent) * (1 + std::abs(gx) + std::abs(gy));
+  if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * u))) return kInfinity<double>;
+  return c.cso.to_time((z + z_error) / length * (1 + 8 * u));
 }
 
-// The upper half: a portal of three points, every sign of it beyond its rounding, or, where there is a tie,
-// exact.
+// The upper half, and what the search for it tells of the lower: a portal of three points, every sign of it
+// beyond its rounding, or, where there is a tie, exact.
 template <Scalar S>
 void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, double t_max, Proof& proof,
                  Counters& counters) {
@@ -159,6 +158,9 @@ void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, doub
   const double z_max = c.s_max * frame.length;
   const double gap = 4 * kUnitRoundoff<double> * c.cso.scale();
   const PortalSearch<double> search = enter_line(c.cso, frame, z_max, gap, 256, counters);
+  // Its normals are as good as the method's own, or better.
+  prove_lower(c, search.n, false, proof, counters);
+  prove_lower(c, search.facing, false, proof, counters);
   if (search.portal.size != 3) return;
   double t = filtered_upper(c, search.portal, frame.length, z_max);
   const double radius_a = radius_of(a), radius_b = radius_of(b);
@@ -183,7 +185,7 @@ inline void prove_start(const ProofContext& c, double radius_a, double radius_b,
   if (simplex.size != 4) return;
   double longest = 0;
   for (const auto& p : simplex.point) longest = std::max(longest, p.w.cwiseAbs().sum());
-  const double e = c.point + 16 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  const double e = c.cso.point_error() + 16 * kUnitRoundoff<double> * (longest + c.cso.radius());
   // det(a, b, c) of three points within e each: |error| <= 3 e (2 longest)^2, and 8 u of the product itself.
   const double error = 16 * e * longest * longest;
   double side = 0;
@@ -206,9 +208,8 @@ template <Scalar S>
 Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome,
             const Vec3<S>& n, Counters& counters) {
   const Cso<double> cso(a, b, options.target_distance);
-  const detail::ProofContext context{cso, cso.direction(),
-                                     cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0,
-                                     cso.rounding()};
+  const detail::ProofContext context{
+      cso, cso.direction(), cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0};
   const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {

@@ -86,7 +86,7 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
     }
   }
   // Outward by the rounding of h: the clip must never lose a contact.
-  const S slack = cso.rounding() + 4 * kUnitRoundoff<S> * cso.radius();
+  const S slack = cso.reach_error() + 4 * kUnitRoundoff<S> * cso.radius();
   const S slack_s =
       slack * (n_enter.cwiseAbs().sum() + n_leave.cwiseAbs().sum()) + 4 * kUnitRoundoff<S> * out.enter;
   if (out.leave + slack_s < out.enter) {
