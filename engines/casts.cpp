@@ -73,8 +73,8 @@ double time_case(const corpus::Case& problem, const Ask& ask, int repeats) {
 }
 
 template <Scalar S, Method kMethod>
-EngineMethod engine_of(std::string name) {
-  return {.name = std::move(name),
+EngineMethod engine_of(const char* name) {
+  return {.name = name,
           .scalar = std::same_as<S, float> ? "float" : "double",
           .tier = "standard",
           .unit_roundoff = kUnitRoundoff<S>,

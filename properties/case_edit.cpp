@@ -199,7 +199,7 @@ Case grown(const Case& problem, std::uint64_t salt) {
     return how == 0 ? std::nextafter(x, 2 * x) : how == 1 ? x * 1.0625 : 2 * x;
   };
   const auto direction = [&](int i) {
-    return static_cast<double>(static_cast<int>(mix(pick + 17 * static_cast<unsigned>(i)) % 9) - 4);
+    return static_cast<double>(static_cast<int>(mix(pick + 17U * static_cast<std::uint64_t>(i)) % 9) - 4);
   };
   if (std::holds_alternative<Point<double>>(body.shape)) {
     if (pick >> 8 & 1) {

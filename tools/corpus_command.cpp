@@ -124,7 +124,7 @@ int verify(const std::string& given) {
 }
 
 CLI::App* add_files_command(CLI::App& parent, const char* name, const char* what,
-                            std::shared_ptr<Files> files) {
+                            const std::shared_ptr<Files>& files) {
   CLI::App* command = parent.add_subcommand(name, what);
   command->add_option("files", *files, "Files of cases, .json or .jsonl")->required()->type_name("FILE");
   return command;

@@ -40,7 +40,7 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
     }
   }
   if (asks_for(options.request, Request::proof)) {
-    out.proof = prove(a, b, options, out.outcome, sweep.n, out.counters);
+    out.proof = prove(a, b, options, out.outcome, out.toi_upper, sweep.n, out.counters);
   }
 }
 

@@ -9,14 +9,13 @@
 // the core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
 // Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp; |a|, |b| the cores' radii about
-// their scan's origin, M = |a| + |b| + |d|. Per component
-//   point_error = 4 u M                          unrotated: d is within 2 u, two sums round once each;
-//   point_error = 4 u M + 19 u (|a| + |b|)       rotated: rows of R within 9 sqrt(3) u, a product of three
-//   terms 3 u.
+// their scan's origin, M = |a| + |b| + |d|. Turning a vector x is within kTurn u |x| per component: rows of R
+// within 9 sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms 3 u; nothing where R
+// permutes the axes. Per component
+//   point_error = 4 u M + kTurn u (|a| + |b|):  d is within 2 u, two sums round once each.
 // Rounding of h(n) = n.w, over |n|:
-//   reach_error = sqrt(3) point_error + 3 u M + 6 u (|a| + |b|), or 44 u (|a| + |b|) rotated: the product,
-//   and a vertex that is not the greatest, because n was turned (19 u) and products compared (3 u), each
-//   counted at both vertices.
+//   reach_error = sqrt(3) point_error + 3 u M + (6 + 2 kTurn) u (|a| + |b|): the product, and a vertex that
+//   is not the greatest because n was turned and products compared (3 u), each counted at both vertices.
 #pragma once
 
 #include <graze/body.hpp>
@@ -52,6 +51,7 @@ struct Side {
   Vec3<S> half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();  // bounds, internal units, own axes
   Mat3<S> rotation = Mat3<S>::Identity();
   bool rotated = false;
+  S turn = 0;  // turning x is within turn u |x| per component
   S radius = 0;
 
   [[nodiscard]] Vec3<S> to_own(const Vec3<S>& n) const {
@@ -169,8 +169,12 @@ void set_core(Side<S>& side, const Hull<Given>& hull, int k) {
   side.unit = static_cast<S>(std::ldexp(1.0, hull.exponent() - k));
 }
 
+// The matrix of a rotation as quickly as its error allows, or as accurately as doubles can hold it.
+enum class Turning { quick, accurate };
+inline constexpr int kQuickTurn = 19, kAccurateTurn = 5;
+
 template <Scalar S, Scalar Given>
-Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k) {
+Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning turning) {
   Side<S> side;
   std::visit([&](const auto& shape) { set_core(side, shape, k); }, body.shape);
   const double unit = std::ldexp(1.0, -k);
@@ -182,7 +186,10 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k) {
   const Vec3<double> off = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
   side.rotated = !q.is_identity() && off.maxCoeff() > 0;
   if (side.rotated) {
-    side.rotation = rotation_matrix({double(q.w), double(q.x), double(q.y), double(q.z)}).template cast<S>();
+    const Quaternion<double> turn{double(q.w), double(q.x), double(q.y), double(q.z)};
+    const bool accurate = turning == Turning::accurate;
+    side.rotation = (accurate ? accurate_rotation_matrix(turn) : rotation_matrix(turn)).template cast<S>();
+    side.turn = permutes_axes(turn) ? S(0) : static_cast<S>(accurate ? kAccurateTurn : kQuickTurn);
   }
   return side;
 }
@@ -194,7 +201,8 @@ template <Scalar S>
 class Cso {
  public:
   template <Scalar Given>
-  Cso(const Body<Given>& body_a, const Body<Given>& body_b, Given target_distance = 0) {
+  Cso(const Body<Given>& body_a, const Body<Given>& body_b, Given target_distance = 0,
+      detail::Turning turning = detail::Turning::quick) {
     const auto bounds_of = [](const auto& shape) { return detail::bounds(shape); };
     const detail::Bounds a = std::visit(bounds_of, body_a.shape), b = std::visit(bounds_of, body_b.shape);
     const Vec3<double> d = detail::accurate_offset(
@@ -205,8 +213,8 @@ class Cso {
     const double scale = std::max({size_a, size_b, apart});
     k_ = scale > 0 ? std::ilogb(scale) : 0;
     scale_ = scale > 0 ? static_cast<S>(std::ldexp(scale, -k_)) : S(0);
-    a_ = detail::make_side<S>(body_a, a, k_);
-    b_ = detail::make_side<S>(body_b, b, k_);
+    a_ = detail::make_side<S>(body_a, a, k_, turning);
+    b_ = detail::make_side<S>(body_b, b, k_, turning);
     d_ = (std::ldexp(1.0, -k_) * d).template cast<S>();
     const double target = std::ldexp(static_cast<double>(target_distance), -k_);
     target_ = static_cast<S>(target);
@@ -252,14 +260,15 @@ class Cso {
   // See above. `extent` is M, which also bounds |w|.
   [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + d_.norm(); }
   [[nodiscard]] S point_error() const {
-    const S turned = rotated() ? S(19) * (a_.reach() + b_.reach()) : S(0);
-    return kUnitRoundoff<S> * (4 * extent() + turned);
+    return kUnitRoundoff<S> * (4 * extent() + a_.turn * a_.reach() + b_.turn * b_.reach());
+  }
+  // How far over |n| the vertices that the scans choose may lie below the greatest.
+  [[nodiscard]] S choice_error() const {
+    return kUnitRoundoff<S> * ((6 + 2 * a_.turn) * a_.reach() + (6 + 2 * b_.turn) * b_.reach());
   }
   [[nodiscard]] S reach_error() const {
-    const S turned = (rotated() ? S(44) : S(6)) * (a_.reach() + b_.reach());
-    return S(1.75) * point_error() + kUnitRoundoff<S> * (3 * extent() + turned);
+    return S(1.75) * point_error() + 3 * kUnitRoundoff<S> * extent() + choice_error();
   }
-  [[nodiscard]] bool rotated() const { return a_.rotated || b_.rotated; }
 
   [[nodiscard]] const detail::Side<S>& side_a() const { return a_; }
   [[nodiscard]] const detail::Side<S>& side_b() const { return b_; }

@@ -3,9 +3,10 @@
 //
 // Beside the vertices as given, by index, a hull keeps them by axis for its support scan, prepared:
 //   scan_i = (vertex_i - center) 2^-exponent,
-// with center_i = 0 unless the vertices' offset along axis i exceeds their extent; then every difference is
-// exact (Sterbenz 1974: b/2 <= a <= 2b makes a - b exact), so a large common offset costs no accuracy. The
-// power of two brings the largest coordinate near 1, so no product in a scan overflows or vanishes.
+// with center_i = 0 unless the vertices' offset along axis i exceeds their extent (|middle| > 2.5 half); then
+// every difference is exact (Sterbenz 1974: b/2 <= a <= 2b makes a - b exact), so a large common offset costs
+// no accuracy. The power of two brings the largest coordinate near 1, so no product in a scan overflows or
+// vanishes.
 #pragma once
 
 #include <cmath>
@@ -81,7 +82,7 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   for (int i = 0; i < 3; ++i) {
     // Halved before adding: the sum of two finite numbers may overflow.
     const S middle_i = low[i] / 2 + high[i] / 2, half_i = high[i] / 2 - low[i] / 2;
-    if (std::abs(middle_i) > 3 * half_i) center[i] = middle_i;
+    if (std::abs(middle_i) > S(2.5) * half_i) center[i] = middle_i;
   }
   S reach = 0;
   for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());

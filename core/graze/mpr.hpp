@@ -68,13 +68,19 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   // The portal is at the surface as far as rounding can tell, but its plane lies almost along the line: where
   // exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than the
   // gap.
-  if (in.state == State::entered && limits.target <= limits.noise && in.upper - in.lower > limits.noise) {
+  const bool along =
+      in.state == State::entered && limits.target <= limits.noise && in.upper - in.lower > limits.noise;
+  if (along) {
     out.lower = out.upper;
     out.n = in.facing;
+    if (in.upper > z_max + limits.noise) {
+      out.outcome = Outcome::miss;
+      return out;
+    }
   }
   out.contact = contact_of(in);
   if (in.state == State::exhausted) return out;
-  if (in.lower > 0 && in.upper > limits.noise) {
+  if ((in.lower > 0 || along) && in.upper > limits.noise) {
     out.outcome = Outcome::hit;
     return out;
   }

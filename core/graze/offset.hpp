@@ -84,6 +84,40 @@ inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
   return r / (ww + xx + yy + zz);
 }
 
+// R(q), each entry within 0.6 u: numerators, |q|^2 and the quotient as sums of two doubles, rounded once at
+// the end.
+inline Mat3<double> accurate_rotation_matrix(const Quaternion<double>& q) {
+  const TwoDoubles ww = two_product(q.w, q.w), xx = two_product(q.x, q.x), yy = two_product(q.y, q.y),
+                   zz = two_product(q.z, q.z), norm = (ww + xx) + (yy + zz);
+  const auto entry = [&](TwoDoubles numerator) {
+    const TwoDoubles e = numerator / norm;
+    return e.hi + e.lo;
+  };
+  const auto twice = [](double a, double b, double c, double d) {
+    const TwoDoubles sum = two_product(a, b) + two_product(c, d);
+    return TwoDoubles{2 * sum.hi, 2 * sum.lo};
+  };
+  Mat3<double> r;
+  r << entry((ww + xx) + -(yy + zz)), entry(twice(q.x, q.y, -q.w, q.z)), entry(twice(q.x, q.z, q.w, q.y)),
+      entry(twice(q.x, q.y, q.w, q.z)), entry((ww + yy) + -(xx + zz)), entry(twice(q.y, q.z, -q.w, q.x)),
+      entry(twice(q.x, q.z, -q.w, q.y)), entry(twice(q.y, q.z, q.w, q.x)), entry((ww + zz) + -(xx + yy));
+  return r;
+}
+
+// True for the 24 rotations that permute the axes with signs: one, two or four components, all of one
+// magnitude. Their matrix is exact.
+inline bool permutes_axes(const Quaternion<double>& q) {
+  double magnitude = 0;
+  int count = 0;
+  for (const double c : {q.w, q.x, q.y, q.z}) {
+    if (c == 0) continue;
+    if (count > 0 && std::abs(c) != magnitude) return false;
+    magnitude = std::abs(c);
+    ++count;
+  }
+  return count == 1 || count == 2 || count == 4;
+}
+
 inline Vec3<double> accurate_offset(const Vec3<double>& p_a, const Quaternion<double>& q_a,
                                     const Vec3<double>& c_a, const Vec3<double>& p_b,
                                     const Quaternion<double>& q_b, const Vec3<double>& c_b) {

@@ -15,6 +15,8 @@
 // decision is close: a wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
 #pragma once
 
+#include <algorithm>
+
 #include <graze/frame.hpp>
 #include <graze/result.hpp>
 
@@ -120,16 +122,17 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
     for (std::size_t i = 0; i < 3; ++i) l[i] = cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q);
     const S area = l[0] + l[1] + l[2];
     if (!(area > 0)) return {1, 0, 0};
-    // Twice: the second round takes back the combination's distance from the line, which rounding of small
-    // areas left.
-    Vec3<S> rho = Vec3<S>::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-      l[i] /= area;
-      rho += l[i] * p[i].q;
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3<S> e = p[(i + 2) % 3].q - p[(i + 1) % 3].q;
-      l[i] = std::max(l[i] - cross2(e, rho) / area, S(0));
+    for (S& weight : l) weight /= area;
+    // On a sliver these are the rounding of small areas. Twice: take back the combination's distance from the
+    // line, and what the sum lacks of 1, from the largest.
+    const std::size_t largest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
+    for (int round = 0; round < 2; ++round) {
+      const Vec3<S> rho = l[0] * p[0].q + l[1] * p[1].q + l[2] * p[2].q;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3<S> e = p[(i + 2) % 3].q - p[(i + 1) % 3].q;
+        l[i] = std::max(l[i] - cross2(e, rho) / area, S(0));
+      }
+      l[largest] = std::max(1 - l[(largest + 1) % 3] - l[(largest + 2) % 3], S(0));
     }
   }
   return l;

@@ -20,40 +20,95 @@ namespace detail {
 // holds exactly: e is a unit vector within 4 u, and the product rounds once more.
 inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
 
+template <Scalar S>
+double radius_of(const Body<S>& body) {
+  return std::visit([](const auto& shape) { return bounds(shape).radius; }, body.shape);
+}
+
+template <Scalar S>
 struct ProofContext {
+  const Body<S>&a, &b;
   const Cso<double>& cso;
   Vec3<double> r;
-  double s_max;  // of the path; infinite for a ray
-  // |fl(n.r) - n.r| <= 5 u sum |n_i r_i|: r's own rounding, three products, two sums.
-  [[nodiscard]] double delta_r(const Vec3<double>& n) const {
-    return 6 * kUnitRoundoff<double> * n.cwiseProduct(r).cwiseAbs().sum();
+  double s_max, t_max;  // of the path; infinite for a ray
+  double radius;        // r_A + r_B + m, world length
+
+  // n.x for the vertex of a body in the world, as a sum of two doubles: within 2^-95 of |n| times the lengths
+  // in it.
+  [[nodiscard]] static TwoDoubles along(const Vec3<double>& n, const Body<S>& body, std::uint32_t vertex) {
+    const Vec3<double> x = exact::given_vertex(body, vertex);
+    const Quaternion<S>& q = body.orientation;
+    TwoDoubles3 turned = {TwoDoubles{x[0], 0}, TwoDoubles{x[1], 0}, TwoDoubles{x[2], 0}};
+    if (!q.is_identity()) turned = rotate_accurately({double(q.w), double(q.x), double(q.y), double(q.z)}, x);
+    TwoDoubles sum;
+    for (int i = 0; i < 3; ++i) {
+      const TwoDoubles at = turned[static_cast<std::size_t>(i)] + TwoDoubles{double(body.position[i]), 0};
+      sum = sum + at * TwoDoubles{n[i], 0};
+    }
+    return sum;
   }
-  // An upper bound of h(n) + R |n|.
+  // n.v, between two doubles; both 0 where every product is.
+  struct Rate {
+    double low, high;
+  };
+  [[nodiscard]] Rate rate(const Vec3<double>& n) const {
+    TwoDoubles sum;
+    double size = 0;
+    for (int i = 0; i < 3; ++i) {
+      const TwoDoubles term =
+          two_sum(double(b.displacement[i]), -double(a.displacement[i])) * TwoDoubles{n[i], 0};
+      sum = sum + term;
+      size += std::abs(term.hi);
+    }
+    // The sums err by 2^-98 of what they add up; a rounding of the result is 2^-53 of it.
+    const double n_v = sum.hi + sum.lo, doubt = 0x1p-90 * size + 2 * kUnitRoundoff<double> * std::abs(n_v);
+    return {n_v - doubt, n_v + doubt};
+  }
+  // An upper bound of h(n) + R |n|, world length: the vertices that the scan chose, evaluated to the last
+  // bit, and what better ones it may have passed over (cso.hpp: n turned, products compared, at both
+  // vertices).
   [[nodiscard]] double reach(const Vec3<double>& n, Counters& counters) const {
+    constexpr double u = kUnitRoundoff<double>;
     ++counters.supports;
-    const double size = n.norm();
-    const double h = n.dot(cso.support(n).w) + cso.radius() * size;
-    // R is a sum of three rounded terms, |n| is within 3 u, their product and the last sum round once each.
-    return h + size * (cso.reach_error() + 8 * kUnitRoundoff<double> * (cso.radius() + cso.extent())) *
-                   (1 + 8 * kUnitRoundoff<double>);
+    const CsoPoint<double> p = cso.support(n);
+    const TwoDoubles h = along(n, a, p.vertex_a) + -along(n, b, p.vertex_b);
+    const double passed_over = cso.choice_error() + 4 * u * cso.radius() + 0x1p-90 * lengths();
+    const double rounded = n.norm() * (1 + 4 * u);
+    return h.hi + (std::abs(h.lo) + rounded * (cso.to_length(passed_over) + radius)) * (1 + 8 * u) +
+           2 * u * std::abs(h.hi);
+  }
+
+ private:
+  // What was cancelled before it became small, internal units.
+  [[nodiscard]] double lengths() const {
+    return std::ldexp(double(a.position.cwiseAbs().maxCoeff()) + double(b.position.cwiseAbs().maxCoeff()) +
+                          center_size(a) + center_size(b),
+                      -cso.length_exponent()) +
+           cso.extent();
+  }
+  [[nodiscard]] static double center_size(const Body<S>& body) {
+    return std::visit([](const auto& shape) { return bounds(shape).center.cwiseAbs().maxCoeff(); },
+                      body.shape);
   }
 };
 
 // The lower half, from n as it stands. Returns false if n proves nothing.
-inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss, Proof& proof,
-                        Counters& counters) {
+template <Scalar S>
+bool prove_lower(const ProofContext<S>& c, const Vec3<double>& n, bool miss, Proof& proof,
+                 Counters& counters) {
+  constexpr double u = kUnitRoundoff<double>;
   if (!(n.cwiseAbs().maxCoeff() > 0)) return false;
   const double h = c.reach(n, counters);
   if (!(h < 0)) return false;
-  const double rate = n.dot(c.r) - c.delta_r(n);  // at most n.r
+  const auto rate = c.rate(n);
   if (miss) {
-    // h < min(0, s_max n.r)
-    if (!(rate >= 0) && !(h < c.s_max * (1 + 4 * kUnitRoundoff<double>)*rate)) return false;
+    // h < min(0, T n.v)
+    if (!(rate.low >= 0) && !(h < c.t_max * rate.low * (1 + 4 * u))) return false;
     proof.toi_lower = kInfinity<double>;
   } else {
-    if (!(n.dot(c.r) + c.delta_r(n) < 0)) return false;
-    const double t = c.cso.to_time(h / rate * (1 - 8 * kUnitRoundoff<double>));
-    if (!(t > proof.toi_lower)) return false;
+    if (!(rate.high < 0)) return false;
+    const double t = h / rate.low * (1 - 4 * u);
+    if (!(t > proof.toi_lower && t < kInfinity<double>)) return false;
     proof.toi_lower = t;
   }
   proof.has_axis = true;
@@ -63,20 +118,26 @@ inline bool prove_lower(const ProofContext& c, const Vec3<double>& n, bool miss,
 
 // n turned until n.r >= 0: for a path without end only such an axis proves a miss. What it costs is h(r)
 // times the turn, which is nothing where C is left behind.
-inline Vec3<double> level(const ProofContext& c, const Vec3<double>& n) {
-  const double excess = -(n.dot(c.r) - 2 * c.delta_r(n)), length_sq = c.r.squaredNorm();
+template <Scalar S>
+Vec3<double> level(const ProofContext<S>& c, const Vec3<double>& n) {
+  // |fl(n.r) - n.r| <= 6 u sum |n_i r_i|: r's own rounding, three products, two sums; twice, for what the
+  // turn rounds.
+  const double doubt = 12 * kUnitRoundoff<double> * n.cwiseProduct(c.r).cwiseAbs().sum();
+  const double excess = -(n.dot(c.r) - doubt), length_sq = c.r.squaredNorm();
   return excess > 0 && length_sq > 0 ? Vec3<double>(n + c.r * (excess / length_sq * (1 + 1e-15))) : n;
 }
 
 // An axis for a miss, by the distance of C from the whole path: GJK on C swept along -r.
-inline void prove_miss(const ProofContext& c, const Vec3<double>& hint, Proof& proof, Counters& counters) {
+template <Scalar S>
+void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof, Counters& counters) {
   const bool ray = !(c.s_max < kInfinity<double>);
   if (prove_lower(c, hint, true, proof, counters)) return;
   if (ray && prove_lower(c, level(c, hint), true, proof, counters)) return;
   double s_end = c.s_max;
   if (const double length_sq = c.r.squaredNorm(); length_sq > 0) {
     // No contact is later: s r.r <= h(r) + R |r|.
-    s_end = std::min(s_end, std::max(c.reach(c.r, counters), 0.0) / length_sq);
+    s_end = std::min(s_end, std::max(c.cso.support(c.r).w.dot(c.r) + c.cso.radius() * c.r.norm(), 0.0) /
+                                length_sq * (1 + 1e-12));
   }
   const auto swept = [&](const Vec3<double>& n) {
     CsoPoint<double> p = c.cso.support(n);
@@ -92,11 +153,6 @@ inline void prove_miss(const ProofContext& c, const Vec3<double>& hint, Proof& p
                                           c.cso.radius(), 256, counters);
   if (prove_lower(c, d.n, true, proof, counters)) return;
   prove_lower(c, level(c, d.n), true, proof, counters);
-}
-
-template <Scalar S>
-double radius_of(const Body<S>& body) {
-  return std::visit([](const auto& shape) { return bounds(shape).radius; }, body.shape);
 }
 
 inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double radius_b) {
@@ -117,11 +173,11 @@ inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double ra
 // corner i by d moves it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however
 // thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
 // of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
-inline double filtered_upper(const ProofContext& c, const Portal<double>& portal, double length,
+inline double filtered_upper(const Cso<double>& cso, const Portal<double>& portal, double length,
                              double z_max) {
   constexpr double u = kUnitRoundoff<double>;
-  const double extent = c.cso.extent() + c.cso.radius();
-  const double e = c.cso.point_error() + 8 * u * extent + 8 * u * c.cso.radius();
+  const double extent = cso.extent() + cso.radius();
+  const double e = cso.point_error() + 8 * u * extent + 8 * u * cso.radius();
   double area = 0, side = 0;
   std::array<double, 3> l;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -145,14 +201,13 @@ inline double filtered_upper(const ProofContext& c, const Portal<double>& portal
   z -= gx * rho_x + gy * rho_y;
   const double z_error = (1.25 * e + 4 * u * extent) * (1 + std::abs(gx) + std::abs(gy));
   if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * u))) return kInfinity<double>;
-  return c.cso.to_time((z + z_error) / length * (1 + 8 * u));
+  return cso.to_time((z + z_error) / length * (1 + 8 * u));
 }
 
 // The upper half, and what the search for it tells of the lower: a portal of three points, every sign of it
 // beyond its rounding, or, where there is a tie, exact.
 template <Scalar S>
-void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, double t_max, Proof& proof,
-                 Counters& counters) {
+void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   if (!(c.s_max > 0)) return;
   const Frame<double> frame(c.r);
   const double z_max = c.s_max * frame.length;
@@ -162,12 +217,12 @@ void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, doub
   prove_lower(c, search.n, false, proof, counters);
   prove_lower(c, search.facing, false, proof, counters);
   if (search.portal.size != 3) return;
-  double t = filtered_upper(c, search.portal, frame.length, z_max);
-  const double radius_a = radius_of(a), radius_b = radius_of(b);
+  double t = filtered_upper(c.cso, search.portal, frame.length, z_max);
+  const double radius_a = radius_of(c.a), radius_b = radius_of(c.b);
   for (std::size_t i = 0; i < 3; ++i) proof.portal[i] = pair_of(search.portal.p[i].c, radius_a, radius_b);
   if (!(t < kInfinity<double>)&&!(c.cso.radius() > 0)) {
     const exact::Pierced pierced =
-        exact::pierce(a, b, proof.portal, t_max, c.cso.length_exponent(), c.cso.speed_exponent());
+        exact::pierce(c.a, c.b, proof.portal, c.t_max, c.cso.length_exponent(), c.cso.speed_exponent());
     if (pierced.pierced) t = pierced.t_upper;
   }
   if (!(t < kInfinity<double>)) return;
@@ -176,8 +231,8 @@ void prove_upper(const ProofContext& c, const Body<S>& a, const Body<S>& b, doub
 }
 
 // Contact at t = 0: four points around the origin, every volume beyond its rounding.
-inline void prove_start(const ProofContext& c, double radius_a, double radius_b, Proof& proof,
-                        Counters& counters) {
+template <Scalar S>
+void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   Simplex<double> simplex;
   const auto rounded = [&](const Vec3<double>& n) { return c.cso.rounded_support(unit(n)); };
   const Vec3<double> start = -c.cso.middle();
@@ -198,27 +253,34 @@ inline void prove_start(const ProofContext& c, double radius_a, double radius_b,
   }
   proof.toi_upper = 0;
   proof.portal_size = 4;
-  for (std::size_t i = 0; i < 4; ++i) proof.portal[i] = pair_of(simplex.point[i], radius_a, radius_b);
+  for (std::size_t i = 0; i < 4; ++i) {
+    proof.portal[i] = pair_of(simplex.point[i], radius_of(c.a), radius_of(c.b));
+  }
 }
 
 }  // namespace detail
 
-// n: the axis that the method found (world axes, from A to B), or zero.
+// n: the axis that the method found (world axes, from A to B), or zero. toi_upper: its answer; an axis that
+// proves more is not used to: a hit that is a miss by less than the rounding stays one answer.
 template <Scalar S>
-Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome,
+Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, S toi_upper,
             const Vec3<S>& n, Counters& counters) {
-  const Cso<double> cso(a, b, options.target_distance);
-  const detail::ProofContext context{
-      cso, cso.direction(), cso.moves() ? cso.to_parameter(static_cast<double>(options.t_max)) : 0.0};
+  const Cso<double> cso(a, b, options.target_distance, detail::Turning::accurate);
+  const double radius =
+      detail::radius_of(a) + detail::radius_of(b) + static_cast<double>(options.target_distance);
+  const double t_max = static_cast<double>(options.t_max);
+  const detail::ProofContext<S> context{
+      a, b, cso, cso.direction(), cso.moves() ? cso.to_parameter(t_max) : 0.0, t_max, radius};
   const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {
     detail::prove_miss(context, axis, proof, counters);
   } else if (outcome == Outcome::initially_overlapping) {
-    detail::prove_start(context, detail::radius_of(a), detail::radius_of(b), proof, counters);
+    detail::prove_start(context, proof, counters);
   } else if (outcome == Outcome::hit || outcome == Outcome::not_converged) {
     detail::prove_lower(context, axis, false, proof, counters);
-    detail::prove_upper(context, a, b, static_cast<double>(options.t_max), proof, counters);
+    detail::prove_upper(context, proof, counters);
+    proof.toi_lower = std::min({proof.toi_lower, static_cast<double>(toi_upper), t_max});
   }
   return proof;
 }

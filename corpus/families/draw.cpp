@@ -133,8 +133,8 @@ double Draw::positive_on_grid(double reach) {
 }
 
 Shape<double> Draw::hull(double reach, int vertices) {
-  std::vector<Vec3<double>> list;
-  for (int k = 0; k < vertices; ++k) list.push_back(vector(reach));
+  std::vector<Vec3<double>> list(static_cast<std::size_t>(vertices));
+  for (Vec3<double>& v : list) v = vector(reach);
   return Hull<double>(std::span<const Vec3<double>>(list));
 }
 
