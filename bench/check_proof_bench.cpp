@@ -1,17 +1,18 @@
 // What a full proof costs to check: an axis with its tightest lower bound, a three-point portal with its
-// tightest upper one. Two hulls of 8 to 16 vertices, identity and rotated poses, 256 random cases each.
+// tightest upper one. Two hulls of 8 to 16 vertices, and every other kind against such a hull; identity and
+// rotated poses, 256 random cases each.
 //
 // The tight bounds are made with the checker itself, by bisection over the doubles: what a checker accepts
-// last is the tightest bound. Its truth is the business of tests/oracles/check_proof_test.cpp.
+// last is the tightest bound. Its truth is the business of tests/oracles/check_proof_test.cpp
+// and check_shapes_test.cpp.
 #include "oracles/check_proof.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Geometry>
 #include <bit>
 #include <chrono>
 
-#include "tests/oracles/proof_cases.hpp"
+#include "tests/oracles/shape_cases.hpp"
 
 namespace graze::test {
 namespace {
@@ -36,33 +37,29 @@ struct Job {
   Proof proof;
 };
 
-std::vector<Job> jobs(Pose pose, int fewest, int most) {
+template <class DrawA, class DrawB>
+std::vector<Job> jobs(Pose pose, const DrawA& draw_a, const DrawB& draw_b) {
   std::vector<Job> made;
   Draw draw(7);
   while (made.size() < 256) {
     Job job;
     corpus::Case& c = job.problem;
-    const Hull<double> a = draw.hull(Numbers::doubles, fewest, most),
-                       b = draw.hull(Numbers::doubles, fewest, most);
-    c = approaching(draw, Numbers::doubles, pose, a, b);
+    Shape<double> a = draw_a(draw), b = draw_b(draw);
+    c = approaching(draw, Numbers::doubles, pose, std::move(a), std::move(b));
     c.t_max = kInfinity<double>;
     Proof& proof = job.proof;
     proof.has_axis = true;
     proof.axis = c.b.position - c.a.position;
     proof.toi_lower = 0x1p-60;
     proof.portal_size = 3;
+    const auto of_a = named_vertices(c.a.shape), of_b = named_vertices(c.b.shape);
     Vec3<double> middle = Vec3<double>::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      Feature* features[2] = {&proof.portal[k].a, &proof.portal[k].b};
-      const Body<double>* bodies[2] = {&c.a, &c.b};
-      for (std::size_t side = 0; side < 2; ++side) {
-        const auto& hull = std::get<Hull<double>>(bodies[side]->shape);
-        features[side]->vertex = static_cast<std::uint32_t>(draw.random.below(hull.size()));
-        const Quaternion<double>& q = bodies[side]->orientation;
-        const Vec3<double> at = bodies[side]->position + Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized() *
-                                                             hull.vertex(features[side]->vertex);
-        middle += (side == 0 ? at : Vec3<double>(-at)) / 3;
-      }
+      SupportPair& s = proof.portal[k];
+      s.a = draw_feature(draw, of_a);
+      s.b = draw_feature(draw, of_b);
+      const RationalVec p = world_point(c.a, of_a, s.a) - world_point(c.b, of_b, s.b);
+      middle += Vec3<double>(p[0].get_d(), p[1].get_d(), p[2].get_d()) / 3;
     }
     c.b.displacement = c.a.displacement + middle;
     proof.toi_upper = 1e6;
@@ -82,9 +79,7 @@ std::vector<Job> jobs(Pose pose, int fewest, int most) {
   return made;
 }
 
-void check_full_proof(benchmark::State& state) {
-  const auto pose = static_cast<Pose>(state.range(0));
-  const auto made = jobs(pose, static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
+void measure(benchmark::State& state, const std::vector<Job>& made) {
   CheckCost cost;
   std::vector<double> each;
   for (auto _ : state) {
@@ -98,11 +93,19 @@ void check_full_proof(benchmark::State& state) {
   const auto middle = each.begin() + static_cast<std::ptrdiff_t>(each.size() / 2);
   std::nth_element(each.begin(), middle, each.end());
   state.counters["median_ns"] = *middle;
-  const double all =
-      static_cast<double>(cost.double_decisions + cost.extended_decisions + cost.exact_decisions);
+  const double all = static_cast<double>(cost.double_decisions + cost.extended_decisions +
+                                         cost.ball_decisions + cost.exact_decisions);
   state.counters["double"] = static_cast<double>(cost.double_decisions) / all;
   state.counters["extended"] = static_cast<double>(cost.extended_decisions) / all;
+  state.counters["balls"] = static_cast<double>(cost.ball_decisions) / all;
   state.counters["exact"] = static_cast<double>(cost.exact_decisions) / all;
+}
+
+void check_full_proof(benchmark::State& state) {
+  const auto hull = [&](Draw& draw) -> Shape<double> {
+    return draw.hull(Numbers::doubles, static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
+  };
+  measure(state, jobs(static_cast<Pose>(state.range(0)), hull, hull));
 }
 BENCHMARK(check_full_proof)
     ->ArgNames({"pose", "fewest", "most"})
@@ -110,6 +113,21 @@ BENCHMARK(check_full_proof)
     ->Args({static_cast<int>(Pose::rotated), 8, 16})
     ->Args({static_cast<int>(Pose::identity), 64, 64})
     ->Args({static_cast<int>(Pose::rotated), 64, 64});
+
+// A of the named kind, as the tests draw it, B a hull of 8 to 16 vertices.
+void check_kind(benchmark::State& state) {
+  const auto kind = static_cast<Kind>(state.range(1));
+  const auto pose = static_cast<Pose>(state.range(0));
+  state.SetLabel(kKindNames[state.range(1)]);
+  measure(state, jobs(
+                     pose, [&](Draw& draw) { return draw_kind(draw, kind, Numbers::doubles, pose); },
+                     [](Draw& draw) -> Shape<double> { return draw.hull(Numbers::doubles, 8, 16); }));
+}
+BENCHMARK(check_kind)
+    ->ArgNames({"pose", "kind"})
+    ->ArgsProduct({{static_cast<int>(Pose::identity), static_cast<int>(Pose::rotated)},
+                   benchmark::CreateDenseRange(static_cast<int>(Kind::segment),
+                                               static_cast<int>(Kind::nested), 1)});
 
 }  // namespace
 }  // namespace graze::test

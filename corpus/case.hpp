@@ -9,8 +9,8 @@
 
 namespace graze::corpus {
 
-enum class StartPolicy { report, pass_over };
-enum class Query { cast, line, overlap, distance, penetration, penetration_along };
+using StartPolicy = graze::StartPolicy;
+enum class Query { cast, line, overlap, distance, penetration, penetration_along, swept_overlap };
 
 // The rotating part of a body's motion; zero for every linear case.
 struct Spin {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <span>
 
 #include "corpus/case_json.hpp"
 #include "corpus/names.hpp"
@@ -91,25 +92,65 @@ bool same(const Quaternion<double>& l, const Quaternion<double>& r) {
   return same(l.w, r.w) && same(l.x, r.x) && same(l.y, r.y) && same(l.z, r.z);
 }
 
+bool same(const Shape<double>& l, const Shape<double>& r);
+bool same(const SharedShape<double>& l, const SharedShape<double>& r) {
+  return l && r ? same(l->shape, r->shape) : l == r;
+}
+
+template <class T>
+bool same(std::span<const T> l, std::span<const T> r) {
+  return std::equal(l.begin(), l.end(), r.begin(), r.end(),
+                    [](const T& one, const T& other) { return same(one, other); });
+}
+bool same(const std::vector<SharedShape<double>>& l, const std::vector<SharedShape<double>>& r) {
+  return same(std::span(l), std::span(r));
+}
+
 struct SameShape {
   bool operator()(const Point<double>&, const Point<double>&) const { return true; }
+  bool operator()(const Segment<double>& l, const Segment<double>& r) const {
+    return same(l.a, r.a) && same(l.b, r.b);
+  }
+  bool operator()(const Triangle<double>& l, const Triangle<double>& r) const {
+    return same(l.a, r.a) && same(l.b, r.b) && same(l.c, r.c);
+  }
   bool operator()(const Sphere<double>& l, const Sphere<double>& r) const { return same(l.radius, r.radius); }
   bool operator()(const Box<double>& l, const Box<double>& r) const {
     return same(l.half_extents, r.half_extents);
   }
-  bool operator()(const Hull<double>& l, const Hull<double>& r) const {
-    return std::equal(l.vertices().begin(), l.vertices().end(), r.vertices().begin(), r.vertices().end(),
-                      [](const Vec3<double>& p, const Vec3<double>& q) { return same(p, q); });
+  bool operator()(const Ellipsoid<double>& l, const Ellipsoid<double>& r) const {
+    return same(l.radii, r.radii);
   }
+  bool operator()(const Hull<double>& l, const Hull<double>& r) const {
+    return same(l.vertices(), r.vertices());
+  }
+  bool operator()(const Posed<double>& l, const Posed<double>& r) const {
+    return same(l.shape, r.shape) && same(l.position, r.position) && same(l.orientation, r.orientation);
+  }
+  bool operator()(const Rounded<double>& l, const Rounded<double>& r) const {
+    return same(l.shape, r.shape) && same(l.radius, r.radius);
+  }
+  // Capsule, cylinder, cone.
+  template <class Round>
+  requires requires(Round s) { s.half_height; }
+  bool operator()(const Round& l, const Round& r) const {
+    return same(l.radius, r.radius) && same(l.half_height, r.half_height);
+  }
+  // Sum, hull of several.
+  template <class Combinator>
+  requires requires(Combinator s) { s.shapes; }
+  bool operator()(const Combinator& l, const Combinator& r) const { return same(l.shapes, r.shapes); }
   template <class L, class R>
   bool operator()(const L&, const R&) const {
     return false;
   }
 };
 
+bool same(const Shape<double>& l, const Shape<double>& r) { return std::visit(SameShape{}, l, r); }
+
 bool same(const Body<double>& l, const Body<double>& r) {
-  return std::visit(SameShape{}, l.shape, r.shape) && same(l.position, r.position) &&
-         same(l.orientation, r.orientation) && same(l.displacement, r.displacement);
+  return same(l.shape, r.shape) && same(l.position, r.position) && same(l.orientation, r.orientation) &&
+         same(l.displacement, r.displacement);
 }
 bool same(const Spin& l, const Spin& r) { return same(l.rotation, r.rotation) && same(l.pivot, r.pivot); }
 bool same(const Expect& l, const Expect& r) {

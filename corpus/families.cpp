@@ -15,6 +15,8 @@ constexpr double kGrazingLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 
 constexpr double kRatioLevels[] = {0, 1, 2, 3, 4, 5, 6};
 constexpr double kFarLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr double kTouchingLevels[] = {-1024, -64, -8, -4, -2, -1, 0};
+constexpr double kCurvedLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+constexpr double kCombinatorsLevels[] = {1, 2, 3, 4, 5};
 
 constexpr Family kFamilies[] = {
     {"random", "Two random bodies, one aimed near the other.", "the number of vertices of a hull",
@@ -32,6 +34,10 @@ constexpr Family kFamilies[] = {
     {"touching", "Bodies that start in touch, or within a few units in the last place of it.",
      "-n: the gap is n units in the last place of 1 (2^-23 or 2^-52), either sign; 0 touches",
      kTouchingLevels, fill_touching},
+    {"curved", "Round shapes and thin ones.",
+     "k: the thin extents are 10^-k of the others, for shapes of size 4", kCurvedLevels, fill_curved},
+    {"combinators", "Sums, sweeps, hulls of two, roundings and poses, nested.",
+     "how deep the combinators are nested", kCombinatorsLevels, fill_combinators},
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Malformed {
   std::string what;
 };
 
-// The deepest nesting that is read. A case needs 5 levels, and 2 more for every nested combinator.
+// The deepest nesting that is read. A case needs 5 levels, and at most 2 more for every nested combinator.
 inline constexpr int kMaxJsonDepth = 64;
 // The most fields that one object may have; the largest object of the schemas has fewer than 24.
 inline constexpr std::size_t kMaxJsonFields = 64;

@@ -12,8 +12,8 @@ namespace graze::corpus {
 inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"initially_overlapping", "hit", "miss",
                                                                   "not_converged", "invalid_input"};
 inline constexpr std::array<std::string_view, 2> kStartPolicyNames = {"report", "pass_over"};
-inline constexpr std::array<std::string_view, 6> kQueryNames = {
-    "cast", "line", "overlap", "distance", "penetration", "penetration_along"};
+inline constexpr std::array<std::string_view, 7> kQueryNames = {
+    "cast", "line", "overlap", "distance", "penetration", "penetration_along", "swept_overlap"};
 
 [[nodiscard]] constexpr std::string_view name_of(Outcome outcome) {
   return kOutcomeNames[static_cast<std::size_t>(outcome)];

@@ -8,15 +8,28 @@ namespace graze::corpus {
 namespace {
 
 constexpr std::string_view kSchema = "graze.proof/1";
+constexpr std::string_view kCurvedForm =
+    "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
+static_assert(kCurvedParts == 2);
 constexpr std::string_view kPortalForm = "a portal is an array of at most four pairs {\"a\", \"b\"}";
 
 Feature read_feature(const JsonValue& value, const std::string& path) {
-  const Fields fields(value, path, {"vertex", "offset"});
+  const Fields fields(value, path, {"vertex", "offset", "curved"});
   Feature feature;
   feature.vertex = read_index(fields.required("vertex", "the index of a vertex, 0 for a point or a sphere"),
                               fields.path("vertex"));
   if (const JsonValue* offset = fields.optional("offset")) {
     feature.offset = read_vec3(*offset, fields.path("offset"), "an offset is an array of three numbers");
+  }
+  if (const JsonValue* curved = fields.optional("curved")) {
+    const std::string where = fields.path("curved");
+    const std::vector<JsonValue>& points = read_array(*curved, where, kCurvedForm);
+    if (points.size() > feature.curved.size()) {
+      throw Malformed{where, describe(*curved) + "; " + std::string(kCurvedForm)};
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      feature.curved[i] = read_vec3(points[i], item_path(where, i), "a point is an array of three numbers");
+    }
   }
   return feature;
 }
@@ -69,6 +82,13 @@ ProofRecord read_record(const JsonValue& value) {
 std::string write_feature(const Feature& feature) {
   std::string text = "{\"vertex\": " + std::to_string(feature.vertex);
   if (is_set(feature.offset)) text += ", \"offset\": " + write_vec3(feature.offset);
+  // Points up to the last that is not zero.
+  std::size_t points = kCurvedParts;
+  while (points > 0 && !is_set(feature.curved[points - 1])) --points;
+  for (std::size_t i = 0; i < points; ++i) {
+    text += (i == 0 ? ", \"curved\": [" : ", ") + write_vec3(feature.curved[i]);
+  }
+  if (points > 0) text += "]";
   return text + "}";
 }
 

@@ -10,6 +10,10 @@ struct MovingBody {
   Spin spin;
 };
 
+// The most combinators (posed, rounded, sum, hull_of) on the way from a shape to a leaf that are read; with
+// the body's own and the JSON arrays around them it stays below kMaxJsonDepth.
+inline constexpr int kMaxShapeDepth = 16;
+
 // Throw Malformed.
 [[nodiscard]] Shape<double> read_shape(const JsonValue& value, const std::string& path);
 [[nodiscard]] MovingBody read_body(const JsonValue& value, const std::string& path);

@@ -19,6 +19,7 @@ CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Method m
   options.t_max = static_cast<S>(problem.t_max);
   options.target_distance = static_cast<S>(problem.target_distance);
   options.tolerance = static_cast<S>(ask.tolerance);
+  options.start_policy = problem.start_policy;
   if (ask.max_iterations > 0) options.max_iterations = ask.max_iterations;
   return options;
 }
@@ -32,6 +33,8 @@ Answer widened(const CastResult<S>& result) {
           .normal = result.normal.template cast<double>(),
           .point_a = result.point_a.template cast<double>(),
           .point_b = result.point_b.template cast<double>(),
+          .distance = result.distance,
+          .passed_over = result.passed_over,
           .proof = result.proof,
           .counters = result.counters};
 }
@@ -109,7 +112,6 @@ std::string unsupported(const corpus::Case& problem) {
     if (spin->rotation != Vec3<double>::Zero()) return "a rotating motion";
   }
   if (problem.query != corpus::Query::cast) return "a query other than cast";
-  if (problem.start_policy != corpus::StartPolicy::report) return "the start policy pass_over";
   return {};
 }
 

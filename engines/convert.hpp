@@ -16,29 +16,74 @@ template <Scalar To, Scalar From>
 }
 
 template <Scalar To, Scalar From>
+[[nodiscard]] Quaternion<To> round_to(const Quaternion<From>& q) {
+  return {static_cast<To>(q.w), static_cast<To>(q.x), static_cast<To>(q.y), static_cast<To>(q.z)};
+}
+
+template <Scalar To, Scalar From>
+[[nodiscard]] Shape<To> round_to(const Shape<From>& shape);
+
+// A missing part stays one: it is the method that refuses it.
+template <Scalar To, Scalar From>
+[[nodiscard]] SharedShape<To> round_to(const SharedShape<From>& part) {
+  return part ? share<To>(round_to<To>(part->shape)) : nullptr;
+}
+
+template <Scalar To, Scalar From>
+[[nodiscard]] std::vector<SharedShape<To>> round_to(const std::vector<SharedShape<From>>& parts) {
+  std::vector<SharedShape<To>> rounded;
+  rounded.reserve(parts.size());
+  for (const SharedShape<From>& part : parts) rounded.push_back(round_to<To>(part));
+  return rounded;
+}
+
+template <Scalar To, Scalar From>
 [[nodiscard]] Shape<To> round_to(const Shape<From>& shape) {
   struct Rounding {
+    static To number(From x) { return static_cast<To>(x); }
     Shape<To> operator()(const Point<From>&) const { return Point<To>{}; }
-    Shape<To> operator()(const Sphere<From>& s) const { return Sphere<To>{static_cast<To>(s.radius)}; }
+    Shape<To> operator()(const Segment<From>& s) const {
+      return Segment<To>{round_to<To>(s.a), round_to<To>(s.b)};
+    }
+    Shape<To> operator()(const Triangle<From>& t) const {
+      return Triangle<To>{round_to<To>(t.a), round_to<To>(t.b), round_to<To>(t.c)};
+    }
+    Shape<To> operator()(const Sphere<From>& s) const { return Sphere<To>{number(s.radius)}; }
+    Shape<To> operator()(const Capsule<From>& c) const {
+      return Capsule<To>{number(c.radius), number(c.half_height)};
+    }
     Shape<To> operator()(const Box<From>& b) const { return Box<To>{round_to<To>(b.half_extents)}; }
+    Shape<To> operator()(const Ellipsoid<From>& e) const { return Ellipsoid<To>{round_to<To>(e.radii)}; }
+    Shape<To> operator()(const Cylinder<From>& c) const {
+      return Cylinder<To>{number(c.radius), number(c.half_height)};
+    }
+    Shape<To> operator()(const Cone<From>& c) const {
+      return Cone<To>{number(c.radius), number(c.half_height)};
+    }
     Shape<To> operator()(const Hull<From>& h) const {
       std::vector<Vec3<To>> vertices;
       vertices.reserve(h.size());
       for (const Vec3<From>& v : h.vertices()) vertices.push_back(round_to<To>(v));
       return Hull<To>(std::span<const Vec3<To>>(vertices));
     }
+    Shape<To> operator()(const Posed<From>& p) const {
+      return Posed<To>{round_to<To>(p.shape), round_to<To>(p.position), round_to<To>(p.orientation)};
+    }
+    Shape<To> operator()(const Rounded<From>& r) const {
+      return Rounded<To>{round_to<To>(r.shape), number(r.radius)};
+    }
+    Shape<To> operator()(const Sum<From>& s) const { return Sum<To>{round_to<To>(s.shapes)}; }
+    Shape<To> operator()(const HullOf<From>& h) const { return HullOf<To>{round_to<To>(h.shapes)}; }
   };
   return std::visit(Rounding{}, shape);
 }
 
 template <Scalar To, Scalar From>
 [[nodiscard]] Body<To> round_to(const Body<From>& body) {
-  const Quaternion<From>& q = body.orientation;
-  return {
-      .shape = round_to<To>(body.shape),
-      .position = round_to<To>(body.position),
-      .orientation = {static_cast<To>(q.w), static_cast<To>(q.x), static_cast<To>(q.y), static_cast<To>(q.z)},
-      .displacement = round_to<To>(body.displacement)};
+  return {.shape = round_to<To>(body.shape),
+          .position = round_to<To>(body.position),
+          .orientation = round_to<To>(body.orientation),
+          .displacement = round_to<To>(body.displacement)};
 }
 
 // The case with every number of its question rounded to S and written as a double again. What is expected of
@@ -53,6 +98,7 @@ template <Scalar S>
     seen.b = round_to<double>(round_to<S>(problem.b));
     seen.t_max = static_cast<S>(problem.t_max);
     seen.target_distance = static_cast<S>(problem.target_distance);
+    seen.direction = round_to<double>(round_to<S>(problem.direction));
     seen.expect.reset();
     return seen;
   }

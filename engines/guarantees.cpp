@@ -1,6 +1,7 @@
 #include "engines/guarantees.hpp"
 
 #include <cmath>
+#include <graze/combinator.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -62,10 +63,10 @@ Guarantee parse_row(const Json& row, const std::string& where) {
 }  // namespace
 
 double Guarantee::kappa(const corpus::Case& problem) const {
-  const auto is_sphere = [](const Body<double>& body) {
-    return std::holds_alternative<Sphere<double>>(body.shape);
+  const auto is_rounded = [](const Body<double>& body) {
+    return detail::is_curved(body.shape) || detail::common_radius(body.shape) > 0;
   };
-  const bool rounded = is_sphere(problem.a) || is_sphere(problem.b) || problem.target_distance > 0;
+  const bool rounded = is_rounded(problem.a) || is_rounded(problem.b) || problem.target_distance > 0;
   return rounded ? kappa_rounded : kappa_polytope;
 }
 

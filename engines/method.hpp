@@ -15,6 +15,8 @@ struct Answer {
   Invalid invalid = Invalid::none;
   double toi_lower = 0, toi_upper = 0;
   Vec3<double> normal = Vec3<double>::Zero(), point_a = Vec3<double>::Zero(), point_b = Vec3<double>::Zero();
+  double distance = 0;       // of the bodies at toi_lower, at most, beyond the target distance
+  bool passed_over = false;  // a miss by the start policy
   std::optional<Proof> proof = {};
   Counters counters = {};
 };

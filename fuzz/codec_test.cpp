@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
 #include "properties/case_edit.hpp"
@@ -47,18 +49,21 @@ TEST(Codec, a_familys_case_comes_back_bit_for_bit) {
 
 TEST(Codec, decoding_is_total_and_stable) {
   corpus::Random random(2);
-  int hulls = 0, refused = 0;
-  for (int i = 0; i < 3000; ++i) {
+  int refused = 0;
+  std::map<std::size_t, int> kinds;
+  for (int i = 0; i < 6000; ++i) {
     std::vector<std::uint8_t> bytes(random.below(120));
     for (std::uint8_t& b : bytes) b = static_cast<std::uint8_t>(random.bits());
     const corpus::Case problem = decode(bytes);
     const auto again = encode(problem);
     ASSERT_TRUE(again);
     EXPECT_EQ(encode(decode(*again)), again);
-    hulls += std::holds_alternative<Hull<double>>(problem.a.shape);
+    ++kinds[problem.a.shape.index()];
     refused += law::must_be_refused(problem);
   }
-  EXPECT_GE(hulls, 300);
+  for (std::size_t kind = 0; kind < std::variant_size_v<Shape<double>>; ++kind) {
+    EXPECT_GE(kinds[kind], 200) << kind;
+  }
   EXPECT_GE(refused, 300);
 }
 
@@ -67,6 +72,24 @@ TEST(Codec, an_empty_input_is_two_points) {
   EXPECT_TRUE(std::holds_alternative<Point<double>>(problem.a.shape));
   EXPECT_TRUE(std::holds_alternative<Point<double>>(problem.b.shape));
   EXPECT_EQ(problem.t_max, 1);
+}
+
+TEST(Codec, nesting_is_bounded_whatever_the_bytes) {
+  // A rounding of a rounding of ...: three, then a leaf.
+  corpus::Case problem = decode(std::vector<std::uint8_t>(100, 11));
+  const Shape<double>* shape = &problem.a.shape;
+  int depth = 0;
+  while (const auto* rounded = std::get_if<Rounded<double>>(shape)) {
+    shape = &rounded->shape->shape;
+    ++depth;
+  }
+  EXPECT_EQ(depth, 3);
+  problem.a.shape = rounded<double>(problem.a.shape, 1);
+  EXPECT_FALSE(encode(problem));
+  problem.a.shape = Sum<double>{{nullptr, nullptr, nullptr}};
+  EXPECT_TRUE(encode(problem));
+  problem.a.shape = Sum<double>{{nullptr, nullptr, nullptr, nullptr}};
+  EXPECT_FALSE(encode(problem));
 }
 
 TEST(Codec, a_case_that_says_more_is_left_out) {

@@ -43,8 +43,8 @@ template <class N>
 template <class N>
 [[nodiscard]] N weighted_support(const AxisQuestion& ask, const Pair<N>& pair, const Triple<N>& n,
                                  Scans& scans) {
-  const N of_a = support(ask.a, pair.a.into_body(n), scans.a);
-  const N of_b = support(ask.b, pair.b.into_body(-n), scans.b);
+  const N of_a = support(ask.a.core, pair.a.into_body(n), scans.a);
+  const N of_b = support(ask.b.core, pair.b.into_body(-n), scans.b);
   return pair.weigh(dot(n, pair.offset)) + (pair.b.rotated ? pair.b.weight * of_a : of_a) +
          (pair.a.rotated ? pair.a.weight * of_b : of_b);
 }
@@ -57,34 +57,47 @@ enum class AxisFinding { holds, not_approaching, fails, unknown };
                                 : AxisFinding::unknown;
 }
 
-// TOI >= t, for 0 < t < infinity.
-template <class N>
-[[nodiscard]] AxisFinding lower_claim(const AxisQuestion& ask, double t, Scans& scans) {
-  const Pair<N> pair(ask.a, ask.b);
-  const Triple<N> n = triple<N>(ask.n);
-  const N approach = dot(n, pair.velocity);
-  const N high = weighted_support(ask, pair, n, scans);
+// TOI >= t, for 0 < t < infinity; below(x, strict) answers whether h(n) - x < 0, or <= 0 unless strict.
+template <class N, class Below>
+[[nodiscard]] AxisFinding lower_finding(const N& approach, double t, const Below& below) {
   const Answer approaching = is_negative(sign(approach));
   if (approaching == Answer::no) return AxisFinding::not_approaching;
-  const Answer below = below_zero(ask, pair, high - pair.weigh(approach * t), false);
-  return approaching == Answer::unknown ? AxisFinding::unknown : finding(below);
+  const Answer held = below(approach * t, false);
+  return approaching == Answer::unknown ? AxisFinding::unknown : finding(held);
 }
 
 // No contact in [0, T].
-template <class N>
-[[nodiscard]] AxisFinding miss_claim(const AxisQuestion& ask, double horizon, Scans& scans) {
-  const Pair<N> pair(ask.a, ask.b);
-  const Triple<N> n = triple<N>(ask.n);
-  const N approach = dot(n, pair.velocity);
-  const N high = weighted_support(ask, pair, n, scans);
-  const Answer at_start = below_zero(ask, pair, high, true);
+template <class N, class Below>
+[[nodiscard]] AxisFinding miss_finding(const N& approach, double horizon, const Below& below) {
+  const Answer at_start = below(N(0), true);
   if (at_start == Answer::no) return AxisFinding::fails;
   const Answer approaching = is_negative(sign(approach));
   if (approaching == Answer::no) return finding(at_start);
   if (horizon == kInfinity<double>)
     return approaching == Answer::yes ? AxisFinding::fails : AxisFinding::unknown;
   // With n.v < 0 the end of the path is the stronger demand; with n.v >= 0 it is implied by the start.
-  return finding(both(at_start, below_zero(ask, pair, high - pair.weigh(approach * horizon), true)));
+  return finding(both(at_start, below(approach * horizon, true)));
+}
+
+// The claim toi_lower of an axis on the path [0, T].
+struct LowerClaim {
+  double toi_lower, horizon;
+
+  [[nodiscard]] bool is_miss() const { return toi_lower == kInfinity<double>; }
+  template <class N, class Below>
+  [[nodiscard]] AxisFinding decide(const N& approach, const Below& below) const {
+    return is_miss() ? miss_finding(approach, horizon, below) : lower_finding(approach, toi_lower, below);
+  }
+};
+
+template <class N>
+[[nodiscard]] AxisFinding axis_claim(const AxisQuestion& ask, const LowerClaim& claim, Scans& scans) {
+  const Pair<N> pair(ask.a, ask.b);
+  const Triple<N> n = triple<N>(ask.n);
+  const N high = weighted_support(ask, pair, n, scans);
+  return claim.decide(dot(n, pair.velocity), [&](const N& x, bool strict) {
+    return below_zero(ask, pair, high - pair.weigh(x), strict);
+  });
 }
 
 }  // namespace graze::oracle

@@ -6,33 +6,12 @@
 
 #include <cstdio>
 
-#include "oracles/axis_claim.hpp"
 #include "oracles/double_double.hpp"
 #include "oracles/dyadic.hpp"
-#include "oracles/portal_claim.hpp"
+#include "oracles/tree_point.hpp"
 
 namespace graze::oracle {
 namespace {
-
-// The range of magnitudes of a case (any unit); DESIGN: inputs from 1e-60 to 1e60. The proof's own numbers
-// may be any finite doubles: where the filters overflow, the exact stage decides.
-constexpr double kLeast = 1e-60, kLargest = 1e60;
-
-enum class Range { inside, outside, not_finite };
-
-[[nodiscard]] Range worse(Range l, Range r) { return l > r ? l : r; }
-
-[[nodiscard]] Range range_of(double x) {
-  const double magnitude = std::abs(x);
-  if (!(magnitude <= std::numeric_limits<double>::max())) return Range::not_finite;
-  return magnitude == 0 || (magnitude >= kLeast && magnitude <= kLargest) ? Range::inside : Range::outside;
-}
-[[nodiscard]] Range range_of(const Vec3<double>& x) {
-  return worse(worse(range_of(x.x()), range_of(x.y())), range_of(x.z()));
-}
-[[nodiscard]] bool finite(const Vec3<double>& x) {
-  return x.cwiseAbs().maxCoeff() < kInfinity<double> && x == x;
-}
 
 [[nodiscard]] bool filters_hold() {
   volatile double least = std::numeric_limits<double>::min(), half_unit = 0x1p-53, one = 1;
@@ -44,90 +23,52 @@ enum class Range { inside, outside, not_finite };
 
 // ---- the door ---------------------------------------------------------------------------------------------
 
-struct Entry {
-  Refusal refusal = Refusal::none;
-  const char* reason = "";
-};
-
-[[nodiscard]] Entry worst_of(Range range, const char* malformed, const char* outside) {
-  if (range == Range::not_finite) return {Refusal::malformed, malformed};
-  if (range == Range::outside) return {Refusal::out_of_range, outside};
-  return {};
-}
-
-// Reads a body; malformed comes before out of range, so the caller sees the graver of two.
-[[nodiscard]] Entry read_body(const Body<double>& body, Solid& solid) {
-  Range range = worse(range_of(body.position), range_of(body.displacement));
-  const Quaternion<double>& q = body.orientation;
-  range = worse(range, worse(worse(range_of(q.w), range_of(q.x)), worse(range_of(q.y), range_of(q.z))));
+// Reads a body whose shape is a polytope plus a ball; false: the shape is another, and nothing is read.
+[[nodiscard]] bool read_solid(const Body<double>& body, Solid& solid, Door& door) {
+  if (!read_leaf(body.shape, solid, door)) return false;
+  door.vector(body.position);
+  door.vector(body.displacement);
+  door.quaternion(body.orientation);
   solid.position = &body.position;
   solid.displacement = &body.displacement;
-
-  if (const auto* hull = std::get_if<Hull<double>>(&body.shape)) {
-    solid.vertices = hull->vertices();
-    if (solid.vertices.empty()) return {Refusal::malformed, "a hull without a vertex"};
-    bool inside = true;
-    Vec3<double> reach = Vec3<double>::Zero();
-    for (const Vec3<double>& x : solid.vertices) {
-      for (int i = 0; i < 3; ++i) {
-        const double magnitude = std::abs(x[i]);
-        inside &= (magnitude >= kLeast || magnitude == 0) && magnitude <= kLargest;  // NaN: not inside
-        reach[i] = magnitude > reach[i] ? magnitude : reach[i];
-      }
-    }
-    solid.reach = reach;
-    if (!inside)
-      for (const Vec3<double>& x : solid.vertices) range = worse(range, range_of(x));
-  } else if (const auto* box = std::get_if<Box<double>>(&body.shape)) {
-    solid.half_extents = &box->half_extents;
-    range = worse(range, range_of(box->half_extents));
-    if (box->half_extents.minCoeff() < 0) return {Refusal::malformed, "a half extent below zero"};
-  } else if (const auto* sphere = std::get_if<Sphere<double>>(&body.shape)) {
-    solid.radius = sphere->radius;
-    solid.is_sphere = true;
-    range = worse(range, range_of(sphere->radius));
-    if (sphere->radius < 0) return {Refusal::malformed, "a radius below zero"};
-  } else if (!std::holds_alternative<Point<double>>(body.shape)) {
-    return {Refusal::unsupported, "a shape that the checker does not know"};
-  }
-  if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return {Refusal::malformed, "a zero quaternion"};
-  if (range != Range::inside)
-    return worst_of(range, "a NaN or an infinite number in a body",
-                    "a magnitude in a body outside 1e-60 .. 1e60");
-
-  // A point or a sphere about its own origin looks the same in every orientation.
-  solid.rotated = !q.is_identity() && (solid.half_extents != nullptr || !solid.vertices.empty());
-  if (solid.rotated) {
-    const double largest =
-        std::max(std::max(std::abs(q.w), std::abs(q.x)), std::max(std::abs(q.y), std::abs(q.z)));
-    const double scale = std::scalbn(1.0, -std::ilogb(largest));
-    solid.q = {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
-  }
-  return {};
+  // A ball about the body's origin looks the same in every orientation.
+  solid.rotated = door.well_formed() && !body.orientation.is_identity() && !solid.core.is_origin();
+  if (solid.rotated) solid.q = scaled_to_one(body.orientation);
+  return true;
 }
 
-[[nodiscard]] Entry read_case(const corpus::Case& problem, const Proof& proof, Solid& a, Solid& b) {
+struct VertexCounts {
+  std::uint64_t a, b;
+};
+
+// Is it a proof, about a case that the checker reads? `of_a` and `of_b` are what the bodies' doors said.
+[[nodiscard]] Entry read_case(const corpus::Case& problem, const Proof& proof, const Door& of_a,
+                              const Door& of_b, const VertexCounts& counts) {
   const Vec3<double>& spin_a = problem.spin_a.rotation;
   const Vec3<double>& spin_b = problem.spin_b.rotation;
-  if (!finite(spin_a) || !finite(spin_b)) return {Refusal::malformed, "a NaN or an infinite rotation"};
+  if (!all_finite(spin_a) || !all_finite(spin_b))
+    return {Refusal::malformed, "a NaN or an infinite rotation"};
   if (!(problem.t_max >= 0)) return {Refusal::malformed, "t_max is NaN or below zero"};
   if (!(problem.target_distance >= 0 && problem.target_distance < kInfinity<double>))
     return {Refusal::malformed, "target_distance is NaN, infinite or below zero"};
-  const Entry in_a = read_body(problem.a, a), in_b = read_body(problem.b, b);
+  const Entry in_a = of_a.entry(), in_b = of_b.entry();
   if (in_a.refusal == Refusal::malformed) return in_a;
   if (in_b.refusal == Refusal::malformed) return in_b;
 
   if (!(proof.toi_lower >= 0)) return {Refusal::malformed, "toi_lower is NaN or below zero"};
   if (!(proof.toi_upper >= 0)) return {Refusal::malformed, "toi_upper is NaN or below zero"};
-  if (proof.has_axis && !finite(proof.axis)) return {Refusal::malformed, "a NaN or an infinite axis"};
+  if (proof.has_axis && !all_finite(proof.axis)) return {Refusal::malformed, "a NaN or an infinite axis"};
   if (proof.portal_size < 0 || proof.portal_size > 4)
     return {Refusal::malformed, "a portal of a size outside 0..4"};
   for (int i = 0; i < proof.portal_size; ++i) {
     const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
-    if (!finite(s.a.offset) || !finite(s.b.offset))
-      return {Refusal::malformed, "a NaN or an infinite offset"};
+    for (const Feature* f : {&s.a, &s.b}) {
+      if (!all_finite(f->offset)) return {Refusal::malformed, "a NaN or an infinite offset"};
+      for (const Vec3<double>& x : f->curved)
+        if (!all_finite(x)) return {Refusal::malformed, "a NaN or an infinite point of a curved part"};
+    }
     const bool known = in_a.refusal == Refusal::none && in_b.refusal == Refusal::none;
-    if (known && (s.a.vertex >= a.vertex_count() || s.b.vertex >= b.vertex_count()))
+    if (known && (s.a.vertex >= counts.a || s.b.vertex >= counts.b))
       return {Refusal::malformed, "an index beyond the vertices of its shape"};
   }
 
@@ -138,7 +79,11 @@ struct Entry {
     return {Refusal::unsupported, "an upper bound under the policy pass_over, which a leaving start voids"};
   if (in_a.refusal != Refusal::none) return in_a;
   if (in_b.refusal != Refusal::none) return in_b;
-  return worst_of(range_of(problem.target_distance), "", "target_distance outside 1e-60 .. 1e60");
+  Door target;
+  target.number(problem.target_distance);
+  if (target.entry().refusal != Refusal::none)
+    return {Refusal::out_of_range, "target_distance outside 1e-60 .. 1e60"};
+  return {};
 }
 
 // ---- the cascade ------------------------------------------------------------------------------------------
@@ -165,17 +110,39 @@ class Cascade {
     return decide.template operator()<Dyadic>();
   }
 
+  // The same for what has square roots; it may stay unknown.
+  template <class Decide>
+  [[nodiscard]] auto run_with_roots(const Decide& decide) const {
+    using Finding = decltype(decide.template operator()<Ball>());
+    if (filters_) {
+      if (const auto found = decide.template operator()<Filtered>(); found != Finding::unknown) {
+        if (cost_ != nullptr) ++cost_->double_decisions;
+        return found;
+      }
+    }
+    for (long bits = kFirstBits; bits <= kMostBits; bits *= 2) {
+      const WorkingPrecision working(bits);
+      if (const auto found = decide.template operator()<Ball>(); found != Finding::unknown) {
+        if (cost_ != nullptr) ++cost_->ball_decisions;
+        return found;
+      }
+    }
+    const WorkingPrecision working(ARF_PREC_EXACT);  // the roots stay at kMostBits
+    if (cost_ != nullptr) ++cost_->exact_decisions;
+    return decide.template operator()<Ball>();
+  }
+
  private:
   CheckCost* cost_;
   bool filters_;
 };
 
 // |offset| <= radius
-[[nodiscard]] bool offset_fits(const Cascade& cascade, const Solid& solid, const Feature& feature) {
+[[nodiscard]] bool offset_fits(const Cascade& cascade, const Leaf& leaf, const Feature& feature) {
   const Vec3<double>& x = feature.offset;
-  if (!solid.is_sphere || x.isZero(0)) return x.isZero(0);
+  if (!leaf.has_ball || x.isZero(0)) return x.isZero(0);
   return cascade.run([&]<class N>() {
-    const N r(solid.radius);
+    const N r(leaf.radius);
     const Triple<N> offset = triple<N>(x);
     return at_most_zero(sign(dot(offset, offset) - r * r));
   }) == Answer::yes;
@@ -189,19 +156,182 @@ class Cascade {
   return buffer;
 }
 
-// About h(n), n.v and h(n) / (n.v), to some 15 digits.
+// About h(n) and n.v, to some 15 digits.
 struct AxisValues {
-  double support, approach, bound;
+  double support, approach;
 };
-[[nodiscard]] AxisValues axis_values(const AxisQuestion& ask) {
-  Scans every_vertex;
-  const Pair<Dyadic> pair(ask.a, ask.b);
-  const Triple<Dyadic> n = triple<Dyadic>(ask.n);
-  const double radius = ask.a.radius + ask.b.radius + ask.target_distance;
-  const double support =
-      Dyadic::ratio(weighted_support(ask, pair, n, every_vertex), pair.weight) + radius * ask.n.stableNorm();
-  const double approach = Dyadic::ratio(dot(n, pair.velocity), Dyadic(1));
-  return {support, approach, support / approach};
+
+[[nodiscard]] Verdict refuse_offset(int pair) {
+  return {Refusal::offset_too_long, "the offset of portal pair " + std::to_string(pair) +
+                                        " is longer than the radii there (0: no ball)"};
+}
+
+[[nodiscard]] Verdict refuse_axis(AxisFinding found, const LowerClaim& claim, const AxisValues& values) {
+  if (found == AxisFinding::unknown)
+    return {Refusal::undecided, "h(n), about " + text(values.support) +
+                                    ", is closer to what the axis must prove than " +
+                                    std::to_string(kMostBits) + " bits tell"};
+  if (claim.is_miss())
+    return {Refusal::miss_not_proved, "a miss needs h(n) < min(0, T n.v); h(n) is about " +
+                                          text(values.support) + ", n.v about " + text(values.approach)};
+  if (found == AxisFinding::not_approaching)
+    return {Refusal::axis_not_approaching,
+            "a finite toi_lower needs n.v < 0; n.v is about " + text(values.approach)};
+  return {Refusal::lower_not_proved, "toi_lower " + text(claim.toi_lower) + " exceeds h(n)/(n.v), about " +
+                                         text(values.support / values.approach)};
+}
+
+[[nodiscard]] Verdict refuse_portal(PortalFinding found, double end) {
+  if (found == PortalFinding::off_path)
+    return {
+        Refusal::portal_off_path,
+        "no convex combination of the portal's pairs lies on the path's line (within the target distance)"};
+  return {Refusal::upper_not_proved, "the portal meets the path's line, but not for any s in [0, " +
+                                         text(end) + "], the least of T and toi_upper"};
+}
+
+// ---- the claims, about bodies of one kind
+// -------------------------------------------------------------------
+
+// Polytopes plus balls.
+class SolidBodies {
+ public:
+  SolidBodies(const Solid& a, const Solid& b) : a_(a), b_(b) {}
+
+  [[nodiscard]] Verdict points_fit(const Cascade& cascade, const Proof& proof) const {
+    for (int i = 0; i < proof.portal_size; ++i) {
+      const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
+      if (!offset_fits(cascade, a_, s.a) || !offset_fits(cascade, b_, s.b)) return refuse_offset(i);
+    }
+    return {};
+  }
+
+  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Vec3<double>& n, double target_distance,
+                                 const LowerClaim& claim) const {
+    const AxisQuestion ask{a_, b_, n, target_distance};
+    Scans scans;
+    return cascade.run([&]<class N>() { return axis_claim<N>(ask, claim, scans); });
+  }
+  [[nodiscard]] AxisValues axis_values(const Vec3<double>& n, double target_distance) const {
+    const AxisQuestion ask{a_, b_, n, target_distance};
+    Scans every_vertex;
+    const Pair<Dyadic> pair(a_, b_);
+    const Triple<Dyadic> exact = triple<Dyadic>(n);
+    const double radius = a_.radius + b_.radius + target_distance;
+    return {Dyadic::ratio(weighted_support(ask, pair, exact, every_vertex), pair.weight) +
+                radius * n.stableNorm(),
+            Dyadic::ratio(dot(exact, pair.velocity), Dyadic(1))};
+  }
+
+  template <class N>
+  [[nodiscard]] PortalPoints<N> points(const Proof& proof) const {
+    return portal_points<N>(a_, b_, proof);
+  }
+
+ private:
+  const Solid& a_;
+  const Solid& b_;
+};
+
+// Shapes of any kind.
+class TreeBodies {
+ public:
+  TreeBodies(const TreePair& pair, const Proof& proof) : pair_(pair) {
+    for (int i = 0; i < proof.portal_size; ++i) {
+      const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
+      ways_a_.emplace_back(pair.a, s.a);
+      ways_b_.emplace_back(pair.b, s.b);
+    }
+  }
+
+  [[nodiscard]] Verdict points_fit(const Cascade& cascade, const Proof&) const {
+    for (const std::vector<Way>* ways : {&ways_a_, &ways_b_})
+      for (const Way& way : *ways)
+        if (way.curved_count() > kCurvedParts)
+          return {Refusal::malformed, "a point on a way with more than " + std::to_string(kCurvedParts) +
+                                          " curved parts, which a feature cannot name"};
+    for (std::size_t i = 0; i < ways_a_.size(); ++i) {
+      for (const Way* way : {&ways_a_[i], &ways_b_[i]}) {
+        const bool fits = way->feature().offset.isZero(0) ||
+                          cascade.run([&]<class N>() { return way->offset_fits<N>(); }) == Answer::yes;
+        if (!fits) return refuse_offset(static_cast<int>(i));
+        for (std::size_t k = 0; k < way->curved_count(); ++k) {
+          const Vec3<double>& x = way->feature().curved[k];
+          if (cascade.run([&]<class N>() { return inside_curved<N>(way->curved(k), x); }) != Answer::yes)
+            return {Refusal::point_outside, "portal pair " + std::to_string(i) + " of body " +
+                                                (way == &ways_a_[i] ? "a" : "b") + ": curved point " +
+                                                std::to_string(k) + " lies outside its shape"};
+        }
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Vec3<double>& n, double target_distance,
+                                 const LowerClaim& claim) const {
+    TreeScans scans(pair_);
+    return cascade.run_with_roots(
+        [&]<class N>() { return tree_axis_claim<N>(pair_, n, target_distance, claim, scans); });
+  }
+  [[nodiscard]] AxisValues axis_values(const Vec3<double>& n, double target_distance) const {
+    const WorkingPrecision working(kFirstBits);
+    TreeScans every_vertex(pair_);
+    const Fraction<Ball> h = tree_support<Ball>(pair_, n, target_distance, every_vertex);
+    const Triple<Ball> v = difference<Ball>(pair_.body_b.displacement, pair_.body_a.displacement);
+    return {(h.value / h.weight).mid_double(), dot(triple<Ball>(n), v).mid_double()};
+  }
+
+  template <class N>
+  [[nodiscard]] PortalPoints<N> points(const Proof&) const {
+    return portal_points<N>(pair_, ways_a_, ways_b_);
+  }
+
+ private:
+  const TreePair& pair_;
+  std::vector<Way> ways_a_, ways_b_;
+};
+
+// The claims in their order. The case and the form of the proof are sound.
+template <class Bodies>
+[[nodiscard]] Verdict check_claims(const corpus::Case& problem, const Proof& proof, const Bodies& bodies,
+                                   CheckCost* cost) {
+  const Cascade cascade(cost);
+  if (Verdict points = bodies.points_fit(cascade, proof); !points.accepted()) return points;
+
+  if (proof.toi_lower > 0) {
+    if (!proof.has_axis || proof.axis.isZero(0))
+      return {Refusal::axis_missing, "toi_lower " + text(proof.toi_lower) + " needs a non-zero axis"};
+    const LowerClaim claim{proof.toi_lower, problem.t_max};
+    const AxisFinding found = bodies.axis(cascade, proof.axis, problem.target_distance, claim);
+    if (found != AxisFinding::holds)
+      return refuse_axis(found, claim, bodies.axis_values(proof.axis, problem.target_distance));
+  }
+
+  if (proof.toi_upper < kInfinity<double>) {
+    if (proof.portal_size == 0)
+      return {Refusal::portal_missing, "toi_upper " + text(proof.toi_upper) + " needs a portal"};
+    const double end = std::min(problem.t_max, proof.toi_upper);
+    const PathQuestion ask{problem.a.displacement, problem.b.displacement, end, problem.target_distance};
+    const PortalFinding found = cascade.run(
+        [&]<class N>() { return PortalClaim<N>(ask, bodies.template points<N>(proof)).decide(); });
+    if (found != PortalFinding::holds) return refuse_portal(found, end);
+  }
+  return {};
+}
+
+// Apart, so that the polytopes' way stays small.
+[[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
+  Door of_a, of_b;
+  of_a.vector(problem.a.displacement);
+  of_a.vector(problem.a.position);
+  of_b.vector(problem.b.displacement);
+  of_b.vector(problem.b.position);
+  const PartTree a(problem.a, of_a), b(problem.b, of_b);
+  if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.vertex_count(), b.vertex_count()});
+      entry.refusal != Refusal::none)
+    return {entry.refusal, entry.reason};
+  const TreePair pair{a, b, problem.a, problem.b};
+  return check_claims(problem, proof, TreeBodies(pair, proof), cost);
 }
 
 }  // namespace
@@ -226,6 +356,10 @@ const char* to_string(Refusal refusal) {
       return "lower_not_proved";
     case Refusal::miss_not_proved:
       return "miss_not_proved";
+    case Refusal::point_outside:
+      return "point_outside";
+    case Refusal::undecided:
+      return "undecided";
     case Refusal::portal_missing:
       return "portal_missing";
     case Refusal::portal_off_path:
@@ -238,55 +372,13 @@ const char* to_string(Refusal refusal) {
 
 Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
   Solid a, b;
-  if (const Entry entry = read_case(problem, proof, a, b); entry.refusal != Refusal::none)
+  Door of_a, of_b;
+  if (!read_solid(problem.a, a, of_a) || !read_solid(problem.b, b, of_b))
+    return check_trees(problem, proof, cost);
+  if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.core.count(), b.core.count()});
+      entry.refusal != Refusal::none)
     return {entry.refusal, entry.reason};
-  const Cascade cascade(cost);
-
-  for (int i = 0; i < proof.portal_size; ++i) {
-    const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
-    if (!offset_fits(cascade, a, s.a) || !offset_fits(cascade, b, s.b))
-      return {Refusal::offset_too_long, "the offset of portal pair " + std::to_string(i) +
-                                            " is longer than its sphere's radius (0: no sphere)"};
-  }
-
-  if (proof.toi_lower > 0) {
-    if (!proof.has_axis || proof.axis.isZero(0))
-      return {Refusal::axis_missing, "toi_lower " + text(proof.toi_lower) + " needs a non-zero axis"};
-    const AxisQuestion ask{a, b, proof.axis, problem.target_distance};
-    Scans scans;
-    const bool claims_miss = proof.toi_lower == kInfinity<double>;
-    const AxisFinding found = cascade.run([&]<class N>() {
-      return claims_miss ? miss_claim<N>(ask, problem.t_max, scans)
-                         : lower_claim<N>(ask, proof.toi_lower, scans);
-    });
-    if (found != AxisFinding::holds) {
-      const AxisValues values = axis_values(ask);
-      if (claims_miss)
-        return {Refusal::miss_not_proved, "a miss needs h(n) < min(0, T n.v); h(n) is about " +
-                                              text(values.support) + ", n.v about " + text(values.approach)};
-      if (found == AxisFinding::not_approaching)
-        return {Refusal::axis_not_approaching,
-                "a finite toi_lower needs n.v < 0; n.v is about " + text(values.approach)};
-      return {Refusal::lower_not_proved,
-              "toi_lower " + text(proof.toi_lower) + " exceeds h(n)/(n.v), about " + text(values.bound)};
-    }
-  }
-
-  if (proof.toi_upper < kInfinity<double>) {
-    if (proof.portal_size == 0)
-      return {Refusal::portal_missing, "toi_upper " + text(proof.toi_upper) + " needs a portal"};
-    const double end = std::min(problem.t_max, proof.toi_upper);
-    const PortalQuestion ask{a, b, proof, end, problem.target_distance};
-    const PortalFinding found = cascade.run([&]<class N>() { return PortalClaim<N>(ask).decide(); });
-    if (found == PortalFinding::off_path)
-      return {
-          Refusal::portal_off_path,
-          "no convex combination of the portal's pairs lies on the path's line (within the target distance)"};
-    if (found != PortalFinding::holds)
-      return {Refusal::upper_not_proved, "the portal meets the path's line, but not for any s in [0, " +
-                                             text(end) + "], the least of T and toi_upper"};
-  }
-  return {};
+  return check_claims(problem, proof, SolidBodies(a, b), cost);
 }
 
 }  // namespace graze::oracle

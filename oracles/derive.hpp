@@ -5,11 +5,18 @@
 
 namespace graze::oracle {
 
-// Fills `by` and outcome. A cast, ray or line also gets toi_lower, toi_upper and toi_exact (empty if
-// irrational). An overlap or distance query is asked at t = 0: its outcome is initially_overlapping or miss,
-// and `distance` (target distance not counted) is the nearest double. A line query between polytopes also
-// gets t_in and t_out where the line meets the CSO. Throws std::invalid_argument for what LinearTruth does
-// not decide.
+// Fills `by`, outcome and, by the query, numbers that are the nearest doubles unless it says otherwise:
+//   cast                toi_lower, toi_upper (the doubles on either side), toi_exact (empty if irrational)
+//   line                the same, and t_in, t_out where the line meets the CSO
+//   swept_overlap       no number; the outcome is hit, for contact at any t in [0, T], 0 included, or miss
+//   overlap, distance   distance at t = 0, the target distance not counted
+//   penetration         depth; normal where there is just one, unit. Apart: distance
+//   penetration_along   depth: the length of the move along `direction`. Apart: distance
+// The last four queries are asked at t = 0, their outcome is initially_overlapping or miss, and penetration
+// does not look at the target distance. start_policy bears on the outcome and time of casts and lines alone.
+// Throws std::invalid_argument for what the oracles do not decide: of curved shapes a clearance or depth
+// below 1e-30 of scale, and every penetration. Their TOI is the exact one's neighbours but at a graze, where
+// it is a bracket as wide as 1e-30 of scale makes it.
 [[nodiscard]] corpus::Expect derive_expectation(const corpus::Case& problem);
 
 }  // namespace graze::oracle

@@ -1,6 +1,7 @@
-// Decides: the TOI of a linear cast of polytopes, exactly, in every dimension of the CSO, by CGAL's exact
-// simplex:
-//   min t   subject to   sum l_i a_i - sum m_j b_j = t v,   sum l = sum m = 1,   l, m >= 0,   0 <= t <= T.
+// Decides: the TOI of a linear cast of polytopes, and both ends of the signed answer, exactly, in every
+// dimension of the CSO, by CGAL's exact simplex:
+//   min t   subject to   sum l_i a_i - sum m_j b_j = t v,   sum l = sum m = 1,   l, m >= 0,   0 <= t <= T
+// (for the ends: t free, min and max),
 // and the squared distance of t v from the CSO, by its exact quadratic solver:
 //   min |sum l_i a_i - sum m_j b_j - t v|^2   over the same weights.
 // It shares with linear_truth.cpp the posed vertices and nothing else. Brackets: nothing.
@@ -24,23 +25,18 @@ using Program = CGAL::Quadratic_program<CGAL::Gmpz>;
 
 CGAL::Gmpz to_cgal(const Integer& i) { return CGAL::Gmpz(i.get_mpz_t()); }
 
-}  // namespace
+// What is asked of t: within [0, T] or free, the least or the greatest.
+struct Aim {
+  bool is_free = false;
+  std::optional<Rational> most;  // T
+  int sense = 1;                 // 1 minimises t, -1 maximises it
+};
 
-std::optional<Rational> toi_by_linear_program(const corpus::Case& problem) {
-  const ExactBody a = exact_body(problem.a), b = exact_body(problem.b);
-  if (sgn(a.radius) != 0 || sgn(b.radius) != 0 || problem.target_distance != 0) {
-    throw std::invalid_argument("the linear program is for polytopes without rounding");
-  }
-  if (!problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0)) {
-    throw std::invalid_argument("the linear program is for linear motion");
-  }
-  if (!(problem.t_max >= 0)) throw std::invalid_argument("t_max: it is below 0 or NaN");
-  const bool bounded = !std::isinf(problem.t_max);
-  const Rational horizon = bounded ? Rational(problem.t_max) : Rational(1);
-
+// Nothing if the program is infeasible.
+std::optional<Rational> extreme_time(const ExactBody& a, const ExactBody& b, const Aim& aim) {
   // Integers throughout: each of the three rows is multiplied by its own common denominator, and the variable
   // of time is t times the denominator of T.
-  const Integer time_unit = horizon.get_den();
+  const Integer time_unit = aim.most ? aim.most->get_den() : Integer(1);
   Program program(CGAL::EQUAL, true, 0, false, 0);
   const int size_a = static_cast<int>(a.vertices.size()), size_b = static_cast<int>(b.vertices.size());
   const int time = size_a + size_b;
@@ -61,8 +57,9 @@ std::optional<Rational> toi_by_linear_program(const corpus::Case& problem) {
   for (int j = 0; j < size_b; ++j) program.set_a(size_a + j, 4, 1);
   program.set_b(3, 1);
   program.set_b(4, 1);
-  program.set_c(time, 1);
-  if (bounded) program.set_u(time, true, to_cgal(horizon.get_num()));
+  program.set_c(time, aim.sense);
+  if (aim.is_free) program.set_l(time, false);
+  if (aim.most) program.set_u(time, true, to_cgal(aim.most->get_num()));
 
   CGAL::Quadratic_program_options options;
   options.set_pricing_strategy(CGAL::QP_BLAND);
@@ -70,9 +67,41 @@ std::optional<Rational> toi_by_linear_program(const corpus::Case& problem) {
   if (solution.is_infeasible()) return {};
   if (!solution.is_optimal()) throw std::logic_error("the linear program is neither infeasible nor optimal");
   const CGAL::Quotient<CGAL::Gmpz> least = solution.objective_value();
-  Rational toi(Integer(least.numerator().mpz()), Integer(least.denominator().mpz()));
-  toi.canonicalize();
-  return Rational(toi / time_unit);
+  Rational found(Integer(least.numerator().mpz()), Integer(least.denominator().mpz()));
+  found.canonicalize();
+  return Rational(aim.sense * found / time_unit);
+}
+
+struct PolytopePair {
+  ExactBody a, b;
+  explicit PolytopePair(const corpus::Case& problem) : a(exact_body(problem.a)), b(exact_body(problem.b)) {
+    if (sgn(a.radius) != 0 || sgn(b.radius) != 0 || problem.target_distance != 0) {
+      throw std::invalid_argument("the linear program is for polytopes without rounding");
+    }
+    if (!problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0)) {
+      throw std::invalid_argument("the linear program is for linear motion");
+    }
+  }
+};
+
+}  // namespace
+
+std::optional<Rational> toi_by_linear_program(const corpus::Case& problem) {
+  const PolytopePair pair(problem);
+  if (!(problem.t_max >= 0)) throw std::invalid_argument("t_max: it is below 0 or NaN");
+  Aim aim;
+  if (!std::isinf(problem.t_max)) aim.most = Rational(problem.t_max);
+  return extreme_time(pair.a, pair.b, aim);
+}
+
+std::optional<std::pair<Rational, Rational>> contact_times_by_linear_program(const corpus::Case& problem) {
+  const PolytopePair pair(problem);
+  if (pair.a.displacement == pair.b.displacement) {
+    throw std::invalid_argument("without motion, contact has no first and no last time");
+  }
+  const auto in = extreme_time(pair.a, pair.b, {true, {}, 1});
+  if (!in) return {};
+  return std::pair{*in, extreme_time(pair.a, pair.b, {true, {}, -1}).value()};
 }
 
 Rational distance_sq_by_quadratic_program(const corpus::Case& problem, const Rational& t) {

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "corpus/case.hpp"
 #include "oracles/rational.hpp"
 
 namespace graze::oracle {
 
-// The least t in [0, T] with t v in C; nothing for a miss. Points, boxes and hulls, no target distance, radii
-// of zero: std::invalid_argument otherwise.
+// The least t in [0, T] with t v in C; nothing for a miss. Bodies that exact_body.hpp represents, with radii
+// of zero, no target distance: std::invalid_argument otherwise.
 [[nodiscard]] std::optional<Rational> toi_by_linear_program(const corpus::Case& problem);
+
+// The least and the greatest t in R with t v in C, v != 0 (std::invalid_argument); nothing if there is none.
+[[nodiscard]] std::optional<std::pair<Rational, Rational>> contact_times_by_linear_program(
+    const corpus::Case& problem);
 
 // The squared distance of t v from the hull of the differences (radii and target distance not counted), t
 // finite.

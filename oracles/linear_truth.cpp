@@ -1,20 +1,25 @@
-// Decides exactly: outcome, TOI and every comparison of a time with it, for linear motion of points, spheres,
-// boxes and hulls, with target distance, any T.
+// Decides exactly: outcome, TOI and every comparison of a time with it, both ends of the signed answer,
+// leaving or sliding; for linear motion of every shape that exact_body.hpp represents, with target distance,
+// any T.
+//
 // Brackets only: lengths that are roots of rationals, by neighbouring doubles; an irrational TOI, to 2^-230
 // of it.
-// Costs, medians in milliseconds, random hulls, identity poses (rotated by any four doubles):
+//
+// Costs, medians in milliseconds of CPU, random hulls, identity poses (rotated by any four doubles):
 //   vertices a shape              8 x 8         16 x 16      64 x 64     16 and a sphere
 //   construction (hull and TOI)   0.4 (0.6)     0.8 (1.1)    15 (19)     0.2 (0.3)
 //   depth                         0.06 (0.13)   0.1 (0.2)    2.7 (3.5)   0.03 (0.04)
 //   distance_at, witness          0.01 to 0.1 everywhere; compare under 0.001, in the last bits of a root as
 //                                 distance_at
-// Cannot be trusted: for curved shapes other than spheres, which it refuses. Its hull is CGAL's
+//   contact_interval, both rounded by a radius: 1.0 (1.4), 1.8 (2.8), 9 (15); without radii under 0.5
+//   construction, a sum of 64, 512, 4,096 vertices against a ball: 1, 12, 90; 512 x 512 points of a sphere:
+//   1,200
+//
+// Cannot be trusted: for curved shapes and hulls of unequal radii, which it refuses. Its hull is CGAL's
 // (exact_cso.cpp); linear_program.cpp and nef_minkowski.cpp, which do not use it, are its checks.
 //
 // Notation   P = hull of the differences a - b, R = r_A + r_B + m, so C = P + ball(R);   f(t) = dist(t v, P).
 //   All lengths are integers here: the case's times one common denominator `unit`.
-// f is convex. Let s be the first t in R at which it is least (rational: a line and a polytope). Then f falls
-// strictly on (-inf, s], so before s  "f(t) > R"  is  "t < TOI", and nothing else is ever asked of a root.
 #include "oracles/linear_truth.hpp"
 
 #include <algorithm>
@@ -23,70 +28,18 @@
 #include <limits>
 #include <stdexcept>
 
-#include "oracles/exact_body.hpp"
-#include "oracles/exact_distance.hpp"
+#include "oracles/first_contact.hpp"
+#include "oracles/integer_scene.hpp"
 
 namespace graze::oracle {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr Enclosure kUnbounded = {kInf, kInf};
-// An irrational TOI is enclosed to this many bits before doubles are read off.
-constexpr unsigned kRootBits = 256;
 
 using OptionalTime = std::optional<Rational>;  // nothing: infinity
 
-void fold_denominators(Integer& unit, const RationalPoint& p) {
-  for (const Rational& c : p) mpz_lcm(unit.get_mpz_t(), unit.get_mpz_t(), c.get_den_mpz_t());
-}
-
-Integer times(const Integer& unit, const Rational& q) { return unit / q.get_den() * q.get_num(); }
-
-IntVec times(const Integer& unit, const RationalPoint& p) {
-  return {times(unit, p[0]), times(unit, p[1]), times(unit, p[2])};
-}
-
 HomogeneousPoint along(const IntVec& v, const Rational& t) { return {t.get_num() * v, t.get_den()}; }
-
-bool finite(const Vec3<double>& x) {
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
-
-// a t^2 - 2 b t + c = 0, its smaller root c / (b + sqrt(b^2 - a c)) for b, c > 0.
-struct Quadratic {
-  Integer a, b, c;
-};
-
-// A rational interval around a root, or the root itself.
-struct Root {
-  Rational low, high;
-  bool exact = false;
-};
-
-std::optional<Root> smaller_root(const Quadratic& q) {
-  const Integer discriminant = q.b * q.b - q.a * q.c;
-  if (sgn(q.b) <= 0 || sgn(q.c) <= 0 || sgn(discriminant) < 0) return {};
-  if (mpz_perfect_square_p(discriminant.get_mpz_t()) != 0) {
-    const Rational root = fraction(q.c, q.b + sqrt(discriminant));
-    return Root{root, root, true};
-  }
-  // sqrt(4^k discriminant) to one unit, with kRootBits and more to spare; then k cancels. The quotient is cut
-  // to kRootBits, and two units on each side cover both roundings.
-  const unsigned k = 2 * kRootBits;
-  const Integer root = sqrt(Integer(discriminant << (2 * k)));
-  Integer numerator = q.c << k, denominator = (q.b << k) + root;
-  const long shift = static_cast<long>(kRootBits) +
-                     static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2)) -
-                     static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2));
-  Integer scale = 1;
-  scale <<= static_cast<unsigned long>(std::abs(shift));
-  (shift >= 0 ? numerator : denominator) *= scale;
-  const Integer quotient = numerator / denominator;
-  const auto unscaled = [&](const Integer& i) {
-    return shift >= 0 ? fraction(i, scale) : Rational(i * scale);
-  };
-  return Root{unscaled(quotient - 2), unscaled(quotient + 2), false};
-}
 
 struct Box3 {
   RationalPoint low, high;
@@ -113,90 +66,66 @@ RationalPoint minus(const RationalPoint& l, const RationalPoint& r) {
   return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
 }
 
-// One side of the swept P, over [0, t]: its support is offset + t rise along the normal.
+// The times over which a path is asked about; nothing: minus and plus infinity.
+struct Span {
+  OptionalTime from, to;
+};
+
+// One side of the swept P: over times t its support is offset - t rate along the normal.
 struct SweepSide {
-  Integer offset, rise, normal_sq;
+  Integer offset, rate, normal_sq;
 };
 
 }  // namespace
 
-struct LinearTruth::Impl {
-  ExactBody a, b;
-  Integer unit = 1;
-  IntVec v;
-  Integer radius, shape_radius;  // R; R - m
+struct LinearTruth::Impl : IntegerScene {
   OptionalTime horizon;
-  std::optional<HullDistance> cso;
   std::optional<LineDistance> line;  // for v != 0
 
   Outcome outcome = Outcome::miss;
   Root toi;  // of a hit or a start in contact
   double lower = kInf, upper = kInf;
   mutable std::vector<SweepSide> sides;
-  mutable std::optional<HullDistance> body_a, body_b;
 
   explicit Impl(const corpus::Case& problem);
   void decide();
-  void find_root(Rational end);
-  void round_root();
   [[nodiscard]] bool leaves_or_slides() const;
 
   [[nodiscard]] Rational radius_sq() const { return Rational(radius * radius); }
   [[nodiscard]] PointDistance at(const Rational& t) const { return cso->from_point(along(v, t)); }
   // sign(f(t) - R)
   [[nodiscard]] int excess(const Rational& t) const { return cmp(at(t).distance_sq, radius_sq()); }
-  [[nodiscard]] Quadratic quadratic(const PointDistance& nearest) const;
   [[nodiscard]] int compare(const Rational& t) const;
 
-  // Lengths, back in the caller's unit.
-  [[nodiscard]] Rational length(const Integer& x) const { return fraction(x, unit); }
-  [[nodiscard]] Enclosure root_of(const Rational& squared) const {
-    return enclose_sqrt(squared / (unit * unit));
-  }
+  [[nodiscard]] Enclosure root_of(const Rational& squared) const { return enclose_sqrt(length_sq(squared)); }
   // max(0, sqrt(squared) - r), and max(0, r - sqrt(squared))
   [[nodiscard]] Enclosure beyond(const Rational& squared, const Integer& r) const;
   [[nodiscard]] Enclosure short_of(const Rational& squared, const Integer& r) const;
 
-  [[nodiscard]] Rational path_distance_sq(const OptionalTime& end) const;
+  [[nodiscard]] Span path(OptionalTime end) const { return {Rational(0), std::move(end)}; }
+  [[nodiscard]] Rational path_distance_sq(const Span& span) const;
   [[nodiscard]] bool sweeps_flat() const;
   void prepare_sides() const;
-  [[nodiscard]] Enclosure sweep_depth(const OptionalTime& end) const;
-  [[nodiscard]] const HullDistance& body_hull(char body) const;
+  [[nodiscard]] Enclosure sweep_depth(const Span& span) const;
+  // The larger of the distance of t v from C and the depth of the path over the span.
+  [[nodiscard]] Enclosure end_error(double t, const Span& span) const;
 };
 
-LinearTruth::Impl::Impl(const corpus::Case& problem) : a(exact_body(problem.a)), b(exact_body(problem.b)) {
+LinearTruth::Impl::Impl(const corpus::Case& problem) : IntegerScene(problem) {
   if (!problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0)) {
     throw std::invalid_argument("a rotating case: this oracle decides linear motion");
   }
   if (!(problem.t_max >= 0)) throw std::invalid_argument("t_max: it is below 0 or NaN");
-  if (!(problem.target_distance >= 0) || std::isinf(problem.target_distance)) {
-    throw std::invalid_argument("target_distance: it is below 0, infinite or NaN");
-  }
   if (!std::isinf(problem.t_max)) horizon = Rational(problem.t_max);
-  const Rational target(problem.target_distance);
-  const Rational shapes = a.radius + b.radius, total = shapes + target;
-  const RationalPoint velocity = minus(b.displacement, a.displacement);
-  for (const ExactBody* body : {&a, &b}) {
-    for (const RationalPoint& p : body->vertices) fold_denominators(unit, p);
-    fold_denominators(unit, body->displacement);
-  }
-  fold_denominators(unit, {a.radius, b.radius, target});
-  v = times(unit, velocity);
-  radius = times(unit, total);
-  shape_radius = times(unit, shapes);
-  std::vector<IntVec> from_a, from_b, differences;
-  for (const RationalPoint& p : a.vertices) from_a.push_back(times(unit, p));
-  for (const RationalPoint& p : b.vertices) from_b.push_back(times(unit, p));
-  for (const IntVec& p : from_a) {
-    for (const IntVec& q : from_b) differences.push_back(p - q);
-  }
-  cso.emplace(convex_hull(std::move(differences)));
   decide();
   const bool contact = outcome == Outcome::initially_overlapping;
   if (contact && problem.start_policy == corpus::StartPolicy::pass_over && leaves_or_slides()) {
     outcome = Outcome::miss;
   }
-  if (outcome != Outcome::miss) round_root();
+  if (outcome == Outcome::miss) return;
+  const Enclosure around = enclose(toi, [this](const Rational& t) { return compare(t); });
+  lower = around.low;
+  upper = around.high;
 }
 
 void LinearTruth::Impl::decide() {
@@ -213,74 +142,7 @@ void LinearTruth::Impl::decide() {
   if (sgn(radius) == 0) {
     toi = {line->first, line->first, true};
   } else {
-    find_root(reaches ? line->first : *horizon);
-  }
-}
-
-// f of the nearest feature's affine hull: a square of the form (a t^2 - 2 b t + c + R^2 k) / k, k > 0.
-Quadratic LinearTruth::Impl::quadratic(const PointDistance& nearest) const {
-  const ConvexHull& hull = cso->hull();
-  const Integer rr = radius * radius;
-  switch (nearest.feature) {
-    case Nearest::vertex: {
-      const IntVec& c = hull.vertices[nearest.index];
-      return {dot(v, v), dot(v, c), dot(c, c) - rr};
-    }
-    case Nearest::edge: {
-      const HullEdge& e = hull.edges[nearest.index];
-      const IntVec vs = cross(v, e.direction), cs = cross(hull.vertices[e.from], e.direction);
-      return {dot(vs, vs), dot(vs, cs), dot(cs, cs) - rr * dot(e.direction, e.direction)};
-    }
-    case Nearest::facet: {
-      const HalfSpace& h = hull.half_spaces[hull.facets[nearest.index].half_space];
-      const Integer rate = dot(h.normal, v);
-      return {rate * rate, rate * h.offset, h.offset * h.offset - rr * dot(h.normal, h.normal)};
-    }
-    case Nearest::inside:
-      break;
-  }
-  return {0, 0, 0};
-}
-
-// f(0) > R >= f(end), f falls strictly on [0, end]. The nearest feature at a probe proposes a root of its
-// quadratic; the signs of f - R decide; bisection takes over every second step, so the loop always narrows.
-void LinearTruth::Impl::find_root(Rational end) {
-  Rational low = 0, high = std::move(end), probe = 0;
-  const auto narrow = [&](const Rational& t) {  // true if t is the root
-    if (t <= low || t >= high) return false;
-    const int sign = excess(t);
-    if (sign == 0) toi = {t, t, true};
-    (sign > 0 ? low : high) = t;
-    return sign == 0;
-  };
-  if (excess(high) == 0) {
-    toi = {high, high, true};
-    return;
-  }
-  constexpr int kBudget = 4000;  // beyond every exponent of a double; typically 1 to 4 rounds are used
-  Integer precision = 1;
-  precision <<= kRootBits - 16;
-  for (int round = 0; round < kBudget && (high - low) * precision > high; ++round) {
-    if (const auto root = smaller_root(quadratic(at(probe)))) {
-      if (narrow(root->low) || (!root->exact && narrow(root->high))) return;
-      probe = low;
-    }
-    if (round % 2 == 1) {
-      probe = (low + high) / 2;
-      if (narrow(probe)) return;
-    }
-  }
-  toi = {low, high, false};
-}
-
-void LinearTruth::Impl::round_root() {
-  lower = floor_double(toi.low);
-  upper = toi.exact ? ceil_double(toi.low) : std::nextafter(lower, kInf);
-  // The enclosure is far narrower than the spacing of doubles, so at most one of them lies inside it.
-  if (!toi.exact && !std::isinf(upper)) {
-    const int order = compare(Rational(upper));
-    if (order <= 0) lower = upper;
-    if (order < 0) upper = std::nextafter(upper, kInf);
+    toi = first_contact(*cso, radius, {1, {0, 0, 0}, v}, reaches ? line->first : *horizon);
   }
 }
 
@@ -296,7 +158,7 @@ int LinearTruth::Impl::compare(const Rational& t) const {
 // exactly when the origin is not interior to the hull of C and -v: for a ball around P, when the ray from 0
 // along v never comes nearer to P than its radius; for a polytope, by that hull.
 bool LinearTruth::Impl::leaves_or_slides() const {
-  if (sgn(shape_radius) > 0) return path_distance_sq({}) >= Rational(shape_radius * shape_radius);
+  if (sgn(shape_radius) > 0) return path_distance_sq(path({})) >= Rational(shape_radius * shape_radius);
   std::vector<IntVec> points = cso->hull().vertices;
   points.push_back(-v);
   const ConvexHull hull = convex_hull(std::move(points));
@@ -306,19 +168,20 @@ bool LinearTruth::Impl::leaves_or_slides() const {
 
 Enclosure LinearTruth::Impl::beyond(const Rational& squared, const Integer& r) const {
   if (sgn(r) == 0) return root_of(squared);
-  const Enclosure negative = enclose_radius_and_sqrt(length(r), -1, squared / (unit * unit));
+  const Enclosure negative = enclose_radius_and_sqrt(length(r), -1, length_sq(squared));
   return not_below_zero({-negative.high, -negative.low});
 }
 
 Enclosure LinearTruth::Impl::short_of(const Rational& squared, const Integer& r) const {
-  return not_below_zero(enclose_radius_and_sqrt(length(r), -1, squared / (unit * unit)));
+  return not_below_zero(enclose_radius_and_sqrt(length(r), -1, length_sq(squared)));
 }
 
-// The least of f^2 over [0, end].
-Rational LinearTruth::Impl::path_distance_sq(const OptionalTime& end) const {
-  if (!line || sgn(line->first) <= 0) return at(0).distance_sq;
-  if (!end || *end >= line->first) return line->distance_sq;
-  return at(*end).distance_sq;
+// The least of f^2 over the span: f falls before line->first and never after it.
+Rational LinearTruth::Impl::path_distance_sq(const Span& span) const {
+  if (!line) return at(0).distance_sq;
+  if (span.to && *span.to < line->first) return at(*span.to).distance_sq;
+  if (span.from && *span.from > line->first) return at(*span.from).distance_sq;
+  return line->distance_sq;
 }
 
 // P swept by v has no interior: it is no solid, and v does not leave the plane of a polygon.
@@ -327,15 +190,14 @@ bool LinearTruth::Impl::sweeps_flat() const {
   return hull.dimension < 2 || (hull.dimension == 2 && sgn(dot(hull.half_spaces[0].normal, v)) == 0);
 }
 
-// Every facet of a solid P + {-s v : 0 <= s <= t} has the normal of a facet of P or is parallel to v and an
+// Every facet of a solid P + {-t v : t in a span} has the normal of a facet of P or is parallel to v and an
 // edge of P that separates facets seen from v from facets not seen. More normals than that do no harm: depth
 // is a least value over all directions.
 void LinearTruth::Impl::prepare_sides() const {
   if (!sides.empty()) return;
   const ConvexHull& hull = cso->hull();
   const auto add = [&](const IntVec& n, Integer offset) {
-    const Integer rate = dot(n, v);
-    sides.push_back({std::move(offset), sgn(rate) < 0 ? Integer(-rate) : Integer(0), dot(n, n)});
+    sides.push_back({std::move(offset), dot(n, v), dot(n, n)});
   };
   for (const HalfSpace& h : hull.half_spaces) add(h.normal, h.offset);
   for (const HullEdge& e : hull.edges) {
@@ -358,39 +220,39 @@ void LinearTruth::Impl::prepare_sides() const {
   }
 }
 
-Enclosure LinearTruth::Impl::sweep_depth(const OptionalTime& end) const {
-  if (sweeps_flat()) return short_of(path_distance_sq(end), radius);
+Enclosure LinearTruth::Impl::sweep_depth(const Span& span) const {
+  if (sweeps_flat()) return short_of(path_distance_sq(span), radius);
   prepare_sides();
+  // Both ends over one denominator.
+  Integer weight = 1, from, to;
+  if (span.from) weight *= span.from->get_den();
+  if (span.to) weight *= span.to->get_den();
+  if (span.from) from = times(weight, *span.from);
+  if (span.to) to = times(weight, *span.to);
   bool inside = true, found = false;
-  Integer best, best_normal_sq;  // depth^2 = best^2 / best_normal_sq
-  const Integer weight = end ? end->get_den() : Integer(1);
+  Integer best, best_normal_sq;  // depth^2 = best^2 / (weight^2 best_normal_sq)
   for (const SweepSide& side : sides) {
-    if (!end && sgn(side.rise) > 0) continue;
-    const Integer support = end ? Integer(weight * side.offset + end->get_num() * side.rise) : side.offset;
-    if (sgn(support) < 0) {
+    const int rises = -sgn(side.rate);  // with t
+    if ((rises > 0 && !span.to) || (rises < 0 && !span.from)) continue;
+    const Integer most = weight * side.offset - (rises > 0 ? to : from) * side.rate;
+    if (sgn(most) < 0) {
       inside = false;
       break;
     }
-    if (!found || support * support * best_normal_sq < best * best * side.normal_sq) {
-      best = support;
+    if (!found || most * most * best_normal_sq < best * best * side.normal_sq) {
+      best = most;
       best_normal_sq = side.normal_sq;
       found = true;
     }
   }
-  if (!inside) return sgn(radius) == 0 ? Enclosure{} : short_of(path_distance_sq(end), radius);
+  if (!inside) return sgn(radius) == 0 ? Enclosure{} : short_of(path_distance_sq(span), radius);
   const Rational squared = fraction(best * best, best_normal_sq * weight * weight);
-  return enclose_radius_and_sqrt(length(radius), 1, squared / (unit * unit));
+  return enclose_radius_and_sqrt(length(radius), 1, length_sq(squared));
 }
 
-const HullDistance& LinearTruth::Impl::body_hull(char body) const {
-  if (body != 'a' && body != 'b') throw std::invalid_argument("a body is 'a' or 'b'");
-  std::optional<HullDistance>& hull = body == 'a' ? body_a : body_b;
-  if (!hull) {
-    std::vector<IntVec> points;
-    for (const RationalPoint& p : (body == 'a' ? a : b).vertices) points.push_back(times(unit, p));
-    hull.emplace(convex_hull(std::move(points)));
-  }
-  return *hull;
+Enclosure LinearTruth::Impl::end_error(double t, const Span& span) const {
+  const Enclosure distance = beyond(at(Rational(t)).distance_sq, radius), depth = sweep_depth(span);
+  return {std::max(distance.low, depth.low), std::max(distance.high, depth.high)};
 }
 
 LinearTruth::LinearTruth(const corpus::Case& problem) : impl_(std::make_unique<Impl>(problem)) {}
@@ -427,11 +289,11 @@ Enclosure LinearTruth::scale() const {
 
 Enclosure LinearTruth::clearance() const {
   if (impl_->outcome != Outcome::miss) return {};
-  return impl_->beyond(impl_->path_distance_sq(impl_->horizon), impl_->radius);
+  return impl_->beyond(impl_->path_distance_sq(impl_->path(impl_->horizon)), impl_->radius);
 }
 
 Enclosure LinearTruth::depth() const {
-  return impl_->outcome == Outcome::miss ? Enclosure{} : impl_->sweep_depth(impl_->horizon);
+  return impl_->outcome == Outcome::miss ? Enclosure{} : impl_->sweep_depth(impl_->path(impl_->horizon));
 }
 
 Enclosure LinearTruth::distance_at(double t) const {
@@ -442,7 +304,7 @@ Enclosure LinearTruth::distance_at(double t) const {
 Enclosure LinearTruth::depth_before(double t) const {
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0) return {};
-  return impl_->sweep_depth(std::isinf(t) ? OptionalTime() : OptionalTime(Rational(t)));
+  return impl_->sweep_depth(impl_->path(std::isinf(t) ? OptionalTime() : OptionalTime(Rational(t))));
 }
 
 Enclosure LinearTruth::backward_error(double t) const {
@@ -456,7 +318,7 @@ Enclosure LinearTruth::backward_error(double t) const {
 
 Enclosure LinearTruth::forward_error(double t) const {
   if (impl_->outcome == Outcome::miss || !std::isfinite(t)) return kUnbounded;
-  const Rational time(t), speed_sq = Rational(dot(impl_->v, impl_->v)) / (impl_->unit * impl_->unit);
+  const Rational time(t), speed_sq = impl_->length_sq(Rational(dot(impl_->v, impl_->v)));
   const Rational d_low = time - impl_->toi.low, d_high = time - impl_->toi.high;
   const Enclosure one = enclose_sqrt(d_low * d_low * speed_sq);
   if (impl_->toi.exact) return one;
@@ -470,25 +332,17 @@ Enclosure LinearTruth::lateness(double t) const {
   if (impl_->outcome == Outcome::miss || compare(t) <= 0) return {};
   // A claimed miss, or a time beyond T, is late by the whole path that the case has.
   const bool beyond_horizon = std::isinf(t) || (impl_->horizon && Rational(t) > *impl_->horizon);
-  return beyond_horizon ? impl_->sweep_depth(impl_->horizon) : depth_before(t);
+  return beyond_horizon ? impl_->sweep_depth(impl_->path(impl_->horizon)) : depth_before(t);
 }
 
 Enclosure LinearTruth::normal_error(const Vec3<double>& n) const {
-  if (impl_->outcome == Outcome::miss || !finite(n) || n.isZero(0)) return kUnbounded;
-  const RationalPoint exact = {Rational(n[0]), Rational(n[1]), Rational(n[2])};
-  Integer denominator = 1;
-  fold_denominators(denominator, exact);
-  const IntVec direction = times(denominator, exact);
-  const ConvexHull& hull = impl_->cso->hull();
-  Integer support = dot(direction, hull.vertices[0]);
-  for (const IntVec& c : hull.vertices) {
-    const Integer reach = dot(direction, c);
-    if (reach > support) support = reach;
-  }
+  if (impl_->outcome == Outcome::miss || !n.allFinite() || n.isZero(0)) return kUnbounded;
+  const IntVec direction = homogeneous(rational(n)).x;
+  const Integer most = support(impl_->cso->hull(), direction);
   const Integer rate = dot(direction, impl_->v);
   const Rational scale_sq = Rational(dot(direction, direction)) * (impl_->unit * impl_->unit);
-  const auto error = [&](const Rational& t) {  // (support - t rate) / |direction| + R
-    const Rational gap = support - t * rate;
+  const auto error = [&](const Rational& t) {  // (h - t rate) / |direction| + R
+    const Rational gap = most - t * rate;
     return enclose_radius_and_sqrt(impl_->length(impl_->radius), sgn(gap) < 0 ? -1 : 1, gap * gap / scale_sq);
   };
   const Enclosure one = error(impl_->toi.low);
@@ -498,18 +352,7 @@ Enclosure LinearTruth::normal_error(const Vec3<double>& n) const {
 }
 
 Enclosure LinearTruth::distance_from_body(char body, double t, const Vec3<double>& world_point) const {
-  const HullDistance& hull = impl_->body_hull(body);
-  if (!std::isfinite(t) || !finite(world_point)) return kUnbounded;
-  const ExactBody& exact = body == 'a' ? impl_->a : impl_->b;
-  const Rational time(t);
-  RationalPoint relative;
-  Integer w = 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    relative[i] = (Rational(world_point[static_cast<int>(i)]) - time * exact.displacement[i]) * impl_->unit;
-  }
-  fold_denominators(w, relative);
-  return impl_->beyond(hull.from_point({times(w, relative), w}).distance_sq,
-                       times(impl_->unit, exact.radius));
+  return impl_->distance_from_body(body, t, world_point);
 }
 
 Enclosure LinearTruth::distance() const {
@@ -517,19 +360,50 @@ Enclosure LinearTruth::distance() const {
 }
 
 double LinearTruth::nearest_distance() const {
-  const Rational squared = impl_->at(0).distance_sq / (impl_->unit * impl_->unit);
+  const Rational squared = impl_->length_sq(impl_->at(0).distance_sq);
   return std::max(0.0, nearest_sqrt_minus(squared, impl_->length(impl_->shape_radius)));
 }
 
+bool LinearTruth::leaves_or_slides() const { return impl_->leaves_or_slides(); }
+
 std::optional<ContactInterval> LinearTruth::contact_interval() const {
-  if (!is_polytope()) throw std::logic_error("contact_interval: for polytopes without rounding");
   if (impl_->v.is_zero()) {
     if (impl_->excess(0) > 0) return {};
-    return ContactInterval{-kInf, kInf};
+    return ContactInterval{-kInf, kInf, {-kInf, -kInf}, {kInf, kInf}, "", ""};
   }
-  const auto interval = impl_->cso->clip_line({{0, 0, 0}, 1}, impl_->v);
-  if (!interval) return {};
-  return ContactInterval{nearest_double(interval->in), nearest_double(interval->out)};
+  const auto times = contact_times(*impl_->cso, impl_->radius, impl_->v);
+  if (!times) return {};
+  // Beyond an end, and only there, f exceeds R.
+  const CompareTime with_in = [this](const Rational& t) { return -impl_->excess(t); };
+  const CompareTime with_out = [this](const Rational& t) { return impl_->excess(t); };
+  const auto exactly = [](const Root& root) { return root.exact ? root.low.get_str() : std::string(); };
+  return ContactInterval{oracle::nearest_double(times->in, with_in),
+                         oracle::nearest_double(times->out, with_out),
+                         enclose(times->in, with_in),
+                         enclose(times->out, with_out),
+                         exactly(times->in),
+                         exactly(times->out)};
+}
+
+Enclosure LinearTruth::entry_error(double t) const {
+  if (std::isnan(t)) return kUnbounded;
+  if (!std::isinf(t)) return impl_->end_error(t, {{}, Rational(t)});
+  // A claim of contact from the beginning of time on, true of a body at rest; or of none at all.
+  if (t < 0) return impl_->v.is_zero() ? line_clearance() : kUnbounded;
+  return line_depth();
+}
+
+Enclosure LinearTruth::exit_error(double t) const {
+  if (std::isnan(t)) return kUnbounded;
+  if (!std::isinf(t)) return impl_->end_error(t, {Rational(t), {}});
+  if (t > 0) return impl_->v.is_zero() ? line_clearance() : kUnbounded;
+  return line_depth();
+}
+
+Enclosure LinearTruth::line_depth() const { return impl_->sweep_depth({}); }
+
+Enclosure LinearTruth::line_clearance() const {
+  return impl_->beyond(impl_->path_distance_sq({}), impl_->radius);
 }
 
 }  // namespace graze::oracle

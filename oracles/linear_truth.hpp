@@ -1,11 +1,11 @@
 // What is true of a linear case: the exact answer, and exact measures of any proposed one. No CGAL header
 // here.
 //
-// Polytopes (point, box, hull; any dimension of the CSO, any rational pose): decided exactly, everything.
-// Spheres, alone or against a polytope, and target distances: the CSO is a polytope P rounded by
-// R = r_A + r_B + m, and every question is a comparison of a squared rational distance with R^2, decided
-// exactly. Cost and limits: see linear_truth.cpp. One object is for one thread: answers are computed when
-// first asked for.
+// Bodies are what exact_body.hpp represents: hulls of rational points, each with one radius, in any pose and
+// of any dimension. Without radii and target distance everything is decided exactly. With them the CSO is a
+// polytope P rounded by R = r_A + r_B + m, and every question is a comparison of a squared rational distance
+// with R^2, decided exactly. Cost and limits: see linear_truth.cpp. One object is for one thread: answers are
+// computed when first asked for.
 #pragma once
 
 #include <memory>
@@ -17,17 +17,19 @@
 
 namespace graze::oracle {
 
-// {t in R : t v in C}, rounded to the nearest doubles.
+// {t in R : t v in C}. Without motion and in contact it is everything, and its ends are infinite.
 struct ContactInterval {
-  double t_in = 0, t_out = 0;
+  double t_in = 0, t_out = 0;       // the nearest doubles
+  Enclosure in, out;                // the doubles on either side
+  std::string in_exact, out_exact;  // "n/d" or "n" where found to be rational (as toi_exact), else ""
 };
 
 // Enclosures are two neighbouring doubles, or one, unless the function says otherwise.
 class LinearTruth {
  public:
-  // Throws std::invalid_argument for a case that it does not decide (rotation, unknown shape) and for bad
-  // input (a number that is not finite, a negative extent, an empty hull, a zero quaternion, t_max or target
-  // below 0).
+  // Throws std::invalid_argument for a case that it does not decide (rotation, a shape that is_exact_body
+  // says no to, more differences than kMostDifferences of integer_scene.hpp) and for bad input (a number that
+  // is not finite, a negative extent, an empty hull, a zero quaternion, t_max or target below 0).
   explicit LinearTruth(const corpus::Case& problem);
   ~LinearTruth();
   LinearTruth(LinearTruth&&) noexcept;
@@ -36,6 +38,9 @@ class LinearTruth {
   // initially_overlapping, hit or miss. Under the policy pass_over a start in contact that leaves or slides
   // is a miss.
   [[nodiscard]] Outcome outcome() const;
+  // n.v >= 0 for some n != 0 with h(n) <= 0, h of the shapes' C, without the target distance. Also said of a
+  // start that is not in contact.
+  [[nodiscard]] bool leaves_or_slides() const;
   // The largest double not above the TOI, and the least not below it; infinity for a miss. (A hit beyond the
   // largest double, possible for T = infinity, lies between that and infinity.)
   [[nodiscard]] double toi_lower() const;
@@ -79,8 +84,17 @@ class LinearTruth {
   [[nodiscard]] int dimension() const;
   // True if the CSO is a polytope: no radius, no target distance.
   [[nodiscard]] bool is_polytope() const;
-  // The signed answer of a polytope (std::logic_error otherwise): nothing if the line misses.
+  // The signed answer; nothing if the line misses.
   [[nodiscard]] std::optional<ContactInterval> contact_interval() const;
+  // Backward errors of proposed ends: the larger of the distance of t v from C and the depth of the line's
+  // part before t_in (after t_out). t_in = -inf and t_out = inf are right for bodies at rest and in contact
+  // and infinitely wrong for any that move; t_in = inf and t_out = -inf claim that the line misses, and err
+  // by the line's depth. Infinity for NaN.
+  [[nodiscard]] Enclosure entry_error(double t_in) const;
+  [[nodiscard]] Enclosure exit_error(double t_out) const;
+  // The least translation after which the whole line misses (0 if it does), and the line's distance from C.
+  [[nodiscard]] Enclosure line_depth() const;
+  [[nodiscard]] Enclosure line_clearance() const;
 
  private:
   struct Impl;

@@ -1,4 +1,4 @@
-// The third opinion on a solid CSO: CGAL's Minkowski sum of Nef polyhedra, A + (-B).
+// The third opinion on a solid CSO, its line and its depth: CGAL's Minkowski sum of Nef polyhedra, A + (-B).
 #pragma once
 
 #include <optional>
@@ -19,9 +19,12 @@ struct NefCso {
 
   // {t in R : t v in C}, v != 0; nothing if it is empty.
   [[nodiscard]] std::optional<std::pair<Rational, Rational>> clip(const RationalPoint& v) const;
+  // The squared distance of the origin, which must be inside (std::logic_error), from the boundary.
+  [[nodiscard]] Rational depth_sq() const;
 };
 
-// For two solid polytopes of few vertices; std::invalid_argument for anything else.
+// For two polytopes of few vertices and any dimension, whose CSO is solid; std::invalid_argument for anything
+// else.
 [[nodiscard]] NefCso nef_cso(const corpus::Case& problem);
 
 }  // namespace graze::oracle

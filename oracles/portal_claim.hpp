@@ -21,10 +21,21 @@
 
 namespace graze::oracle {
 
-struct PortalQuestion {
-  const Solid& a;
-  const Solid& b;
-  const Proof& proof;
+// The points of a portal, all w times what they stand for, w > 0.
+template <class N>
+struct PortalPoints {
+  Triple<N> at[4];
+  int size = 0;
+  bool weighted = false;  // w differs from 1
+  N weight = N(1);
+
+  [[nodiscard]] N weigh(const N& s) const { return weighted ? weight * s : s; }
+  [[nodiscard]] Triple<N> weigh(const Triple<N>& s) const { return weighted ? scaled(weight, s) : s; }
+};
+
+struct PathQuestion {
+  const Vec3<double>& displacement_a;
+  const Vec3<double>& displacement_b;
   double horizon;          // U
   double target_distance;  // m
 };
@@ -34,18 +45,16 @@ enum class PortalFinding { holds, off_path, beyond, unknown };
 template <class N>
 class PortalClaim {
  public:
-  explicit PortalClaim(const PortalQuestion& ask)
-      : ask_(ask), pair_(ask.a, ask.b), size_(ask.proof.portal_size), horizon_(ask.horizon) {
-    for (int i = 0; i < size_; ++i) {
-      const SupportPair& s = ask.proof.portal[static_cast<std::size_t>(i)];
-      points_[i] = difference_point(pair_, ask.a, ask.b, s.a, s.b);
-    }
+  PortalClaim(const PathQuestion& ask, PortalPoints<N> points)
+      : portal_(std::move(points)),
+        horizon_(ask.horizon),
+        target_distance_(ask.target_distance),
+        velocity_(difference<N>(ask.displacement_b, ask.displacement_a)) {
     // The largest component of v; its sign is exact, being that of one rounded difference.
-    const Vec3<double> v = *ask.b.displacement - *ask.a.displacement;
+    const Vec3<double> v = ask.displacement_b - ask.displacement_a;
     v.cwiseAbs().maxCoeff(&axis_);
     moving_ = v[axis_] != 0;
     backward_ = v[axis_] < 0;
-    velocity_ = pair_.velocity;
     if (!moving_) {
       // The path is the origin: that is in P iff it is s u, s in [0, 0], for any direction u.
       axis_ = 0;
@@ -57,7 +66,7 @@ class PortalClaim {
   [[nodiscard]] PortalFinding decide() const {
     const Crossing crossing = cross_path();
     const Answer on_time = both(crossing.before_end, crossing.after_start);
-    if (ask_.target_distance == 0) {
+    if (target_distance_ == 0) {
       if (on_time == Answer::yes) return PortalFinding::holds;
       if (crossing.found == Answer::unknown || on_time == Answer::unknown) return PortalFinding::unknown;
       return crossing.found == Answer::yes && moving_ ? PortalFinding::beyond : PortalFinding::off_path;
@@ -78,7 +87,7 @@ class PortalClaim {
   // One subset that holds 0, at s = numerator / (denominator v_c w), denominator of the given sign.
   void add(Crossing& crossing, const N& numerator, const N& denominator, bool negative) const {
     const bool flip = negative != backward_;
-    const N end = denominator * pair_.weigh(velocity_[axis_] * horizon_);
+    const N end = denominator * portal_.weigh(velocity_[axis_] * horizon_);
     const Sign start_sign = sign(numerator), end_sign = sign(numerator - end);
     crossing.found = Answer::yes;
     crossing.after_start =
@@ -91,39 +100,39 @@ class PortalClaim {
     constexpr Crossing undecided{Answer::unknown, Answer::unknown, Answer::unknown};
     Crossing crossing;
     Triple<N> arm[4];  // v x p_i
-    for (int i = 0; i < size_; ++i) arm[i] = cross(velocity_, points_[i]);
+    for (int i = 0; i < portal_.size; ++i) arm[i] = cross(velocity_, portal_.at[i]);
     N turn[4][4];  // o_ij, i < j
     Sign turn_sign[4][4];
     bool on_line_possible[4] = {true, true, true, true};  // no o_ij shows that p_i is off the line
-    for (int i = 0; i < size_; ++i) {
-      for (int j = i + 1; j < size_; ++j) {
-        turn[i][j] = dot(arm[i], points_[j]);
+    for (int i = 0; i < portal_.size; ++i) {
+      for (int j = i + 1; j < portal_.size; ++j) {
+        turn[i][j] = dot(arm[i], portal_.at[j]);
         turn_sign[i][j] = sign(turn[i][j]);
         if (turn_sign[i][j] == Sign::unknown) return undecided;
         if (turn_sign[i][j] != Sign::zero) on_line_possible[i] = on_line_possible[j] = false;
       }
     }
-    for (int i = 0; i < size_; ++i) {
+    for (int i = 0; i < portal_.size; ++i) {
       if (!on_line_possible[i]) continue;
       const Sign x = sign(arm[i].x), y = sign(arm[i].y), z = sign(arm[i].z);
       const Answer off = either(either(nonzero(x), nonzero(y)), nonzero(z));
       if (off == Answer::unknown) return undecided;
-      if (off == Answer::no) add(crossing, points_[i][axis_], N(1), false);
+      if (off == Answer::no) add(crossing, portal_.at[i][axis_], N(1), false);
     }
-    for (int i = 0; i < size_; ++i) {
-      for (int j = i + 1; j < size_; ++j) {
+    for (int i = 0; i < portal_.size; ++i) {
+      for (int j = i + 1; j < portal_.size; ++j) {
         if (turn_sign[i][j] != Sign::zero) continue;
         const N g = dot(arm[i], arm[j]);
         const Answer opposite = is_negative(sign(g));
         if (opposite == Answer::unknown) return undecided;
         if (opposite == Answer::no) continue;
         const N g_ii = dot(arm[i], arm[i]);
-        add(crossing, g_ii * points_[j][axis_] - g * points_[i][axis_], g_ii - g, false);
+        add(crossing, g_ii * portal_.at[j][axis_] - g * portal_.at[i][axis_], g_ii - g, false);
       }
     }
-    for (int i = 0; i < size_; ++i) {
-      for (int j = i + 1; j < size_; ++j) {
-        for (int k = j + 1; k < size_; ++k) {
+    for (int i = 0; i < portal_.size; ++i) {
+      for (int j = i + 1; j < portal_.size; ++j) {
+        for (int k = j + 1; k < portal_.size; ++k) {
           // o_ki = -o_ik
           const Sign ij = turn_sign[i][j], jk = turn_sign[j][k], ki = negated(turn_sign[i][k]);
           const bool any_negative = ij == Sign::negative || jk == Sign::negative || ki == Sign::negative;
@@ -131,8 +140,8 @@ class PortalClaim {
           if (any_negative == any_positive) continue;  // 0 outside; or, all zero, no triangle
           const N total = turn[i][j] + turn[j][k] - turn[i][k];
           add(crossing,
-              turn[j][k] * points_[i][axis_] - turn[i][k] * points_[j][axis_] +
-                  turn[i][j] * points_[k][axis_],
+              turn[j][k] * portal_.at[i][axis_] - turn[i][k] * portal_.at[j][axis_] +
+                  turn[i][j] * portal_.at[k][axis_],
               total, any_negative);
         }
       }
@@ -142,32 +151,32 @@ class PortalClaim {
 
   // Is P within m of [0, U v] (bounded), or of the line through 0 along v? P may be taken to meet neither.
   [[nodiscard]] Answer near_path(bool bounded) const {
-    const N m = pair_.weigh(N(ask_.target_distance));
+    const N m = portal_.weigh(N(target_distance_));
     const N m_sq = m * m;
     const bool has_length = !bounded || horizon_ > 0;
     const Triple<N> along =
-        !has_length ? Triple<N>{} : -(bounded ? pair_.weigh(scaled(N(horizon_), velocity_)) : velocity_);
+        !has_length ? Triple<N>{} : -(bounded ? portal_.weigh(scaled(N(horizon_), velocity_)) : velocity_);
     Answer near = Answer::no;
     const auto consider = [&near](Answer answer) { near = either(near, answer); };
     if (bounded) {
       for (int end = 0; end < (has_length ? 2 : 1) && near != Answer::yes; ++end) {
         Triple<N> z[4];
-        for (int i = 0; i < size_; ++i) z[i] = end == 0 ? points_[i] : points_[i] + along;
-        for (int i = 0; i < size_; ++i) {
+        for (int i = 0; i < portal_.size; ++i) z[i] = end == 0 ? portal_.at[i] : portal_.at[i] + along;
+        for (int i = 0; i < portal_.size; ++i) {
           consider(at_most_zero(sign(dot(z[i], z[i]) - m_sq)));
-          for (int j = i + 1; j < size_; ++j) {
+          for (int j = i + 1; j < portal_.size; ++j) {
             consider(near_edge(z[i], z[j] - z[i], m_sq, true));
-            for (int k = j + 1; k < size_; ++k)
+            for (int k = j + 1; k < portal_.size; ++k)
               consider(near_patch(z[i], z[j] - z[i], z[k] - z[i], m_sq, Patch::triangle));
           }
         }
       }
     }
     if (has_length) {
-      for (int i = 0; i < size_ && near != Answer::yes; ++i) {
-        consider(near_edge(points_[i], along, m_sq, bounded));
-        for (int j = i + 1; j < size_; ++j)
-          consider(near_patch(points_[i], points_[j] - points_[i], along, m_sq,
+      for (int i = 0; i < portal_.size && near != Answer::yes; ++i) {
+        consider(near_edge(portal_.at[i], along, m_sq, bounded));
+        for (int j = i + 1; j < portal_.size; ++j)
+          consider(near_patch(portal_.at[i], portal_.at[j] - portal_.at[i], along, m_sq,
                               bounded ? Patch::parallelogram : Patch::strip));
       }
     }
@@ -214,14 +223,26 @@ class PortalClaim {
     return s == Sign::unknown ? s : static_cast<Sign>(-static_cast<int>(s));
   }
 
-  PortalQuestion ask_;
-  Pair<N> pair_;
-  int size_;
-  double horizon_;
-  Triple<N> points_[4];
+  PortalPoints<N> portal_;
+  double horizon_, target_distance_;
   Triple<N> velocity_;
   int axis_ = 0;
   bool moving_ = true, backward_ = false;
 };
+
+// The points of a proof about two leaves.
+template <class N>
+[[nodiscard]] PortalPoints<N> portal_points(const Solid& a, const Solid& b, const Proof& proof) {
+  const Pair<N> pair(a, b);
+  PortalPoints<N> points;
+  points.size = proof.portal_size;
+  points.weighted = pair.weighted;
+  points.weight = pair.weight;
+  for (int i = 0; i < points.size; ++i) {
+    const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
+    points.at[i] = difference_point(pair, a, b, s.a, s.b);
+  }
+  return points;
+}
 
 }  // namespace graze::oracle

@@ -6,7 +6,11 @@
 // component lies in [1, 2).
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <graze/body.hpp>
+#include <graze/proof.hpp>
 #include <span>
 
 #include "oracles/arithmetic.hpp"
@@ -14,30 +18,53 @@
 
 namespace graze::oracle {
 
-// What the checker reads of a body; a view, it owns nothing. Exactly one of `vertices` and `half_extents` is
-// given for a hull or a box, neither for a point or a sphere.
-struct Solid {
-  std::span<const Vec3<double>> vertices = {};
+// A core of finitely many vertices: a box by its half extents, else a list, a view of the hull's or its own.
+// Empty for a point or a sphere at the origin.
+struct Polytope {
+  std::span<const Vec3<double>> given = {};
+  std::array<Vec3<double>, 3> own;  // the first own_count, if that is not 0
+  std::size_t own_count = 0;
   const Vec3<double>* half_extents = nullptr;
-  double radius = 0;
-  bool is_sphere = false;
-  bool rotated = false;
-  Quaternion<double> q = {};  // scaled; unused unless rotated
-  const Vec3<double>* position = nullptr;
-  const Vec3<double>* displacement = nullptr;
-  Vec3<double> reach = Vec3<double>::Zero();  // max |x_i| over a hull's vertices
+  Vec3<double> reach = Vec3<double>::Zero();  // max |x_i| over the list
 
-  [[nodiscard]] std::size_t vertex_count() const {
-    return half_extents != nullptr ? 8 : vertices.empty() ? 1 : vertices.size();
+  [[nodiscard]] std::span<const Vec3<double>> list() const {
+    return own_count > 0 ? std::span<const Vec3<double>>(own.data(), own_count) : given;
+  }
+  [[nodiscard]] bool is_origin() const { return half_extents == nullptr && own_count == 0 && given.empty(); }
+  [[nodiscard]] std::size_t count() const {
+    return half_extents != nullptr ? 8 : is_origin() ? 1 : list().size();
   }
   [[nodiscard]] Vec3<double> vertex(std::size_t k) const {
     if (half_extents != nullptr) {
       const Vec3<double>& h = *half_extents;
       return {(k & 1) != 0 ? h.x() : -h.x(), (k & 2) != 0 ? h.y() : -h.y(), (k & 4) != 0 ? h.z() : -h.z()};
     }
-    return vertices.empty() ? Vec3<double>::Zero() : vertices[k];
+    return is_origin() ? Vec3<double>::Zero() : list()[k];
   }
 };
+
+// A polytope plus a ball, of radius 0 without one.
+struct Leaf {
+  Polytope core;
+  double radius = 0;
+  bool has_ball = false;
+};
+
+// What the checker reads of a body whose shape is such a leaf.
+struct Solid : Leaf {
+  bool rotated = false;
+  Quaternion<double> q = {};  // scaled; unused unless rotated
+  const Vec3<double>* position = nullptr;
+  const Vec3<double>* displacement = nullptr;
+};
+
+// The same rotation by a q whose largest component lies in [1, 2).
+[[nodiscard]] inline Quaternion<double> scaled_to_one(const Quaternion<double>& q) {
+  const double largest =
+      std::max(std::max(std::abs(q.w), std::abs(q.x)), std::max(std::abs(q.y), std::abs(q.z)));
+  const double scale = std::scalbn(1.0, -std::ilogb(largest));
+  return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
+}
 
 // M and w; rows of M. For a body that is not rotated w = 1 and M = 1, and neither is used.
 template <class N>
@@ -46,9 +73,9 @@ struct Frame {
   N weight = N(1);
   Triple<N> row_x, row_y, row_z;
 
-  explicit Frame(const Solid& s) : rotated(s.rotated) {
+  Frame(bool is_rotated, const Quaternion<double>& q) : rotated(is_rotated) {
     if (!rotated) return;
-    const N w(s.q.w), x(s.q.x), y(s.q.y), z(s.q.z);
+    const N w(q.w), x(q.x), y(q.y), z(q.z);
     const N ww = w * w, xx = x * x, yy = y * y, zz = z * z;
     const N x2 = x + x, y2 = y + y, z2 = z + z;
     const N xy = x2 * y, xz = x2 * z, yz = y2 * z, wx = w * x2, wy = w * y2, wz = w * z2;
@@ -82,8 +109,8 @@ struct Pair {
   Triple<N> velocity;  // displacement_B - displacement_A
 
   Pair(const Solid& solid_a, const Solid& solid_b)
-      : a(solid_a),
-        b(solid_b),
+      : a(solid_a.rotated, solid_a.q),
+        b(solid_b.rotated, solid_b.q),
         weighted(a.rotated || b.rotated),
         weight(!weighted ? N(1) : a.weight * b.weight),
         offset(difference<N>(*solid_a.position, *solid_b.position)),
@@ -106,31 +133,31 @@ struct Scan {
   return d.x() * x.x() + d.y() * x.y() + d.z() * x.z();
 }
 
-// max over the solid's vertices x of n.x, n in the body's frame, first pass: fills `scan`.
+// max over the core's vertices x of n.x, n in the body's frame, first pass: fills `scan`.
 //
 // d_i the computed n_i, |n_i - d_i| <= e_i, X_i = max |x_i|. Every fl(d.x), fused or not, is within
 //   3.01 u sum |d_i| X_i + sum e_i X_i + 2^-1072
 // of n.x, so within `error` = 8 u sum |d_i| X_i + sum e_i X_i + 2^-1000, rounded up; the excess covers the
 // rounding of the threshold, best - 2 error. Best is within `error` of the maximum.
-[[nodiscard]] inline Filtered support(const Solid& solid, const Triple<Filtered>& n, Scan& scan) {
-  if (solid.half_extents != nullptr) {
-    const Vec3<double>& h = *solid.half_extents;
+[[nodiscard]] inline Filtered support(const Polytope& core, const Triple<Filtered>& n, Scan& scan) {
+  if (core.half_extents != nullptr) {
+    const Vec3<double>& h = *core.half_extents;
     return abs(n.x) * h.x() + abs(n.y) * h.y() + abs(n.z) * h.z();
   }
-  if (solid.vertices.empty()) return Filtered(0);
+  if (core.is_origin()) return Filtered(0);
   scan.direction = {n.x.value(), n.y.value(), n.z.value()};
-  const double bulk = std::abs(scan.direction.x()) * solid.reach.x() +
-                      std::abs(scan.direction.y()) * solid.reach.y() +
-                      std::abs(scan.direction.z()) * solid.reach.z();
+  const double bulk = std::abs(scan.direction.x()) * core.reach.x() +
+                      std::abs(scan.direction.y()) * core.reach.y() +
+                      std::abs(scan.direction.z()) * core.reach.z();
   const double inherited =
-      n.x.error() * solid.reach.x() + n.y.error() * solid.reach.y() + n.z.error() * solid.reach.z();
+      n.x.error() * core.reach.x() + n.y.error() * core.reach.y() + n.z.error() * core.reach.z();
   if (!(bulk < 0x1p1000)) {  // overflow is near: every vertex stays a candidate
     scan.threshold = -kInfinity<double>;
     return {0, kInfinity<double>};
   }
   const double error = (8 * kUnitRoundoff<double> * bulk + inherited + 0x1p-1000) * Filtered::kUp;
   double best = -kInfinity<double>;
-  for (const Vec3<double>& x : solid.vertices) {
+  for (const Vec3<double>& x : core.list()) {
     const double value = scan_value(scan.direction, x);
     best = value > best ? value : best;
   }
@@ -140,15 +167,15 @@ struct Scan {
 
 // The same among the candidates that a scan left.
 template <class N>
-[[nodiscard]] N support(const Solid& solid, const Triple<N>& n, const Scan& scan) {
-  if (solid.half_extents != nullptr) {
-    const Vec3<double>& h = *solid.half_extents;
+[[nodiscard]] N support(const Polytope& core, const Triple<N>& n, const Scan& scan) {
+  if (core.half_extents != nullptr) {
+    const Vec3<double>& h = *core.half_extents;
     return abs(n.x) * h.x() + abs(n.y) * h.y() + abs(n.z) * h.z();
   }
-  if (solid.vertices.empty()) return N(0);
+  if (core.is_origin()) return N(0);
   N best(0);
   bool found = false;
-  for (const Vec3<double>& x : solid.vertices) {
+  for (const Vec3<double>& x : core.list()) {
     if (scan_value(scan.direction, x) < scan.threshold) continue;
     const N value = dot(n, x);
     best = found ? max(best, value) : value;
@@ -162,15 +189,15 @@ template <class N>
 [[nodiscard]] Triple<N> difference_point(const Pair<N>& pair, const Solid& a, const Solid& b,
                                          const Feature& fa, const Feature& fb) {
   Triple<N> at = pair.offset;
-  if (a.is_sphere) at = at + triple<N>(fa.offset);
-  if (b.is_sphere) at = at - triple<N>(fb.offset);
+  if (a.has_ball) at = at + triple<N>(fa.offset);
+  if (b.has_ball) at = at - triple<N>(fb.offset);
   at = pair.weigh(at);
-  if (a.half_extents != nullptr || !a.vertices.empty()) {
-    const Triple<N> x = pair.a.apply(a.vertex(fa.vertex));
+  if (!a.core.is_origin()) {
+    const Triple<N> x = pair.a.apply(a.core.vertex(fa.vertex));
     at = at + (pair.b.rotated ? scaled(pair.b.weight, x) : x);
   }
-  if (b.half_extents != nullptr || !b.vertices.empty()) {
-    const Triple<N> x = pair.b.apply(b.vertex(fb.vertex));
+  if (!b.core.is_origin()) {
+    const Triple<N> x = pair.b.apply(b.core.vertex(fb.vertex));
     at = at - (pair.a.rotated ? scaled(pair.a.weight, x) : x);
   }
   return at;

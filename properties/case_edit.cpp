@@ -9,68 +9,7 @@ using corpus::Case;
 
 namespace {
 
-// SplitMix64's finaliser (Steele, Lea, Flood 2014): a bijection on 64 bits.
-std::uint64_t mix(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-std::size_t vertex_count(const Shape<double>& shape) {
-  const auto* hull = std::get_if<Hull<double>>(&shape);
-  return hull ? hull->size() : 0;
-}
-
-bool same_kind(const Shape<double>& l, const Shape<double>& r) {
-  return l.index() == r.index() && vertex_count(l) == vertex_count(r);
-}
-
-bool empty_hull(const Shape<double>& shape) {
-  return std::holds_alternative<Hull<double>>(shape) && vertex_count(shape) == 0;
-}
-
 bool zero(const Quaternion<double>& q) { return q.w == 0 && q.is_identity(); }
-
-// The vertices of a polytope in its own frame; nothing for a sphere.
-std::optional<std::vector<Vec3<double>>> vertices_of(const Shape<double>& shape) {
-  if (std::holds_alternative<Point<double>>(shape)) return std::vector<Vec3<double>>{Vec3<double>::Zero()};
-  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
-    return std::vector<Vec3<double>>(hull->vertices().begin(), hull->vertices().end());
-  }
-  const auto* box = std::get_if<Box<double>>(&shape);
-  if (!box) return std::nullopt;
-  std::vector<Vec3<double>> corners;
-  for (unsigned k = 0; k < 8; ++k) {
-    Vec3<double> corner = box->half_extents;
-    for (unsigned i = 0; i < 3; ++i) {
-      if (!(k >> i & 1)) corner[i] = -corner[i];
-    }
-    corners.push_back(corner);
-  }
-  return corners;
-}
-
-// A signed permutation of the axes that x -> q x conj(q) / |q|^2 makes, if it is one that needs no
-// arithmetic: the identity and the half turns about the axes.
-std::optional<Vec3<double>> signs_of(const Quaternion<double>& q) {
-  const int nonzero = (q.w != 0) + (q.x != 0) + (q.y != 0) + (q.z != 0);
-  if (nonzero != 1) return std::nullopt;
-  if (q.w != 0) return Vec3<double>(1, 1, 1);
-  if (q.x != 0) return Vec3<double>(1, -1, -1);
-  if (q.y != 0) return Vec3<double>(-1, 1, -1);
-  return Vec3<double>(-1, -1, 1);
-}
-
-std::optional<Vec3<double>> exact_sum(const Vec3<double>& a, const Vec3<double>& b) {
-  Vec3<double> sum;
-  for (int i = 0; i < 3; ++i) {
-    const std::optional<double> s = law::exact_sum(a[i], b[i]);
-    if (!s) return std::nullopt;
-    sum[i] = *s;
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -84,7 +23,9 @@ std::vector<double> scalars(const Case& problem) {
 }
 
 bool same_input(const Case& left, const Case& right) {
-  if (!same_kind(left.a.shape, right.a.shape) || !same_kind(left.b.shape, right.b.shape)) return false;
+  if (outline(left.a.shape) != outline(right.a.shape) || outline(left.b.shape) != outline(right.b.shape)) {
+    return false;
+  }
   const std::vector<double> l = scalars(left), r = scalars(right);
   for (std::size_t i = 0; i < l.size(); ++i) {
     if (!(l[i] == r[i]) && !(std::isnan(l[i]) && std::isnan(r[i]))) return false;
@@ -104,7 +45,7 @@ bool in_domain(const Case& problem) {
 }
 
 bool must_be_refused(const Case& problem) {
-  if (empty_hull(problem.a.shape) || empty_hull(problem.b.shape)) return true;
+  if (is_malformed(problem.a.shape) || is_malformed(problem.b.shape)) return true;
   if (zero(problem.a.orientation) || zero(problem.b.orientation)) return true;
   bool bad = false;
   (void)map_scalars(problem, [&](Slot slot, double x) {
@@ -120,15 +61,7 @@ bool must_be_refused(const Case& problem) {
 }
 
 bool is_polytope(const Case& problem) {
-  return problem.target_distance == 0 && !std::holds_alternative<Sphere<double>>(problem.a.shape) &&
-         !std::holds_alternative<Sphere<double>>(problem.b.shape);
-}
-
-// Knuth's TwoSum: the error of the rounded sum, itself exact.
-std::optional<double> exact_sum(double a, double b) {
-  const double s = a + b, bb = s - a, error = (a - (s - bb)) + (b - bb);
-  if (!std::isfinite(s) || error != 0) return std::nullopt;
-  return s;
+  return problem.target_distance == 0 && is_polytope(problem.a.shape) && is_polytope(problem.b.shape);
 }
 
 // The fused error term is exact unless it falls below the subnormals, which the second test excludes.
@@ -192,48 +125,20 @@ Case grown(const Case& problem, std::uint64_t salt) {
   other.expect.reset();
   const std::uint64_t pick = mix(salt ^ 0x67726f77u);
   Body<double>& body = pick & 1 ? other.a : other.b;
-  // By one unit in the last place, by a sixteenth, or twofold: the law holds for a superset of any size.
-  const auto larger = [&](double x) {
-    const unsigned how = pick >> 1 & 3;
-    if (x == 0) return how == 0 ? 0x1p-20 : 1.0;
-    return how == 0 ? std::nextafter(x, 2 * x) : how == 1 ? x * 1.0625 : 2 * x;
-  };
-  const auto direction = [&](int i) {
-    return static_cast<double>(static_cast<int>(mix(pick + 17U * static_cast<std::uint64_t>(i)) % 9) - 4);
-  };
-  if (std::holds_alternative<Point<double>>(body.shape)) {
-    if (pick >> 8 & 1) {
-      body.shape = Sphere<double>{larger(0)};
-    } else {
-      body.shape = Hull<double>{Vec3<double>::Zero(), {direction(0), direction(1), direction(2)}};
-    }
-  } else if (auto* sphere = std::get_if<Sphere<double>>(&body.shape)) {
-    sphere->radius = larger(sphere->radius);
-  } else if (auto* box = std::get_if<Box<double>>(&body.shape)) {
-    const std::uint64_t axes = 1 + (pick >> 8) % 7;
-    for (unsigned i = 0; i < 3; ++i) {
-      if (axes >> i & 1) box->half_extents[i] = larger(box->half_extents[i]);
-    }
-  } else if (auto* hull = std::get_if<Hull<double>>(&body.shape)) {
-    std::vector<Vec3<double>> vertices(hull->vertices().begin(), hull->vertices().end());
-    Vec3<double> extra = vertices[(pick >> 8) % vertices.size()];
-    // Grown away from the origin of the body, or moved by the size of a coordinate: any new vertex will do.
-    const double size = extra.cwiseAbs().maxCoeff();
-    for (int i = 0; i < 3; ++i) {
-      extra[i] = direction(i) < 0 ? larger(extra[i]) : extra[i] + direction(i) * (size == 0 ? 1 : size / 4);
-    }
-    vertices.push_back(extra);
-    body.shape = Hull<double>(std::span<const Vec3<double>>(vertices));
-  }
+  body.shape = grown(body.shape, pick);
   return other;
 }
 
 std::optional<Case> ray_against_cso(const Case& problem) {
   if (!is_polytope(problem)) return std::nullopt;
   const auto sign_a = signs_of(problem.a.orientation), sign_b = signs_of(problem.b.orientation);
-  const auto local_a = vertices_of(problem.a.shape), local_b = vertices_of(problem.b.shape);
   // 400 differences at most: the law is about the identity, not about speed.
-  if (!sign_a || !sign_b || local_a->size() * local_b->size() > 400) return std::nullopt;
+  constexpr std::size_t kMost = 400;
+  const auto local_a = exact_vertices(problem.a.shape, kMost),
+             local_b = exact_vertices(problem.b.shape, kMost);
+  if (!sign_a || !sign_b || !local_a || !local_b || local_a->size() * local_b->size() > kMost) {
+    return std::nullopt;
+  }
   std::vector<Vec3<double>> differences;
   for (const Vec3<double>& local : *local_a) {
     const auto a = exact_sum(problem.a.position, Vec3<double>(sign_a->cwiseProduct(local)));
@@ -289,7 +194,10 @@ std::optional<Split> split(const Case& problem, std::uint64_t salt) {
 }
 
 std::uint64_t hash_of(const Case& problem) {
-  std::uint64_t h = problem.a.shape.index() * 16 + problem.b.shape.index();
+  std::uint64_t h = 0;
+  for (const Body<double>* body : {&problem.a, &problem.b}) {
+    for (const std::uint32_t word : outline(body->shape)) h = mix(h ^ word);
+  }
   for (const double x : scalars(problem)) h = mix(h ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x));
   return h;
 }

@@ -10,46 +10,25 @@
 #include <vector>
 
 #include "corpus/case.hpp"
+#include "properties/shape_edit.hpp"
 
 namespace graze::law {
-
-// What a scalar of a case means. The order of the visit is fixed: A's shape, position, orientation and
-// displacement, then B's, then the horizon, then the target distance.
-enum class Slot : std::uint8_t { vertex, extent, position, orientation, displacement, horizon, target };
-
-[[nodiscard]] constexpr bool is_length(Slot slot) {
-  return slot != Slot::orientation && slot != Slot::horizon;
-}
 
 namespace detail {
 
 template <class F>
-void map_shape(Shape<double>& shape, F& f) {
-  if (auto* sphere = std::get_if<Sphere<double>>(&shape)) {
-    sphere->radius = f(Slot::extent, sphere->radius);
-  } else if (auto* box = std::get_if<Box<double>>(&shape)) {
-    for (int i = 0; i < 3; ++i) box->half_extents[i] = f(Slot::extent, box->half_extents[i]);
-  } else if (auto* hull = std::get_if<Hull<double>>(&shape)) {
-    std::vector<Vec3<double>> vertices(hull->vertices().begin(), hull->vertices().end());
-    for (Vec3<double>& v : vertices) {
-      for (int i = 0; i < 3; ++i) v[i] = f(Slot::vertex, v[i]);
-    }
-    *hull = Hull<double>(std::span<const Vec3<double>>(vertices));
-  }
-}
-
-template <class F>
 void map_body(Body<double>& body, F& f) {
-  map_shape(body.shape, f);
-  for (int i = 0; i < 3; ++i) body.position[i] = f(Slot::position, body.position[i]);
-  Quaternion<double>& q = body.orientation;
-  for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = f(Slot::orientation, *x);
-  for (int i = 0; i < 3; ++i) body.displacement[i] = f(Slot::displacement, body.displacement[i]);
+  const ShapeMap<F> map{f};
+  body.shape = map_shape(body.shape, f);
+  body.position = map.vector(Slot::position, body.position);
+  body.orientation = map.quaternion(body.orientation);
+  body.displacement = map.vector(Slot::displacement, body.displacement);
 }
 
 }  // namespace detail
 
-// The case with every scalar x replaced by f(slot, x).
+// The case with every scalar x replaced by f(slot, x). The order of the visit is fixed: A's shape, position,
+// orientation and displacement, then B's, then the horizon, then the target distance.
 template <class F>
 [[nodiscard]] corpus::Case map_scalars(corpus::Case problem, F&& f) {
   detail::map_body(problem.a, f);
@@ -61,18 +40,18 @@ template <class F>
 
 // Every scalar, in the order of the visit.
 [[nodiscard]] std::vector<double> scalars(const corpus::Case& problem);
-// Equal shapes (kind and size) and equal bits in every scalar; zeros of either sign are equal.
+// Equal shapes (outline) and equal bits in every scalar; zeros of either sign are equal.
 [[nodiscard]] bool same_input(const corpus::Case& left, const corpus::Case& right);
-// The domain: finite numbers, each 0 or of magnitude 1e-60 to 1e60, no empty hull, no negative extent, q !=
-// 0, t_max >= 0 (infinity allowed), target_distance >= 0. Written from the documentation of the library, not
-// from its code.
+// The domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q
+// != 0, t_max >= 0 (infinity allowed), target_distance >= 0. Written from the documentation of the library,
+// not from its code.
 [[nodiscard]] bool in_domain(const corpus::Case& problem);
-// A NaN, an infinity (but in t_max), an empty hull, a negative extent or distance, q = 0: must be refused.
+// A NaN, an infinity (but in t_max), a malformed shape (shape_edit.hpp), a negative extent or distance, q =
+// 0: must be refused.
 [[nodiscard]] bool must_be_refused(const corpus::Case& problem);
-[[nodiscard]] bool is_polytope(const corpus::Case& problem);  // no sphere and no target distance
+[[nodiscard]] bool is_polytope(const corpus::Case& problem);  // both shapes, and no target distance
 
-// a - b, a + b, a * b where exact.
-[[nodiscard]] std::optional<double> exact_sum(double a, double b);
+// a * b where exact.
 [[nodiscard]] std::optional<double> exact_product(double a, double b);
 
 // v = v_B - v_A rounded to double, and its length.
@@ -85,8 +64,7 @@ template <class F>
 // Both bodies moved by one vector, chosen among large and small ones, axis by axis, so that every sum is
 // exact; `salt` varies the choice. Nothing where no axis can move. TOI unchanged.
 [[nodiscard]] std::optional<corpus::Case> translated(const corpus::Case& problem, std::uint64_t salt);
-// The shape of A (or B, by `salt`) replaced by a superset: a box or a sphere grown, a hull with one more
-// vertex, a point become a sphere or a segment. TOI not later.
+// The shape of A (or B, by `salt`) replaced by a superset (shape_edit.hpp). TOI not later.
 [[nodiscard]] corpus::Case grown(const corpus::Case& problem, std::uint64_t salt);
 // C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed vertices
 // only.

@@ -112,21 +112,7 @@ class Drawing {
     return q;
   }
 
-  Shape<double> shape() {
-    switch (random_.below(8)) {
-      case 0:
-        return Point<double>{};
-      case 1:
-      case 2:
-        return Sphere<double>{extent()};
-      case 3:
-      case 4: {
-        const double x = extent(), y = extent(), z = extent();
-        return Box<double>{{x, y, z}};
-      }
-      default:
-        break;
-    }
+  Shape<double> hull() {
     // Any vertices: duplicates, flat and collinear sets come by themselves on the integers.
     std::vector<Vec3<double>> vertices(1 + random_.below(4 + static_cast<unsigned>(size_) / 8));
     for (Vec3<double>& v : vertices) v = vector();
@@ -137,21 +123,152 @@ class Drawing {
     return Hull<double>(std::span<const Vec3<double>>(vertices));
   }
 
+  Vec3<double> extents() {
+    const double x = extent(), y = extent(), z = extent();
+    return {x, y, z};
+  }
+
+  template <class Round>
+  Shape<double> round() {
+    const double radius = extent(), half_height = extent();
+    return Round{radius, half_height};
+  }
+
+  Shape<double> leaf() {
+    switch (random_.below(14)) {
+      case 0:
+        return Point<double>{};
+      case 1:
+      case 2:
+        return Sphere<double>{extent()};
+      case 3:
+      case 4:
+        return Box<double>{extents()};
+      case 5: {
+        const Vec3<double> a = vector(), b = vector();
+        return Segment<double>{a, random_.once_in(8) ? a : b};
+      }
+      case 6: {
+        const Vec3<double> a = vector(), b = vector(), c = vector();
+        // Now and then without an area.
+        return Triangle<double>{a, b, random_.once_in(8) ? Vec3<double>(2 * b - a) : c};
+      }
+      case 7:
+        return round<Capsule<double>>();
+      case 8:
+        return Ellipsoid<double>{extents()};
+      case 9:
+        return round<Cylinder<double>>();
+      case 10:
+        return round<Cone<double>>();
+      default:
+        return hull();
+    }
+  }
+
+  // The vertices of a part are few, since those of a sum are multiplied.
+  Shape<double> part(int depth) {
+    constexpr std::uint64_t kMost = 8;
+    Shape<double> one = depth > 0 && random_.once_in(3) ? combined(depth - 1) : leaf();
+    return vertex_count(one) <= kMost ? one : Shape<double>(Sphere<double>{extent()});
+  }
+
+  Shape<double> combined(int depth) {
+    const auto two_parts = [&] {
+      std::vector<SharedShape<double>> parts{share(part(depth))};
+      parts.push_back(share(part(depth)));
+      return parts;
+    };
+    switch (random_.below(6)) {
+      case 0: {
+        Shape<double> one = part(depth);
+        const Vec3<double> position = vector();
+        return posed<double>(std::move(one), position,
+                             random_.once_in(2) ? orientation() : Quaternion<double>{});
+      }
+      case 1: {
+        Shape<double> one = part(depth);
+        return rounded<double>(std::move(one), extent());
+      }
+      case 2:
+        return Sum<double>{two_parts()};
+      case 3: {
+        Shape<double> one = part(depth);
+        return swept<double>(std::move(one), vector());
+      }
+      case 4: {  // a tapered capsule
+        const double r = extent(), s = extent();
+        return hull_of<double>(Sphere<double>{r}, translated<double>(Sphere<double>{s}, vector()));
+      }
+      default:
+        return HullOf<double>{two_parts()};
+    }
+  }
+
+  Shape<double> shape() {
+    constexpr int kDepth = 2;
+    return random_.once_in(8) ? combined(random_.integer(0, kDepth)) : leaf();
+  }
+
+  // radius along an axis.
+  Vec3<double> pole(double radius) {
+    Vec3<double> x = Vec3<double>::Zero();
+    x[random_.integer(0, 2)] = random_.once_in(2) ? radius : -radius;
+    return x;
+  }
+  double either_sign(double x) { return random_.once_in(2) ? x : -x; }
+  // On the rim of a disk about z.
+  Vec3<double> rim(double radius, double height) {
+    return random_.once_in(2) ? Vec3<double>(either_sign(radius), 0, height)
+                              : Vec3<double>(0, either_sign(radius), height);
+  }
+  Vec3<double> feature_of_part(const SharedShape<double>& part) { return feature(part->shape); }
+
   // A point of the surface, or a vertex, of a shape in its own frame.
   Vec3<double> feature(const Shape<double>& shape) {
-    if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
-      Vec3<double> x = Vec3<double>::Zero();
-      x[random_.integer(0, 2)] = random_.once_in(2) ? sphere->radius : -sphere->radius;
-      return x;
-    }
-    if (const auto* box = std::get_if<Box<double>>(&shape)) {
-      Vec3<double> x = box->half_extents;
-      for (int i = 0; i < 3; ++i) x[i] *= random_.once_in(4) ? 0 : random_.once_in(2) ? 1 : -1;
-      return x;
-    }
-    if (const auto* hull = std::get_if<Hull<double>>(&shape))
-      return hull->vertex(random_.below(hull->size()));
-    return Vec3<double>::Zero();
+    return std::visit([&](const auto& one) { return feature_of(one); }, shape);
+  }
+  Vec3<double> feature_of(const Point<double>&) { return Vec3<double>::Zero(); }
+  Vec3<double> feature_of(const Segment<double>& s) {
+    return random_.once_in(4) ? Vec3<double>((s.a + s.b) / 2) : random_.once_in(2) ? s.a : s.b;
+  }
+  Vec3<double> feature_of(const Triangle<double>& t) {
+    const Vec3<double> corners[] = {t.a, t.b, t.c, (t.a + t.b) / 2, (t.a + t.b + t.c) / 3};
+    return corners[random_.below(std::size(corners))];
+  }
+  Vec3<double> feature_of(const Sphere<double>& s) { return pole(s.radius); }
+  Vec3<double> feature_of(const Capsule<double>& c) {
+    const Vec3<double> end(0, 0, either_sign(c.half_height));
+    return end + pole(c.radius);
+  }
+  Vec3<double> feature_of(const Box<double>& b) {
+    Vec3<double> x = b.half_extents;
+    for (int i = 0; i < 3; ++i) x[i] *= random_.once_in(4) ? 0 : random_.once_in(2) ? 1 : -1;
+    return x;
+  }
+  Vec3<double> feature_of(const Ellipsoid<double>& e) { return pole(1).cwiseProduct(e.radii); }
+  Vec3<double> feature_of(const Cylinder<double>& c) {
+    const double height = either_sign(c.half_height);
+    return random_.once_in(3) ? Vec3<double>(0, 0, height) : rim(c.radius, random_.once_in(3) ? 0 : height);
+  }
+  Vec3<double> feature_of(const Cone<double>& c) {
+    return random_.once_in(3) ? Vec3<double>(0, 0, c.half_height) : rim(c.radius, -c.half_height);
+  }
+  Vec3<double> feature_of(const Hull<double>& h) { return h.vertex(random_.below(h.size())); }
+  Vec3<double> feature_of(const Posed<double>& p) {
+    return p.position + turned(p.orientation, feature_of_part(p.shape));
+  }
+  Vec3<double> feature_of(const Rounded<double>& r) {
+    const Vec3<double> x = feature_of_part(r.shape);
+    return x + pole(r.radius);
+  }
+  Vec3<double> feature_of(const Sum<double>& s) {
+    Vec3<double> x = Vec3<double>::Zero();
+    for (const SharedShape<double>& one : s.shapes) x += feature_of_part(one);
+    return x;
+  }
+  Vec3<double> feature_of(const HullOf<double>& h) {
+    return feature_of_part(h.shapes[random_.below(h.shapes.size())]);
   }
 
   // x -> q x conj(q) / |q|^2, rounded: near is enough, since the case means what its numbers say.

@@ -4,7 +4,8 @@
 // case picks a kind of coordinate (small integers; floats; full doubles; powers of two; a mixture, with
 // neighbours one unit in the last place from an earlier coordinate), and one of three ways to place B:
 // freely, with a feature of B meeting a feature of A at a chosen time (0 and t_max among them), or on shared
-// planes. A pure function of the random bits; the same everywhere.
+// planes. Shapes are of every kind; one in eight is a combinator, nested at most three deep. A pure function
+// of the random bits; the same everywhere.
 #pragma once
 
 #include "corpus/case.hpp"

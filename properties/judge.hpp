@@ -18,7 +18,11 @@ namespace graze::law {
 [[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
 [[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
 
-// The oracle's answer; the last few are kept, since a campaign asks many laws about one case.
+// Whether the exact oracle decides the case: its shapes are polytopes, alone or rounded by one radius, with
+// no more than kMostDifferences pairs of vertices (beyond it the oracle takes a tenth of a second and more).
+inline constexpr std::uint64_t kMostDifferences = 1u << 14;
+[[nodiscard]] bool has_truth(const corpus::Case& problem);
+// Its answer, where it has one; the last few are kept, since a campaign asks many laws about one case.
 [[nodiscard]] const oracle::LinearTruth& truth_of(const corpus::Case& problem);
 
 // A cast that the methods know, in the domain: the laws speak about nothing else (but the door's).
@@ -53,6 +57,8 @@ namespace graze::law {
 [[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
 [[nodiscard]] LawResult broken(std::string reason);
 [[nodiscard]] LawResult not_applicable(std::string why);
+// Why a law is not applicable where the exact oracle is needed and does not decide the case.
+inline constexpr const char* kUndecided = "not decided by the exact oracle";
 
 // Two answers that should be the same contact: equal verdicts, and brackets that overlap or lie within a few
 // u of each other. False only raises a question.

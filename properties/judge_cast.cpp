@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "corpus/case_io.hpp"
+#include "corpus/support_value.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/judge.hpp"
 #include "properties/laws_proof.hpp"
@@ -18,21 +19,14 @@ using engine::EngineMethod;
 
 namespace {
 
-// A lower bound of the scale, without an oracle: half the largest coordinate by which the bodies differ or
-// extend. Only decides what the oracle need not see, so an underestimate costs time and nothing else.
+// A lower bound of the scale, without an oracle: the largest extent of a body along an axis of its own,
+// halved so that no rounding of a turn matters. Only decides what the oracle need not see, so an
+// underestimate costs time and nothing else.
 double least_scale(const Case& problem) {
   double scale = 0;
   for (const Body<double>* body : {&problem.a, &problem.b}) {
-    if (const auto* sphere = std::get_if<Sphere<double>>(&body->shape))
-      scale = std::max(scale, sphere->radius);
-    if (const auto* box = std::get_if<Box<double>>(&body->shape)) {
-      scale = std::max(scale, box->half_extents.maxCoeff());
-    }
-    if (const auto* hull = std::get_if<Hull<double>>(&body->shape)) {
-      for (const Vec3<double>& x : hull->vertices()) {
-        scale = std::max(scale, (x - hull->vertex(0)).cwiseAbs().maxCoeff() / 2);
-      }
-    }
+    const corpus::Bounds box = corpus::bounds(body->shape);
+    scale = std::max(scale, (box.high - box.low).maxCoeff() / 2);
   }
   return scale;
 }
@@ -92,6 +86,7 @@ CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
     const Answer& answer = judgement.said[i].answer;
     const double bound = kappa(method, problem) * method.unit_roundoff * least_scale(problem);
     if (!ask_oracle && settled(answer, proved, speed, bound)) continue;
+    if (!has_truth(problem)) continue;
     judgement.by_oracle = true;
     blame(i, fault_by_oracle(problem, method, answer));
   }
@@ -109,7 +104,7 @@ std::string report(const Case& problem, const CastJudgement& judgement) {
     text += fmt::format("  proof: toi in [{}, {}], axis {}, portal of {}\n", hex(proof.toi_lower),
                         hex(proof.toi_upper), proof.has_axis ? hex(proof.axis) : "none", proof.portal_size);
   }
-  if (is_linear_question(problem)) {
+  if (is_linear_question(problem) && has_truth(problem)) {
     const oracle::LinearTruth& truth = truth_of(problem);
     text += fmt::format("oracle: {}, toi in [{}, {}], clearance {}, depth {}, scale {}\n",
                         label_of(truth.outcome()), hex(truth.toi_lower()), hex(truth.toi_upper()),

@@ -42,6 +42,7 @@ LawResult swapping(const Case& problem, const EngineMethod& method) {
   if (one.outcome != Outcome::hit || two.outcome != Outcome::hit) return result;
   if ((one.normal + two.normal).cwiseAbs().maxCoeff() <= 16 * method.unit_roundoff) return result;
   // At a vertex or an edge there is a cone of normals, and the two need not be opposite: each must support C.
+  if (!has_truth(seen)) return not_applicable(kUndecided);
   if (truth_of(seen).outcome() != Outcome::hit) return result;
   result.labels.push_back("cone");
   const std::string fault = normal_fault(seen, two, -two.normal, bound_of(method, seen));
@@ -180,6 +181,7 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
     const Answer two = other.cast(seen, {});
     if (agree(one, two, method.unit_roundoff)) continue;
     // Each within its own row.
+    if (!has_truth(seen)) return not_applicable(kUndecided);
     for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(&other, &two)}) {
       const std::string fault = any_fault(truth_of(seen), *answer, bound_of(*judged, seen));
       if (!fault.empty()) {

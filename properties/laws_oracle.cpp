@@ -21,6 +21,7 @@ using Fault = std::string (*)(const LinearTruth&, const Answer&, double);
 LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!has_truth(seen)) return not_applicable(kUndecided);
   const Answer answer = method.cast(seen, {});
   const LinearTruth& truth = truth_of(seen);
   const std::string reason = fault(truth, answer, bound_of(method, seen));
@@ -56,6 +57,7 @@ LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
 LawResult normal_supports(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!has_truth(seen)) return not_applicable(kUndecided);
   const Answer answer = method.cast(seen, {.request = Request::normal});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const LinearTruth& truth = truth_of(seen);
@@ -69,6 +71,7 @@ LawResult normal_supports(const Case& problem, const EngineMethod& method) {
 LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!has_truth(seen)) return not_applicable(kUndecided);
   const Answer answer = method.cast(seen, {.request = Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const LinearTruth& truth = truth_of(seen);
@@ -99,6 +102,7 @@ LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
 LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!has_truth(seen)) return not_applicable(kUndecided);
   const Answer answer = method.cast(seen, {.request = Request::proof});
   if (answer.outcome != Outcome::hit && answer.outcome != Outcome::miss)
     return holds({label_of(answer.outcome)});

@@ -126,6 +126,24 @@ LawResult bad_input_is_refused(const Case& problem, const EngineMethod& method) 
     expect_refusal(bad, "a negative radius");
     body.shape = Box<double>{{1, -0x1p-30, 1}};
     expect_refusal(bad, "a negative half extent");
+    body.shape = Ellipsoid<double>{{1, 1, -0x1p-30}};
+    expect_refusal(bad, "a negative radius of an ellipsoid");
+    body.shape = Cone<double>{1, -1};
+    expect_refusal(bad, "a negative half height");
+    body.shape = Rounded<double>{share<double>(Point<double>{}), -1};
+    expect_refusal(bad, "a negative rounding");
+    body.shape = Sum<double>{};
+    expect_refusal(bad, "a sum of nothing");
+    body.shape = HullOf<double>{{share<double>(Point<double>{}), nullptr}};
+    expect_refusal(bad, "a missing part");
+    body.shape = posed<double>(Point<double>{}, Vec3<double>::Zero(), {0, 0, 0, 0});
+    expect_refusal(bad, "a zero quaternion in a part");
+    body.shape = Point<double>{};
+    for (int depth = 0; depth < 17; ++depth) body.shape = rounded<double>(std::move(body.shape), 0);
+    expect_refusal(bad, "parts nested deeper than 16");
+    body.shape = Box<double>{};
+    for (int twice = 0; twice < 4; ++twice) body.shape = sum<double>(body.shape, body.shape);
+    expect_refusal(bad, "a sum of 2^48 vertices");
   }
   Case bad = seen;
   bad.target_distance = -1;

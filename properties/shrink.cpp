@@ -40,24 +40,53 @@ std::vector<double> simpler_numbers(double x) {
   return all;
 }
 
-void simpler_shapes(const Case& problem, Body<double> Case::*body, std::vector<Case>& all) {
-  const auto with = [&](Shape<double> shape) {
-    Case other = problem;
-    (other.*body).shape = std::move(shape);
-    all.push_back(std::move(other));
-  };
-  const Shape<double>& shape = (problem.*body).shape;
-  if (!std::holds_alternative<Point<double>>(shape)) with(Point<double>{});
-  const auto* hull = std::get_if<Hull<double>>(&shape);
-  if (!hull) return;
-  // Halves, then single vertices.
-  for (std::size_t chunk = hull->size() / 2; chunk >= 1; chunk /= 2) {
-    for (std::size_t first = 0; first + chunk <= hull->size(); first += chunk) {
-      std::vector<Vec3<double>> rest;
-      for (std::size_t i = 0; i < hull->size(); ++i) {
-        if (i < first || i >= first + chunk) rest.push_back(hull->vertex(i));
+// Shapes with fewer nodes, or fewer and simpler numbers: a part for the whole, a ball for what is round,
+// fewer vertices.
+void simpler_shapes(const Shape<double>& shape, std::vector<Shape<double>>& all) {
+  const auto add = [&](Shape<double> one) { all.push_back(std::move(one)); };
+  if (!std::holds_alternative<Point<double>>(shape)) add(Point<double>{});
+  if (const auto* triangle = std::get_if<Triangle<double>>(&shape)) {
+    add(Segment<double>{triangle->a, triangle->b});
+    add(Segment<double>{triangle->a, triangle->c});
+    add(Segment<double>{triangle->b, triangle->c});
+  } else if (const auto* ellipsoid = std::get_if<Ellipsoid<double>>(&shape)) {
+    add(Sphere<double>{ellipsoid->radii.maxCoeff()});
+  } else if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) {
+    add(Sphere<double>{capsule->radius});
+  } else if (const auto* cylinder = std::get_if<Cylinder<double>>(&shape)) {
+    add(Sphere<double>{cylinder->radius});
+  } else if (const auto* cone = std::get_if<Cone<double>>(&shape)) {
+    add(Sphere<double>{cone->radius});
+  } else if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+    // Halves, then single vertices.
+    for (std::size_t chunk = hull->size() / 2; chunk >= 1; chunk /= 2) {
+      for (std::size_t first = 0; first + chunk <= hull->size(); first += chunk) {
+        std::vector<Vec3<double>> rest;
+        for (std::size_t i = 0; i < hull->size(); ++i) {
+          if (i < first || i >= first + chunk) rest.push_back(hull->vertex(i));
+        }
+        if (!rest.empty()) add(Hull<double>(std::span<const Vec3<double>>(rest)));
       }
-      if (!rest.empty()) with(Hull<double>(std::span<const Vec3<double>>(rest)));
+    }
+  }
+  // A part by itself; the combinator without one part; with one part made simpler.
+  const std::vector<SharedShape<double>> parts = parts_of(shape);
+  const bool many =
+      std::holds_alternative<Sum<double>>(shape) || std::holds_alternative<HullOf<double>>(shape);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i]) continue;
+    add(parts[i]->shape);
+    if (many && parts.size() > 1) {
+      std::vector<SharedShape<double>> rest = parts;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+      add(with_parts(shape, std::move(rest)));
+    }
+    std::vector<Shape<double>> smaller;
+    simpler_shapes(parts[i]->shape, smaller);
+    for (Shape<double>& one : smaller) {
+      std::vector<SharedShape<double>> changed = parts;
+      changed[i] = share(std::move(one));
+      add(with_parts(shape, std::move(changed)));
     }
   }
 }
@@ -77,7 +106,9 @@ std::vector<Case> simpler(const Case& problem) {
     all.push_back(std::move(other));
   };
   for (const auto body : {&Case::a, &Case::b}) {
-    simpler_shapes(problem, body, all);
+    std::vector<Shape<double>> shapes;
+    simpler_shapes((problem.*body).shape, shapes);
+    for (Shape<double>& shape : shapes) with([&](Case& c) { (c.*body).shape = std::move(shape); });
     if (!plain(problem.*body)) with([&](Case& c) { (c.*body).orientation = {}; });
     if (!(problem.*body).displacement.isZero(0)) with([&](Case& c) { (c.*body).displacement.setZero(); });
   }
@@ -113,6 +144,7 @@ std::vector<Case> simpler(const Case& problem) {
   const auto measure = [](const Case& c) {
     long long sum = 0;
     for (const double x : scalars(c)) sum += 1 + complexity(x);
+    sum += node_count(c.a.shape) + node_count(c.b.shape);
     // An identity turn and a unit horizon count as nothing, so that both are goals.
     for (const Body<double>* body : {&c.a, &c.b}) sum -= plain(*body) ? 10 : 0;
     return sum - (c.t_max == 1 ? 10 : 0);

@@ -1,4 +1,4 @@
-// Making a failing case small: fewer vertices, simpler poses, integers near zero.
+// Making a failing case small: fewer parts and vertices, simpler poses, integers near zero.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace graze::law {
 
-// Cases simpler than this one, the boldest first. Each has a smaller measure (vertices, then the bits of its
-// numbers), so any chain of them ends.
+// Cases simpler than this one, the boldest first. Each has a smaller measure (parts, vertices, the bits of
+// its numbers), so any chain of them ends.
 [[nodiscard]] std::vector<corpus::Case> simpler(const corpus::Case& problem);
 
 // Greedy descent: while one of simpler() still fails, it takes its place. At most `budget` calls of `fails`.

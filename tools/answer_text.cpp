@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "corpus/json_value.hpp"
@@ -45,6 +46,12 @@ std::string invalid_text(Invalid invalid) {
       return "a radius or a half extent below zero";
     case Invalid::zero_quaternion:
       return "an orientation of (0, 0, 0, 0)";
+    case Invalid::missing_part:
+      return "a combinator without parts";
+    case Invalid::too_complex:
+      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices";
+    case Invalid::rounding_mode:
+      return "another rounding mode than to nearest";
     case Invalid::bad_horizon:
       return "a t_max below zero";
     case Invalid::bad_target:
@@ -64,6 +71,7 @@ std::string answer_block(const corpus::Case& problem, const engine::EngineMethod
   line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
   line("outcome", std::string(corpus::name_of(answer.outcome)));
   if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
+  if (answer.passed_over) line("because", "the motion leaves or slides from its start in contact");
   if (has_times(answer)) line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
   if (answer.outcome == Outcome::hit) {
     line("normal", vector_text(answer.normal));
@@ -87,6 +95,67 @@ std::string answer_json(const corpus::Case& problem, const engine::EngineMethod&
       corpus::json_quote(problem.id), corpus::name_of(answer.outcome), toi,
       hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
       hit ? json_vector(answer.point_b) : "null", method.name, method.tier, answer.counters.iterations);
+}
+
+namespace {
+
+struct NamedInterval {
+  const char* name;
+  const std::optional<engine::Interval>& value;
+};
+std::array<NamedInterval, 4> intervals(const engine::QueryAnswer& answer) {
+  return {NamedInterval{"distance", answer.distance},
+          {"depth", answer.depth},
+          {"t_in", answer.t_in},
+          {"t_out", answer.t_out}};
+}
+struct NamedVector {
+  const char* name;
+  const std::optional<Vec3<double>>& value;
+};
+std::array<NamedVector, 3> vectors(const engine::QueryAnswer& answer) {
+  return {NamedVector{"normal", answer.normal}, {"point_a", answer.point_a}, {"point_b", answer.point_b}};
+}
+
+}  // namespace
+
+std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
+                         const engine::QueryAnswer& answer) {
+  std::string text = fmt::format("{}\n", problem.id);
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<10}{}\n", name, value);
+  };
+  line("query", std::string(corpus::name_of(problem.query)));
+  line("method", fmt::format("{}, {}, tier standard", method.name, method.scalar));
+  line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
+  for (const auto& [name, value] : intervals(answer)) {
+    if (value) line(name, fmt::format("[{}, {}]", value->lower, value->upper));
+  }
+  if (answer.stalled) line("stalled", "the bracket is wider than rounding alone would make it");
+  for (const auto& [name, value] : vectors(answer)) {
+    if (value) line(name, vector_text(*value));
+  }
+  line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                           answer.counters.supports));
+  return text;
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
+                        const engine::QueryAnswer& answer) {
+  std::string text =
+      fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}")", corpus::json_quote(problem.id),
+                  corpus::name_of(problem.query), corpus::name_of(answer.outcome));
+  for (const auto& [name, value] : intervals(answer)) {
+    if (!value) continue;
+    text += fmt::format(R"(, "{}": {{"lower": {}, "upper": {}}})", name, json_number(value->lower),
+                        json_number(value->upper));
+  }
+  for (const auto& [name, value] : vectors(answer)) {
+    text += fmt::format(R"(, "{}": {})", name, value ? json_vector(*value) : "null");
+  }
+  return text + fmt::format(R"(, "method": "{}", "tier": "standard", "iterations": {}}})", method.name,
+                            answer.counters.iterations);
 }
 
 }  // namespace graze::tool

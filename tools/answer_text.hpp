@@ -5,6 +5,7 @@
 
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
+#include "engines/queries.hpp"
 
 namespace graze::tool {
 
@@ -18,5 +19,10 @@ namespace graze::tool {
                                       const engine::Answer& answer);
 
 [[nodiscard]] std::string invalid_text(Invalid invalid);
+
+[[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
+                                       const engine::QueryAnswer& answer);
+[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
+                                      const engine::QueryAnswer& answer);
 
 }  // namespace graze::tool

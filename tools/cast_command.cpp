@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 #include <stdexcept>
 
 #include "corpus/names.hpp"
@@ -14,11 +15,11 @@ namespace {
 
 struct Settings {
   std::vector<std::string> files;
-  std::string method = "mpr", scalar = "double", tier = "standard", proofs;
+  std::string method, scalar = "double", tier = "standard", proofs;
   bool json = false;
 };
 
-std::vector<const engine::EngineMethod*> methods_of(const Settings& settings) {
+void check(const Settings& settings) {
   if (settings.tier != "standard") {
     const bool known = settings.tier == "certified" || settings.tier == "exact";
     throw std::runtime_error(fmt::format("--tier: {} is {}; use standard", settings.tier,
@@ -28,51 +29,130 @@ std::vector<const engine::EngineMethod*> methods_of(const Settings& settings) {
     throw std::runtime_error(
         fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
   }
-  std::vector<const engine::EngineMethod*> methods = select_methods({settings.method});
-  if (settings.method.find('/') == std::string::npos) {
-    std::erase_if(methods, [&](const engine::EngineMethod* m) { return m->scalar != settings.scalar; });
-  }
-  return methods;
 }
 
-int run(const Settings& settings) {
-  const std::vector<const engine::EngineMethod*> methods = methods_of(settings);
-  std::unique_ptr<OutputFile> proofs;
-  if (!settings.proofs.empty()) proofs = std::make_unique<OutputFile>(settings.proofs);
-  const Request request = Request::normal | Request::witnesses | (proofs ? Request::proof : Request::verdict);
+// Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside.
+template <class AnyMethod>
+bool selected(const Settings& settings, const AnyMethod& method) {
+  if (settings.method == method.full_name()) return true;
+  return method.scalar == settings.scalar && (settings.method == "all" || settings.method == method.name);
+}
 
-  const CaseFiles inputs = read_case_files(settings.files);
-  bool bad = inputs.bad;
-  for (const CaseFile& file : inputs.files) {
-    for (const corpus::Case& problem : file.cases) {
-      if (const std::string why = engine::unsupported(problem); !why.empty()) {
-        complain(fmt::format("{}: case {}: has {}, which this version does not cast; give a linear cast",
-                             file.name, problem.id, why));
-        bad = true;
-        continue;
+// The methods that a case's query can be answered by.
+std::vector<const engine::QueryMethod*> methods_for(corpus::Query query) {
+  std::vector<const engine::QueryMethod*> out;
+  for (const engine::QueryMethod& method : engine::query_methods()) {
+    if (method.query == query) out.push_back(&method);
+  }
+  return out;
+}
+
+class Run {
+ public:
+  explicit Run(const Settings& settings) : settings_(settings) {
+    check(settings);
+    std::set<std::string> names = {"all"};
+    for (const engine::EngineMethod& method : engine::methods()) {
+      names.insert({method.name, method.full_name()});
+      if (settings.method.empty() ? method.name == "gjk" && method.scalar == settings.scalar
+                                  : selected(settings, method)) {
+        casts_.push_back(&method);
       }
-      for (const engine::EngineMethod* method : methods) {
-        const engine::Answer answer = method->cast(problem, {.request = request});
-        fmt::print("{}\n", settings.json ? answer_json(problem, *method, answer)
-                                         : answer_block(problem, *method, answer));
-        if (answer.outcome == Outcome::invalid_input) {
-          complain(fmt::format("{}: case {}: is invalid_input for {}: {}", file.name, problem.id,
-                               method->full_name(), invalid_text(answer.invalid)));
-          bad = true;
-        }
-        if (proofs && answer.proof) {
-          proofs->write_line(corpus::write_proof({.problem = method->seen(problem),
-                                                  .method = method->name,
-                                                  .scalar = method->scalar,
-                                                  .outcome = answer.outcome,
-                                                  .proof = *answer.proof}));
+    }
+    for (const engine::QueryMethod& method : engine::query_methods()) {
+      names.insert({method.name, method.full_name()});
+    }
+    if (!settings.method.empty() && !names.contains(settings.method)) {
+      throw std::runtime_error(
+          fmt::format("--method: {} is no method; it is one of {}", settings.method, fmt::join(names, ", ")));
+    }
+    if (!settings.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings.proofs);
+  }
+
+  int operator()() {
+    const CaseFiles inputs = read_case_files(settings_.files);
+    bad_ = inputs.bad;
+    for (const CaseFile& file : inputs.files) {
+      for (const corpus::Case& problem : file.cases) {
+        if (problem.query == corpus::Query::cast) {
+          cast(file.name, problem);
+        } else {
+          ask(file.name, problem);
         }
       }
     }
+    if (proofs_) proofs_->close();
+    return bad_ ? 2 : 0;
   }
-  if (proofs) proofs->close();
-  return bad ? 2 : 0;
-}
+
+ private:
+  void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
+    complain(fmt::format("{}: case {}: {}", file, problem.id, why));
+    bad_ = true;
+  }
+  template <class AnyMethod, class Answer>
+  void show(const std::string& file, const corpus::Case& problem, const AnyMethod& method,
+            const Answer& answer) {
+    fmt::print("{}\n",
+               settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
+    if (answer.outcome == Outcome::invalid_input) {
+      refuse(file, problem,
+             fmt::format("is invalid_input for {}: {}", method.full_name(), invalid_text(answer.invalid)));
+    }
+  }
+
+  void cast(const std::string& file, const corpus::Case& problem) {
+    if (const std::string why = engine::unsupported(problem); !why.empty()) {
+      return refuse(file, problem,
+                    fmt::format("has {}, which this version does not cast; give a linear cast", why));
+    }
+    if (casts_.empty()) {
+      return refuse(file, problem,
+                    fmt::format("--method {} does not cast; ca, gjk and mpr do", settings_.method));
+    }
+    const Request request =
+        Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
+    for (const engine::EngineMethod* method : casts_) {
+      const engine::Answer answer = method->cast(problem, {.request = request});
+      show(file, problem, *method, answer);
+      if (proofs_ && answer.proof) {
+        proofs_->write_line(corpus::write_proof({.problem = method->seen(problem),
+                                                 .method = method->name,
+                                                 .scalar = method->scalar,
+                                                 .outcome = answer.outcome,
+                                                 .proof = *answer.proof}));
+      }
+    }
+  }
+
+  void ask(const std::string& file, const corpus::Case& problem) {
+    if (const std::string why = engine::unsupported_query(problem); !why.empty()) {
+      return refuse(file, problem, fmt::format("has {}, which this version does not answer", why));
+    }
+    const std::vector<const engine::QueryMethod*> methods = methods_for(problem.query);
+    bool answered = false;
+    for (const engine::QueryMethod* method : methods) {
+      // Without --method the first of the query.
+      if (settings_.method.empty() ? answered || method->scalar != settings_.scalar
+                                   : !selected(settings_, *method)) {
+        continue;
+      }
+      answered = true;
+      show(file, problem, *method, method->answer(problem));
+    }
+    if (answered) return;
+    std::set<std::string> names;
+    for (const engine::QueryMethod* method : methods) names.insert(method->name);
+    refuse(file, problem,
+           fmt::format("--method {} does not answer the query {}; {} does", settings_.method,
+                       corpus::name_of(problem.query), fmt::join(names, " or ")));
+  }
+
+  const Settings& settings_;
+  std::vector<const engine::EngineMethod*> casts_;
+  std::unique_ptr<OutputFile> proofs_;
+  bool bad_ = false;
+};
 
 }  // namespace
 
@@ -87,7 +167,8 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--method", settings->method,
-                   "mpr (MPR sweep, the default), gjk (GJK ray cast), ca (conservative advancement), or all")
+                   "For a cast: gjk (GJK ray cast, the default), mpr (MPR sweep), ca (conservative "
+                   "advancement); for another query see below; or all")
       ->type_name("NAME");
   command
       ->add_option("--scalar", settings->scalar,
@@ -104,11 +185,19 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "use lower in a simulator: it is never late. The normal is from A to B; point_a and point_b are the "
       "contact\n"
       "on each body at lower, in world coordinates.\n\n"
+      "A case may ask another query:\n"
+      "  overlap            gjk (default), mpr       do the bodies touch at t = 0?\n"
+      "  distance           gjk                      how far apart are they, closest points\n"
+      "  penetration        epa                      how deep, and the shortest way out\n"
+      "  penetration_along  mpr                      how deep along the case's direction\n"
+      "  line               mpr                      [t_in, t_out] over all times, negative ones too\n"
+      "  swept_overlap      gjk (default), mpr,      do they touch at any t in [0, t_max]? only whether\n"
+      "                     before_after\n\n"
       "  graze cast pair.json\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
       "Exit code: 0, or 2 if a file or a case could not be read or answered; the others are answered all the "
       "same.");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+  command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
 }
 
 }  // namespace graze::tool

@@ -4,16 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "corpus/names.hpp"
+#include "corpus/support_value.hpp"
 #include "tools/table.hpp"
 
 namespace graze::tool {
 namespace {
 
 using engine::Answer;
+using oracle::CaseTruth;
 using oracle::Enclosure;
-using oracle::LinearTruth;
 
 bool claims_contact(Outcome outcome) {
   return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
@@ -61,33 +63,10 @@ struct Box3 {
   [[nodiscard]] double diagonal() const { return (high - low).norm(); }
 };
 
-Vec3<double> rotated(const Quaternion<double>& q, const Vec3<double>& x) {
-  if (q.is_identity()) return x;
-  const Vec3<double> r(q.x, q.y, q.z);
-  return x + 2 / (q.w * q.w + r.squaredNorm()) * (q.w * r.cross(x) + r.cross(r.cross(x)));
-}
-
 // Of the rotated shape, relative to the body's position.
 Box3 bounds_of(const Body<double>& body) {
-  Box3 bounds{Vec3<double>::Constant(kInfinity<double>), Vec3<double>::Constant(-kInfinity<double>)};
-  const auto add = [&](const Vec3<double>& x) {
-    const Vec3<double> y = rotated(body.orientation, x);
-    bounds.low = bounds.low.cwiseMin(y);
-    bounds.high = bounds.high.cwiseMax(y);
-  };
-  if (const auto* box = std::get_if<Box<double>>(&body.shape)) {
-    for (unsigned k = 0; k < 8; ++k) {
-      const Vec3<double> signs((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
-      add(signs.cwiseProduct(box->half_extents));
-    }
-  } else if (const auto* hull = std::get_if<Hull<double>>(&body.shape)) {
-    for (const Vec3<double>& x : hull->vertices()) add(x);
-  } else {
-    const auto* sphere = std::get_if<Sphere<double>>(&body.shape);
-    const double radius = sphere != nullptr ? sphere->radius : 0;
-    bounds = {Vec3<double>::Constant(-radius), Vec3<double>::Constant(radius)};
-  }
-  return bounds;
+  const corpus::Bounds box = corpus::bounds(body.shape, body.orientation);
+  return {box.low, box.high};
 }
 
 // Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
@@ -147,14 +126,14 @@ bool settled_by(const Proof& proof, const corpus::Case& problem, const Answer& a
 // How far the normal is from supporting C where the path is at contact:  (h(n) - n.(t v)) / |n|.
 // The answer is true of a convex set near C, whose time of impact may be far from C's own at a graze, and its
 // normal is a normal there: so t is the TOI or either end of the bracket, whichever is best.
-double normal_error(const LinearTruth& exact, const Answer& answer, const Vec3<double>& v) {
+double normal_error(const CaseTruth& exact, const Answer& answer, const Vec3<double>& v) {
   const double at_toi = exact.normal_error(answer.normal).low, slope = answer.normal.normalized().dot(v);
   const double toi = exact.toi_lower();
   return std::min(
       {at_toi, at_toi + (toi - answer.toi_lower) * slope, at_toi + (toi - answer.toi_upper) * slope});
 }
 
-double witness_error(const LinearTruth& exact, const Answer& answer, const Limits& limits) {
+double witness_error(const CaseTruth& exact, const Answer& answer, const Limits& limits) {
   double worst = 0;
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
@@ -171,7 +150,7 @@ void convict(std::string& fault, std::string why) {
   if (fault.empty()) fault = std::move(why);
 }
 
-void judge_contact(Judgement& judgement, const LinearTruth& exact, const Answer& answer,
+void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
                    const corpus::Case& problem, const Limits& limits, double limit, Request request) {
   if (answer.outcome != Outcome::hit || exact.outcome() == Outcome::miss) return;
   const double scale = exact.scale().low;
@@ -197,7 +176,7 @@ void judge_contact(Judgement& judgement, const LinearTruth& exact, const Answer&
   }
 }
 
-void judge_by_oracle(Judgement& judgement, const LinearTruth& exact, const Answer& answer,
+void judge_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
                      const corpus::Case& problem, const Limits& limits, Request request) {
   const double scale = exact.scale().high;
   const double limit = limits.kappa * limits.unit_roundoff * scale;
@@ -253,41 +232,129 @@ void judge_by_oracle(Judgement& judgement, const LinearTruth& exact, const Answe
   }
 }
 
+// The range that every method accepts: 0, and magnitudes of 1e-60 to 1e60.
+bool in_range(double x) {
+  const double magnitude = std::abs(x);
+  return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
+}
+bool in_range(const Vec3<double>& x) { return in_range(x.x()) && in_range(x.y()) && in_range(x.z()); }
+
+std::string orientation_fault(const Quaternion<double>& q) {
+  if (!in_range({q.x, q.y, q.z}) || !in_range(q.w)) return "a quaternion outside 1e-60 to 1e60";
+  return q.w == 0 && q.is_identity() ? "a zero quaternion" : "";
+}
+
+// Why a shape must be refused; empty for a sound one.
+struct ShapeFault {
+  int* parts_seen;
+  int nested = 0;  // combinators around it
+
+  [[nodiscard]] static std::string length(double x, const char* what) {
+    if (!in_range(x)) return fmt::format("a {} outside 1e-60 to 1e60", what);
+    return x < 0 ? fmt::format("a negative {}", what) : "";
+  }
+  [[nodiscard]] static std::string lengths(const Vec3<double>& x, const char* what) {
+    for (int i = 0; i < 3; ++i) {
+      if (std::string why = length(x[i], what); !why.empty()) return why;
+    }
+    return "";
+  }
+  [[nodiscard]] static std::string vertices(std::initializer_list<Vec3<double>> all) {
+    const bool inside = std::all_of(all.begin(), all.end(), [](const auto& x) { return in_range(x); });
+    return inside ? "" : "a vertex outside 1e-60 to 1e60";
+  }
+  [[nodiscard]] std::string parts(std::span<const SharedShape<double>> all) const {
+    constexpr int kMostNested = 16, kMostParts = 4096;
+    if (all.empty()) return "a combinator without parts";
+    if (nested >= kMostNested) return "combinators nested deeper than 16";
+    for (const SharedShape<double>& part : all) {
+      if (!part) return "a combinator with a missing part";
+      if (++*parts_seen > kMostParts) return "combinators of more than 4096 parts";
+      const ShapeFault inner{parts_seen, nested + 1};
+      if (std::string why = std::visit(inner, part->shape); !why.empty()) return why;
+    }
+    return "";
+  }
+
+  std::string operator()(const Point<double>&) const { return ""; }
+  std::string operator()(const Segment<double>& s) const { return vertices({s.a, s.b}); }
+  std::string operator()(const Triangle<double>& t) const { return vertices({t.a, t.b, t.c}); }
+  std::string operator()(const Sphere<double>& s) const { return length(s.radius, "radius"); }
+  std::string operator()(const Box<double>& b) const { return lengths(b.half_extents, "half extent"); }
+  std::string operator()(const Ellipsoid<double>& e) const { return lengths(e.radii, "radius"); }
+  std::string operator()(const Hull<double>& h) const {
+    if (h.size() == 0) return "a hull without a vertex";
+    const auto all = h.vertices();
+    const bool inside = std::all_of(all.begin(), all.end(), [](const auto& x) { return in_range(x); });
+    return inside ? "" : "a vertex outside 1e-60 to 1e60";
+  }
+  std::string operator()(const Posed<double>& p) const {
+    if (!in_range(p.position)) return "a position outside 1e-60 to 1e60";
+    if (std::string why = orientation_fault(p.orientation); !why.empty()) return why;
+    return parts(std::span(&p.shape, 1));
+  }
+  std::string operator()(const Rounded<double>& r) const {
+    if (std::string why = length(r.radius, "radius"); !why.empty()) return why;
+    return parts(std::span(&r.shape, 1));
+  }
+  // Sum, hull of several.
+  template <class Combinator>
+  requires requires(Combinator s) { s.shapes; }
+  std::string operator()(const Combinator& s) const { return parts(s.shapes); }
+  // Capsule, cylinder, cone.
+  template <class Round>
+  requires requires(Round s) { s.half_height; }
+  std::string operator()(const Round& s) const {
+    if (std::string why = length(s.radius, "radius"); !why.empty()) return why;
+    return length(s.half_height, "half height");
+  }
+};
+
+// Vertices by the rule of core/graze/shape.hpp, of a shape without another fault. A double holds what no
+// integer does.
+constexpr double kMostVertices = 4294967295.0;
+double vertex_count(const Shape<double>& shape) {
+  return std::visit(
+      []<class T>(const T& s) -> double {
+        if constexpr (requires { s.shape; }) {
+          return vertex_count(s.shape->shape);
+        } else if constexpr (requires { s.shapes; }) {
+          constexpr bool kProduct = std::same_as<T, Sum<double>>;
+          double count = kProduct ? 1 : 0;
+          for (const auto& part : s.shapes) {
+            const double more = vertex_count(part->shape);
+            count = std::min(kProduct ? count * more : count + more, 1e300);
+          }
+          return count;
+        } else if constexpr (std::same_as<T, Hull<double>>) {
+          return static_cast<double>(s.size());
+        } else if constexpr (std::same_as<T, Box<double>>) {
+          return 8;
+        } else if constexpr (std::same_as<T, Triangle<double>>) {
+          return 3;
+        } else {
+          return std::same_as<T, Segment<double>> || std::same_as<T, Capsule<double>> ? 2 : 1;
+        }
+      },
+      shape);
+}
+
 }  // namespace
 
-const LinearTruth& Truth::exact() {
-  if (!exact_) exact_ = std::make_unique<LinearTruth>(problem_);
+const CaseTruth& Truth::exact() {
+  if (!exact_) exact_ = std::make_unique<CaseTruth>(problem_);
   return *exact_;
 }
 
 std::string why_invalid(const corpus::Case& problem) {
-  // The range that every method accepts: 0, and magnitudes of 1e-60 to 1e60.
-  const auto in_range = [](double x) {
-    const double magnitude = std::abs(x);
-    return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
-  };
-  const auto vector_in_range = [&](const Vec3<double>& x) {
-    return in_range(x.x()) && in_range(x.y()) && in_range(x.z());
-  };
   for (const Body<double>* body : {&problem.a, &problem.b}) {
-    const Quaternion<double>& q = body->orientation;
-    if (!vector_in_range(body->position) || !vector_in_range(body->displacement) ||
-        !vector_in_range({q.x, q.y, q.z}) || !in_range(q.w)) {
+    if (!in_range(body->position) || !in_range(body->displacement)) {
       return "a magnitude outside 1e-60 to 1e60";
     }
-    if (q.w == 0 && q.is_identity()) return "a zero quaternion";
-    if (const auto* sphere = std::get_if<Sphere<double>>(&body->shape)) {
-      if (!in_range(sphere->radius)) return "a radius outside 1e-60 to 1e60";
-      if (sphere->radius < 0) return "a negative radius";
-    } else if (const auto* box = std::get_if<Box<double>>(&body->shape)) {
-      if (!vector_in_range(box->half_extents)) return "a half extent outside 1e-60 to 1e60";
-      if (box->half_extents.minCoeff() < 0) return "a negative half extent";
-    } else if (const auto* hull = std::get_if<Hull<double>>(&body->shape)) {
-      if (hull->size() == 0) return "a hull without a vertex";
-      for (const Vec3<double>& vertex : hull->vertices()) {
-        if (!vector_in_range(vertex)) return "a vertex outside 1e-60 to 1e60";
-      }
-    }
+    if (std::string why = orientation_fault(body->orientation); !why.empty()) return why;
+    int parts_seen = 0;
+    if (std::string why = std::visit(ShapeFault{&parts_seen}, body->shape); !why.empty()) return why;
+    if (vertex_count(body->shape) > kMostVertices) return "a shape of more than 2^32 - 1 vertices";
   }
   if (!(problem.t_max >= 0)) return "a negative t_max";
   if (!in_range(problem.target_distance) || problem.target_distance < 0)
@@ -297,7 +364,7 @@ std::string why_invalid(const corpus::Case& problem) {
 
 Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   Errors errors;
-  const LinearTruth& exact = truth.exact();
+  const CaseTruth& exact = truth.exact();
   const double scale = exact.scale().high;
   const bool contact = exact.outcome() != Outcome::miss;
   if (answer.outcome == Outcome::invalid_input || !senseless(truth.problem(), answer).empty()) return errors;
@@ -310,7 +377,9 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
     if (!(t < kInfinity<double>)) continue;
     const double backward = over(exact.backward_error(t).high, scale);
     errors.backward = std::fmax(errors.backward, backward);
-    if (contact) errors.forward = std::fmax(errors.forward, over(exact.forward_error(t).high, scale));
+    // Where the oracle leaves the contact open, no time is right.
+    const bool known = contact && exact.outcome() != Outcome::not_converged;
+    if (known) errors.forward = std::fmax(errors.forward, over(exact.forward_error(t).high, scale));
   }
   if (answer.outcome == Outcome::hit && contact) {
     if (asks_for(request, Request::normal) && answer.normal.allFinite() && !answer.normal.isZero(0)) {

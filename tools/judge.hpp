@@ -15,8 +15,8 @@
 
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
+#include "oracles/case_truth.hpp"
 #include "oracles/check_proof.hpp"
-#include "oracles/linear_truth.hpp"
 
 namespace graze::tool {
 
@@ -25,12 +25,12 @@ class Truth {
  public:
   explicit Truth(corpus::Case problem) : problem_(std::move(problem)) {}
   [[nodiscard]] const corpus::Case& problem() const { return problem_; }
-  [[nodiscard]] const oracle::LinearTruth& exact();
+  [[nodiscard]] const oracle::CaseTruth& exact();
   [[nodiscard]] bool made() const { return exact_ != nullptr; }
 
  private:
   corpus::Case problem_;
-  std::unique_ptr<oracle::LinearTruth> exact_;
+  std::unique_ptr<oracle::CaseTruth> exact_;
 };
 
 struct Limits {

@@ -42,7 +42,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
   {
     Progress progress("error against time", hits.size());
     for_each_index(hits.size(), threads, [&](std::size_t i) {
-      const oracle::LinearTruth& exact = hits[i]->exact();
+      const oracle::CaseTruth& exact = hits[i]->exact();
       const double scale = exact.scale().high;
       for (std::size_t r = 0; r < rows.size(); ++r) {
         const engine::Answer answer =

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <graze/gjk_casts.hpp>
+#include <graze/leaving.hpp>
 #include <graze/prove.hpp>
 #include <graze/validate.hpp>
 #include <graze/witness.hpp>
@@ -20,6 +21,11 @@ template <Scalar S>
 void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
           const Cso<S>& cso, const Sweep<S>& sweep) {
   out.outcome = sweep.outcome;
+  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
+    // Contact is at upper: what is left of the path bounds the distance as well.
+    const S path = (sweep.upper - sweep.lower) * cso.direction().norm();
+    out.distance = cso.to_length(std::min(sweep.apart, path));
+  }
   switch (sweep.outcome) {
     case Outcome::initially_overlapping:
       out.toi_lower = out.toi_upper = 0;
@@ -66,6 +72,17 @@ CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const
     sweep.n = clip.n;
   } else {
     sweep = search(cso, limits, clip, out.counters);
+  }
+  // A hit within the noise of the start is a start in contact, too.
+  const bool at_start =
+      sweep.outcome == Outcome::initially_overlapping ||
+      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  if (options.start_policy == StartPolicy::pass_over && at_start &&
+      leaves_or_slides(Cso<S>(a, b), limits, out.counters)) {
+    out.outcome = Outcome::miss;
+    out.toi_lower = out.toi_upper = kInfinity<S>;
+    out.passed_over = true;
+    return out;
   }
   fill(out, a, b, options, cso, sweep);
   return out;

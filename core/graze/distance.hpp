@@ -6,7 +6,7 @@
 // duality gap upper - lower.
 #pragma once
 
-#include <graze/sweep.hpp>
+#include <graze/mpr.hpp>
 #include <graze/validate.hpp>
 #include <graze/witness.hpp>
 
@@ -49,6 +49,12 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
   const S apart = d.upper - R;
   // Nearer than rounding can tell is contact.
   if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
+    out.lower = out.upper = 0;
+    return out;
+  }
+  // A search that ended inside C without a tetrahedron around x knows neither: MPR does.
+  if (!(d.lower - R > 0) &&
+      mpr_overlap(cso, limits, out.counters).outcome == Outcome::initially_overlapping) {
     out.lower = out.upper = 0;
     return out;
   }

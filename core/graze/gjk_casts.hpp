@@ -46,6 +46,7 @@ void point_at(Simplex<S>& contact, const Vec3<S>& x) {
 template <Scalar S>
 void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart,
                       Counters& counters) {
+  out.apart = apart;
   if (apart <= limits.noise) {
     out.outcome = out.lower > 0 ? Outcome::hit : Outcome::initially_overlapping;
     out.upper = out.lower;
@@ -60,6 +61,7 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   out.upper = std::max(above.upper, out.lower);
   if (above.outcome == Outcome::miss || above.lower > out.lower) {
     out.lower = std::min(above.lower, out.upper);
+    out.apart = kInfinity<S>;
     out.n = above.n;
   }
 }

@@ -18,6 +18,9 @@
 namespace graze {
 
 template <Scalar S>
+struct HullGraph;  // hull_graph.hpp
+
+template <Scalar S>
 class Hull {
  public:
   // Scans run over whole blocks; the padding repeats vertex 0, which can win no tie against it.
@@ -35,8 +38,26 @@ class Hull {
     return data_ ? std::span<const Vec3<S>>(data_->vertices) : std::span<const Vec3<S>>();
   }
 
+  // The graph that the support climbs on, where one was derived or verified: see with_adjacency, with_faces.
+  [[nodiscard]] bool has_adjacency() const { return graph_ != nullptr; }
+  [[nodiscard]] const HullGraph<S>& graph() const { return *graph_; }
+  // `graph` must be this hull's.
+  [[nodiscard]] Hull with_graph(std::shared_ptr<const HullGraph<S>> graph) const {
+    Hull out = *this;
+    out.graph_ = std::move(graph);
+    return out;
+  }
+
   // The prepared scan. Valid for a non-empty hull of finite vertices.
-  [[nodiscard]] const S* scan(int axis) const { return data_->scan.data() + axis * data_->padded; }
+  [[nodiscard]] const S* scan(int axis) const {
+    return data_->scan.data() + static_cast<std::size_t>(axis) * data_->padded;
+  }
+  // The same about the middle of the bounds, rounded once: for choosing among vertices, not for their
+  // coordinates. Products then lose u of the extent, not of the offset.
+  [[nodiscard]] const S* choice_scan(int axis) const {
+    const std::vector<S>& from = data_->choice.empty() ? data_->scan : data_->choice;
+    return from.data() + static_cast<std::size_t>(axis) * data_->padded;
+  }
   [[nodiscard]] std::size_t padded_size() const { return data_->padded; }
   [[nodiscard]] const Vec3<S>& center() const { return data_->center; }
   [[nodiscard]] int exponent() const { return data_->exponent; }
@@ -48,20 +69,24 @@ class Hull {
   // The largest magnitude of a coordinate, and the least that is not zero.
   [[nodiscard]] S largest() const { return data_->largest; }
   [[nodiscard]] S smallest_nonzero() const { return data_->smallest; }
+  // True if the machine takes a coordinate for 0 that is not (denormals-are-zero).
+  [[nodiscard]] bool flushed() const { return data_->flushed; }
 
  private:
   struct Data {
     explicit Data(std::span<const Vec3<S>> given);
 
     std::vector<Vec3<S>> vertices;
-    std::vector<S> scan;  // x..., y..., z..., each `padded` long
+    std::vector<S> scan;    // x..., y..., z..., each `padded` long
+    std::vector<S> choice;  // choice_scan, where it differs
     std::size_t padded = 0;
     Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
     int exponent = 0;
-    bool finite = true;
+    bool finite = true, flushed = false;
     S largest = 0, smallest = 0;
   };
   std::shared_ptr<const Data> data_;
+  std::shared_ptr<const HullGraph<S>> graph_;
 };
 
 template <Scalar S>
@@ -72,6 +97,7 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     for (int i = 0; i < 3; ++i) {
       const S magnitude = std::abs(v[i]);
       if (!(magnitude <= std::numeric_limits<S>::max())) finite = false;
+      flushed = flushed || is_flushed(v[i]);
       largest = magnitude > largest ? magnitude : largest;
       if (magnitude > 0 && (smallest == 0 || magnitude < smallest)) smallest = magnitude;
     }
@@ -91,12 +117,20 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   scan.resize(3 * padded);
   for (std::size_t k = 0; k < padded; ++k) {
     const Vec3<S>& v = vertices[k < vertices.size() ? k : 0];
-    for (int i = 0; i < 3; ++i) scan[i * padded + k] = std::scalbn(v[i] - center[i], -exponent);
+    for (std::size_t i = 0; i < 3; ++i) {
+      scan[i * padded + k] = std::scalbn(v[static_cast<int>(i)] - center[static_cast<int>(i)], -exponent);
+    }
   }
   for (int i = 0; i < 3; ++i) {
     const S l = std::scalbn(low[i] - center[i], -exponent), h = std::scalbn(high[i] - center[i], -exponent);
     half[i] = (h - l) / 2;
     middle[i] = l + half[i];
+  }
+  // An offset below an eighth of the extent costs no more than that: not worth a second scan.
+  if ((middle.cwiseAbs() - half / 8).maxCoeff() <= 0) return;
+  choice = scan;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < padded; ++k) choice[i * padded + k] -= middle[static_cast<int>(i)];
   }
 }
 

@@ -21,7 +21,12 @@ Sweep<S> mpr_overlap(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& 
   using State = typename PortalSearch<S>::State;
   Sweep<S> out;
   out.upper = 0;
-  const Vec3<S> inside = cso.middle();
+  // The mean of six of its points: inside C, or on its surface.
+  Vec3<S> inside = Vec3<S>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    inside += cso.support(Vec3<S>::Unit(i)).w / 6 + cso.support(-Vec3<S>::Unit(i)).w / 6;
+    counters.supports += 2;
+  }
   if (!(inside.cwiseAbs().maxCoeff() > 0)) {
     out.outcome = Outcome::initially_overlapping;
     return out;

@@ -84,23 +84,29 @@ inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
   return r / (ww + xx + yy + zz);
 }
 
-// R(q), each entry within 0.6 u: numerators, |q|^2 and the quotient as sums of two doubles, rounded once at
-// the end.
-inline Mat3<double> accurate_rotation_matrix(const Quaternion<double>& q) {
+// The rows of R(q): numerators, |q|^2 and the quotients as sums of two doubles, within 2^-98.
+inline std::array<TwoDoubles3, 3> rotation_rows(const Quaternion<double>& q) {
   const TwoDoubles ww = two_product(q.w, q.w), xx = two_product(q.x, q.x), yy = two_product(q.y, q.y),
                    zz = two_product(q.z, q.z), norm = (ww + xx) + (yy + zz);
-  const auto entry = [&](TwoDoubles numerator) {
-    const TwoDoubles e = numerator / norm;
-    return e.hi + e.lo;
-  };
-  const auto twice = [](double a, double b, double c, double d) {
+  const auto twice = [&](double a, double b, double c, double d) {
     const TwoDoubles sum = two_product(a, b) + two_product(c, d);
-    return TwoDoubles{2 * sum.hi, 2 * sum.lo};
+    return TwoDoubles{2 * sum.hi, 2 * sum.lo} / norm;
   };
+  return {
+      TwoDoubles3{((ww + xx) + -(yy + zz)) / norm, twice(q.x, q.y, -q.w, q.z), twice(q.x, q.z, q.w, q.y)},
+      TwoDoubles3{twice(q.x, q.y, q.w, q.z), ((ww + yy) + -(xx + zz)) / norm, twice(q.y, q.z, -q.w, q.x)},
+      TwoDoubles3{twice(q.x, q.z, -q.w, q.y), twice(q.y, q.z, q.w, q.x), ((ww + zz) + -(xx + yy)) / norm}};
+}
+
+// R(q), each entry within 0.6 u: rounded once.
+inline Mat3<double> accurate_rotation_matrix(const Quaternion<double>& q) {
+  const std::array<TwoDoubles3, 3> rows = rotation_rows(q);
   Mat3<double> r;
-  r << entry((ww + xx) + -(yy + zz)), entry(twice(q.x, q.y, -q.w, q.z)), entry(twice(q.x, q.z, q.w, q.y)),
-      entry(twice(q.x, q.y, q.w, q.z)), entry((ww + yy) + -(xx + zz)), entry(twice(q.y, q.z, -q.w, q.x)),
-      entry(twice(q.x, q.z, -q.w, q.y)), entry(twice(q.y, q.z, q.w, q.x)), entry((ww + zz) + -(xx + yy));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      r(static_cast<int>(i), static_cast<int>(j)) = rows[i][j].hi + rows[i][j].lo;
+    }
+  }
   return r;
 }
 

@@ -20,12 +20,17 @@
 namespace graze {
 
 // A point of a posed body at t = 0, named so that it is exact:
-//   position + R(orientation) vertex + offset.
-// `vertex` is the index of a hull's or box's vertex (0, the origin, for points and spheres); `offset` is in
-// world axes, with |offset| <= the sphere's radius, and zero for every other shape.
+//   position + R(orientation) x + offset,    x the vertex of the shape's core with that index (shape.hpp).
+// `offset` is in world axes; |offset| <= the radius there: of a sphere or a capsule, and of every rounding
+// and sphere that was chosen on the way to the vertex of a combinator; otherwise it is zero. Where that way
+// ends in ellipsoids, cylinders or cones, `curved` holds a point of each in its own frame, in the order of
+// the parts; a feature with more than kCurvedParts of them cannot be named.
+inline constexpr std::size_t kCurvedParts = 2;
+
 struct Feature {
   std::uint32_t vertex = 0;
   Vec3<double> offset = Vec3<double>::Zero();
+  std::array<Vec3<double>, kCurvedParts> curved = {Vec3<double>::Zero(), Vec3<double>::Zero()};
 };
 
 struct SupportPair {

@@ -10,19 +10,19 @@
 #pragma once
 
 #include <graze/exact/portal_sign.hpp>
-#include <graze/sweep.hpp>
+#include <graze/gjk_casts.hpp>
 
 namespace graze {
 
 namespace detail {
 
-// The radii of the rounded support points of a proof are shortened by this factor, so that |offset| <= radius
-// holds exactly: e is a unit vector within 4 u, and the product rounds once more.
-inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
-
+// The radii of the rounded support points of a proof are shortened by kInside (combinator.hpp), so that
+// |offset| <= radius holds exactly: e is a unit vector within 4 u, and the product rounds once more. On
+// a combinator the radius and what the part has beyond it round as well, once each.
+inline constexpr int kInsideTree = 16;  // u
 template <Scalar S>
-double radius_of(const Body<S>& body) {
-  return std::visit([](const auto& shape) { return bounds(shape).radius; }, body.shape);
+double inside_slack(const Body<S>& body) {
+  return (exact::is_plain(body.shape) ? 8 : kInsideTree) * kUnitRoundoff<double>;
 }
 
 template <Scalar S>
@@ -32,7 +32,11 @@ struct ProofContext {
   Vec3<double> r;
   double s_max, t_max;  // of the path; infinite for a ray
   double radius;        // r_A + r_B + m, world length
+  bool plain;           // both cores are polytopes whose vertices have exact coordinates at hand
 
+  double radius_a, radius_b;
+
+  [[nodiscard]] double slack() const { return std::max(inside_slack(a), inside_slack(b)); }
   // n.x for the vertex of a body in the world, as a sum of two doubles: within 2^-95 of |n| times the lengths
   // in it.
   [[nodiscard]] static TwoDoubles along(const Vec3<double>& n, const Body<S>& body, std::uint32_t vertex) {
@@ -66,11 +70,15 @@ struct ProofContext {
   }
   // An upper bound of h(n) + R |n|, world length: the vertices that the scan chose, evaluated to the last
   // bit, and what better ones it may have passed over (cso.hpp: n turned, products compared, at both
-  // vertices).
+  // vertices). On curved cores and combinators, the support point and its error.
   [[nodiscard]] double reach(const Vec3<double>& n, Counters& counters) const {
     constexpr double u = kUnitRoundoff<double>;
     ++counters.supports;
     const CsoPoint<double> p = cso.support(n);
+    if (!plain) {
+      const double ball = cso.radius() * (1 + 2 * kInsideTree * u);
+      return cso.to_length(n.dot(p.w) + n.norm() * (1 + 8 * u) * (cso.reach_error() + ball));
+    }
     const TwoDoubles h = along(n, a, p.vertex_a) + -along(n, b, p.vertex_b);
     const double passed_over = cso.choice_error() + 4 * u * cso.radius() + 0x1p-90 * lengths();
     const double rounded = n.norm() * (1 + 4 * u);
@@ -82,13 +90,10 @@ struct ProofContext {
   // What was cancelled before it became small, internal units.
   [[nodiscard]] double lengths() const {
     return std::ldexp(double(a.position.cwiseAbs().maxCoeff()) + double(b.position.cwiseAbs().maxCoeff()) +
-                          center_size(a) + center_size(b),
+                          cso.side_a().center.cwiseAbs().maxCoeff() +
+                          cso.side_b().center.cwiseAbs().maxCoeff(),
                       -cso.length_exponent()) +
            cso.extent();
-  }
-  [[nodiscard]] static double center_size(const Body<S>& body) {
-    return std::visit([](const auto& shape) { return bounds(shape).center.cwiseAbs().maxCoeff(); },
-                      body.shape);
   }
 };
 
@@ -155,29 +160,44 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
   prove_lower(c, level(c, d.n), true, proof, counters);
 }
 
-inline SupportPair pair_of(const CsoPoint<double>& p, double radius_a, double radius_b) {
-  SupportPair out;
-  out.a.vertex = p.vertex_a;
-  out.b.vertex = p.vertex_b;
-  out.a.offset = p.e * (radius_a * kInside);
-  out.b.offset = p.e * (-radius_b * kInside);
-  return out;
+// The exact name of a side's part in a support point along n, e = n / |n|. False if it has none: too many
+// curved parts.
+template <Scalar S>
+bool name_feature(const Body<S>& body, const Side<double>& side, std::uint32_t vertex, const Vec3<double>& n,
+                  const Vec3<double>& e, double radius, Feature& out) {
+  out.vertex = vertex;
+  if (!side.curved) {
+    out.offset = e * (radius * (1 - inside_slack(body)));
+    return true;
+  }
+  TreeWalk<S> walk(unit(side.to_own(n)), &out);
+  const TreePoint p = walk(body.shape, Placement{}, &vertex);
+  out.offset = unit(n) * ((radius + p.excess.hi) * (1 - inside_slack(body)));
+  return walk.curved_parts() <= kCurvedParts;
+}
+
+template <Scalar S>
+bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair& out) {
+  return name_feature(c.a, c.cso.side_a(), p.vertex_a, p.n, p.e, c.radius_a, out.a) &&
+         name_feature(c.b, c.cso.side_b(), p.vertex_b, Vec3<double>(-p.n), Vec3<double>(-p.e), c.radius_b,
+                      out.b);
 }
 
 // Is the line's point in the portal beyond all rounding, and at which t at the latest? Infinite if neither
 // can be said.
 //
 // The projection of each corner is known within `e` per coordinate = its own error, 8 u of its length for the
-// product, the frame and r, and 8 u R that kInside takes; cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) + 4
-// e^2: that decides whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving
+// product, the frame and r, and what the names of the features take (`slack` of R; on a curved core also of
+// its own extent, once more for the point that they name); cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) +
+// 4 e^2: that decides whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving
 // corner i by d moves it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however
 // thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
 // of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
 inline double filtered_upper(const Cso<double>& cso, const Portal<double>& portal, double length,
-                             double z_max) {
+                             double z_max, double slack) {
   constexpr double u = kUnitRoundoff<double>;
   const double extent = cso.extent() + cso.radius();
-  const double e = cso.point_error() + 8 * u * extent + 8 * u * cso.radius();
+  const double e = cso.point_error() + 8 * u * extent + slack * (cso.curved() ? 2 * extent : cso.radius());
   double area = 0, side = 0;
   std::array<double, 3> l;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -217,10 +237,11 @@ void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   prove_lower(c, search.n, false, proof, counters);
   prove_lower(c, search.facing, false, proof, counters);
   if (search.portal.size != 3) return;
-  double t = filtered_upper(c.cso, search.portal, frame.length, z_max);
-  const double radius_a = radius_of(c.a), radius_b = radius_of(c.b);
-  for (std::size_t i = 0; i < 3; ++i) proof.portal[i] = pair_of(search.portal.p[i].c, radius_a, radius_b);
-  if (!(t < kInfinity<double>)&&!(c.cso.radius() > 0)) {
+  double t = filtered_upper(c.cso, search.portal, frame.length, z_max, c.slack());
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!name_pair(c, search.portal.p[i].c, proof.portal[i])) return;
+  }
+  if (!(t < kInfinity<double>)&&c.plain && !(c.cso.radius() > 0)) {
     const exact::Pierced pierced =
         exact::pierce(c.a, c.b, proof.portal, c.t_max, c.cso.length_exponent(), c.cso.speed_exponent());
     if (pierced.pierced) t = pierced.t_upper;
@@ -228,6 +249,21 @@ void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   if (!(t < kInfinity<double>)) return;
   proof.toi_upper = t;
   proof.portal_size = 3;
+}
+
+// Where the axes so far leave a gap below the answer, as steep ones of MPR do at an edge (their rounding
+// counts by |n| |r| / -n.r), the axis that the GJK ray cast ends with: it looks from C towards the path.
+template <Scalar S>
+void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Counters& counters) {
+  constexpr double kGap = 16 * kUnitRoundoff<double>;  // over scale: what is not worth a second search
+  const double upper = std::min(toi_upper, proof.toi_upper);
+  const double gap = c.cso.to_parameter(upper - proof.toi_lower) * c.r.norm();
+  if (!(gap > kGap * c.cso.scale()) || !c.cso.moves()) return;
+  CastOptions<double> options;
+  options.t_max = c.t_max;
+  const Sweep<double> sweep =
+      gjk_ray_cast(c.cso, sweep_limits(c.cso, options), 0.0, Vec3<double>(Vec3<double>::Zero()), counters);
+  prove_lower(c, sweep.n, false, proof, counters);
 }
 
 // Contact at t = 0: four points around the origin, every volume beyond its rounding.
@@ -240,7 +276,9 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   if (simplex.size != 4) return;
   double longest = 0;
   for (const auto& p : simplex.point) longest = std::max(longest, p.w.cwiseAbs().sum());
-  const double e = c.cso.point_error() + 16 * kUnitRoundoff<double> * (longest + c.cso.radius());
+  const double e = c.cso.point_error() +
+                   (8 * kUnitRoundoff<double> + c.slack()) * (longest + c.cso.radius()) +
+                   (c.cso.curved() ? 2 * c.slack() * c.cso.extent() : 0.0);
   // det(a, b, c) of three points within e each: |error| <= 3 e (2 longest)^2, and 8 u of the product itself.
   const double error = 16 * e * longest * longest;
   double side = 0;
@@ -251,11 +289,11 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
     if (!(std::abs(volume) > error) || side * volume < 0) return;
     side = volume;
   }
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!name_pair(c, simplex.point[i], proof.portal[i])) return;
+  }
   proof.toi_upper = 0;
   proof.portal_size = 4;
-  for (std::size_t i = 0; i < 4; ++i) {
-    proof.portal[i] = pair_of(simplex.point[i], radius_of(c.a), radius_of(c.b));
-  }
 }
 
 }  // namespace detail
@@ -266,11 +304,18 @@ template <Scalar S>
 Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, S toi_upper,
             const Vec3<S>& n, Counters& counters) {
   const Cso<double> cso(a, b, options.target_distance, detail::Turning::accurate);
-  const double radius =
-      detail::radius_of(a) + detail::radius_of(b) + static_cast<double>(options.target_distance);
+  const double radius_a = detail::common_radius(a.shape), radius_b = detail::common_radius(b.shape);
   const double t_max = static_cast<double>(options.t_max);
-  const detail::ProofContext<S> context{
-      a, b, cso, cso.direction(), cso.moves() ? cso.to_parameter(t_max) : 0.0, t_max, radius};
+  const detail::ProofContext<S> context{a,
+                                        b,
+                                        cso,
+                                        cso.direction(),
+                                        cso.moves() ? cso.to_parameter(t_max) : 0.0,
+                                        t_max,
+                                        radius_a + radius_b + static_cast<double>(options.target_distance),
+                                        exact::is_plain(a.shape) && exact::is_plain(b.shape),
+                                        radius_a,
+                                        radius_b};
   const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {
@@ -280,6 +325,7 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
   } else if (outcome == Outcome::hit || outcome == Outcome::not_converged) {
     detail::prove_lower(context, axis, false, proof, counters);
     detail::prove_upper(context, proof, counters);
+    detail::prove_nearer(context, static_cast<double>(toi_upper), proof, counters);
     proof.toi_lower = std::min({proof.toi_lower, static_cast<double>(toi_upper), t_max});
   }
   return proof;

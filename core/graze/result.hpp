@@ -16,6 +16,11 @@ enum class Outcome : std::uint8_t {
 
 enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep };
 
+// What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
+// n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
+// other start in contact is reported.
+enum class StartPolicy : std::uint8_t { report, pass_over };
+
 // What is wanted; what is not asked for is not computed. The verdict (outcome and bracket) always is.
 enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proof = 4, everything = 7 };
 [[nodiscard]] constexpr Request operator|(Request l, Request r) {
@@ -33,6 +38,9 @@ enum class Invalid : std::uint8_t {
   empty_hull,       // a hull without a vertex
   negative_extent,  // a radius or a half extent below zero
   zero_quaternion,  // an orientation (0, 0, 0, 0)
+  missing_part,     // a combinator without parts, or with one that has no shape
+  too_complex,      // combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices
+  rounding_mode,    // the machine does not round to nearest
   bad_horizon,      // t_max below zero or NaN
   bad_target,       // target_distance below zero, infinite or NaN
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
@@ -47,6 +55,7 @@ struct CastOptions {
   // Convergence target (length over scale): the search may stop once the path is this near to contact.
   // 0 stops at the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
+  StartPolicy start_policy = StartPolicy::report;
   int max_iterations =
       256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
 };
@@ -68,6 +77,10 @@ struct CastResult {
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();
+  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
+  S distance = 0;
+  // miss, by StartPolicy::pass_over: in contact at t = 0, and leaving or sliding. Has no proof.
+  bool passed_over = false;
   // hit, when asked for: unit, from A to B, world axes, a supporting normal of C at the contact.
   Vec3<S> normal = Vec3<S>::Zero();
   // hit, when asked for: world points of A and of B at toi_lower.

@@ -5,12 +5,19 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>  // cross
+#include <bit>
+#include <cfloat>
 #include <concepts>
 #include <cstdint>
 #include <limits>
 
-#if defined(__FAST_MATH__)
+// Under these flags the compiler may reorder sums, drop NaN checks or keep excess precision.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "graze: -ffast-math voids every rounding bound in these headers; compile without it"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "graze: float and double must be computed as such (FLT_EVAL_METHOD 0); on x86 use -mfpmath=sse"
 #endif
 
 namespace graze {
@@ -30,6 +37,22 @@ inline constexpr S kUnitRoundoff = std::numeric_limits<S>::epsilon() / 2;
 
 template <Scalar S>
 inline constexpr S kInfinity = std::numeric_limits<S>::infinity();
+
+// Does the machine take this subnormal for 0 (denormals-are-zero)? Then it is not what the caller gave.
+template <Scalar S>
+[[nodiscard]] inline bool is_flushed(S x) {
+  using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
+  return x == 0 && static_cast<Bits>(std::bit_cast<Bits>(x) << 1) != 0;
+}
+
+// n / |n| for any finite n != 0: scaled first, so that no square vanishes or overflows.
+template <Scalar S>
+Vec3<S> unit(const Vec3<S>& n) {
+  const S most = n.cwiseAbs().maxCoeff();
+  if (!(most > 0)) return Vec3<S>::Zero();
+  const Vec3<S> scaled = n / most;
+  return scaled / scaled.norm();
+}
 
 // A rotation x -> q x conj(q) / |q|^2 for any q != 0: rational in q, so a posed vertex is an exact rational.
 // (1, 1, 0, 0) is exactly 90 degrees about x. |q| = 1 is neither needed nor assumed.

@@ -32,15 +32,6 @@ struct Simplex {
   }
 };
 
-// n / |n| for any finite n != 0: scaled first, so that no square vanishes or overflows.
-template <Scalar S>
-Vec3<S> unit(const Vec3<S>& n) {
-  const S most = n.cwiseAbs().maxCoeff();
-  if (!(most > 0)) return Vec3<S>::Zero();
-  const Vec3<S> scaled = n / most;
-  return scaled / scaled.norm();
-}
-
 // (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in
 // every direction, also along them, where the face reaches far; the short edge keeps the error relative to
 // the area.

@@ -5,7 +5,7 @@
 
 namespace graze::detail {
 
-// sum lambda_i (vertex_i of the body + radius e_i) at time t, in world coordinates.
+// sum lambda_i (x_i of the body's core + radius e_i) at time t, in world coordinates.
 template <Scalar S>
 Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, const Simplex<S>& contact,
                 const Vec3<S>& n, bool of_a, S t) {
@@ -13,13 +13,13 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
   for (int i = 0; i < contact.size; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const CsoPoint<S>& p = contact.point[k];
-    own += contact.lambda[k] * side.vertex(side, of_a ? p.vertex_a : p.vertex_b);
+    const Vec3<S> d = side.to_own(of_a ? p.n : Vec3<S>(-p.n));
+    own += contact.lambda[k] * side.support(side, d, of_a ? &p.vertex_a : &p.vertex_b).x;
     const Vec3<S>& e = p.e == Vec3<S>::Zero() ? n : p.e;
     out += contact.lambda[k] * (of_a ? side.radius : -side.radius) * e;
   }
-  const Vec3<S> center =
-      std::visit([](const auto& shape) { return bounds(shape).center; }, body.shape).template cast<S>();
-  Vec3<S> shift = body.position + t * body.displacement + side.to_world(center);
+  Vec3<S> shift =
+      body.position + t * body.displacement + side.to_world(Vec3<S>(side.center.template cast<S>()));
   out += side.to_world(own);
   for (int i = 0; i < 3; ++i) shift[i] += cso.to_length(out[i]);
   return shift;

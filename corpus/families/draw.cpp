@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "corpus/support_value.hpp"
+
 namespace graze::corpus {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double kBelowCap = 0.25;
 
 Shape<double> negated(const Shape<double>& shape) {
   const Hull<double>* hull = std::get_if<Hull<double>>(&shape);
-  if (hull == nullptr) return shape;  // the others are symmetric about their origin
+  if (hull == nullptr) return shape;  // of those that capped() draws, the others are symmetric
   std::vector<Vec3<double>> vertices(hull->vertices().begin(), hull->vertices().end());
   for (Vec3<double>& v : vertices) v = Vec3<double>(0 - v[0], 0 - v[1], 0 - v[2]);
   return Hull<double>(std::span<const Vec3<double>>(vertices));
@@ -68,10 +70,13 @@ double bounding_radius(const Shape<double>& shape) {
     return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
   };
   double radius = 0;
-  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) radius = sphere->radius;
-  if (const auto* box = std::get_if<Box<double>>(&shape)) radius = norm(box->half_extents);
-  if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+  if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
+    radius = sphere->radius;
+  } else if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
     for (const Vec3<double>& v : hull->vertices()) radius = std::max(radius, norm(v));
+  } else {
+    const Bounds box = bounds(shape);
+    radius = norm(box.high.cwiseMax(-box.low));
   }
   return radius * (1 + 8 * kUnitRoundoff<double>);
 }
@@ -151,6 +156,85 @@ Shape<double> Draw::shape(double reach, int vertices) {
     }
     default:
       return hull(reach, vertices);
+  }
+}
+
+double Draw::thin_extent(double reach, int thinness) {
+  if (random.once_in(12)) return 0;
+  const double full = random.uniform(0.5, reach);
+  double size = full;
+  switch (random.below(3)) {
+    case 0:
+      break;
+    case 1:
+      size = full * power_of_ten(-thinness);
+      break;
+    default:
+      size = full * power_of_ten(-random.integer(0, thinness));
+      break;
+  }
+  // Integers would round the thin ones away.
+  return coordinates == Coordinates::doubles ? size : round_to_float(size);
+}
+
+Vec3<double> Draw::thin_extents(double reach, int thinness) {
+  const double x = thin_extent(reach, thinness), y = thin_extent(reach, thinness);
+  return {x, y, thin_extent(reach, thinness)};
+}
+
+Shape<double> Draw::thin_hull(double reach, int thinness, int vertices) {
+  const int axis = random.integer(0, 2);
+  const double factor = random.once_in(2) ? power_of_ten(-thinness) : 1;
+  std::vector<Vec3<double>> list(static_cast<std::size_t>(vertices));
+  for (Vec3<double>& v : list) {
+    v = vector(reach);
+    const double thin = v[axis] * factor;
+    v[axis] = coordinates == Coordinates::doubles ? thin : round_to_float(thin);
+  }
+  if (vertices == 2) return Segment<double>{list[0], list[1]};
+  if (vertices == 3) return Triangle<double>{list[0], list[1], list[2]};
+  return Hull<double>(std::span<const Vec3<double>>(list));
+}
+
+Shape<double> Draw::smooth_leaf(double reach, int thinness) {
+  const auto two = [&] {
+    const double radius = thin_extent(reach, thinness);
+    return std::pair(radius, thin_extent(reach, thinness));
+  };
+  switch (random.below(6)) {
+    case 0:
+      return thin_hull(reach, thinness, 2);
+    case 1:
+      return Sphere<double>{thin_extent(reach, thinness)};
+    case 2: {
+      const auto [radius, half_height] = two();
+      return Capsule<double>{radius, half_height};
+    }
+    case 3:
+      return Ellipsoid<double>{thin_extents(reach, thinness)};
+    case 4: {
+      const auto [radius, half_height] = two();
+      return Cylinder<double>{radius, half_height};
+    }
+    default: {
+      const auto [radius, half_height] = two();
+      return Cone<double>{radius, half_height};
+    }
+  }
+}
+
+Shape<double> Draw::leaf(double reach, int thinness) {
+  switch (random.below(10)) {
+    case 0:
+      return Point<double>{};
+    case 1:
+      return thin_hull(reach, thinness, 3);
+    case 2:
+      return Box<double>{thin_extents(reach, thinness)};
+    case 3:
+      return thin_hull(reach, thinness, random.integer(4, 8));
+    default:
+      return smooth_leaf(reach, thinness);
   }
 }
 
@@ -240,6 +324,47 @@ Capped Draw::capped(double reach) {
 Capped Draw::capped_below(double reach) {
   const Capped above = capped(reach);
   return {negated(above.shape), 0 - above.lift};
+}
+
+void aim(Draw& draw, Case& problem, double miss) {
+  Random& random = draw.random;
+  Vec3<double> v = draw.vector(16);
+  const int axis = random.integer(0, 2);
+  const double along = draw.snap(random.uniform(8, 24));
+  v[axis] = random.once_in(2) ? along : -along;
+  constexpr double kTimes[] = {0, 0.25, 0.5, 0.5, 0.75, 1, 2};
+  const double t = kTimes[random.below(std::size(kTimes))];
+  const auto point = [&](const Shape<double>& shape) {
+    const Bounds box = bounds(shape);
+    Vec3<double> x;
+    for (int i = 0; i < 3; ++i) x[i] = (box.low[i] + box.high[i]) / 2;
+    if (!random.once_in(4)) {
+      const int side = random.integer(0, 2);
+      x[side] = random.once_in(2) ? box.low[side] : box.high[side];
+    }
+    return x;
+  };
+  const Vec3<double> a = rotate(problem.a.orientation, point(problem.a.shape));
+  const Vec3<double> b = rotate(problem.b.orientation, point(problem.b.shape));
+  for (int i = 0; i < 3; ++i) {
+    const double beside = random.uniform(-miss, miss);
+    const double x = ((problem.a.position[i] + (a[i] - b[i])) - t * v[i]) + beside;
+    problem.b.position[i] = draw.coordinates == Coordinates::doubles ? x : round_to_float(x);
+  }
+  set_motion(draw, problem, v);
+  switch (random.below(16)) {
+    case 0:
+      problem.t_max = kInfinity<double>;
+      break;
+    case 1:
+      problem.t_max = 0.5;
+      break;
+    case 2:
+      problem.t_max = 4;
+      break;
+    default:
+      break;
+  }
 }
 
 void set_motion(Draw& draw, Case& problem, const Vec3<double>& v) {

@@ -52,6 +52,11 @@ class Draw {
   // Point, sphere, box or hull of `vertices` vertices within |x_i| <= reach.
   Shape<double> shape(double reach, int vertices);
   Shape<double> hull(double reach, int vertices);
+  // One of the ten that are no combinators. Each extent is 0.5 .. reach, kept, or times 10^-thinness, or
+  // times a power of ten between, or, one in twelve, 0; what has vertices is thinned along an axis.
+  Shape<double> leaf(double reach, int thinness);
+  // Without corners, or with two at most: what may be summed many times.
+  Shape<double> smooth_leaf(double reach, int thinness);
   // Identity half of the time, else four integers of -3..3.
   Quaternion<double> pose();
   // A turn about z by an integer quaternion (w, 0, 0, z): it leaves every z-coordinate as it is, exactly.
@@ -66,6 +71,9 @@ class Draw {
 
  private:
   Shape<double> capped_hull(double reach, double lift);
+  double thin_extent(double reach, int thinness);
+  Vec3<double> thin_extents(double reach, int thinness);
+  Shape<double> thin_hull(double reach, int thinness, int vertices);
 };
 
 // Gives the relative displacement v to B, or shares it: A gets something and B gets v more, where that is
@@ -79,6 +87,10 @@ void turn_exactly(Draw& draw, Case& problem);
 // Turns the whole scene by an integer quaternion; positions and displacements are rounded to the kind of
 // coordinate (floats or doubles).
 void turn_rounded(Draw& draw, Case& problem);
+// Puts B on a path that brings a point of its bounding box, its middle or the middle of a side, to one of A's
+// at a time in 0 .. 2, or beside it by `miss` at most along each axis. A has its pose; B gets its
+// position, v is of length 8 to 40, and the horizon is drawn.
+void aim(Draw& draw, Case& problem, double miss);
 // Swaps A and B once in two.
 void maybe_swap(Draw& draw, Case& problem);
 

@@ -11,5 +11,7 @@ void fill_grazing(Draw& draw, double hardness, Case& problem);
 void fill_size_ratio(Draw& draw, double hardness, Case& problem);
 void fill_far_from_origin(Draw& draw, double hardness, Case& problem);
 void fill_touching(Draw& draw, double hardness, Case& problem);
+void fill_curved(Draw& draw, double hardness, Case& problem);
+void fill_combinators(Draw& draw, double hardness, Case& problem);
 
 }  // namespace graze::corpus

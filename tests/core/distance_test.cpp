@@ -67,6 +67,21 @@ TYPED_TEST(DistanceQuery, SwappedBodiesSwapTheAnswer) {
   }
 }
 
+// The middle of a hull's bounds may lie outside it, and the line from there through the origin then enters C
+// beyond the origin.
+TYPED_TEST(DistanceQuery, PointBesideATetrahedronIsOutside) {
+  using S = TypeParam;
+  const Body<S> tetrahedron{.shape = Hull<S>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const S x : {S(0.34), S(0.4), S(0.45), S(0.5), S(0.75)}) {
+    const Body<S> point{.position = {x, x, x}};
+    EXPECT_EQ(overlap_mpr(tetrahedron, point).outcome, Outcome::miss) << x;
+    EXPECT_EQ(overlap_mpr(point, tetrahedron).outcome, Outcome::miss) << x;
+    EXPECT_EQ(overlap_gjk(tetrahedron, point).outcome, Outcome::miss) << x;
+  }
+  const Body<S> inside{.position = {S(0.33), S(0.33), S(0.33)}};
+  EXPECT_EQ(overlap_mpr(tetrahedron, inside).outcome, Outcome::initially_overlapping);
+}
+
 TEST(DistanceDoor, BadInputIsRefused) {
   EXPECT_EQ(distance<double>({.shape = Sphere<double>{-1}}, {}).invalid, Invalid::negative_extent);
   EXPECT_EQ(overlap_mpr<double>({.shape = Hull<double>()}, {}).invalid, Invalid::empty_hull);

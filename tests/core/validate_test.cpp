@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <xmmintrin.h>
+
+#include <cfenv>
 #include <graze/cast.hpp>
 
 namespace graze {
@@ -109,6 +112,66 @@ TEST(Validate, EndsOfTheRangeAnswer) {
     }
   }
 }
+
+TEST(Validate, CombinatorsAreCheckedToTheLeaves) {
+  const auto of = [](Shape<double> shape) { return refused({.shape = std::move(shape)}, {}); };
+  const Shape<double> ball = Sphere<double>{1};
+  EXPECT_EQ(of(Posed<double>{}), Invalid::missing_part);
+  EXPECT_EQ(of(Rounded<double>{nullptr, 1}), Invalid::missing_part);
+  EXPECT_EQ(of(Sum<double>{}), Invalid::missing_part);
+  EXPECT_EQ(of(HullOf<double>{{share<double>(ball), nullptr}}), Invalid::missing_part);
+  EXPECT_EQ(of(rounded<double>(ball, -1)), Invalid::negative_extent);
+  EXPECT_EQ(of(sum<double>(ball, Hull<double>())), Invalid::empty_hull);
+  EXPECT_EQ(of(posed<double>(ball, {0, 0, 0}, {0, 0, 0, 0})), Invalid::zero_quaternion);
+  EXPECT_EQ(of(translated<double>(ball, {0, std::nan(""), 0})), Invalid::not_finite);
+  EXPECT_EQ(of(hull_of<double>(ball, Cone<double>{1, -1})), Invalid::negative_extent);
+  EXPECT_EQ(of(Ellipsoid<double>{{1, -1, 1}}), Invalid::negative_extent);
+  EXPECT_EQ(of(Capsule<double>{1, kInfinity<double>}), Invalid::not_finite);
+
+  Shape<double> nest = ball;
+  for (int k = 0; k < detail::kMaxNesting; ++k) nest = rounded<double>(nest, 1);
+  EXPECT_EQ(of(nest), Invalid::none);
+  EXPECT_EQ(of(rounded<double>(nest, 1)), Invalid::too_complex);
+  // Shared parts count each time: 2^12 leaves, and half as many again above them.
+  Shape<double> doubled = ball;
+  for (int k = 0; k < 12; ++k) {
+    const SharedShape<double> part = share<double>(doubled);
+    doubled = HullOf<double>{{part, part}};
+  }
+  EXPECT_EQ(of(doubled), Invalid::too_complex);
+  Shape<double> product = Box<double>{{1, 1, 1}};
+  for (int k = 0; k < 10; ++k) product = sum<double>(product, Box<double>{{1, 1, 1}});
+  EXPECT_EQ(of(product), Invalid::too_complex);  // 8^11 > 2^32
+}
+
+TEST(Validate, AnotherRoundingModeIsRefused) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const Invalid reason = refused({}, {});
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(reason, Invalid::rounding_mode) << mode;
+  }
+  EXPECT_EQ(refused({}, {}), Invalid::none);
+}
+
+#if defined(__x86_64__)
+// Where denormals are taken for zero, a float that is one would be another number than was given.
+TEST(Validate, FlushedSubnormalsAreRefused) {
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8040);  // flush to zero, denormals are zero
+  const Body<float> small{.shape = Sphere<float>{tiny}}, moved{.position = {0, tiny, 0}},
+      hull{.shape = Hull<float>{{0, 0, 0}, {1, 0, tiny}}}, plain{.shape = Sphere<float>{1}};
+  const Invalid reasons[] = {cast(small, plain).invalid, cast(plain, moved).invalid,
+                             cast(hull, plain).invalid, cast(plain, plain).invalid};
+  _mm_setcsr(before);
+  EXPECT_EQ(reasons[0], Invalid::out_of_range);
+  EXPECT_EQ(reasons[1], Invalid::out_of_range);
+  EXPECT_EQ(reasons[2], Invalid::out_of_range);
+  EXPECT_EQ(reasons[3], Invalid::none);
+  EXPECT_EQ(cast(small, plain).invalid, Invalid::none);
+}
+#endif
 
 }  // namespace
 }  // namespace graze

@@ -19,6 +19,12 @@ std::string with_body(const std::string& body) {
          R"(, "b": {"shape": {"type": "point"}}})";
 }
 std::string with_shape(const std::string& shape) { return with_body(R"({"shape": )" + shape + "}"); }
+// A point in so many roundings.
+std::string nested(int depth) {
+  std::string text = R"({"type": "point"})";
+  for (int i = 0; i < depth; ++i) text = R"({"type": "rounded", "radius": 0, "shape": )" + text + "}";
+  return text;
+}
 // A sound case with more fields.
 std::string with_fields(const std::string& fields) {
   const std::string sound = kSound;
@@ -73,12 +79,45 @@ const Malformation kMalformations[] = {
     {"unknown_field_of_a_shape", with_shape(R"({"type": "point", "radius": 0})"), "a.shape",
      "unknown field \"radius\"; known fields: type"},
     {"no_shape", with_body("{}"), "a.shape", "missing"},
-    {"no_type", with_shape("{}"), "a.shape.type", "missing; one of point, sphere, box or hull"},
+    {"no_type", with_shape("{}"), "a.shape.type",
+     "missing; one of point, segment, triangle, sphere, capsule, box"},
     {"type_a_number", with_shape(R"({"type": 1})"), "a.shape.type", "the number 1; a string"},
     {"unknown_type", with_shape(R"({"type": "blob"})"), "a.shape.type",
      "unknown shape type \"blob\"; one of point"},
-    {"later_type", with_shape(R"({"type": "capsule", "radius": 1, "half_height": 1})"), "a.shape.type",
-     "shape type \"capsule\" is not supported yet by this version; supported: point, sphere, box or hull"},
+    {"segment_missing_end", with_shape(R"({"type": "segment", "a": [0, 0, 0]})"), "a.shape.b",
+     "missing; each corner is an array of three numbers"},
+    {"triangle_corner_short",
+     with_shape(R"({"type": "triangle", "a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1]})"), "a.shape.c",
+     "an array of 2; each corner is an array of three numbers"},
+    {"capsule_height_missing", with_shape(R"({"type": "capsule", "radius": 1})"), "a.shape.half_height",
+     "missing; a length, zero or more"},
+    {"cylinder_radius_negative", with_shape(R"({"type": "cylinder", "radius": -2, "half_height": 1})"),
+     "a.shape.radius", "-2 is negative; zero or more"},
+    {"cone_height_negative", with_shape(R"({"type": "cone", "radius": 2, "half_height": -1})"),
+     "a.shape.half_height", "-1 is negative; zero or more"},
+    {"cone_unknown_field", with_shape(R"({"type": "cone", "radius": 2, "height": 1})"), "a.shape",
+     "unknown field \"height\"; known fields: type, radius or half_height"},
+    {"ellipsoid_radii_negative", with_shape(R"({"type": "ellipsoid", "radii": [1, -1, 1]})"),
+     "a.shape.radii[1]", "-1 is negative; radii is an array of three numbers, zero or more"},
+    {"rounded_without_shape", with_shape(R"({"type": "rounded", "radius": 1})"), "a.shape.shape",
+     "missing; rounded has the shape that it rounds"},
+    {"rounded_radius_negative",
+     with_shape(R"({"type": "rounded", "shape": {"type": "point"}, "radius": -1})"), "a.shape.radius",
+     "-1 is negative"},
+    {"posed_zero_quaternion",
+     with_shape(R"({"type": "posed", "shape": {"type": "point"}, "orientation": [0, 0, 0, 0]})"),
+     "a.shape.orientation", "a zero quaternion"},
+    {"sum_of_nothing", with_shape(R"({"type": "sum", "shapes": []})"), "a.shape.shapes",
+     "an empty array; shapes is an array of one or more shapes"},
+    {"sum_without_shapes", with_shape(R"({"type": "sum"})"), "a.shape.shapes",
+     "missing; shapes is an array of one or more shapes"},
+    {"hull_of_a_null", with_shape(R"({"type": "hull_of", "shapes": [{"type": "point"}, null]})"),
+     "a.shape.shapes[1]", "null; a shape is an object with a type"},
+    {"deep_inside",
+     with_shape(
+         R"({"type": "sum", "shapes": [{"type": "rounded", "radius": 0, "shape": {"type": "sphere", "radius": "x"}}]})"),
+     "a.shape.shapes[0].shape.radius", "the string \"x\""},
+    {"nested_too_deep", with_shape(nested(17)), "a.shape.shape.shape", "nested deeper than 16 combinators"},
     {"radius_missing", with_shape(R"({"type": "sphere"})"), "a.shape.radius",
      "missing; a sphere has a radius"},
     {"radius_negative", with_shape(R"({"type": "sphere", "radius": -1})"), "a.shape.radius",
@@ -167,6 +206,44 @@ TEST_P(Malformed, IsRefusedInOneLineThatNamesTheField) {
 
 INSTANTIATE_TEST_SUITE_P(Table, Malformed, testing::ValuesIn(kMalformations),
                          [](const auto& table) { return std::string(table.param.name); });
+
+TEST(CaseReader, SixteenCombinatorsDeepIsRead) {
+  EXPECT_TRUE(read_text(with_shape(nested(16)), "x", false).ok());
+  std::string sums = R"({"type": "hull", "vertices": [[0, 0, 0]]})";
+  for (int i = 0; i < 16; ++i) sums = R"({"type": "sum", "shapes": [)" + sums + "]}";
+  const ReadResult result = read_text(with_shape(sums), "x", false);
+  EXPECT_TRUE(result.ok()) << result.errors[0].text();
+}
+
+TEST(CaseReader, ReadsEveryShape) {
+  const ReadResult result = read_text(with_shape(R"({"type": "sum", "shapes": [
+          {"type": "segment", "a": [1, 2, 3], "b": [4, 5, 6]},
+          {"type": "triangle", "a": [1, 0, 0], "b": [0, 1, 0], "c": [0, 0, 1]},
+          {"type": "capsule", "radius": 1, "half_height": 2},
+          {"type": "cylinder", "radius": 3, "half_height": 4},
+          {"type": "cone", "radius": 5, "half_height": 6},
+          {"type": "ellipsoid", "radii": [1, 2, 0]},
+          {"type": "rounded", "shape": {"type": "box", "half_extents": [1, 1, 1]}, "radius": 0.5},
+          {"type": "hull_of", "shapes": [{"type": "point"},
+              {"type": "posed", "shape": {"type": "sphere", "radius": 1}, "position": [0, 0, 7],
+               "orientation": [1, 1, 0, 0]}]}]})"),
+                                      "x", false);
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  const auto& parts = std::get<Sum<double>>(result.cases[0].a.shape).shapes;
+  ASSERT_EQ(parts.size(), 8u);
+  EXPECT_EQ(std::get<Segment<double>>(parts[0]->shape).b, Vec3<double>(4, 5, 6));
+  EXPECT_EQ(std::get<Triangle<double>>(parts[1]->shape).c, Vec3<double>(0, 0, 1));
+  EXPECT_EQ(std::get<Capsule<double>>(parts[2]->shape).half_height, 2);
+  EXPECT_EQ(std::get<Cylinder<double>>(parts[3]->shape).radius, 3);
+  EXPECT_EQ(std::get<Cone<double>>(parts[4]->shape).half_height, 6);
+  EXPECT_EQ(std::get<Ellipsoid<double>>(parts[5]->shape).radii, Vec3<double>(1, 2, 0));
+  EXPECT_EQ(std::get<Rounded<double>>(parts[6]->shape).radius, 0.5);
+  const auto& pair = std::get<HullOf<double>>(parts[7]->shape).shapes;
+  const auto& posed = std::get<Posed<double>>(pair.at(1)->shape);
+  EXPECT_EQ(posed.position, Vec3<double>(0, 0, 7));
+  EXPECT_EQ(posed.orientation.x, 1);
+  EXPECT_EQ(std::get<Sphere<double>>(posed.shape->shape).radius, 1);
+}
 
 TEST(CaseReader, TheWholeMessageReadsAsItShould) {
   const std::string text = with_shape(R"({"type": "hull", "vertices": [[0,0,0], [1,0,0], [0,1,0], null]})");

@@ -23,6 +23,8 @@ ProofRecord example() {
   record.proof.portal[0].a.vertex = 7;
   record.proof.portal[1].b.offset = Vec3<double>(0, 0, 0.1);
   record.proof.portal[2].b.offset = Vec3<double>(0, -0.0, 0);
+  record.proof.portal[1].a.curved[0] = Vec3<double>(0.1, 0.2, -0.0);
+  record.proof.portal[2].a.curved[1] = Vec3<double>(0, 0, 1);
   return record;
 }
 
@@ -43,6 +45,8 @@ void expect_same(const ProofRecord& l, const ProofRecord& r) {
     EXPECT_EQ(l.proof.portal[i].b.vertex, r.proof.portal[i].b.vertex);
     EXPECT_EQ(l.proof.portal[i].a.offset, r.proof.portal[i].a.offset);
     EXPECT_EQ(l.proof.portal[i].b.offset, r.proof.portal[i].b.offset);
+    EXPECT_EQ(l.proof.portal[i].a.curved, r.proof.portal[i].a.curved);
+    EXPECT_EQ(l.proof.portal[i].b.curved, r.proof.portal[i].b.curved);
   }
 }
 
@@ -82,6 +86,9 @@ TEST(ProofIo, RefusesWhatIsMalformedAndKeepsTheRest) {
        "p.jsonl:1: proof.portal[0].a.vertex: the number -7; an index"},
       {replaced("\"vertex\": 7", "\"vertex\": 4294967296"), "p.jsonl:1: proof.portal[0].a.vertex: "},
       {replaced("[0, 0, 0.1]", "[0, 0]"), "p.jsonl:1: proof.portal[1].b.offset: an array of 2"},
+      {replaced("[0.1, 0.2, -0.0]", "[0.1, 0.2]"), "p.jsonl:1: proof.portal[1].a.curved[0]: an array of 2"},
+      {replaced("[0, 0, 0], [0, 0, 1]", "[0, 0, 0], [0, 0, 1], [0, 0, 1]"),
+       "p.jsonl:1: proof.portal[2].a.curved: an array of 3"},
       {replaced("\"portal\": [", "\"portal\": [1, 2, "), "p.jsonl:1: proof.portal: an array of 5"},
       {replaced("\"portal\": [", "\"portal\": [1, "), "p.jsonl:1: proof.portal[0]: the number 1"},
       {replaced("\"axis\": [", "\"axis\": [1, "), "p.jsonl:1: proof.axis: an array of 4"},

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <set>
 
 #include "corpus/case_io.hpp"
 #include "corpus/random.hpp"
@@ -76,6 +77,87 @@ TEST(RoundTrip, OfRandomBits) {
     problem.b.orientation = {finite(), finite(), finite(), finite()};
     problem.t_max = std::abs(finite());
     expect_round_trip(problem);
+  }
+}
+
+// Shapes with a number of its own in every field.
+std::vector<Shape<double>> every_shape() {
+  const Vec3<double> a(0.1, -0.0, 5e-324), b(2, 1e300, -1.0 / 3), c(-7, 0, 11);
+  const Quaternion<double> turn{0.5, -0.0, 3, 1e-9};
+  std::vector<Shape<double>> all = {Point<double>{},
+                                    Segment<double>{a, b},
+                                    Triangle<double>{a, b, c},
+                                    Sphere<double>{0.1},
+                                    Capsule<double>{0.2, 0.3},
+                                    Box<double>{{0.1, 0.2, 0}},
+                                    Ellipsoid<double>{{1, 0.2, 3}},
+                                    Cylinder<double>{0.4, 0.5},
+                                    Cone<double>{0.6, 0.7},
+                                    Hull<double>{a, b, c}};
+  const Shape<double> leaf = all[2];
+  all.push_back(posed<double>(leaf, b, turn));
+  all.push_back(rounded<double>(leaf, 0.8));
+  all.push_back(sum<double>(leaf, all[10]));
+  all.push_back(hull_of<double>(all[12], all[11]));
+  return all;
+}
+
+TEST(RoundTrip, OfEveryShape) {
+  std::set<std::size_t> kinds;
+  for (const Shape<double>& shape : every_shape()) {
+    Case problem;
+    problem.id = "test/shape";
+    problem.a.shape = shape;
+    problem.b.shape = swept<double>(shape, Vec3<double>(1, 2, 3));
+    expect_round_trip(problem);
+    kinds.insert(shape.index());
+  }
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Shape<double>>);
+}
+
+TEST(SameCase, TellsEveryShapeFromEveryOther) {
+  const std::vector<Shape<double>> shapes = every_shape();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      Case l, r;
+      l.a.shape = shapes[i];
+      r.a.shape = every_shape()[j];
+      EXPECT_EQ(same_case(l, r), i == j) << i << " " << j;
+    }
+  }
+}
+
+// Each shape, and one that differs from it in a single number, part, or sign of zero.
+TEST(SameCase, NoticesEveryNumberOfAShape) {
+  const Vec3<double> o = Vec3<double>::Zero(), x(1, 0, 0);
+  const Shape<double> point = Point<double>{}, ball = Sphere<double>{1};
+  const std::pair<Shape<double>, Shape<double>> pairs[] = {
+      {Segment<double>{o, x}, Segment<double>{x, x}},
+      {Segment<double>{o, o}, Segment<double>{o, Vec3<double>(0, -0.0, 0)}},
+      {Triangle<double>{o, o, o}, Triangle<double>{o, o, x}},
+      {Triangle<double>{o, o, o}, Triangle<double>{o, x, o}},
+      {Capsule<double>{1, 2}, Capsule<double>{1, 3}},
+      {Capsule<double>{1, 2}, Cylinder<double>{1, 2}},
+      {Cylinder<double>{1, 2}, Cylinder<double>{2, 2}},
+      {Cone<double>{1, 2}, Cone<double>{1, 1}},
+      {Ellipsoid<double>{{1, 2, 3}}, Ellipsoid<double>{{1, 2, 4}}},
+      {rounded<double>(point, 1), rounded<double>(point, 2)},
+      {rounded<double>(point, 1), rounded<double>(ball, 1)},
+      {posed<double>(point, o, {}), posed<double>(point, x, {})},
+      {posed<double>(point, o, {}), posed<double>(point, o, {1, 0, 0, 1})},
+      {posed<double>(point, o, {}), posed<double>(ball, o, {})},
+      {sum<double>(point, ball), sum<double>(ball, point)},
+      {sum<double>(point, ball), hull_of<double>(point, ball)},
+      {Sum<double>{{share(point)}}, Sum<double>{{share(point), share(point)}}},
+      {Sum<double>{{share(point)}}, Sum<double>{{nullptr}}},
+  };
+  for (const auto& [one, other] : pairs) {
+    Case l, r;
+    l.a.shape = one;
+    r.a.shape = other;
+    EXPECT_TRUE(same_case(l, l));
+    EXPECT_FALSE(same_case(l, r)) << write_case(l) << "\n" << write_case(r);
+    EXPECT_NE(write_case(l), write_case(r));
   }
 }
 

@@ -334,7 +334,8 @@ TEST(LinearTruth, RefusesWhatItDoesNotDecide) {
   problem.t_max = -1;
   EXPECT_THROW(LinearTruth{problem}, std::invalid_argument);
   problem = boxes_a_unit_apart();
-  EXPECT_THROW((void)LinearTruth(two_balls(1, 1)).contact_interval(), std::logic_error);
+  problem.a.shape = Cylinder<double>{1, 1};
+  EXPECT_THROW(LinearTruth{problem}, std::invalid_argument);
 }
 
 }  // namespace

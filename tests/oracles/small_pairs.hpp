@@ -1,5 +1,5 @@
-// Small polytope pairs of every dimension: integer coordinates, so that touching, ties and degenerate
-// configurations are common, with integer quaternions for the rotated half.
+// Small polytope pairs of every dimension, from hulls or from combinators: integer coordinates, so that
+// touching, ties and degenerate configurations are common, with integer quaternions for the rotated half.
 #pragma once
 
 #include <vector>
@@ -47,12 +47,77 @@ class SmallPairs {
     return hull(dimension, random.integer(dimension + 1, 6), 3);
   }
 
+  // Points, segments, triangles, tetrahedra and, with `levels` of combinators above them, what these make of
+  // them. Few vertices, no radius.
+  Shape<double> composed(int levels) {
+    if (levels > 0) {
+      switch (random.integer(0, 5)) {
+        case 0:
+          return posed<double>(composed(levels - 1), point(2), planar_ ? Quaternion<double>() : quaternion());
+        case 1:
+          return rounded<double>(composed(levels - 1), 0);
+        case 2:
+          return hull_of<double>(composed(levels - 1), composed(levels - 1));
+        case 3:
+          return swept<double>(leaf(), point(2));
+        default:
+          return sum<double>(leaf(), composed(levels - 1));
+      }
+    }
+    return leaf();
+  }
+
   corpus::Case pair() {
-    corpus::Case problem;
     // A quarter of the pairs are flat together: points and segments meet too rarely by chance.
     const int most = random.once_in(4) ? random.integer(0, 1) : 3;
+    corpus::Case problem;
     problem.a.shape = shape(random.integer(0, most));
     problem.b.shape = shape(random.integer(0, most));
+    set_in_motion(problem, most);
+    return problem;
+  }
+
+  // A quarter of them lie in the plane z = 0, moved within it as a rule.
+  corpus::Case composed_pair() {
+    planar_ = random.once_in(4);
+    corpus::Case problem;
+    problem.a.shape = composed(random.integer(0, 2));
+    problem.b.shape = composed(random.integer(0, 1));
+    set_in_motion(problem, 3);
+    if (random.once_in(3)) problem.b.position = problem.a.position + vector(1);
+    if (planar_) {
+      problem.a.orientation = problem.b.orientation = {};
+      problem.a.position[2] = problem.b.position[2] = 0;
+      if (!random.once_in(4)) problem.a.displacement[2] = problem.b.displacement[2];
+    }
+    planar_ = false;
+    return problem;
+  }
+
+ private:
+  bool planar_ = false;
+
+  Vec point(int reach) {
+    Vec p = vector(reach);
+    if (planar_) p[2] = 0;
+    return p;
+  }
+
+  Shape<double> leaf() {
+    switch (random.integer(0, 4)) {
+      case 0:
+        return Point<double>{};
+      case 1:
+      case 2:
+        return Segment<double>{point(2), point(2)};
+      case 3:
+        return Triangle<double>{point(2), point(2), point(2)};
+      default:
+        return Hull<double>{point(2), point(2), point(2), point(2)};
+    }
+  }
+
+  void set_in_motion(corpus::Case& problem, int most) {
     problem.a.position = vector(2);
     problem.b.position =
         most < 3 && random.once_in(3) ? problem.a.position : vector(random.once_in(2) ? 3 : 8);
@@ -68,7 +133,6 @@ class SmallPairs {
     if (random.once_in(16)) problem.b.displacement = problem.a.displacement;
     if (random.once_in(4)) problem.t_max = kInfinity<double>;
     if (random.once_in(16)) problem.t_max = 0.25;
-    return problem;
   }
 };
 

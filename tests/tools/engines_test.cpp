@@ -57,12 +57,11 @@ TEST(Methods, see_the_case_rounded_to_their_scalar) {
 }
 
 TEST(Methods, never_answer_another_question_silently) {
-  corpus::Case spinning = falling_ball(), overlap = falling_ball(), passing = falling_ball();
+  corpus::Case spinning = falling_ball(), overlap = falling_ball();
   spinning.spin_b.rotation = {0, 1e-9, 0};
   overlap.query = corpus::Query::overlap;
-  passing.start_policy = corpus::StartPolicy::pass_over;
   EXPECT_TRUE(unsupported(falling_ball()).empty());
-  for (const corpus::Case* problem : {&spinning, &overlap, &passing}) {
+  for (const corpus::Case* problem : {&spinning, &overlap}) {
     EXPECT_FALSE(unsupported(*problem).empty());
     for (const EngineMethod& method : methods()) {
       EXPECT_EQ(method.cast(*problem, {}).outcome, Outcome::invalid_input);

@@ -4,21 +4,39 @@
 //   pierced; pierced iff all w_i >= 0 or all <= 0, not all zero;   t = det(c_0, c_1, c_2) / sum w_i.
 #pragma once
 
-#include <graze/body.hpp>
 #include <graze/exact/expansion.hpp>
 #include <graze/proof.hpp>
+#include <graze/side.hpp>
 
 namespace graze::exact {
 
-// The vertex of a body's polytope as given; the origin for points and spheres.
+// The vertex of a body's core as given; for shapes that are no combinators, and not curved.
 template <Scalar S>
 Vec3<double> given_vertex(const Body<S>& body, std::uint32_t k) {
-  if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) return hull->vertex(k).template cast<double>();
-  if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
-    const Vec3<double> half = box->half_extents.template cast<double>();
-    return {k & 1u ? half[0] : -half[0], k & 2u ? half[1] : -half[1], k & 4u ? half[2] : -half[2]};
-  }
-  return Vec3<double>::Zero();
+  const auto wide = [](const Vec3<S>& x) -> Vec3<double> { return x.template cast<double>(); };
+  return std::visit(
+      detail::Overloaded{[&](const Segment<S>& s) { return wide(k == 0 ? s.a : s.b); },
+                         [&](const Triangle<S>& s) {
+                           return wide(k == 0 ? s.a : k == 1 ? s.b : s.c);
+                         },
+                         [&](const Capsule<S>& s) {
+                           return Vec3<double>(0, 0, k == 0 ? -double(s.half_height) : double(s.half_height));
+                         },
+                         [&](const Box<S>& s) { return detail::box_vertex(wide(s.half_extents), k); },
+                         [&](const Hull<S>& s) { return wide(s.vertex(k)); },
+                         [](const auto&) -> Vec3<double> { return Vec3<double>::Zero(); }},
+      body.shape);
+}
+
+// Is the core a polytope whose vertices given_vertex knows?
+template <Scalar S>
+bool is_plain(const Shape<S>& shape) {
+  return std::visit(
+      detail::Overloaded{[](const Ellipsoid<S>&) { return false; }, [](const Cylinder<S>&) { return false; },
+                         [](const Cone<S>&) { return false; }, [](const Posed<S>&) { return false; },
+                         [](const Rounded<S>&) { return false; }, [](const Sum<S>&) { return false; },
+                         [](const HullOf<S>&) { return false; }, [](const auto&) { return true; }},
+      shape);
 }
 
 // A sum of the given doubles, scaled by 2^-exponent. Products of three such numbers stay within the range of

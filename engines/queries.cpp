@@ -1,0 +1,148 @@
+#include "engines/queries.hpp"
+
+#include <graze/overlap.hpp>
+#include <graze/penetration.hpp>
+#include <graze/swept_overlap.hpp>
+#include <vector>
+
+#include "engines/convert.hpp"
+
+namespace graze::engine {
+namespace {
+
+using corpus::Case;
+using corpus::Query;
+
+template <Scalar S>
+std::optional<Vec3<double>> widened(const Vec3<S>& v) {
+  if (v == Vec3<S>::Zero()) return std::nullopt;
+  return v.template cast<double>();
+}
+
+// What all results have in common.
+template <class Result>
+QueryAnswer begun(const Result& result, Outcome outcome) {
+  QueryAnswer answer;
+  answer.outcome = result.invalid == Invalid::none ? outcome : Outcome::invalid_input;
+  answer.invalid = result.invalid;
+  answer.counters = result.counters;
+  return answer;
+}
+
+template <Scalar S>
+QueryAnswer of_overlap(const OverlapResult<S>& result) {
+  QueryAnswer answer = begun(result, result.outcome);
+  answer.normal = widened(result.normal);
+  return answer;
+}
+template <Scalar S>
+QueryAnswer overlap_by_gjk(const Case& c) {
+  return of_overlap(overlap_gjk(round_to<S>(c.a), round_to<S>(c.b)));
+}
+template <Scalar S>
+QueryAnswer overlap_by_mpr(const Case& c) {
+  return of_overlap(overlap_mpr(round_to<S>(c.a), round_to<S>(c.b)));
+}
+
+template <Scalar S>
+QueryAnswer distance_by_gjk(const Case& c) {
+  const DistanceResult<S> result = distance(round_to<S>(c.a), round_to<S>(c.b));
+  const bool apart = result.lower > 0;
+  QueryAnswer answer = begun(result, apart               ? Outcome::miss
+                                     : result.upper == 0 ? Outcome::initially_overlapping
+                                                         : Outcome::not_converged);
+  if (answer.outcome == Outcome::invalid_input) return answer;
+  answer.distance = Interval{result.lower, result.upper};
+  answer.stalled = result.stalled;
+  if (apart) {
+    answer.normal = widened(result.normal);
+    answer.point_a = result.point_a.template cast<double>();
+    answer.point_b = result.point_b.template cast<double>();
+  }
+  return answer;
+}
+
+template <Scalar S>
+QueryAnswer of_penetration(const PenetrationResult<S>& result) {
+  QueryAnswer answer = begun(result, result.outcome);
+  if (answer.outcome == Outcome::invalid_input) return answer;
+  answer.normal = widened(result.normal);
+  answer.stalled = result.stalled;
+  if (answer.outcome == Outcome::initially_overlapping) {
+    answer.depth = Interval{result.lower, result.upper};
+    answer.point_a = result.point_a.template cast<double>();
+    answer.point_b = result.point_b.template cast<double>();
+  }
+  return answer;
+}
+template <Scalar S>
+QueryAnswer penetration_by_epa(const Case& c) {
+  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b)));
+}
+template <Scalar S>
+QueryAnswer penetration_along_by_mpr(const Case& c) {
+  return of_penetration(penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction)));
+}
+
+template <Scalar S>
+QueryAnswer line_by_mpr(const Case& c) {
+  LineOptions<S> options;
+  options.target_distance = static_cast<S>(c.target_distance);
+  const LineResult<S> result = line(round_to<S>(c.a), round_to<S>(c.b), options);
+  QueryAnswer answer = begun(result, result.outcome);
+  if (answer.outcome == Outcome::invalid_input) return answer;
+  answer.normal = widened(result.normal_in);
+  if (answer.outcome != Outcome::miss) {
+    answer.t_in = Interval{result.in_lower, result.in_upper};
+    answer.t_out = Interval{result.out_lower, result.out_upper};
+  }
+  return answer;
+}
+
+template <Scalar S, SweptMethod kMethod>
+QueryAnswer swept_overlap_by(const Case& c) {
+  SweptOverlapOptions<S> options;
+  options.method = kMethod;
+  options.t_max = static_cast<S>(c.t_max);
+  options.target_distance = static_cast<S>(c.target_distance);
+  const SweptOverlapResult<S> result = swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options);
+  QueryAnswer answer = begun(result, result.outcome);
+  answer.normal = widened(result.normal);
+  return answer;
+}
+
+template <Scalar S>
+void add_methods(std::vector<QueryMethod>& out) {
+  const char* scalar = std::same_as<S, float> ? "float" : "double";
+  out.push_back({Query::overlap, "gjk", scalar, &overlap_by_gjk<S>});
+  out.push_back({Query::overlap, "mpr", scalar, &overlap_by_mpr<S>});
+  out.push_back({Query::distance, "gjk", scalar, &distance_by_gjk<S>});
+  out.push_back({Query::penetration, "epa", scalar, &penetration_by_epa<S>});
+  out.push_back({Query::penetration_along, "mpr", scalar, &penetration_along_by_mpr<S>});
+  out.push_back({Query::line, "mpr", scalar, &line_by_mpr<S>});
+  out.push_back({Query::swept_overlap, "gjk", scalar, &swept_overlap_by<S, SweptMethod::gjk>});
+  out.push_back({Query::swept_overlap, "mpr", scalar, &swept_overlap_by<S, SweptMethod::mpr>});
+  out.push_back(
+      {Query::swept_overlap, "before_after", scalar, &swept_overlap_by<S, SweptMethod::before_after>});
+}
+
+}  // namespace
+
+std::span<const QueryMethod> query_methods() {
+  static const std::vector<QueryMethod> kMethods = [] {
+    std::vector<QueryMethod> out;
+    add_methods<double>(out);
+    add_methods<float>(out);
+    return out;
+  }();
+  return kMethods;
+}
+
+std::string unsupported_query(const Case& problem) {
+  for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
+    if (spin->rotation != Vec3<double>::Zero()) return "a rotating motion";
+  }
+  return {};
+}
+
+}  // namespace graze::engine

@@ -1,0 +1,42 @@
+// The queries beside the cast, by name: what `graze cast` runs for a case whose query is not cast.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "corpus/case.hpp"
+
+namespace graze::engine {
+
+struct Interval {
+  double lower = 0, upper = 0;
+};
+
+// An answer in doubles, whatever scalar computed it. Absent: not part of the query, or of this outcome.
+struct QueryAnswer {
+  Outcome outcome = Outcome::invalid_input;
+  Invalid invalid = Invalid::none;
+  std::optional<Interval> distance, depth;  // length
+  std::optional<Interval> t_in, t_out;      // brackets of the ends of {t : the bodies touch at t}
+  std::optional<Vec3<double>> normal, point_a, point_b;
+  bool stalled = false;  // the bracket is wider than was asked for
+  Counters counters;
+};
+
+struct QueryMethod {
+  corpus::Query query;
+  std::string name;    // "gjk", "mpr", "epa", ...
+  std::string scalar;  // "float", "double"
+  QueryAnswer (*answer)(const corpus::Case&);
+
+  [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
+};
+
+// The first of a query, in double, is its default.
+[[nodiscard]] std::span<const QueryMethod> query_methods();
+
+// What in a case no method here answers ("a rotating motion", ...); empty when all of its query do.
+[[nodiscard]] std::string unsupported_query(const corpus::Case& problem);
+
+}  // namespace graze::engine
