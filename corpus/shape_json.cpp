@@ -1,6 +1,7 @@
 #include "corpus/shape_json.hpp"
 
 #include <cmath>
+#include <graze/hull_graph.hpp>
 
 namespace graze::corpus {
 namespace {
@@ -49,7 +50,7 @@ Shape<double> read_round(const JsonValue& value, const std::string& path, int) {
 Vec3<double> read_lengths(const Fields& fields, std::string_view key) {
   const std::string form = std::string(key) + " is an array of three numbers, zero or more";
   const std::string where = fields.path(key);
-  const Vec3<double> lengths = read_vec3(fields.required(key, form), where, form);
+  Vec3<double> lengths = read_vec3(fields.required(key, form), where, form);
   for (int i = 0; i < 3; ++i) {
     if (lengths[i] < 0) {
       throw Malformed{item_path(where, static_cast<std::size_t>(i)),
@@ -69,11 +70,13 @@ Shape<double> read_ellipsoid(const JsonValue& value, const std::string& path, in
   return Ellipsoid<double>{read_lengths(fields, "radii")};
 }
 
-// A hint for engines that want faces. The set is the hull of the vertices whatever it says, so its form and
-// its indices are checked, and then it is not kept.
-void check_faces(const JsonValue& value, const std::string& path, std::size_t vertices) {
+// A hint for engines that want faces: its form and its indices are checked here, whether it is true by
+// with_faces. The set is the hull of the vertices whatever it says; what is written out has no faces.
+std::vector<std::vector<std::uint32_t>> read_faces(const JsonValue& value, const std::string& path,
+                                                   std::size_t vertices) {
   constexpr std::string_view kForm = "faces is an array of arrays of three or more vertex indices";
   const std::vector<JsonValue>& faces = read_array(value, path, kForm);
+  std::vector<std::vector<std::uint32_t>> out(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::string where = item_path(path, f);
     const std::vector<JsonValue>& face = read_array(faces[f], where, kForm);
@@ -84,8 +87,10 @@ void check_faces(const JsonValue& value, const std::string& path, std::size_t ve
         throw Malformed{item_path(where, i), "no vertex " + std::to_string(index) + "; the hull has " +
                                                  std::to_string(vertices) + ", numbered from 0"};
       }
+      out[f].push_back(index);
     }
   }
+  return out;
 }
 
 Shape<double> read_hull(const JsonValue& value, const std::string& path, int) {
@@ -100,7 +105,7 @@ Shape<double> read_hull(const JsonValue& value, const std::string& path, int) {
     vertices.push_back(read_vec3(given[k], item_path(where, k), kVertexForm));
   }
   if (const JsonValue* faces = fields.optional("faces")) {
-    check_faces(*faces, fields.path("faces"), vertices.size());
+    return with_faces<double>(vertices, read_faces(*faces, fields.path("faces"), vertices.size()));
   }
   return Hull<double>(std::span<const Vec3<double>>(vertices));
 }

@@ -4,6 +4,7 @@
 // becomes a subnormal or 0, and the case means what it then says.
 #pragma once
 
+#include <graze/hull_graph.hpp>
 #include <vector>
 
 #include "corpus/case.hpp"
@@ -61,9 +62,11 @@ template <Scalar To, Scalar From>
       return Cone<To>{number(c.radius), number(c.half_height)};
     }
     Shape<To> operator()(const Hull<From>& h) const {
+      if constexpr (std::same_as<To, From>) return h;
       std::vector<Vec3<To>> vertices;
       vertices.reserve(h.size());
       for (const Vec3<From>& v : h.vertices()) vertices.push_back(round_to<To>(v));
+      if (h.has_adjacency()) return with_adjacency<To>(vertices);
       return Hull<To>(std::span<const Vec3<To>>(vertices));
     }
     Shape<To> operator()(const Posed<From>& p) const {

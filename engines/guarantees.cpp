@@ -1,11 +1,13 @@
 #include "engines/guarantees.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <graze/combinator.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "corpus/names.hpp"
 #include "engines/guarantees_text.hpp"
 
 namespace graze::engine {
@@ -39,13 +41,19 @@ double number_field(const Json& row, const std::string& where, const char* name)
 }
 
 Guarantee parse_row(const Json& row, const std::string& where) {
-  static const std::set<std::string> kFields = {"method",        "scalar",    "tier",     "kappa_polytope",
-                                                "kappa_rounded", "stall_cap", "mechanism"};
+  static const std::set<std::string> kFields = {"query",          "method",        "scalar",    "tier",
+                                                "kappa_polytope", "kappa_rounded", "stall_cap", "mechanism"};
   if (!row.is_object()) refuse(where, "must be an object");
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
   }
-  Guarantee g{.method = text_field(row, where, "method"),
+  // Without it: a row about casts.
+  const std::string query = row.contains("query") ? text_field(row, where, "query") : "cast";
+  if (std::find(corpus::kQueryNames.begin(), corpus::kQueryNames.end(), query) == corpus::kQueryNames.end()) {
+    refuse(where + ".query", "is no query; docs/case-format.md lists them");
+  }
+  Guarantee g{.query = query,
+              .method = text_field(row, where, "method"),
               .scalar = text_field(row, where, "scalar"),
               .tier = text_field(row, where, "tier"),
               .kappa_polytope = number_field(row, where, "kappa_polytope"),
@@ -95,7 +103,20 @@ std::span<const Guarantee> guarantees() {
 
 const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method) {
   for (const Guarantee& row : table) {
-    if (row.method == method.name && row.scalar == method.scalar && row.tier == method.tier) return &row;
+    if (row.query == "cast" && row.method == method.name && row.scalar == method.scalar &&
+        row.tier == method.tier) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method) {
+  for (const Guarantee& row : table) {
+    if (row.query == corpus::name_of(method.query) && row.method == method.name &&
+        row.scalar == method.scalar && row.tier == "standard") {
+      return &row;
+    }
   }
   return nullptr;
 }

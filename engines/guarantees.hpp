@@ -8,10 +8,12 @@
 
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
+#include "engines/queries.hpp"
 
 namespace graze::engine {
 
 struct Guarantee {
+  std::string query = "cast";  // or one of engines/queries.hpp
   std::string method, scalar, tier;
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
@@ -20,7 +22,9 @@ struct Guarantee {
   std::string mechanism;      // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
 
   [[nodiscard]] double kappa(const corpus::Case& problem) const;
-  [[nodiscard]] std::string name() const { return method + "/" + scalar + " " + tier; }
+  [[nodiscard]] std::string name() const {
+    return (query == "cast" ? "" : query + " ") + method + "/" + scalar + " " + tier;
+  }
 };
 
 // The table built into the library (engines/guarantees.json).
@@ -31,5 +35,6 @@ struct Guarantee {
 
 // The row of a method in a table: nullptr if it has none, and then it promises nothing.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method);
+[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method);
 
 }  // namespace graze::engine

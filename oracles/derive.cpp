@@ -50,8 +50,7 @@ Expect cast_expectation(const corpus::Case& problem) {
 constexpr double kWidth = 1e-30;
 
 [[noreturn]] void undecided() {
-  throw std::invalid_argument(
-      "undecided: clearance or depth is below 1e-30 of scale, or contact at t = 0 is open");
+  throw Undecided("clearance or depth is below 1e-30 of scale, or contact at t = 0 is open");
 }
 
 Expect curved_cast_expectation(const corpus::Case& problem) {
@@ -114,7 +113,7 @@ Expect curved_expectation(corpus::Case problem) {
       return expect;
     }
     default:
-      throw std::invalid_argument("the penetration of curved shapes is bracketed, not derived");
+      throw Undecided("the penetration of curved shapes is bracketed, not derived");
   }
 }
 

@@ -1,9 +1,16 @@
 // The expected answer of a case, by the exact oracle: what the corpus stores and a later run derives again.
 #pragma once
 
+#include <stdexcept>
+
 #include "corpus/case.hpp"
 
 namespace graze::oracle {
+
+// What no oracle here answers: too close to call at any width, or not asked of it.
+struct Undecided : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 // Fills `by`, outcome and, by the query, numbers that are the nearest doubles unless it says otherwise:
 //   cast                toi_lower, toi_upper (the doubles on either side), toi_exact (empty if irrational)
@@ -14,7 +21,7 @@ namespace graze::oracle {
 //   penetration_along   depth: the length of the move along `direction`. Apart: distance
 // The last four queries are asked at t = 0, their outcome is initially_overlapping or miss, and penetration
 // does not look at the target distance. start_policy bears on the outcome and time of casts and lines alone.
-// Throws std::invalid_argument for what the oracles do not decide: of curved shapes a clearance or depth
+// Throws Undecided for what the oracles do not decide: of curved shapes a clearance or depth
 // below 1e-30 of scale, and every penetration. Their TOI is the exact one's neighbours but at a graze, where
 // it is a bracket as wide as 1e-30 of scale makes it.
 [[nodiscard]] corpus::Expect derive_expectation(const corpus::Case& problem);

@@ -14,7 +14,7 @@ namespace graze::law {
 using corpus::Case;
 using engine::Answer;
 using engine::EngineMethod;
-using oracle::LinearTruth;
+using oracle::CaseTruth;
 
 double kappa(const EngineMethod& method, const Case& problem) {
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
@@ -27,11 +27,29 @@ double bound_of(const EngineMethod& method, const Case& problem) {
 
 namespace {
 
+bool has_exact_bodies(const Case& problem) {
+  return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape);
+}
+
+bool has_many_differences(const Case& problem) {
+  const std::uint64_t a = vertex_count(problem.a.shape), b = vertex_count(problem.b.shape);
+  return a > kMostDifferences || b > kMostDifferences || a * b > kMostDifferences;
+}
+
+// CaseTruth takes polytopes to the exact oracle however many vertices they have. The same set with an
+// ellipsoid of no extent added goes to the bracket oracle.
+CaseTruth truth_within_reach(Case problem) {
+  if (has_exact_bodies(problem) && has_many_differences(problem)) {
+    problem.a.shape = sum<double>(std::move(problem.a.shape), Ellipsoid<double>{Vec3<double>::Zero()});
+  }
+  return CaseTruth(problem);
+}
+
 // nullptr where the oracle refuses the case.
-const LinearTruth* find_truth(const Case& problem) {
+const CaseTruth* find_truth(const Case& problem) {
   struct Entry {
     std::optional<Case> problem;
-    std::optional<LinearTruth> truth;
+    std::optional<CaseTruth> truth;
   };
   thread_local std::array<Entry, 4> kept;
   thread_local std::size_t next = 0;
@@ -44,7 +62,7 @@ const LinearTruth* find_truth(const Case& problem) {
   entry.truth.reset();
   // The oracle says what it does not decide by this exception, and nothing else.
   try {
-    entry.truth.emplace(problem);
+    entry.truth.emplace(truth_within_reach(problem));
   } catch (const std::invalid_argument&) {
   }
   entry.problem = problem;
@@ -53,18 +71,19 @@ const LinearTruth* find_truth(const Case& problem) {
 
 }  // namespace
 
-bool has_truth(const Case& problem) {
-  if (!is_uncurved(problem.a.shape) || !is_uncurved(problem.b.shape)) return false;
-  const std::uint64_t a = vertex_count(problem.a.shape), b = vertex_count(problem.b.shape);
-  if (a > kMostDifferences || b > kMostDifferences || a * b > kMostDifferences) return false;
-  return find_truth(problem) != nullptr;
-}
+bool has_truth(const Case& problem) { return find_truth(problem) != nullptr; }
 
-const LinearTruth& truth_of(const Case& problem) {
-  const LinearTruth* truth = find_truth(problem);
-  if (truth == nullptr) throw std::logic_error("the exact oracle does not decide this case: see has_truth");
+const CaseTruth& truth_of(const Case& problem) {
+  const CaseTruth* truth = find_truth(problem);
+  if (truth == nullptr) throw std::logic_error("no oracle takes this case: see has_truth");
   return *truth;
 }
+
+bool is_exactly_decided(const Case& problem) {
+  return has_exact_bodies(problem) && !has_many_differences(problem);
+}
+
+bool is_undecided(const CaseTruth& truth) { return truth.outcome() == Outcome::not_converged; }
 
 bool is_linear_question(const Case& problem) {
   return engine::unsupported(problem).empty() && in_domain(problem);
@@ -104,18 +123,20 @@ std::string describe(const Answer& answer) {
 
 namespace {
 
-std::string describe(const LinearTruth& truth) {
+std::string describe(const CaseTruth& truth) {
   return fmt::format("{}, toi in [{}, {}]", label_of(truth.outcome()), hex(truth.toi_lower()),
                      hex(truth.toi_upper()));
 }
 
-std::string over(double error, const LinearTruth& truth) {
+std::string over(double error, const CaseTruth& truth) {
   return fmt::format("{} ({:.3g} of the scale)", error, error / truth.scale().low);
 }
 
 }  // namespace
 
-std::string verdict_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+std::string verdict_fault(const CaseTruth& truth, const Answer& answer, double bound) {
+  if (answer.outcome == Outcome::invalid_input) return "a valid case was refused";
+  if (is_undecided(truth)) return "";
   const bool contact = truth.outcome() != Outcome::miss;
   if (answer.outcome == Outcome::miss && contact && truth.depth().low > bound) {
     return fmt::format("miss claimed of a path of depth {}; true: {}", over(truth.depth().low, truth),
@@ -125,11 +146,10 @@ std::string verdict_fault(const LinearTruth& truth, const Answer& answer, double
     return fmt::format("{} claimed of a path of clearance {}", label_of(answer.outcome),
                        over(truth.clearance().low, truth));
   }
-  if (answer.outcome == Outcome::invalid_input) return "a valid case was refused";
   return "";
 }
 
-std::string late_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+std::string late_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   if (answer.outcome == Outcome::miss || !(answer.toi_lower > 0)) return "";  // a miss is judged as a verdict
   if (std::isinf(answer.toi_lower)) return "an infinite toi_lower without a miss";
   const double late = truth.lateness(answer.toi_lower).low;
@@ -138,7 +158,7 @@ std::string late_fault(const LinearTruth& truth, const Answer& answer, double bo
                      over(late, truth), describe(truth));
 }
 
-std::string early_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+std::string early_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   if (answer.outcome == Outcome::miss || std::isinf(answer.toi_upper)) return "";  // nothing is claimed
   if (truth.compare(answer.toi_upper) >= 0) return "";
   const double early = truth.distance_at(answer.toi_upper).low;
@@ -147,7 +167,7 @@ std::string early_fault(const LinearTruth& truth, const Answer& answer, double b
                      over(early, truth), describe(truth));
 }
 
-std::string time_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   if (!claims_contact(answer)) return "";
   for (const double t : {answer.toi_lower, answer.toi_upper}) {
     if (!(t >= 0) || std::isinf(t)) return "a contact at no time: " + describe(answer);
@@ -161,19 +181,23 @@ std::string time_fault(const LinearTruth& truth, const Answer& answer, double bo
 }
 
 std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<double>& n, double bound) {
-  const LinearTruth& truth = truth_of(problem);
+  const CaseTruth& truth = truth_of(problem);
   // h(n) - n.(t v) over |n|, at the true time and at the claimed one; the latter may be negative, where t v
-  // is outside of C, by no more than the answer's own backward error.
+  // is outside of C, by no more than the answer's own backward error. The true time is known to a bracket:
+  // so is the error at the claim.
   const double at_truth = truth.normal_error(n).low;
-  const double elapsed = truth.toi_lower() - answer.toi_lower;
-  const double at_claim = at_truth + elapsed * velocity(problem).dot(n) / n.norm();
-  if (at_truth <= bound || std::abs(at_claim) <= bound) return "";
+  const double speed = velocity(problem).dot(n) / n.norm();
+  const double from_lower = at_truth + (truth.toi_lower() - answer.toi_lower) * speed;
+  const double from_upper = at_truth + (truth.toi_upper() - answer.toi_lower) * speed;
+  const auto [least, most] = std::minmax(from_lower, from_upper);
+  const double at_claim = std::max({least, -most, 0.0});
+  if (at_truth <= bound || at_claim <= bound) return "";
   return fmt::format(
       "the normal {} misses the cone of supporting normals by {} at the true contact, by {} at its own",
       hex(n), over(at_truth, truth), at_claim);
 }
 
-std::string any_fault(const LinearTruth& truth, const Answer& answer, double bound) {
+std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   for (const auto fault : {&verdict_fault, &late_fault, &early_fault, &time_fault}) {
     if (std::string reason = fault(truth, answer, bound); !reason.empty()) return reason;
   }
@@ -183,6 +207,18 @@ std::string any_fault(const LinearTruth& truth, const Answer& answer, double bou
 LawResult holds(std::vector<std::string_view> labels) { return {Holding::holds, "", std::move(labels)}; }
 LawResult broken(std::string reason) { return {Holding::broken, std::move(reason), {}}; }
 LawResult not_applicable(std::string why) { return {Holding::not_applicable, std::move(why), {}}; }
+
+std::optional<LawResult> without_truth(const Case& problem) {
+  const CaseTruth* truth = find_truth(problem);
+  if (truth == nullptr) return not_applicable("no oracle takes the case");
+  if (!is_undecided(*truth)) return {};
+  return LawResult{Holding::not_applicable, "undecided by the bracket oracle", {"undecided"}};
+}
+
+std::optional<LawResult> without_exact_truth(const Case& problem) {
+  if (!is_exactly_decided(problem)) return not_applicable("not decided by the exact oracle");
+  return without_truth(problem);
+}
 
 bool agree(const Answer& one, const Answer& other, double u) {
   if (one.outcome != other.outcome) return false;
@@ -198,7 +234,7 @@ LawResult arbitrate(const EngineMethod& method, std::initializer_list<Asked> ask
   for (const Asked& one : asked) all += fmt::format("; {}: {}", one.name, describe(one.answer));
   LawResult result = holds({"arbitrated"});
   for (const Asked& one : asked) {
-    if (!has_truth(one.problem)) return not_applicable(kUndecided);
+    if (const auto open = without_truth(one.problem)) return *open;
   }
   for (const Asked& one : asked) {
     const std::string fault = any_fault(truth_of(one.problem), one.answer, bound_of(method, one.problem));

@@ -8,7 +8,7 @@
 // units in the last place of an error are not what a law is about.
 #pragma once
 
-#include "oracles/linear_truth.hpp"
+#include "oracles/case_truth.hpp"
 #include "properties/law.hpp"
 
 namespace graze::law {
@@ -18,12 +18,19 @@ namespace graze::law {
 [[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
 [[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
 
-// Whether the exact oracle decides the case: its shapes are polytopes, alone or rounded by one radius, with
-// no more than kMostDifferences pairs of vertices (beyond it the oracle takes a tenth of a second and more).
+// Whether an oracle takes the case: every linear one of valid shapes. Polytopes, alone or rounded by one
+// radius, go to the exact oracle while they have no more than kMostDifferences pairs of vertices (256 x 256
+// take it 0.2 s, 512 x 512 a second; the bracket oracle 2 ms); everything else goes to the bracket oracle.
 inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 [[nodiscard]] bool has_truth(const corpus::Case& problem);
 // Its answer, where it has one; the last few are kept, since a campaign asks many laws about one case.
-[[nodiscard]] const oracle::LinearTruth& truth_of(const corpus::Case& problem);
+[[nodiscard]] const oracle::CaseTruth& truth_of(const corpus::Case& problem);
+// Whether it is the exact oracle that takes the case, at microseconds to a millisecond; the bracket oracle
+// takes one to ten milliseconds.
+[[nodiscard]] bool is_exactly_decided(const corpus::Case& problem);
+// The bracket oracle spoke and left the verdict open: bodies that touch within 1e-20 of the scale, or flat
+// ones in one plane.
+[[nodiscard]] bool is_undecided(const oracle::CaseTruth& truth);
 
 // A cast that the methods know, in the domain: the laws speak about nothing else (but the door's).
 [[nodiscard]] bool is_linear_question(const corpus::Case& problem);
@@ -34,31 +41,35 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 [[nodiscard]] std::string hex(const Vec3<double>& x);
 [[nodiscard]] std::string describe(const engine::Answer& answer);
 
-// Contact or no contact, wrong by more than the bound in clearance or depth.
-[[nodiscard]] std::string verdict_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+// Contact or no contact, wrong by more than the bound in clearance or depth. Says nothing of a verdict that
+// the oracle left undecided; the faults below stand there too, by what is proved of distances and depths.
+[[nodiscard]] std::string verdict_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                         double bound);
 // toi_lower late: the path over [0, toi_lower) goes deeper than the bound.
-[[nodiscard]] std::string late_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+[[nodiscard]] std::string late_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                      double bound);
 // toi_upper early: before the TOI, and farther from contact than the bound.
-[[nodiscard]] std::string early_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+[[nodiscard]] std::string early_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                       double bound);
 // Backward error of either end of a hit's bracket beyond the bound.
-[[nodiscard]] std::string time_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+[[nodiscard]] std::string time_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                      double bound);
 // n is no supporting normal of C, neither at the true contact nor at the contact that the answer claims: at a
 // graze the two may be far apart, and each is right for some convex set within the bound of C.
 [[nodiscard]] std::string normal_fault(const corpus::Case& problem, const engine::Answer& answer,
                                        const Vec3<double>& n, double bound);
 // The first fault of verdict and times.
-[[nodiscard]] std::string any_fault(const oracle::LinearTruth& truth, const engine::Answer& answer,
+[[nodiscard]] std::string any_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                     double bound);
 
 [[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
 [[nodiscard]] LawResult broken(std::string reason);
 [[nodiscard]] LawResult not_applicable(std::string why);
-// Why a law is not applicable where the exact oracle is needed and does not decide the case.
-inline constexpr const char* kUndecided = "not decided by the exact oracle";
+// The case that a law needs the truth of is taken by no oracle, or left undecided by the bracket oracle (then
+// with the label "undecided"): not applicable, and why. Nothing where the truth is known.
+[[nodiscard]] std::optional<LawResult> without_truth(const corpus::Case& problem);
+// The same for the laws that still judge by the exact oracle alone (they say why).
+[[nodiscard]] std::optional<LawResult> without_exact_truth(const corpus::Case& problem);
 
 // Two answers that should be the same contact: equal verdicts, and brackets that overlap or lie within a few
 // u of each other. False only raises a question.
@@ -70,7 +81,7 @@ struct Asked {
   const corpus::Case& problem;
   const engine::Answer& answer;
 };
-// The exact oracle looks at every answer in turn; the first with a fault is named. None: the questions are
+// The oracle looks at every answer in turn; the first with a fault is named. None: the questions are
 // ill-conditioned, and every answer is within its row.
 [[nodiscard]] LawResult arbitrate(const engine::EngineMethod& method, std::initializer_list<Asked> asked,
                                   std::string_view disagreement);

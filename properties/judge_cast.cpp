@@ -105,7 +105,7 @@ std::string report(const Case& problem, const CastJudgement& judgement) {
                         hex(proof.toi_upper), proof.has_axis ? hex(proof.axis) : "none", proof.portal_size);
   }
   if (is_linear_question(problem) && has_truth(problem)) {
-    const oracle::LinearTruth& truth = truth_of(problem);
+    const oracle::CaseTruth& truth = truth_of(problem);
     text += fmt::format("oracle: {}, toi in [{}, {}], clearance {}, depth {}, scale {}\n",
                         label_of(truth.outcome()), hex(truth.toi_lower()), hex(truth.toi_upper()),
                         truth.clearance().high, truth.depth().high, truth.scale().high);

@@ -42,7 +42,7 @@ LawResult swapping(const Case& problem, const EngineMethod& method) {
   if (one.outcome != Outcome::hit || two.outcome != Outcome::hit) return result;
   if ((one.normal + two.normal).cwiseAbs().maxCoeff() <= 16 * method.unit_roundoff) return result;
   // At a vertex or an edge there is a cone of normals, and the two need not be opposite: each must support C.
-  if (!has_truth(seen)) return not_applicable(kUndecided);
+  if (const auto open = without_truth(seen)) return *open;
   if (truth_of(seen).outcome() != Outcome::hit) return result;
   result.labels.push_back("cone");
   const std::string fault = normal_fault(seen, two, -two.normal, bound_of(method, seen));
@@ -141,11 +141,14 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
   if (!parts || !fits(parts->before, method) || !fits(parts->after, method))
     return not_applicable("no exact restart");
   const Answer whole = method.cast(seen, {}), before = method.cast(parts->before, {});
+  // Where curved shapes differ nobody is blamed: mpr/float finds disks that are flatter than its roundings
+  // early by a twentieth of the scale.
   const char* const kDiffers = "splitting the step changes the answer";
   LawResult result = holds();
   if (before.outcome != Outcome::miss) {
     // Contact in the first part is the contact of the whole.
     if (!agree(whole, before, method.unit_roundoff)) {
+      if (const auto open = without_exact_truth(seen)) return *open;
       result = arbitrate(method, {{"the whole", seen, whole}, {"the first part", parts->before, before}},
                          kDiffers);
     }
@@ -159,6 +162,7 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
       joined.toi_upper += parts->at;
     }
     if (!agree(whole, joined, method.unit_roundoff)) {
+      if (const auto open = without_exact_truth(seen)) return *open;
       result = arbitrate(method,
                          {{"the whole", seen, whole},
                           {"the first part", parts->before, before},
@@ -180,8 +184,9 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
     if (other.scalar != method.scalar || other.name == method.name) continue;
     const Answer two = other.cast(seen, {});
     if (agree(one, two, method.unit_roundoff)) continue;
-    // Each within its own row.
-    if (!has_truth(seen)) return not_applicable(kUndecided);
+    // Each within its own row. Of curved shapes nobody is blamed: where the edge of a plate grazes a
+    // cylinder, mpr/double is 372 u scale early, beyond its row (bracket_holds_toi holds it to it).
+    if (const auto open = without_exact_truth(seen)) return *open;
     for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(&other, &two)}) {
       const std::string fault = any_fault(truth_of(seen), *answer, bound_of(*judged, seen));
       if (!fault.empty()) {

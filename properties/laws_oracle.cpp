@@ -12,18 +12,18 @@ namespace graze::law {
 using corpus::Case;
 using engine::Answer;
 using engine::EngineMethod;
-using oracle::LinearTruth;
+using oracle::CaseTruth;
 
 namespace {
 
-using Fault = std::string (*)(const LinearTruth&, const Answer&, double);
+using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
 LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
-  if (!has_truth(seen)) return not_applicable(kUndecided);
+  if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {});
-  const LinearTruth& truth = truth_of(seen);
+  const CaseTruth& truth = truth_of(seen);
   const std::string reason = fault(truth, answer, bound_of(method, seen));
   if (!reason.empty()) return broken(reason + "; answered: " + describe(answer));
   LawResult result = holds({label_of(truth.outcome())});
@@ -43,7 +43,7 @@ LawResult never_late(const Case& problem, const EngineMethod& method) {
 
 LawResult bracket_holds_toi(const Case& problem, const EngineMethod& method) {
   return judged_by(
-      [](const LinearTruth& truth, const Answer& answer, double bound) {
+      [](const CaseTruth& truth, const Answer& answer, double bound) {
         std::string late = late_fault(truth, answer, bound);
         return late.empty() ? early_fault(truth, answer, bound) : late;
       },
@@ -57,10 +57,10 @@ LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
 LawResult normal_supports(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
-  if (!has_truth(seen)) return not_applicable(kUndecided);
+  if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::normal});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
-  const LinearTruth& truth = truth_of(seen);
+  const CaseTruth& truth = truth_of(seen);
   if (truth.outcome() != Outcome::hit)
     return holds({label_of(answer.outcome), "near a start in contact or a miss"});
   const std::string fault = normal_fault(seen, answer, answer.normal, bound_of(method, seen));
@@ -71,10 +71,10 @@ LawResult normal_supports(const Case& problem, const EngineMethod& method) {
 LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
-  if (!has_truth(seen)) return not_applicable(kUndecided);
+  if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
-  const LinearTruth& truth = truth_of(seen);
+  const CaseTruth& truth = truth_of(seen);
   const double bound = bound_of(method, seen);
   // A coordinate of a witness, position + t displacement + ..., is rounded at the size of its largest term.
   const auto rounding = [&](const Body<double>& body, const Vec3<double>& point) {
@@ -102,12 +102,12 @@ LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
 LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
   if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
-  if (!has_truth(seen)) return not_applicable(kUndecided);
+  if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::proof});
   if (answer.outcome != Outcome::hit && answer.outcome != Outcome::miss)
     return holds({label_of(answer.outcome)});
   if (!answer.proof) return holds({label_of(answer.outcome), "no proof"});
-  const LinearTruth& truth = truth_of(seen);
+  const CaseTruth& truth = truth_of(seen);
   // The bracket may be a bound off, and the proof a bound wider than the bracket.
   const double bound = 2 * bound_of(method, seen);
   const Proof& proof = *answer.proof;
@@ -121,6 +121,9 @@ LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
     }
     return result;
   }
+  // Of curved shapes the halves of a hit's proof are not judged: a portal rests on points a little inside of
+  // them, which costs 130 u scale and more, and past a rounded side an axis may fall 6e-8 of the scale short.
+  if (const auto open = without_exact_truth(seen)) return *open;
   const double short_of = proof.has_axis ? truth.distance_at(proof.toi_lower).low : 0;
   if (short_of > bound) {
     return broken(fmt::format("the axis proves only toi_lower {}, {} short of contact: {}",

@@ -1,4 +1,4 @@
-// Laws that compare one answer with the exact oracle, each within the method's row.
+// Laws that compare one answer with what an oracle knows, each within the method's row.
 #pragma once
 
 #include "properties/law.hpp"

@@ -1,6 +1,7 @@
 #include "tools/corpus_command.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <filesystem>
 #include <memory>
@@ -51,6 +52,16 @@ void replace_file(const std::string& name, const std::vector<corpus::Case>& case
   std::filesystem::rename(beside, name);
 }
 
+// A case that no oracle answers keeps none, and its file its other answers.
+void fill_in(const std::string& file, corpus::Case& problem) {
+  try {
+    problem.expect = expectation(problem);
+  } catch (const oracle::Undecided& why) {
+    problem.expect.reset();
+    complain(fmt::format("{}: case {}: left without an answer: {}", file, problem.id, why.what()));
+  }
+}
+
 int rewrite(const Files& files, bool fill) {
   bool bad = false;
   for (const std::string& name : files) {
@@ -59,7 +70,7 @@ int rewrite(const Files& files, bool fill) {
     if (!cases) continue;
     try {
       for (corpus::Case& problem : *cases) {
-        if (fill) problem.expect = expectation(problem);
+        if (fill) fill_in(name, problem);
       }
     } catch (const std::invalid_argument& error) {
       complain(name + ": " + error.what());
@@ -87,10 +98,12 @@ int validate(const Files& files) {
 
 // What differs between the answer of a case and the oracle's, or "".
 std::string difference(const corpus::Case& problem) {
-  if (!problem.expect) return "no expected answer";
   corpus::Case stored = problem, derived = problem;
   try {
     derived.expect = expectation(problem);
+    if (!problem.expect) return "no expected answer, where an oracle has one";
+  } catch (const oracle::Undecided& why) {
+    return problem.expect ? fmt::format("no oracle decides it: {}", why.what()) : "";
   } catch (const std::invalid_argument& error) {
     return std::string("no oracle decides it: ") + error.what();
   }
@@ -119,7 +132,9 @@ int verify(const std::string& given) {
     bad = bad || !flags.error.empty();
     for (const std::string& line : corpus::flag_mismatches(read.cases, flags)) report(line);
   }
-  fmt::print("{} cases, {} differences\n", read.cases.size(), differences);
+  const auto answered = std::count_if(read.cases.begin(), read.cases.end(),
+                                      [](const corpus::Case& problem) { return problem.expect.has_value(); });
+  fmt::print("{} cases, {} with an answer, {} differences\n", read.cases.size(), answered, differences);
   return bad ? 2 : differences > 0 ? 1 : 0;
 }
 

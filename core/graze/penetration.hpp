@@ -13,6 +13,7 @@
 // Where the origin is outside the core, within R of it, the least h of the core is minus its distance: GJK.
 #pragma once
 
+#include <graze/distance.hpp>
 #include <graze/epa.hpp>
 #include <graze/line.hpp>
 #include <graze/witness.hpp>
@@ -126,6 +127,9 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b,
   if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
     // The origin outside the core: its distance, seen from inside.
     detail::refine_axis(cso, simplex, d, gap, out.counters);
+    if (d.upper - d.lower > std::max(gap, limits.noise)) {
+      detail::steady_axis(d, cso, simplex, limits, out.counters);
+    }
     out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
     detail::fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
     return out;

@@ -51,6 +51,13 @@ S last_contact(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counte
   return std::min(limits.s_max, reach / r.squaredNorm());
 }
 
+template <Scalar S>
+void swept_by_portals(SweptOverlapResult<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits) {
+  const Sweep<S> sweep = mpr_sweep(cso, limits, out.counters);
+  out.outcome = sweep.outcome == Outcome::initially_overlapping ? Outcome::hit : sweep.outcome;
+  if (out.outcome == Outcome::miss) out.normal = sweep.n;
+}
+
 // 0 from the swept set by GJK; `support` is the set's, of the core.
 template <Scalar S, class Support>
 void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S s_end,
@@ -68,7 +75,8 @@ void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const Swee
     out.outcome = Outcome::miss;
     out.normal = d.n;
   } else {
-    out.outcome = Outcome::not_converged;
+    // Apart, but with an axis too tilted to say so (distance.hpp), or inside without a tetrahedron.
+    swept_by_portals(out, cso, limits);
   }
 }
 
@@ -87,9 +95,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
   const Cso<S> cso(a, b, options.target_distance);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   if (options.method == SweptMethod::mpr) {
-    const Sweep<S> sweep = mpr_sweep(cso, limits, out.counters);
-    out.outcome = sweep.outcome == Outcome::initially_overlapping ? Outcome::hit : sweep.outcome;
-    if (out.outcome == Outcome::miss) out.normal = sweep.n;
+    detail::swept_by_portals(out, cso, limits);
     return out;
   }
   const S s_end = limits.s_max > 0 ? detail::last_contact(cso, limits, out.counters) : S(0);

@@ -12,7 +12,9 @@
 
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
+#include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/judge.hpp"
 #include "properties/law.hpp"
 
 namespace {
@@ -33,9 +35,18 @@ std::vector<Case> sample(int count) {
   return all;
 }
 
+// The bracket oracle takes milliseconds for a case, several times what all laws else take: the laws that need
+// an oracle see one in kBracketShare of the cases that go to it, chosen by their own numbers.
+constexpr std::uint64_t kBracketShare = 4;
+bool is_left_out(const graze::law::Law& law, const Case& problem) {
+  return law.needs == graze::law::Needs::oracle && !graze::law::is_exactly_decided(problem) &&
+         graze::law::hash_of(problem) % kBracketShare != 0;
+}
+
 // The number of cases before the law broke, or -1.
 int first_broken(const graze::law::Law& law, const std::vector<Case>& cases, bool print) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (is_left_out(law, cases[i])) continue;
     for (const graze::engine::EngineMethod& method : graze::engine::methods()) {
       const graze::law::LawResult result = law.check(cases[i], method);
       if (result.holding != graze::law::Holding::broken) continue;

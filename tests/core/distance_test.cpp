@@ -82,6 +82,27 @@ TYPED_TEST(DistanceQuery, PointBesideATetrahedronIsOutside) {
   EXPECT_EQ(overlap_mpr(tetrahedron, inside).outcome, Outcome::initially_overlapping);
 }
 
+// The foot on an edge or a face, as near to a corner or an edge as rounding can tell: |v| says nothing any
+// more, the axis must (reports fcl 408 and 493, parry's ray fuzzer, turned into distances).
+TYPED_TEST(DistanceQuery, FootBesideACornerKeepsItsAxis) {
+  using S = TypeParam;
+  const S beside = std::sqrt(kUnitRoundoff<S>) / 4;
+  const Body<S> square{.shape = Hull<S>{{2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}}};
+  const Body<S> box{.shape = Box<S>{{1, 1, 1}}};
+  for (const S off : {S(0), beside, 2 * beside, 8 * beside}) {
+    const Body<S> point{.position = {3, 2 - off, 0}};
+    const DistanceResult<S> flat = distance(square, point);
+    EXPECT_FALSE(flat.stalled) << off;
+    EXPECT_NEAR(flat.lower, S(1), 64 * kUnitRoundoff<S> * 2) << off;
+    EXPECT_LE(flat.lower, flat.upper);
+    const Body<S> over{.position = {1 - off, 1 - 2 * off, S(3.5)}};
+    const DistanceResult<S> face = distance(box, over);
+    EXPECT_FALSE(face.stalled) << off;
+    EXPECT_NEAR(face.lower, S(2.5), 64 * kUnitRoundoff<S> * 4) << off;
+    EXPECT_LE(face.lower, face.upper);
+  }
+}
+
 TEST(DistanceDoor, BadInputIsRefused) {
   EXPECT_EQ(distance<double>({.shape = Sphere<double>{-1}}, {}).invalid, Invalid::negative_extent);
   EXPECT_EQ(overlap_mpr<double>({.shape = Hull<double>()}, {}).invalid, Invalid::empty_hull);

@@ -23,9 +23,9 @@ TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
     const corpus::Case problem = draw_case(random, drawn % 100);
     ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
     ++shapes[problem.a.shape.index()];
-    if (!has_truth(problem)) continue;
+    if (!is_exactly_decided(problem)) continue;
     ++i;
-    const oracle::LinearTruth& truth = truth_of(problem);
+    const oracle::CaseTruth& truth = truth_of(problem);
     ++outcomes[truth.outcome()];
     // Contact with no depth at all: touching at the start, or a path that grazes.
     touching += truth.outcome() != Outcome::miss && truth.depth().high == 0;
@@ -70,7 +70,7 @@ TEST(Simpler, a_hit_shrinks_to_small_integers) {
   while (shrunk < 5) {
     const corpus::Case problem = draw_case(random, 50);
     const auto is_hit = [](const corpus::Case& c) {
-      return in_domain(c) && has_truth(c) && truth_of(c).outcome() == Outcome::hit &&
+      return in_domain(c) && is_exactly_decided(c) && truth_of(c).outcome() == Outcome::hit &&
              truth_of(c).depth().low > 0;
     };
     if (!is_hit(problem)) continue;
@@ -87,7 +87,7 @@ TEST(CaseEdit, true_answers_are_related_as_the_laws_say) {
   int rays = 0, splits = 0, moves = 0, scales = 0;
   const auto next = [&](int size) {
     corpus::Case drawn = draw_case(random, size);
-    while (!has_truth(drawn)) drawn = draw_case(random, size);
+    while (!is_exactly_decided(drawn)) drawn = draw_case(random, size);
     return drawn;
   };
   for (int i = 0; i < 200; ++i) {
@@ -101,7 +101,7 @@ TEST(CaseEdit, true_answers_are_related_as_the_laws_say) {
     };
     EXPECT_TRUE(same(swapped(problem))) << shown;
     // A superset may have a ball where others have none, and then is none of the exact oracle's.
-    if (const corpus::Case larger = grown(problem, hash_of(problem)); has_truth(larger)) {
+    if (const corpus::Case larger = grown(problem, hash_of(problem)); is_exactly_decided(larger)) {
       EXPECT_LE(oracle::LinearTruth(larger).toi_lower(), truth.toi_lower()) << shown;
     }
     if (const auto other = scaled(problem, 9)) {

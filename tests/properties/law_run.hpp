@@ -36,6 +36,7 @@ class LawRun {
       }
       if (result.holding == Holding::not_applicable) {
         ++counts_["not applicable"];
+        for (const std::string_view label : result.labels) ++counts_[std::string(label)];
         continue;
       }
       ++applied_[method.full_name()];

@@ -121,29 +121,80 @@ TEST(Grown, is_a_superset_of_every_shape) {
   EXPECT_GE(larger, 2000);
 }
 
-TEST(HasTruth, holds_for_polytopes_and_one_radius_and_for_nothing_else) {
-  const auto with = [](Shape<double> shape) {
-    corpus::Case problem;
-    problem.a.shape = std::move(shape);
-    problem.b.position = {20, 0, 0};
-    problem.b.displacement = {-20, 0, 0};
-    return problem;
-  };
-  const Shape<double> decided[] = {Point<double>{},
-                                   Segment<double>{{0, 0, 0}, {1, 0, 0}},
-                                   Triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                   kBall,
-                                   Capsule<double>{1, 2},
-                                   kBox,
-                                   Hull<double>{Vec3<double>(1, 2, 3)},
-                                   sum<double>(kBox, kBall),
-                                   hull_of<double>(kBox, Point<double>{}),
-                                   posed<double>(kBox, {1, 2, 3}, {1, 1, 0, 0}),
-                                   rounded<double>(kBox, 1)};
-  for (const Shape<double>& shape : decided) EXPECT_TRUE(has_truth(with(shape))) << shape.index();
-  const Shape<double> open[] = {Ellipsoid<double>{{1, 2, 3}}, Cylinder<double>{1, 2}, Cone<double>{1, 2},
-                                sum<double>(kBox, Cone<double>{1, 2})};
-  for (const Shape<double>& shape : open) EXPECT_FALSE(has_truth(with(shape))) << shape.index();
+corpus::Case meeting(Shape<double> shape) {
+  corpus::Case problem;
+  problem.a.shape = std::move(shape);
+  problem.b.position = {20, 0, 0};
+  problem.b.displacement = {-20, 0, 0};
+  return problem;
+}
+
+TEST(HasTruth, exact_for_polytopes_and_one_radius_and_a_bracket_for_everything_else) {
+  const Shape<double> exact[] = {Point<double>{},
+                                 Segment<double>{{0, 0, 0}, {1, 0, 0}},
+                                 Triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                 kBall,
+                                 Capsule<double>{1, 2},
+                                 kBox,
+                                 Hull<double>{Vec3<double>(1, 2, 3)},
+                                 sum<double>(kBox, kBall),
+                                 hull_of<double>(kBox, Point<double>{}),
+                                 posed<double>(kBox, {1, 2, 3}, {1, 1, 0, 0}),
+                                 rounded<double>(kBox, 1)};
+  for (const Shape<double>& shape : exact) {
+    ASSERT_TRUE(has_truth(meeting(shape))) << shape.index();
+    EXPECT_TRUE(is_exactly_decided(meeting(shape))) << shape.index();
+    EXPECT_TRUE(truth_of(meeting(shape)).is_exact()) << shape.index();
+  }
+  const Shape<double> bracketed[] = {Ellipsoid<double>{{1, 2, 3}}, Cylinder<double>{1, 2}, Cone<double>{1, 2},
+                                     sum<double>(kBox, Cone<double>{1, 2}),
+                                     hull_of<double>(kBall, Point<double>{})};
+  for (const Shape<double>& shape : bracketed) {
+    ASSERT_TRUE(has_truth(meeting(shape))) << shape.index();
+    EXPECT_FALSE(is_exactly_decided(meeting(shape))) << shape.index();
+    EXPECT_FALSE(truth_of(meeting(shape)).is_exact()) << shape.index();
+    EXPECT_FALSE(without_truth(meeting(shape)).has_value()) << shape.index();
+    EXPECT_TRUE(without_exact_truth(meeting(shape)).has_value()) << shape.index();
+  }
+}
+
+// The hulls' vertices lie on a helix about x: 256 of each, 2^16 differences. The first to meet are the ends.
+TEST(HasTruth, bracket_for_more_differences_than_the_exact_oracle_takes_in_time) {
+  std::vector<Vec3<double>> vertices;
+  for (int i = 0; i < 256; ++i) vertices.emplace_back(i / 64.0, std::cos(i / 8.0), std::sin(i / 8.0));
+  const Hull<double> helix{std::span<const Vec3<double>>(vertices)};
+  corpus::Case problem = meeting(helix);
+  problem.b.shape = helix;
+  ASSERT_TRUE(has_truth(problem));
+  EXPECT_FALSE(is_exactly_decided(problem));
+  const oracle::CaseTruth& bracket = truth_of(problem);
+  EXPECT_FALSE(bracket.is_exact());
+  const oracle::LinearTruth exact(problem);
+  EXPECT_EQ(bracket.outcome(), Outcome::hit);
+  EXPECT_EQ(exact.outcome(), Outcome::hit);
+  EXPECT_LE(bracket.toi_lower(), exact.toi_upper());
+  EXPECT_GE(bracket.toi_upper(), exact.toi_lower());
+}
+
+TEST(HasTruth, undecided_where_curved_shapes_touch) {
+  corpus::Case problem = meeting(Cylinder<double>{1, 2});
+  problem.b.shape = kBall;
+  problem.b.position = {20, 1 + std::get<Sphere<double>>(kBall).radius, 0};  // grazes the side
+  ASSERT_TRUE(has_truth(problem));
+  EXPECT_TRUE(is_undecided(truth_of(problem)));
+  const std::optional<LawResult> open = without_truth(problem);
+  ASSERT_TRUE(open.has_value());
+  EXPECT_EQ(open->holding, Holding::not_applicable);
+  EXPECT_EQ(open->reason, "undecided by the bracket oracle");
+  EXPECT_EQ(open->labels, std::vector<std::string_view>{"undecided"});
+}
+
+TEST(HasTruth, none_for_what_the_door_refuses) {
+  corpus::Case problem = meeting(Ellipsoid<double>{{1, 2, -3}});
+  EXPECT_FALSE(has_truth(problem));
+  const std::optional<LawResult> open = without_truth(problem);
+  ASSERT_TRUE(open.has_value());
+  EXPECT_EQ(open->reason, "no oracle takes the case");
 }
 
 TEST(Simpler, a_combinator_shrinks_to_the_part_that_matters) {

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "corpus/case_io.hpp"
+#include "engines/guarantees.hpp"
+
 namespace graze::tool {
 namespace {
 
@@ -208,6 +211,32 @@ TEST(Judge, over_a_scale_of_zero_only_an_error_of_zero_is_excused) {
   engine::Answer answer;
   answer.outcome = Outcome::initially_overlapping;
   EXPECT_FALSE(judged(answer, true, problem).faulty());
+}
+
+}  // namespace
+}  // namespace graze::tool
+
+namespace graze::tool {
+namespace {
+
+// One that is right has been mended: it belongs to corpus/cases, where it must stay right.
+TEST(KnownFailures, still_fail) {
+  const corpus::ReadResult known = corpus::read_file(GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl");
+  ASSERT_TRUE(known.ok());
+  for (const corpus::Case& problem : known.cases) {
+    bool fails = false;
+    for (const engine::EngineMethod& method : engine::methods()) {
+      Truth truth(method.seen(problem));
+      const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+      ASSERT_NE(row, nullptr);
+      const Limits limits{.kappa = row->kappa(problem), .unit_roundoff = method.unit_roundoff};
+      const engine::Answer answer = method.cast(problem, {.request = Request::everything});
+      const Judgement judgement = judge(truth, answer, limits, true, Request::everything);
+      EXPECT_TRUE(judgement.false_proof.empty()) << problem.id << ", " << method.full_name();
+      fails = fails || judgement.faulty();
+    }
+    EXPECT_TRUE(fails) << problem.id << " is right now: move it to corpus/cases";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,181 @@
+#include "tools/query_certification.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include <graze/combinator.hpp>
+
+#include "corpus/case_io.hpp"
+#include "corpus/names.hpp"
+#include "oracles/exact_body.hpp"
+#include "tools/parallel.hpp"
+#include "tools/progress.hpp"
+#include "tools/statistics.hpp"
+#include "tools/table.hpp"
+
+namespace graze::tool {
+namespace {
+
+using corpus::Case;
+using corpus::Query;
+
+// A vertex pair each: beyond, an exact answer takes a tenth of a second.
+constexpr std::size_t kMostDifferences = 1u << 12;
+
+bool is_small(const Case& problem) {
+  const auto size = [](const Shape<double>& shape) { return graze::detail::vertex_count(shape); };
+  return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape) &&
+         size(problem.a.shape) * size(problem.b.shape) <= kMostDifferences;
+}
+
+// The same bodies, asked something else. At rest B stands where the path has it at one of a few times; most
+// of the families aim at t = 1/2, so that the bodies are apart, near, just in each other or deep in each
+// other.
+Case asked(Case problem, Query query, std::size_t index) {
+  constexpr std::array<double, 5> kTimes = {0, 0.375, 0.46875, 0.484375, 0.5};
+  problem.query = query;
+  problem.expect.reset();
+  problem.start_policy = StartPolicy::report;
+  if (query == Query::line || query == Query::swept_overlap) return problem;
+  const double t = kTimes[index % kTimes.size()];
+  problem.a.position += t * problem.a.displacement;
+  problem.b.position += t * problem.b.displacement;
+  if (query == Query::penetration_along) {
+    const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+    problem.direction = v == Vec3<double>::Zero() ? Vec3<double>(1, 2, -3) : v;
+  }
+  problem.a.displacement.setZero();
+  problem.b.displacement.setZero();
+  problem.target_distance = 0;
+  problem.id += fmt::format("/{}-{}", corpus::name_of(query), t);
+  return problem;
+}
+
+Case seen_by(const engine::QueryMethod& method, const Case& problem) {
+  for (const engine::EngineMethod& caster : engine::methods()) {
+    if (caster.scalar == method.scalar) return caster.seen(problem);
+  }
+  return problem;
+}
+
+// By method. Nothing for a case that the scalar of a method made invalid.
+std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t index,
+                                                std::span<const engine::Guarantee> guarantees,
+                                                std::vector<Case>& convicted) {
+  std::vector<std::optional<Judgement>> out;
+  std::unique_ptr<QueryTruth> truth;
+  for (const engine::QueryMethod& method : engine::query_methods()) {
+    const Case question = asked(problem, method.query, index);
+    const Case seen = seen_by(method, question);
+    if (!truth || !corpus::same_case(truth->problem(), seen)) truth = std::make_unique<QueryTruth>(seen);
+    if (!why_invalid(seen).empty()) {
+      out.emplace_back();
+      continue;
+    }
+    const engine::Guarantee* row = engine::find_guarantee(guarantees, method);
+    const Limits limits{
+        .kappa = row != nullptr ? row->kappa(seen) : 1024,
+        .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>};
+    out.push_back(judge_query(*truth, method.answer(question), limits));
+    if (out.back()->faulty()) convicted.push_back(question);
+  }
+  return out;
+}
+
+}  // namespace
+
+QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t count,
+                                   std::span<const engine::Guarantee> guarantees, unsigned threads) {
+  std::vector<const Case*> chosen;
+  for (const Suite& suite : suites) {
+    std::vector<const Case*> small;
+    for (const Case& problem : suite.cases) {
+      if (why_invalid(problem).empty() && is_small(problem)) small.push_back(&problem);
+    }
+    const std::size_t stride = std::max<std::size_t>(1, small.size() / std::max<std::size_t>(count, 1));
+    for (std::size_t i = 0, taken = 0; i < small.size() && taken < count; i += stride, ++taken) {
+      chosen.push_back(small[i]);
+    }
+  }
+  std::vector<std::vector<std::optional<Judgement>>> judged(chosen.size());
+  std::vector<std::vector<Case>> convicted(chosen.size());
+  {
+    Progress progress("judging queries", chosen.size());
+    for_each_index(chosen.size(), threads, [&](std::size_t i) {
+      judged[i] = judge_all(*chosen[i], i, guarantees, convicted[i]);
+      progress.step();
+    });
+  }
+  QueryCertification result;
+  for (const engine::QueryMethod& method : engine::query_methods())
+    result.tallies.push_back({.method = &method});
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    for (std::size_t m = 0; m < judged[i].size(); ++m) {
+      if (!judged[i][m]) continue;
+      const Judgement& judgement = *judged[i][m];
+      QueryTally& tally = result.tallies[m];
+      ++tally.cases;
+      tally.wrong += judgement.wrong.empty() ? 0 : 1;
+      tally.off += judgement.off.empty() ? 0 : 1;
+      tally.bad_contact += judgement.bad_contact.empty() ? 0 : 1;
+      tally.stalled += judgement.stalled ? 1 : 0;
+      if (judgement.stalled && tally.first_stalled.empty()) tally.first_stalled = chosen[i]->id;
+      tally.excused += judgement.excused ? 1 : 0;
+      tally.error.push_back(judgement.errors.backward);
+      tally.normal.push_back(judgement.errors.normal);
+      tally.witness.push_back(judgement.errors.witness);
+      if (judgement.faulty() && engine::find_guarantee(guarantees, *tally.method) != nullptr) {
+        result.breaches.push_back(fmt::format("{} {}: {}: {}{}{}", corpus::name_of(tally.method->query),
+                                              tally.method->full_name(), chosen[i]->id, judgement.wrong,
+                                              judgement.off, judgement.bad_contact));
+      }
+    }
+    for (Case& problem : convicted[i]) result.convicted.push_back(std::move(problem));
+  }
+  for (const QueryTally& tally : result.tallies) {
+    const engine::Guarantee* row = engine::find_guarantee(guarantees, *tally.method);
+    if (row == nullptr ||
+        static_cast<double>(tally.stalled) <= row->stall_cap * static_cast<double>(tally.cases)) {
+      continue;
+    }
+    result.breaches.push_back(fmt::format("{} {}: {} of {} stalled, more than {}; the first is {}",
+                                          corpus::name_of(tally.method->query), tally.method->full_name(),
+                                          tally.stalled, tally.cases, row->stall_cap, tally.first_stalled));
+  }
+  return result;
+}
+
+std::string query_table(const QueryCertification& certification,
+                        std::span<const engine::Guarantee> guarantees) {
+  Table table({{"query", Align::left},
+               {"method", Align::left},
+               {"cases"},
+               {"wrong"},
+               {"off"},
+               {"contact\noff"},
+               {"stalled"},
+               {"excused"},
+               {"error\nmedian"},
+               {"\nworst"},
+               {"normal\nworst"},
+               {"witness\nworst"},
+               {"kappa\npolytopes"},
+               {"kappa\nrounded"},
+               {"stalls\nat most"},
+               {"mechanism", Align::left}});
+  for (const QueryTally& t : certification.tallies) {
+    const engine::Guarantee* row = engine::find_guarantee(guarantees, *t.method);
+    table.add_row({std::string(corpus::name_of(t.method->query)), t.method->full_name(),
+                   fmt::to_string(t.cases), fmt::to_string(t.wrong), fmt::to_string(t.off),
+                   fmt::to_string(t.bad_contact), fmt::to_string(t.stalled), fmt::to_string(t.excused),
+                   short_number(median(t.error)), short_number(worst(t.error)), short_number(worst(t.normal)),
+                   short_number(worst(t.witness)), row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
+                   row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
+                   row == nullptr ? "-" : fmt::to_string(row->stall_cap),
+                   row == nullptr ? "no row" : row->mechanism});
+  }
+  return table.text();
+}
+
+}  // namespace graze::tool
