@@ -36,10 +36,12 @@ namespace detail {
 // edge or a face is as near as rounding can tell to a smaller feature, GJK ends there, with a tilted axis
 // that proves little. Two cures, for a search that stalled: the axes of all features that the simplex and its
 // last support point span, |v| aside, while one proves more; and the normal of the portal by which the line
-// from the origin to v enters C.
+// from the origin to v enters C. `contact`: the simplex of v, weighted; on return that of the axis, where the
+// feature that has it is as near as v, so that the witnesses lie one beyond the other along it.
 template <Scalar S>
-void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S> simplex, const SweepLimits<S>& limits,
+void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const SweepLimits<S>& limits,
                  Counters& counters) {
+  Simplex<S> simplex = contact;
   Vec3<S> v = Vec3<S>::Zero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
     v += simplex.lambda[i] * simplex.point[i].w;
@@ -76,8 +78,10 @@ void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S> simplex, const Sw
         for (int k = j + 1; k < simplex.size; ++k) consider(closest_face(y, std::array<int, 3>{i, j, k}));
       }
     }
-    if (steady() || kept.size == 0) break;
+    if (kept.size == 0) break;
     reduce(simplex, kept);
+    if (std::sqrt(kept.dist_sq) <= d.upper + limits.noise) contact = simplex;
+    if (steady()) break;
     last = kept_last;
   }
   if (!steady() && v != Vec3<S>::Zero()) {
