@@ -3,10 +3,11 @@
 //   TOI = the least t in [0, t_max] with  A + t v_A  and  B + t v_B  in contact (touching counts), or none.
 //
 // Inputs: bodies in world axes, the caller's units. Tier standard: the answer is true for some convex set
-// within kappa u scale of C = A - B; kappa per method in docs/guarantees.md. No throw, no allocation, no
-// global state. A ray cast is the cast of a Point.
+// within kappa u scale of C = A - B; kappa per method in docs/guarantees.md. Tier exact: exact_cast.hpp. No
+// throw, no allocation, no global state. A ray cast is the cast of a Point.
 #pragma once
 
+#include <graze/exact/exact_cast.hpp>
 #include <graze/gjk_casts.hpp>
 #include <graze/leaving.hpp>
 #include <graze/prove.hpp>
@@ -116,10 +117,13 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
                               Counters& counters) { return mpr_sweep(cso, limits, counters); });
 }
 
-// By options.method.
+// By options.tier, and in tier standard by options.method.
 template <Scalar S>
 CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
+  if (options.tier == Tier::exact) return cast_exact(a, b, options);
   switch (options.method) {
+    case Method::exact_portal:
+      return cast_exact(a, b, options);
     case Method::conservative_advancement:
       return cast_conservative_advancement(a, b, options);
     case Method::gjk_ray_cast:

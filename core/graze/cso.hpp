@@ -91,6 +91,8 @@ class Cso {
   // The middle of the core's bounds: a good first guess, though for a hull it may lie outside C.
   [[nodiscard]] Vec3<S> middle() const { return a_.to_world(a_.middle) - (b_.to_world(b_.middle) + d_); }
 
+  // (p_B + R_B c_B) - (p_A + R_A c_A), c the centres of the sides.
+  [[nodiscard]] const Vec3<S>& offset() const { return d_; }
   [[nodiscard]] bool curved() const { return curved_; }
   [[nodiscard]] const Vec3<S>& direction() const { return r_; }  // r; zero if nothing moves
   [[nodiscard]] bool moves() const { return r_ != Vec3<S>::Zero(); }

@@ -3,7 +3,8 @@
 // Notation (world axes, t = 0)   C = A - B + ball(m), m the target distance;   v = v_B - v_A, exact;
 //   h(n) = max over C of n.c;   contact at t iff t v in C;   TOI = the least such t in [0, T], or infinity.
 //
-// Axis n (any non-zero triple of doubles, not normalised). It proves
+// Axis n != 0, not normalised: a triple of doubles or, as the axis of an exact answer rarely is one, symbolic:
+// plus or minus the cross product of two factors. It proves
 //   TOI >= h(n) / (n.v)          when n.v < 0 (every t below lies outside the half-space n.c <= h(n));
 //   TOI = infinity, a miss       when h(n) < min(0, T n.v)  (T * 0 = 0, for T = infinity too).
 // Portal: k support pairs (a_i, b_i), k <= 3, or <= 4 for contact at t = 0. If some convex combination of the
@@ -37,11 +38,24 @@ struct SupportPair {
   Feature a, b;
 };
 
+// One factor of a symbolic axis: a triple of doubles, v, or the difference of two support pairs,
+// (a_to - b_to) - (a_from - b_from), where one offset or both may stand for a curved or rounded point.
+struct AxisFactor {
+  enum class Kind : std::uint8_t { given, motion, difference };
+  Kind kind = Kind::given;
+  Vec3<double> given = Vec3<double>::Zero();
+  SupportPair from, to;
+};
+
 struct Proof {
   // Claim: TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
   double toi_lower = 0;
   bool has_axis = false;
+  // Symbolic: n = axis_sign (factor[0] x factor[1]), axis_sign 1 or -1; and `axis` is not read.
+  bool symbolic = false;
   Vec3<double> axis = Vec3<double>::Zero();
+  int axis_sign = 1;
+  std::array<AxisFactor, 2> factor;
 
   // Claim: TOI <= toi_upper. Infinity claims nothing and needs no portal.
   double toi_upper = kInfinity<double>;

@@ -14,7 +14,12 @@ enum class Outcome : std::uint8_t {
   invalid_input,          // see CastResult::invalid
 };
 
-enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep };
+enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep, exact_portal };
+
+// standard: true for some convex set within kappa u scale of C, by the method that the options name.
+// exact: of the true shapes, correctly rounded (exact/exact_cast.hpp); for polytopes without a target
+// distance.
+enum class Tier : std::uint8_t { standard, exact };
 
 // What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
 // n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
@@ -44,11 +49,14 @@ enum class Invalid : std::uint8_t {
   bad_horizon,      // t_max below zero or NaN
   bad_target,       // target_distance below zero, infinite or NaN
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
+  not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
+                    // shapes, a target distance
 };
 
 template <Scalar S>
 struct CastOptions {
-  Method method = Method::gjk_ray_cast;
+  Tier tier = Tier::standard;
+  Method method = Method::gjk_ray_cast;  // of tier standard; tier exact has one
   Request request = Request::normal | Request::witnesses;
   S t_max = 1;            // T; infinity makes it a ray
   S target_distance = 0;  // m: contact is when the distance reaches m (length)
@@ -62,10 +70,11 @@ struct CastOptions {
 
 // How much was done. Nothing here depends on timing; equal inputs give equal counts.
 struct Counters {
-  int iterations = 0;      // steps of the method's outer loop
-  int supports = 0;        // support evaluations of the CSO, all stages
-  int gjk_iterations = 0;  // closest-point solves
-  int portal_steps = 0;    // portal discovery and refinement steps
+  int iterations = 0;       // steps of the method's outer loop
+  int supports = 0;         // support evaluations of the CSO, all stages
+  int gjk_iterations = 0;   // closest-point solves
+  int portal_steps = 0;     // portal discovery and refinement steps
+  int exact_decisions = 0;  // tier exact: signs that pairs of doubles did not decide
 };
 
 template <Scalar S>

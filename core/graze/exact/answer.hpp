@@ -1,0 +1,147 @@
+// What an exact passage says besides the time: the normal, the witnesses, and the proof.
+//
+// Normal: -(f_1 x f_2) / |.|, each component within 2 u of the true one. The cross product is within 2^-88 of
+// its factors' sizes in pairs of doubles; where it is smaller than 2^-30 of them it is formed exactly, so
+// that its direction is within 2^-57, and the unit vector rounds by u and a little. Witnesses: the weights of
+// the line's point in the facet are quotients of sides (walk.hpp) in pairs. Proof: nothing in it is rounded
+// but the times, outward (proof.hpp).
+#pragma once
+
+#include <graze/exact/facet.hpp>
+#include <graze/exact/passage.hpp>
+
+namespace graze::exact {
+
+// f_1 x f_2 over its length.
+template <Scalar S>
+Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
+  const Fine p = scene.fine(facet.f1), q = scene.fine(facet.f2);
+  const double size = p.size * q.size;
+  Vec3<double> n = Vec3<double>::Zero();
+  if (size > Scene<S>::kLeastSize) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      n[static_cast<int>(i)] = (p.x[j] * q.x[k] + -(p.x[k] * q.x[j])).hi;
+    }
+  }
+  if (!(n.cwiseAbs().maxCoeff() > 0x1p-30 * size)) {
+    scene.count_exact_decision();
+    const Dyadic3 exact = cross(scene.exact(facet.f1).x, scene.exact(facet.f2).x);
+    int order = std::numeric_limits<int>::min();
+    for (const Dyadic& x : exact) {
+      if (!x.valid()) scene.invalidate();
+      if (x.sign() != 0) order = std::max(order, x.order());
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Dyadic& x = exact[i];
+      n[static_cast<int>(i)] =
+          x.sign() == 0 ? 0 : std::ldexp(x.leading(), std::max(x.order() - order, -1100));
+    }
+  }
+  n /= n.cwiseAbs().maxCoeff();
+  // |n|^2 in pairs, so that the length is rounded once.
+  detail::TwoDoubles square;
+  for (int i = 0; i < 3; ++i) square = square + detail::two_product(n[i], n[i]);
+  return n / std::sqrt(square.hi);
+}
+
+// The weights, >= 0 with sum 1, of the line's point in the facet's corners.
+template <Scalar S>
+std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, const Term& v) {
+  std::array<double, 3> weight = {1, 0, 0};
+  if (facet.size == 1) return weight;
+  const Fine motion = scene.fine(v);
+  std::array<Fine, 3> c;
+  const std::size_t size = static_cast<std::size_t>(facet.size);
+  for (std::size_t i = 0; i < std::min<std::size_t>(size, 3); ++i) {
+    c[i] = scene.fine(Term::point(facet.corner[i]));
+  }
+  // Seen as a segment: its second factor is the axis (edge_on.hpp) that takes the place of a third corner.
+  if (size == 2) c[2] = scene.fine(facet.f2);
+  const auto side = [&](std::size_t i, std::size_t j) {
+    detail::TwoDoubles sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+      sum = sum + motion.x[k] * (c[i].x[l] * c[j].x[m] + -(c[i].x[m] * c[j].x[l]));
+    }
+    return std::max(sum.hi, 0.0);
+  };
+  double total = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    // Of a segment e = c_1 - c_0: det(c_1, x, v) and -det(c_0, x, v), both >= 0.
+    weight[i] = size == 3 ? side((i + 1) % 3, (i + 2) % 3) : i == 0 ? side(1, 2) : side(2, 0);
+    total += weight[i];
+  }
+  if (!(total > 0)) return {1, 0, 0};
+  for (std::size_t i = 0; i < size; ++i) weight[i] /= total;
+  return weight;
+}
+
+// The facet's point of one body at time t, in world coordinates.
+template <Scalar S>
+Vec3<double> facet_point(const Body<S>& body, const detail::Side<double>& side, const Cso<double>& cso,
+                         const Facet& facet, const std::array<double, 3>& weight, bool of_a, double t) {
+  Vec3<double> own = Vec3<double>::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) {
+    const std::uint32_t vertex = of_a ? facet.corner[i].a : facet.corner[i].b;
+    own += weight[i] * side.support(side, Vec3<double>::UnitX(), &vertex).x;
+  }
+  own = side.to_world(own);
+  Vec3<double> out = body.position.template cast<double>() + side.to_world(side.center) +
+                     t * body.displacement.template cast<double>();
+  for (int i = 0; i < 3; ++i) out[i] += cso.to_length(own[i]);
+  return out;
+}
+
+inline SupportPair name(const Vertex& v) {
+  SupportPair out;
+  out.a.vertex = v.a;
+  out.b.vertex = v.b;
+  return out;
+}
+
+inline AxisFactor name(const Term& term) {
+  AxisFactor out;
+  switch (term.kind) {
+    case Term::Kind::motion:
+      out.kind = AxisFactor::Kind::motion;
+      break;
+    case Term::Kind::difference:
+      out.kind = AxisFactor::Kind::difference;
+      out.from = name(term.from);
+      out.to = name(term.to);
+      break;
+    default:  // no other kind becomes an axis
+      out.given = term.triple;
+  }
+  return out;
+}
+
+// toi: the bracket of a hit in doubles.
+inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi) {
+  Proof out;
+  if (answer.passage == Passage::contact) {
+    out.toi_upper = 0;
+    out.portal_size = answer.hull_size;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(answer.hull_size); ++i)
+      out.portal[i] = name(answer.hull[i]);
+    return out;
+  }
+  out.toi_lower = outcome == Outcome::hit ? toi.lower : kInfinity<double>;
+  out.has_axis = out.symbolic = true;
+  if (answer.passage == Passage::beside) {
+    out.axis_sign = answer.miss_sign;
+    out.factor = {name(answer.miss_f1), name(answer.miss_f2)};
+    return out;
+  }
+  out.axis_sign = answer.passage == Passage::ahead ? -1 : 1;
+  out.factor = {name(answer.facet.f1), name(answer.facet.f2)};
+  if (outcome != Outcome::hit) return out;
+  out.toi_upper = toi.upper;
+  out.portal_size = answer.facet.size;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(answer.facet.size); ++i)
+    out.portal[i] = name(answer.facet.corner[i]);
+  return out;
+}
+
+}  // namespace graze::exact

@@ -1,0 +1,155 @@
+// Where a line meets a supporting plane of C, to the last bit.
+//
+//   n = f_1 x f_2, n.v > 0;   t = n.c_0 / n.v,  exact;   handed out as the largest double not above and the
+//   least not below it.
+//
+// First in pairs of doubles: t_0 = the quotient rounded, r = n.c_0 - t_0 n.v; where the sign of r is beyond
+// its rounding, and r less than a unit in the last place, t lies between t_0 and its neighbour on that side.
+// Else exactly. Times are in the caller's unit; 2^(k - j) of them is one of the scene's.
+#pragma once
+
+#include <graze/exact/scene.hpp>
+
+namespace graze::exact {
+
+struct Facet {
+  Vertex c0;
+  Term f1, f2;
+  // Of C, in the plane; o is in their hull, seen along v.
+  std::array<Vertex, 3> corner;
+  int size = 0;
+};
+
+struct TimeBracket {
+  double lower = 0, upper = 0;
+};
+
+// Doubles as their neighbours in order, by their bits: no mode of the machine matters.
+inline double next_up(double x) {
+  auto bits = std::bit_cast<std::int64_t>(x);
+  if (bits == std::numeric_limits<std::int64_t>::min()) bits = 0;  // -0
+  return std::bit_cast<double>(bits >= 0 ? bits + 1 : bits - 1);
+}
+inline double next_down(double x) { return -next_up(-x); }
+
+// The exact quotient n.c_0 / n.v in the caller's unit of time, to be compared with doubles.
+struct ExactTime {
+  Dyadic numerator, denominator;  // > 0
+
+  // The sign of the quotient minus t.
+  [[nodiscard]] int compare(double t) const { return (numerator - Dyadic(t) * denominator).sign(); }
+};
+
+template <Scalar S>
+ExactTime exact_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
+  scene.count_exact_decision();
+  const Exact c = scene.exact(Term::point(facet.c0)), f1 = scene.exact(facet.f1), f2 = scene.exact(facet.f2),
+              motion = scene.exact(v);
+  const Dyadic3 n = cross(f1.x, f2.x);
+  ExactTime out{dot(n, c.x), dot(n, motion.x)};
+  if (c.weighted) out.denominator = out.denominator * c.weight;
+  out.numerator = out.numerator.times_power_of_two(scene.length_exponent() - scene.speed_exponent());
+  if (!out.numerator.valid() || !out.denominator.valid() || out.denominator.sign() <= 0) scene.invalidate();
+  return out;
+}
+
+// A double near numerator / denominator, within a few units in the last place; of the subnormal ones too.
+inline double near_quotient(const Dyadic& numerator, const Dyadic& denominator) {
+  if (numerator.sign() == 0) return 0;
+  const double q = numerator.leading() / denominator.leading();  // in +-(1/2, 2)
+  const int exponent = std::clamp(numerator.order() - denominator.order(), -1200, 1200);
+  const double magnitude = std::abs(q);
+  double out;
+  if (exponent > -1020) {
+    out = std::ldexp(magnitude, exponent);
+    if (!(out <= std::numeric_limits<double>::max())) out = std::numeric_limits<double>::max();
+  } else {
+    // 2^-1074 is the unit: an integer of them.
+    const int shift = 1074 + exponent;
+    out = std::bit_cast<double>(
+        shift < 0 ? std::int64_t{0} : static_cast<std::int64_t>(std::ldexp(magnitude, std::min(shift, 60))));
+  }
+  return numerator.sign() < 0 ? -out : out;
+}
+
+inline TimeBracket bracket_of(const ExactTime& time) {
+  double lower = near_quotient(time.numerator, time.denominator);
+  while (time.compare(lower) < 0) lower = next_down(lower);
+  while (true) {
+    const int at = time.compare(lower);
+    if (at == 0) return {lower, lower};
+    const double up = next_up(lower);
+    if (time.compare(up) < 0) return {lower, up};
+    lower = up;
+  }
+}
+
+// The quotient in pairs of doubles, in the caller's unit of time, where they can tell it.
+struct FineTime {
+  detail::TwoDoubles numerator, denominator;
+  double error_n = 0, error_d = 0;
+  bool known = false;  // the denominator is beyond its error, and all is in the range of `scene.hpp`
+};
+
+template <Scalar S>
+FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
+  using detail::TwoDoubles;
+  const Fine c = scene.fine(Term::point(facet.c0)), f1 = scene.fine(facet.f1), f2 = scene.fine(facet.f2),
+             motion = scene.fine(v);
+  FineTime out;
+  const double plane = f1.size * f2.size;
+  const double size_n = plane * c.size, size_d = plane * motion.size;
+  if (!(std::min(size_n, size_d) > Scene<S>::kLeastSize && std::max(size_n, size_d) < Scene<S>::kMostSize))
+    return out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const detail::TwoDoubles n = f1.x[j] * f2.x[k] + -(f1.x[k] * f2.x[j]);
+    out.numerator = out.numerator + n * c.x[i];
+    out.denominator = out.denominator + n * motion.x[i];
+  }
+  out.error_n = Scene<S>::kFineError * size_n;
+  out.error_d = Scene<S>::kFineError * size_d;
+  out.known = out.denominator.hi > 2 * out.error_d;
+  return out;
+}
+
+// The sign of t minus `end`, end >= 0 and finite.
+template <Scalar S>
+int compare_time(const Scene<S>& scene, const Facet& facet, const Term& v, double end) {
+  const FineTime f = fine_time(scene, facet, v);
+  const double s = std::ldexp(end, scene.speed_exponent() - scene.length_exponent());
+  if (f.known && (s == 0 || (s > 0x1p-500 && s < 0x1p500))) {
+    const auto rest = f.numerator + -(f.denominator * detail::TwoDoubles{s, 0});
+    const double error =
+        f.error_n + s * f.error_d + 0x1p-95 * (std::abs(f.numerator.hi) + s * f.denominator.hi);
+    if (rest.hi > error) return 1;
+    if (rest.hi < -error) return -1;
+  }
+  return exact_time(scene, facet, v).compare(end);
+}
+
+template <Scalar S>
+TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
+  const FineTime f = fine_time(scene, facet, v);
+  const int exponent = scene.length_exponent() - scene.speed_exponent();
+  if (f.known) {
+    const double s = f.numerator.hi / f.denominator.hi, magnitude = std::abs(s);
+    // Scaling by a power of two is then exact.
+    if (magnitude > 0x1p-500 && magnitude < 0x1p500 && std::abs(exponent) < 500) {
+      const auto rest = f.numerator + -(f.denominator * detail::TwoDoubles{s, 0});
+      const double error = f.error_n + magnitude * f.error_d +
+                           0x1p-95 * (std::abs(f.numerator.hi) + magnitude * f.denominator.hi);
+      const bool up = rest.hi > 0;
+      const double other = up ? next_up(s) : next_down(s);
+      const double most = (std::abs(rest.hi) + error) * (1 + 4 * kUnitRoundoff<double>);
+      if (std::abs(rest.hi) > error &&
+          most < std::abs(other - s) * (f.denominator.hi - f.error_d) * (1 - 4 * kUnitRoundoff<double>)) {
+        const double t = std::ldexp(s, exponent), t_other = std::ldexp(other, exponent);
+        return up ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
+      }
+    }
+  }
+  return bracket_of(exact_time(scene, facet, v));
+}
+
+}  // namespace graze::exact

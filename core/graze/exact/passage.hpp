@@ -1,0 +1,130 @@
+// What the line {t v} does with C, as far as a question needs it: beside it, in it at t = 0, ahead or behind.
+//
+// The line is in C for t in [t_in, t_out], or never (walk.hpp, edge_on.hpp). Contact at t = 0 iff
+// t_in <= 0 <= t_out: seen on the way, as the portal passes the origin. Bodies at rest relative to each
+// other: any line through the origin answers.
+//
+// A motion that starts in contact leaves or slides (StartPolicy::pass_over) iff t_out = 0, or the line runs
+// along the border of C, seen along v (walk.hpp, `outward`); at rest, iff the origin is on C's border: also
+// t_in = 0.
+#pragma once
+
+#include <graze/exact/edge_on.hpp>
+
+namespace graze::exact {
+
+// What the line does, as far as the question needs it.
+enum class Passage : std::uint8_t {
+  beside,   // it misses C
+  contact,  // t_in <= 0 <= t_out
+  ahead,    // t_in > 0; the facet is the entry's
+  behind,   // t_out < 0; the facet is the exit's
+};
+
+struct Answer {
+  Passage passage = Passage::beside;
+  Term miss_f1, miss_f2;  // beside: n = miss_sign (f1 x f2) has n.v = 0, h(n) < 0
+  int miss_sign = 1;
+  Facet facet;
+  std::array<Vertex, 4> hull;  // contact: the origin is in the hull of these
+  int hull_size = 0;
+};
+
+template <Scalar S>
+class LineCast {
+ public:
+  LineCast(const Body<S>& a, const Body<S>& b, Counters& counters)
+      : cso_(a, b),
+        scene_(a, b, cso_.length_exponent(), cso_.speed_exponent()),
+        line_(line_of(cso_)),
+        counters_(counters) {}
+
+  [[nodiscard]] Answer pass() {
+    return with_walk(false, [&](auto& walk) {
+      Answer out;
+      const int height = walk.height_sign();
+      if (height == 0) {
+        contact_in(walk.facet(), out);
+      } else {
+        const bool met =
+            walk.refine(height > 0 ? -1 : 1, [&](const auto& w) { return w.height_sign() != height; });
+        if (met) {
+          out.passage = Passage::contact;
+          out.hull_size = walk.hull_before(out.hull);
+        } else {
+          out.passage = height > 0 ? Passage::ahead : Passage::behind;
+          out.facet = walk.facet();
+        }
+      }
+      return out;
+    });
+  }
+  // t_in (toward -1) or t_out (+1) of the line.
+  [[nodiscard]] Answer end(int toward) {
+    return with_walk(false, [&](auto& walk) {
+      Answer out;
+      walk.refine(toward, [](const auto&) { return false; });
+      out.passage = toward < 0 ? Passage::ahead : Passage::behind;
+      out.facet = walk.facet();
+      return out;
+    });
+  }
+  // In contact at t = 0: does the motion leave or slide as it begins? At rest: is the origin on C's border?
+  [[nodiscard]] bool leaves_or_slides() {
+    const Answer out = end(1);
+    if (compare_time(scene_, out.facet, line_.v, 0.0) == 0) return true;
+    if (!cso_.moves()) {
+      const Answer in = end(-1);
+      if (compare_time(scene_, in.facet, line_.v, 0.0) == 0) return true;
+    }
+    return with_walk(true, [](auto&) {
+             Answer inside;
+             inside.passage = Passage::contact;
+             return inside;
+           }).passage == Passage::beside;
+  }
+
+  [[nodiscard]] const Cso<double>& cso() const { return cso_; }
+  [[nodiscard]] const Scene<S>& scene() const { return scene_; }
+  [[nodiscard]] const Line& line() const { return line_; }
+
+ private:
+  // A path, or, at rest, the line from the origin through the middle of C.
+  static Line line_of(const Cso<double>& cso) {
+    if (cso.moves()) return {Term::motion(), cso.direction()};
+    const Vec3<double> middle = cso.middle();
+    const Vec3<double> r = middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : middle;
+    const Vec3<double> near_one = r * std::ldexp(1.0, -std::ilogb(r.cwiseAbs().maxCoeff()));
+    return {Term::given(near_one), near_one};
+  }
+  static void contact_in(const Facet& facet, Answer& out) {
+    out.passage = Passage::contact;
+    out.hull_size = facet.size;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) out.hull[i] = facet.corner[i];
+  }
+  // `go(walk)` once the line is found to pass through C.
+  template <class Go>
+  Answer with_walk(bool outward, const Go& go) {
+    const auto missed = [](const auto& walk) {
+      Answer out;
+      out.miss_f1 = walk.miss_f1();
+      out.miss_f2 = walk.miss_f2();
+      out.miss_sign = walk.miss_sign();
+      return out;
+    };
+    PortalWalk<S> walk(scene_, cso_, line_, counters_);
+    const LineState state = walk.find(outward);
+    if (state == LineState::beside) return missed(walk);
+    if (state == LineState::through) return go(walk);
+    EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.portal()[0].id, walk.portal()[1].id, counters_);
+    if (flat.find(outward) == LineState::beside) return missed(flat);
+    return go(flat);
+  }
+
+  Cso<double> cso_;
+  Scene<S> scene_;
+  Line line_;
+  Counters& counters_;
+};
+
+}  // namespace graze::exact

@@ -1,0 +1,400 @@
+// The exact portal cast: where does the line {t v} enter C = A - B, and where does it leave?
+//
+// Seen along v, C is a polygon and the line is the origin o. Every decision is the sign of a determinant of
+// exact terms: in doubles with a bound of its rounding, else by `scene.hpp`. Notation
+//   side(c, d) = det(c, d, v):  > 0 where o is to the left of the edge c -> d;
+//   portal     = three vertices of C, o inside their triangle, all sides > 0;
+//   n          = -+ (c_1 - c_0) x (c_2 - c_0), the portal's normal against v (entry) or along it (exit).
+//
+//   1 start    three vertices that are a triangle, seen along v (none: C is seen edge on, `edge_on.hpp`);
+//   2 around   while o is outside an edge: the vertex farthest beyond it takes the triangle there; if none
+//              is beyond it, the line misses;
+//   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, such that o stays
+//   inside.
+// [portal refinement: Snethen 2008; the lecture's MPR; here with exact decisions, as a simplex method]
+//
+// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its
+// edges: o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). m is interior to the polygon, so the moved o is inside
+// iff o is, and the entry of a polytope is continuous along the way: verdict and time are o's own. No side of
+// two vertices that are seen apart is then zero, as no edge is parallel to both edges of a triangle.
+//
+// It ends. In 2, every vertex is strictly beyond an edge of the hull of those before it: a new one. In 3, w
+// is strictly beyond the plane, and the moved o strictly inside: the portal's height over it strictly falls,
+// so no portal comes twice; there are finitely many. That a vertex is beyond is proved, and that none is
+// (beyond.hpp); along which rounded direction it was looked for does not matter.
+//
+// Frame: world axes; lengths in units of 2^k, v of 2^j. The plane that is seen: with z the axis of v's
+// largest component, q = (c_x - (v_x/v_z) c_z, c_y - (v_y/v_z) c_z), and side(c, d) = v_z (q_c x q_d).
+#pragma once
+
+#include <graze/exact/beyond.hpp>
+#include <graze/exact/facet.hpp>
+
+namespace graze::exact {
+
+// u in double.
+inline constexpr double kU = kUnitRoundoff<double>;
+
+struct Corner {
+  Vec3<double> a = Vec3<double>::Zero(), b = Vec3<double>::Zero();  // about the bodies' centres, world axes
+  Vec3<double> w = Vec3<double>::Zero();                            // a - b - offset
+  double qx = 0, qy = 0;
+  Vertex id;
+};
+
+// The line {t v}, or, for bodies at rest relative to each other, any line through the origin.
+struct Line {
+  Term v;
+  Vec3<double> r;  // v rounded, within u per component
+  int x = 0, y = 1, z = 2;
+  double slope_x = 0, slope_y = 0;  // v_x / v_z, v_y / v_z, within 3.1 u
+  int sign = 1;                     // of v_z
+
+  Line(const Term& v_term, const Vec3<double>& rounded) : v(v_term), r(rounded) {
+    rounded.cwiseAbs().maxCoeff(&z);
+    x = (z + 1) % 3;
+    y = (z + 2) % 3;
+    slope_x = r[x] / r[z];
+    slope_y = r[y] / r[z];
+    sign = r[z] > 0 ? 1 : -1;
+  }
+};
+
+// Bounds of the rounding, lengths in internal units: `body` of a vertex of A or B about its centre (cso.hpp);
+// `edge` of a component of the difference of two vertices of C, formed from those of A and of B, with what a
+// determinant of three such adds (8 u of the product of three, each below 6 reach: 16 u reach each); `seen`
+// of a component of q: twice that of w, 3.1 u + 2 u of the slope's product, 2 u of the sum; `far` of how far
+// a rounded direction n of length |n|_1 sees C reach: the vertex that was chosen, n's own rounding besides.
+struct Bounds {
+  double body = 0, edge = 0, seen = 0, far = 0;
+
+  explicit Bounds(const Cso<double>& cso) {
+    const auto &a = cso.side_a(), &b = cso.side_b();
+    const double reach = a.reach() + b.reach(), extent = cso.extent();
+    body = kU * (a.turn * a.reach() + b.turn * b.reach()) + a.blur + b.blur;
+    edge = 2 * body + 20 * kU * reach + kUnderflow;
+    seen = 2 * (body + 4 * kU * extent) + 8 * kU * extent + kUnderflow;
+    far = seen + 2 * cso.choice_error() + 16 * kU * reach;
+  }
+};
+
+enum class LineState : std::uint8_t {
+  undecided,
+  through,  // `portal` holds o
+  beside,   // the line misses C: n = miss_sign (miss_f1 x miss_f2) has n.v = 0 and h(n) < 0
+  edge_on,  // seen along v, C is a segment or a point: edge_on.hpp goes on
+};
+
+template <Scalar S>
+class PortalWalk {
+ public:
+  PortalWalk(const Scene<S>& scene, const Cso<double>& cso, const Line& line, Counters& counters)
+      : scene_(scene), cso_(cso), line_(line), bounds_(cso), beyond_(scene, cso), counters_(counters) {}
+
+  // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses.
+  LineState find(bool outward = false) {
+    outward_ = outward;
+    if (!start()) return state_;
+    if (!make_triangle()) return state_;
+    around_ = {corner_[0].id, corner_[1].id, corner_[2].id};
+    walk_around();
+    return state_;
+  }
+
+  // Step 3: along v for `toward` = -1 (entry), against it for +1 (exit). Stops early, and returns true, once
+  // stop() says so of a new portal.
+  template <class Stop>
+  bool refine(int toward, const Stop& stop) {
+    toward_ = toward;
+    while (true) {
+      ++counters_.portal_steps;
+      Corner next;
+      if (!above_portal(next)) return false;
+      replace(next);
+      if (stop(*this)) return true;
+    }
+  }
+
+  [[nodiscard]] const std::array<Corner, 3>& portal() const { return corner_; }
+  // Of the portal: its plane, n.v > 0.
+  [[nodiscard]] Facet facet() const {
+    return {corner_[0].id,
+            Term::difference(corner_[0].id, corner_[1].id),
+            Term::difference(corner_[0].id, corner_[2].id),
+            {corner_[0].id, corner_[1].id, corner_[2].id},
+            3};
+  }
+  // The sign of the time at which the line is at the portal.
+  [[nodiscard]] int height_sign() const {
+    const Vec3<double> e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
+    const double height = corner_[0].w.dot(e.cross(f));
+    const double e_1 = e.cwiseAbs().sum(), f_1 = f.cwiseAbs().sum();
+    const double error =
+        1.2 * (bounds_.seen * e_1 * f_1 + corner_[0].w.cwiseAbs().sum() * bounds_.edge * (e_1 + f_1)) +
+        kUnderflow;
+    if (height > error) return 1;
+    if (height < -error) return -1;
+    const Facet at = facet();
+    return scene_.determinant_sign(Term::point(at.c0), at.f1, at.f2);
+  }
+  // The portal before the last step, and the vertex that came in: their hull holds both portals.
+  [[nodiscard]] int hull_before(std::array<Vertex, 4>& out) const {
+    out = {previous_[0].id, previous_[1].id, previous_[2].id, newest_.id};
+    return 4;
+  }
+  [[nodiscard]] const Term& miss_f1() const { return miss_f1_; }
+  [[nodiscard]] const Term& miss_f2() const { return miss_f2_; }
+  [[nodiscard]] int miss_sign() const { return miss_sign_; }
+
+  [[nodiscard]] Corner corner(const Vertex& id) const {
+    const auto &a = cso_.side_a(), &b = cso_.side_b();
+    return make({a.support(a, Vec3<double>::Zero(), &id.a).x, id.a},
+                {b.support(b, Vec3<double>::Zero(), &id.b).x, id.b});
+  }
+  [[nodiscard]] Corner support(const Vec3<double>& n) const {
+    ++counters_.supports;
+    const auto &a = cso_.side_a(), &b = cso_.side_b();
+    return make(a.support(a, a.to_own(n), nullptr), b.support(b, b.to_own(Vec3<double>(-n)), nullptr));
+  }
+  [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
+
+ private:
+  [[nodiscard]] Corner make(const detail::SidePoint<double>& a, const detail::SidePoint<double>& b) const {
+    Corner out;
+    out.a = cso_.side_a().to_world(a.x);
+    out.b = cso_.side_b().to_world(b.x);
+    out.w = out.a - (out.b + cso_.offset());
+    out.qx = out.w[line_.x] - line_.slope_x * out.w[line_.z];
+    out.qy = out.w[line_.y] - line_.slope_y * out.w[line_.z];
+    out.id = {a.vertex, b.vertex};
+    return out;
+  }
+
+  // n2 in the plane that is seen, as a direction of space that is perpendicular to v but for its rounding.
+  [[nodiscard]] Vec3<double> across(double nx, double ny) const {
+    Vec3<double> n;
+    n[line_.x] = nx;
+    n[line_.y] = ny;
+    n[line_.z] = -(line_.slope_x * nx + line_.slope_y * ny);
+    return n;
+  }
+  // The support along n2, and whether it proves in doubles that the line misses: n = v x (n_y, -n_x, 0).
+  bool support_across(double nx, double ny, Corner& out) {
+    out = support(across(nx, ny));
+    const double height = nx * out.qx + ny * out.qy;
+    if (!(height < -(bounds_.far * 2 * (std::abs(nx) + std::abs(ny)) + kUnderflow))) return true;
+    Vec3<double> x = Vec3<double>::Zero();
+    x[line_.x] = ny;
+    x[line_.y] = -nx;
+    misses(line_.v, Term::given(x), line_.sign);
+    return false;
+  }
+  void misses(const Term& f1, const Term& f2, int sign) {
+    state_ = LineState::beside;
+    miss_f1_ = f1;
+    miss_f2_ = f2;
+    miss_sign_ = sign;
+  }
+
+  // ---- signs ----
+
+  // The sign of det(c, d, v) in doubles; 0 where that is not beyond its rounding.
+  [[nodiscard]] int side_in_doubles(const Corner& c, const Corner& d) const {
+    const double value = c.qx * d.qy - c.qy * d.qx;
+    const double e = bounds_.seen;
+    const double error =
+        2 * e * (std::abs(c.qx) + std::abs(c.qy) + std::abs(d.qx) + std::abs(d.qy)) + 4 * e * e;
+    if (value > error) return line_.sign;
+    if (value < -error) return -line_.sign;
+    return 0;
+  }
+  // Of the moved o; 0 only for vertices that are seen at one point.
+  [[nodiscard]] int side(const Corner& c, const Corner& d) const {
+    const int sign = side_in_doubles(c, d);
+    return sign != 0 ? sign : side_exactly(c.id, d.id);
+  }
+  [[nodiscard, gnu::noinline]] int side_exactly(const Vertex& c, const Vertex& d) const {
+    if (const int s = scene_.determinant_sign(Term::point(c), Term::point(d), line_.v); s != 0) return s;
+    if (c == d) return 0;
+    // d/de det(c - e x, d - e x, v) = det(d - c, x, v)
+    const Term e = Term::difference(c, d);
+    if (const int s = scene_.determinant_sign(e, Term::inside(around_, c), line_.v); s != 0)
+      return outward_ ? -s : s;
+    for (const std::size_t i : {1u, 2u}) {
+      const Term along = Term::difference(around_[0], around_[i]);
+      if (const int s = scene_.determinant_sign(e, along, line_.v); s != 0) return s;
+    }
+    return 0;
+  }
+  // Of det(d - c, e - c, v): do the three turn left?
+  [[nodiscard]] int turn(const Corner& c, const Corner& d, const Corner& e) const {
+    const double ux = d.qx - c.qx, uy = d.qy - c.qy, wx = e.qx - c.qx, wy = e.qy - c.qy;
+    const double value = ux * wy - uy * wx, err = 2.1 * bounds_.seen;
+    const double error =
+        2 * err * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * err * err;
+    if (value > error) return line_.sign;
+    if (value < -error) return -line_.sign;
+    if (e.id == c.id || e.id == d.id || c.id == d.id) return 0;
+    return scene_.determinant_sign(Term::difference(c.id, d.id), Term::difference(c.id, e.id), line_.v);
+  }
+
+  // ---- 1 ----
+
+  // Three vertices, in the hope that they are a triangle around o, or close to it.
+  bool start() {
+    const Vec3<double> back = -line_.r;
+    corner_[0] = support(back);
+    double nx = -corner_[0].qx, ny = -corner_[0].qy;
+    if (!(std::abs(nx) + std::abs(ny) > 4 * bounds_.seen)) nx = 1;
+    if (!support_across(nx, ny, corner_[1])) return false;
+    double ex = corner_[1].qx - corner_[0].qx, ey = corner_[1].qy - corner_[0].qy;
+    if (!(std::abs(ex) + std::abs(ey) > 4 * bounds_.seen)) {
+      // Nothing lies beyond the foremost vertex: another way, across.
+      if (!support_across(ny, -nx, corner_[1])) return false;
+      ex = corner_[1].qx - corner_[0].qx;
+      ey = corner_[1].qy - corner_[0].qy;
+    }
+    // To the side where o is.
+    const bool left = corner_[0].qx * corner_[1].qy - corner_[0].qy * corner_[1].qx >= 0;
+    return support_across(left ? -ey : ey, left ? ex : -ex, corner_[2]);
+  }
+
+  // corner_[0..2] as a triangle that turns left; false: seen along v, C has no area.
+  bool make_triangle() {
+    int s = turn(corner_[0], corner_[1], corner_[2]);
+    if (s == 0) s = find_triangle();
+    if (s < 0) std::swap(corner_[1], corner_[2]);
+    return s != 0;
+  }
+  [[gnu::noinline]] int find_triangle() {
+    // A vertex that is seen apart from the first.
+    const Vertex first = corner_[0].id;
+    Vertex second = first;
+    for (const int axis : {line_.x, line_.y}) {
+      for (const int sign : {1, -1}) {
+        const Term unit = Term::given(Vec3<double>(Vec3<double>::Unit(axis)));
+        if (second == first && find_beyond(line_.v, unit, sign, first, second)) corner_[1] = corner(second);
+      }
+    }
+    if (second == first) {
+      state_ = LineState::edge_on;
+      corner_[1] = corner_[0];
+      return 0;
+    }
+    const Term edge = Term::difference(first, second);
+    for (const int sign : {1, -1}) {
+      Vertex third;
+      if (!find_beyond(line_.v, edge, sign, first, third)) continue;
+      corner_[2] = corner(third);
+      return turn(corner_[0], corner_[1], corner_[2]);
+    }
+    state_ = LineState::edge_on;
+    return 0;
+  }
+  bool find_beyond(const Term& f1, const Term& f2, int sign, const Vertex& from, Vertex& out) const {
+    return beyond_.find(direction_of(scene_, f1, f2, sign), from, {}, out);
+  }
+
+  // ---- 2 ----
+
+  void walk_around() {
+    int edge = outside_edge();
+    while (edge >= 0) {
+      ++counters_.portal_steps;
+      const std::size_t i = static_cast<std::size_t>(edge);
+      const Corner c = corner_[i], d = corner_[(i + 1) % 3];
+      // To the right of c -> d.
+      const double ex = d.qx - c.qx, ey = d.qy - c.qy;
+      Corner w;
+      if (!support_across(line_.sign * ey, -line_.sign * ex, w)) return;
+      if (!(turn(c, d, w) < 0)) {
+        // Not shown beyond by the rounded direction: by the exact one?
+        const Direction n = direction_of(scene_, Term::difference(c.id, d.id), line_.v, 1);
+        Vertex id;
+        if (!beyond_.find(n, c.id, std::array{d.id}, id)) {
+          misses(Term::difference(c.id, d.id), line_.v, 1);
+          return;
+        }
+        w = corner(id);
+      }
+      // The triangle beyond the edge turns left as c, w, d; o is left of d -> c.
+      corner_ = {c, w, d};
+      edge = side(corner_[0], corner_[1]) < 0 ? 0 : side(corner_[1], corner_[2]) < 0 ? 1 : -1;
+    }
+    state_ = LineState::through;
+  }
+  // The first edge that has o on its right, or -1.
+  [[nodiscard]] int outside_edge() const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (side(corner_[i], corner_[(i + 1) % 3]) < 0) return static_cast<int>(i);
+    }
+    return -1;
+  }
+
+  // ---- 3 ----
+
+  [[nodiscard]] static Vec3<double> edge(const Corner& from, const Corner& to) {
+    return (to.a - from.a) - (to.b - from.b);
+  }
+  // A vertex strictly beyond the portal's plane, or a proof that there is none.
+  bool above_portal(Corner& next) {
+    const Vec3<double> e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
+    const Vec3<double> n = toward_ * e.cross(f);
+    const double e_1 = e.cwiseAbs().sum(), f_1 = f.cwiseAbs().sum();
+    next = support(n);
+    if (!is_corner(next.id)) {
+      const Vec3<double> g = edge(corner_[0], next);
+      const double g_1 = g.cwiseAbs().sum();
+      const double error = 1.1 * bounds_.edge * (e_1 * f_1 + (e_1 + f_1) * g_1) + kUnderflow;
+      if (n.dot(g) > error) return true;
+    }
+    Direction direction{Term::difference(corner_[0].id, corner_[1].id),
+                        Term::difference(corner_[0].id, corner_[2].id), toward_, n,
+                        1.2 * bounds_.edge * (e_1 + f_1)};
+    Vertex id;
+    if (!beyond_.find(direction, corner_[0].id, std::array{corner_[1].id, corner_[2].id}, id)) return false;
+    next = corner(id);
+    return true;
+  }
+  [[nodiscard]] bool is_corner(const Vertex& id) const {
+    return id == corner_[0].id || id == corner_[1].id || id == corner_[2].id;
+  }
+  // w takes the place of the corner whose opposite edge makes with it the triangle that holds o.
+  void replace(const Corner& w) {
+    previous_ = corner_;
+    newest_ = w;
+    int s[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      s[i] = side(corner_[i], w);
+      if (s[i] == 0) {  // seen at one point, w before it
+        corner_[i] = w;
+        return;
+      }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      if (s[i] < 0 && s[k] > 0) {
+        corner_[(i + 2) % 3] = w;
+        return;
+      }
+    }
+    scene_.invalidate();  // only numbers beyond their range get here
+  }
+
+  const Scene<S>& scene_;
+  const Cso<double>& cso_;
+  Line line_;
+  Bounds bounds_;
+  BeyondSearch<S> beyond_;
+  Counters& counters_;
+  LineState state_ = LineState::undecided;
+  std::array<Corner, 3> corner_, previous_;
+  Corner newest_;
+  std::array<Vertex, 3> around_;
+  bool outward_ = false;
+  int toward_ = -1;
+  Term miss_f1_, miss_f2_;
+  int miss_sign_ = 1;
+};
+
+}  // namespace graze::exact
