@@ -1,6 +1,8 @@
 // What a full proof costs to check: an axis with its tightest lower bound, a three-point portal with its
 // tightest upper one. Two hulls of 8 to 16 vertices, and every other kind against such a hull; identity and
-// rotated poses, 256 random cases each.
+// rotated poses, 256 random cases each. The same for symbolic axes: the exact normal of the facet of C
+// through which the path enters, whose bound is the time of impact itself; and n = v x edge, which proves a
+// miss.
 //
 // The tight bounds are made with the checker itself, by bisection over the doubles: what a checker accepts
 // last is the tightest bound. Its truth is the business of tests/oracles/check_proof_test.cpp
@@ -12,7 +14,7 @@
 #include <bit>
 #include <chrono>
 
-#include "tests/oracles/shape_cases.hpp"
+#include "tests/oracles/symbolic_axes.hpp"
 
 namespace graze::test {
 namespace {
@@ -37,8 +39,23 @@ struct Job {
   Proof proof;
 };
 
+enum class Axis { centers, facet };
+
+// The axis of a job whose case stands; false: none for this case.
+bool set_axis(Job& job, Axis axis) {
+  job.proof.has_axis = true;
+  job.proof.axis = job.problem.b.position - job.problem.a.position;
+  if (axis == Axis::centers) return true;
+  const std::optional<Proof> facet = entering_facet(job.problem);
+  if (!facet) return false;
+  job.proof.symbolic = true;
+  job.proof.axis_sign = facet->axis_sign;
+  job.proof.factor = facet->factor;
+  return true;
+}
+
 template <class DrawA, class DrawB>
-std::vector<Job> jobs(Pose pose, const DrawA& draw_a, const DrawB& draw_b) {
+std::vector<Job> jobs(Pose pose, Axis axis, const DrawA& draw_a, const DrawB& draw_b) {
   std::vector<Job> made;
   Draw draw(7);
   while (made.size() < 256) {
@@ -48,9 +65,6 @@ std::vector<Job> jobs(Pose pose, const DrawA& draw_a, const DrawB& draw_b) {
     c = approaching(draw, Numbers::doubles, pose, std::move(a), std::move(b));
     c.t_max = kInfinity<double>;
     Proof& proof = job.proof;
-    proof.has_axis = true;
-    proof.axis = c.b.position - c.a.position;
-    proof.toi_lower = 0x1p-60;
     proof.portal_size = 3;
     const auto of_a = named_vertices(c.a.shape), of_b = named_vertices(c.b.shape);
     Vec3<double> middle = Vec3<double>::Zero();
@@ -62,6 +76,8 @@ std::vector<Job> jobs(Pose pose, const DrawA& draw_a, const DrawB& draw_b) {
       middle += Vec3<double>(p[0].get_d(), p[1].get_d(), p[2].get_d()) / 3;
     }
     c.b.displacement = c.a.displacement + middle;
+    if (!set_axis(job, axis)) continue;
+    proof.toi_lower = 0x1p-60;
     proof.toi_upper = 1e6;
     if (!check_proof(c, proof).accepted()) continue;
     Proof trial = proof;
@@ -105,23 +121,66 @@ void check_full_proof(benchmark::State& state) {
   const auto hull = [&](Draw& draw) -> Shape<double> {
     return draw.hull(Numbers::doubles, static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
   };
-  measure(state, jobs(static_cast<Pose>(state.range(0)), hull, hull));
+  const auto axis = static_cast<Axis>(state.range(3));
+  state.SetLabel(axis == Axis::facet ? "facet of C" : "triple of doubles");
+  measure(state, jobs(static_cast<Pose>(state.range(0)), axis, hull, hull));
 }
 BENCHMARK(check_full_proof)
-    ->ArgNames({"pose", "fewest", "most"})
-    ->Args({static_cast<int>(Pose::identity), 8, 16})
-    ->Args({static_cast<int>(Pose::rotated), 8, 16})
-    ->Args({static_cast<int>(Pose::identity), 64, 64})
-    ->Args({static_cast<int>(Pose::rotated), 64, 64});
+    ->ArgNames({"pose", "fewest", "most", "axis"})
+    ->Apply([](benchmark::internal::Benchmark* rows) {
+      for (const Axis axis : {Axis::centers, Axis::facet})
+        for (const auto& [fewest, most] : {std::pair{8, 16}, std::pair{64, 64}})
+          for (const Pose pose : {Pose::identity, Pose::rotated})
+            rows->Args({static_cast<int>(pose), fewest, most, static_cast<int>(axis)});
+    });
+
+// That a ray misses: n = v x edge of A, two hulls.
+void check_miss(benchmark::State& state) {
+  std::vector<Job> made;
+  Draw draw(8);
+  const auto pose = static_cast<Pose>(state.range(0));
+  while (made.size() < 256) {
+    Job job;
+    corpus::Case& c = job.problem;
+    const Hull<double> a = draw.hull(Numbers::doubles, 8, 16), b = draw.hull(Numbers::doubles, 8, 16);
+    c = approaching(draw, Numbers::doubles, pose, a, b);
+    c.t_max = kInfinity<double>;
+    c.b.displacement = draw.vector(Numbers::doubles, 4);
+    const std::size_t to = 1 + draw.random.below(a.size() - 1);
+    const int axis_sign = draw.random.once_in(2) ? 1 : -1;
+    job.proof = lower_proof(kInfinity<double>, motion(), edge_of_a(0, to), axis_sign);
+    if (check_proof(c, job.proof).accepted()) made.push_back(job);
+  }
+  measure(state, made);
+}
+BENCHMARK(check_miss)
+    ->ArgName("pose")
+    ->Arg(static_cast<int>(Pose::identity))
+    ->Arg(static_cast<int>(Pose::rotated));
+
+// By the symbolic axis of the entering facet, a hull swept along a segment against a hull.
+void check_swept(benchmark::State& state) {
+  const auto swept_hull = [](Draw& draw) -> Shape<double> {
+    const Vec3<double> along = draw.vector(Numbers::doubles, 3);
+    return swept<double>(draw.hull(Numbers::doubles, 8, 16), along);
+  };
+  const auto hull = [](Draw& draw) -> Shape<double> { return draw.hull(Numbers::doubles, 8, 16); };
+  measure(state, jobs(static_cast<Pose>(state.range(0)), Axis::facet, swept_hull, hull));
+}
+BENCHMARK(check_swept)
+    ->ArgName("pose")
+    ->Arg(static_cast<int>(Pose::identity))
+    ->Arg(static_cast<int>(Pose::rotated));
 
 // A of the named kind, as the tests draw it, B a hull of 8 to 16 vertices.
 void check_kind(benchmark::State& state) {
   const auto kind = static_cast<Kind>(state.range(1));
   const auto pose = static_cast<Pose>(state.range(0));
   state.SetLabel(kKindNames[state.range(1)]);
-  measure(state, jobs(
-                     pose, [&](Draw& draw) { return draw_kind(draw, kind, Numbers::doubles, pose); },
-                     [](Draw& draw) -> Shape<double> { return draw.hull(Numbers::doubles, 8, 16); }));
+  measure(state,
+          jobs(
+              pose, Axis::centers, [&](Draw& draw) { return draw_kind(draw, kind, Numbers::doubles, pose); },
+              [](Draw& draw) -> Shape<double> { return draw.hull(Numbers::doubles, 8, 16); }));
 }
 BENCHMARK(check_kind)
     ->ArgNames({"pose", "kind"})

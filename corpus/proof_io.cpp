@@ -11,6 +11,12 @@ constexpr std::string_view kSchema = "graze.proof/1";
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
+constexpr std::string_view kAxisForm =
+    "an axis is an array of three numbers, or an object {\"sign\", \"cross\"} with the two factors of n";
+constexpr std::string_view kCrossForm = "cross is an array of two factors";
+constexpr std::string_view kMotion = "motion";
+constexpr std::string_view kFactorForm =
+    "a factor is an array of three numbers, \"motion\", or an object {\"from\", \"to\"} of support pairs";
 constexpr std::string_view kPortalForm = "a portal is an array of at most four pairs {\"a\", \"b\"}";
 
 Feature read_feature(const JsonValue& value, const std::string& path) {
@@ -34,14 +40,58 @@ Feature read_feature(const JsonValue& value, const std::string& path) {
   return feature;
 }
 
+SupportPair read_pair(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"a", "b"});
+  return {read_feature(fields.required("a", "a point of body a"), fields.path("a")),
+          read_feature(fields.required("b", "a point of body b"), fields.path("b"))};
+}
+
+AxisFactor read_factor(const JsonValue& value, const std::string& path) {
+  AxisFactor factor;
+  if (value.kind == JsonValue::Kind::string && value.text == kMotion) {
+    factor.kind = AxisFactor::Kind::motion;
+  } else if (value.kind == JsonValue::Kind::object) {
+    const Fields fields(value, path, {"from", "to"});
+    factor.kind = AxisFactor::Kind::difference;
+    factor.from = read_pair(fields.required("from", "a support pair {\"a\", \"b\"}"), fields.path("from"));
+    factor.to = read_pair(fields.required("to", "a support pair {\"a\", \"b\"}"), fields.path("to"));
+  } else {
+    factor.given = read_vec3(value, path, kFactorForm);
+  }
+  return factor;
+}
+
+void read_axis(const JsonValue& value, const std::string& path, Proof& proof) {
+  proof.has_axis = true;
+  if (value.kind != JsonValue::Kind::object) {
+    proof.axis = read_vec3(value, path, kAxisForm);
+    return;
+  }
+  const Fields fields(value, path, {"sign", "cross"});
+  proof.symbolic = true;
+  const JsonValue& sign = fields.required("sign", "1 or -1");
+  if (sign.kind != JsonValue::Kind::number || (sign.number != 1 && sign.number != -1)) {
+    throw Malformed{fields.path("sign"), describe(sign) + "; the sign of an axis is 1 or -1"};
+  }
+  proof.axis_sign = sign.number < 0 ? -1 : 1;
+  const std::string where = fields.path("cross");
+  const JsonValue& cross = fields.required("cross", kCrossForm);
+  const std::vector<JsonValue>& factors = read_array(cross, where, kCrossForm);
+  if (factors.size() != proof.factor.size()) {
+    throw Malformed{where, describe(cross) + "; " + std::string(kCrossForm)};
+  }
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    proof.factor[i] = read_factor(factors[i], item_path(where, i));
+  }
+}
+
 Proof read_proof(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal"});
   Proof proof;
   proof.toi_lower =
       read_extended(fields.required("toi_lower", "a time, or \"inf\" for a miss"), fields.path("toi_lower"));
   if (const JsonValue* axis = fields.optional("axis")) {
-    proof.has_axis = true;
-    proof.axis = read_vec3(*axis, fields.path("axis"), "an axis is an array of three numbers");
+    read_axis(*axis, fields.path("axis"), proof);
   }
   proof.toi_upper = read_extended(fields.required("toi_upper", "a time, or \"inf\" for no claim"),
                                   fields.path("toi_upper"));
@@ -52,10 +102,7 @@ Proof read_proof(const JsonValue& value, const std::string& path) {
       throw Malformed{where, describe(*portal) + "; " + std::string(kPortalForm)};
     }
     for (const JsonValue& item : pairs) {
-      const Fields pair(item, item_path(where, proof.portal_size), {"a", "b"});
-      SupportPair& target = proof.portal[proof.portal_size];
-      target.a = read_feature(pair.required("a", "a point of body a"), pair.path("a"));
-      target.b = read_feature(pair.required("b", "a point of body b"), pair.path("b"));
+      proof.portal[proof.portal_size] = read_pair(item, item_path(where, proof.portal_size));
       ++proof.portal_size;
     }
   }
@@ -92,7 +139,29 @@ std::string write_feature(const Feature& feature) {
   return text + "}";
 }
 
+std::string write_pair(const SupportPair& pair) {
+  return "{\"a\": " + write_feature(pair.a) + ", \"b\": " + write_feature(pair.b) + "}";
+}
+
+std::string write_factor(const AxisFactor& factor) {
+  switch (factor.kind) {
+    case AxisFactor::Kind::given:
+      return write_vec3(factor.given);
+    case AxisFactor::Kind::motion:
+      return json_quote(kMotion);
+    case AxisFactor::Kind::difference:
+      break;
+  }
+  return "{\"from\": " + write_pair(factor.from) + ", \"to\": " + write_pair(factor.to) + "}";
+}
+
 }  // namespace
+
+std::string write_axis(const Proof& proof) {
+  if (!proof.symbolic) return write_vec3(proof.axis);
+  return "{\"sign\": " + std::to_string(proof.axis_sign) + ", \"cross\": [" + write_factor(proof.factor[0]) +
+         ", " + write_factor(proof.factor[1]) + "]}";
+}
 
 ProofReadResult read_proofs_text(std::string_view text, const std::string& name) {
   ProofReadResult result;
@@ -128,12 +197,10 @@ std::string write_proof(const ProofRecord& record) {
                      ", \"scalar\": " + json_quote(record.scalar) +
                      ", \"outcome\": " + json_quote(name_of(record.outcome)) +
                      ", \"proof\": {\"toi_lower\": " + json_number(proof.toi_lower);
-  if (proof.has_axis) text += ", \"axis\": " + write_vec3(proof.axis);
+  if (proof.has_axis) text += ", \"axis\": " + write_axis(proof);
   text += ", \"toi_upper\": " + json_number(proof.toi_upper) + ", \"portal\": [";
   for (int i = 0; i < proof.portal_size; ++i) {
-    const SupportPair& pair = proof.portal[i];
-    text += std::string(i > 0 ? ", " : "") + "{\"a\": " + write_feature(pair.a) +
-            ", \"b\": " + write_feature(pair.b) + "}";
+    text += (i > 0 ? ", " : "") + write_pair(proof.portal[i]);
   }
   return text + "]}}";
 }

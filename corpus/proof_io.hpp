@@ -5,6 +5,12 @@
 //    "proof": {"toi_lower": 0.25, "axis": [0, -1, 0], "toi_upper": 0.25,
 //              "portal": [{"a": {"vertex": 0}, "b": {"vertex": 0, "offset": [0, -1, 0]}}]}}
 //
+// A symbolic axis is an object, n = sign (F x F'), with factors that are a triple, v, or a difference of
+// pairs:
+//
+//   "axis": {"sign": -1, "cross": [{"from": {"a": {"vertex": 1}, "b": {"vertex": 0}},
+//                                   "to": {"a": {"vertex": 3}, "b": {"vertex": 0}}}, "motion"]}
+//
 // No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
 // proof claims is not judged here: a reader's proof may be false.
 #pragma once
@@ -30,6 +36,9 @@ struct ProofReadResult {
 
 [[nodiscard]] ProofReadResult read_proofs_file(const std::filesystem::path& path);
 [[nodiscard]] ProofReadResult read_proofs_text(std::string_view text, const std::string& name);
+
+// The value of the field "axis", of a proof that has one.
+[[nodiscard]] std::string write_axis(const Proof& proof);
 
 // One line, without the newline at its end.
 [[nodiscard]] std::string write_proof(const ProofRecord& record);

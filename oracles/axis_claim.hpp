@@ -4,19 +4,19 @@
 //   TOI >= t > 0   iff  n.v < 0 and h(n) - t n.v <= 0
 //   a miss         iff  h(n) - t n.v < 0  with t = T where n.v < 0 (T = infinity: never), else t = 0
 // Both ask for the sign of D + w R |n|, D = w (H - t n.v). For R > 0 it is <= 0 iff D <= 0 and
-// D^2 >= w^2 R^2 |n|^2; strict likewise.
+// D^2 >= w^2 R^2 |n|^2; strict likewise. A symbolic n that is exactly zero is no axis.
 #pragma once
 
 #include <graze/proof.hpp>
 
-#include "oracles/posed_exact.hpp"
+#include "oracles/symbolic_axis.hpp"
 
 namespace graze::oracle {
 
 struct AxisQuestion {
   const Solid& a;
   const Solid& b;
-  const Vec3<double>& n;
+  const Proof& proof;
   double target_distance;
 
   [[nodiscard]] bool rounded() const { return a.radius > 0 || b.radius > 0 || target_distance > 0; }
@@ -28,12 +28,12 @@ struct Scans {
 
 // Does D + w R |n| lie below zero (or at zero, unless strict)?
 template <class N>
-[[nodiscard]] Answer below_zero(const AxisQuestion& ask, const Pair<N>& pair, const N& d, bool strict) {
+[[nodiscard]] Answer below_zero(const AxisQuestion& ask, const Pair<N>& pair, const Triple<N>& n, const N& d,
+                                bool strict) {
   const Sign s = sign(d);
   if (!ask.rounded()) return strict ? is_negative(s) : at_most_zero(s);
   const Answer side = strict ? is_negative(s) : at_most_zero(s);
   if (side == Answer::no) return side;
-  const Triple<N> n = triple<N>(ask.n);
   const N radius = pair.weigh(N(ask.a.radius) + N(ask.b.radius) + N(ask.target_distance));
   const Sign excess = sign(d * d - radius * radius * dot(n, n));
   return both(side, strict ? is_positive(excess) : at_least_zero(excess));
@@ -49,7 +49,7 @@ template <class N>
          (pair.a.rotated ? pair.a.weight * of_b : of_b);
 }
 
-enum class AxisFinding { holds, not_approaching, fails, unknown };
+enum class AxisFinding { holds, zero_axis, not_approaching, fails, unknown };
 
 [[nodiscard]] constexpr AxisFinding finding(Answer answer) {
   return answer == Answer::yes  ? AxisFinding::holds
@@ -59,24 +59,22 @@ enum class AxisFinding { holds, not_approaching, fails, unknown };
 
 // TOI >= t, for 0 < t < infinity; below(x, strict) answers whether h(n) - x < 0, or <= 0 unless strict.
 template <class N, class Below>
-[[nodiscard]] AxisFinding lower_finding(const N& approach, double t, const Below& below) {
-  const Answer approaching = is_negative(sign(approach));
-  if (approaching == Answer::no) return AxisFinding::not_approaching;
-  const Answer held = below(approach * t, false);
-  return approaching == Answer::unknown ? AxisFinding::unknown : finding(held);
+[[nodiscard]] AxisFinding lower_finding(const Approach<N>& approach, double t, const Below& below) {
+  if (approach.negative == Answer::no) return AxisFinding::not_approaching;
+  const Answer held = below(approach.value * t, false);
+  return approach.negative == Answer::unknown ? AxisFinding::unknown : finding(held);
 }
 
 // No contact in [0, T].
 template <class N, class Below>
-[[nodiscard]] AxisFinding miss_finding(const N& approach, double horizon, const Below& below) {
+[[nodiscard]] AxisFinding miss_finding(const Approach<N>& approach, double horizon, const Below& below) {
   const Answer at_start = below(N(0), true);
   if (at_start == Answer::no) return AxisFinding::fails;
-  const Answer approaching = is_negative(sign(approach));
-  if (approaching == Answer::no) return finding(at_start);
+  if (approach.negative == Answer::no) return finding(at_start);
   if (horizon == kInfinity<double>)
-    return approaching == Answer::yes ? AxisFinding::fails : AxisFinding::unknown;
+    return approach.negative == Answer::yes ? AxisFinding::fails : AxisFinding::unknown;
   // With n.v < 0 the end of the path is the stronger demand; with n.v >= 0 it is implied by the start.
-  return finding(both(at_start, below(approach * horizon, true)));
+  return finding(both(at_start, below(approach.value * horizon, true)));
 }
 
 // The claim toi_lower of an axis on the path [0, T].
@@ -84,19 +82,23 @@ struct LowerClaim {
   double toi_lower, horizon;
 
   [[nodiscard]] bool is_miss() const { return toi_lower == kInfinity<double>; }
+  // `zero`: is n zero? While that is open, so is every finding that a zero n would share.
   template <class N, class Below>
-  [[nodiscard]] AxisFinding decide(const N& approach, const Below& below) const {
-    return is_miss() ? miss_finding(approach, horizon, below) : lower_finding(approach, toi_lower, below);
+  [[nodiscard]] AxisFinding decide(Answer zero, const Approach<N>& approach, const Below& below) const {
+    if (zero == Answer::yes) return AxisFinding::zero_axis;
+    const AxisFinding found =
+        is_miss() ? miss_finding(approach, horizon, below) : lower_finding(approach, toi_lower, below);
+    return zero == Answer::unknown && found != AxisFinding::holds ? AxisFinding::unknown : found;
   }
 };
 
 template <class N>
 [[nodiscard]] AxisFinding axis_claim(const AxisQuestion& ask, const LowerClaim& claim, Scans& scans) {
   const Pair<N> pair(ask.a, ask.b);
-  const Triple<N> n = triple<N>(ask.n);
+  const Triple<N> n = axis_vector(ask.a, ask.b, pair, ask.proof);
   const N high = weighted_support(ask, pair, n, scans);
-  return claim.decide(dot(n, pair.velocity), [&](const N& x, bool strict) {
-    return below_zero(ask, pair, high - pair.weigh(x), strict);
+  return claim.decide(is_zero(n), approach_along(ask.proof, n, pair.velocity), [&](const N& x, bool strict) {
+    return below_zero(ask, pair, n, high - pair.weigh(x), strict);
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "oracles/double_double.hpp"
 #include "oracles/dyadic.hpp"
-#include "oracles/tree_point.hpp"
+#include "oracles/tree_axis.hpp"
 
 namespace graze::oracle {
 namespace {
@@ -41,6 +41,40 @@ struct VertexCounts {
   std::uint64_t a, b;
 };
 
+// What is wrong with the form of a support pair; nullptr: nothing. `counts`: where the shapes are known.
+[[nodiscard]] const char* fault_of(const SupportPair& pair, const VertexCounts* counts) {
+  for (const Feature* f : {&pair.a, &pair.b}) {
+    if (!all_finite(f->offset)) return "a NaN or an infinite offset";
+    for (const Vec3<double>& x : f->curved)
+      if (!all_finite(x)) return "a NaN or an infinite point of a curved part";
+  }
+  if (counts != nullptr && (pair.a.vertex >= counts->a || pair.b.vertex >= counts->b))
+    return "an index beyond the vertices of its shape";
+  return nullptr;
+}
+
+[[nodiscard]] const char* fault_of(const AxisFactor& factor, const VertexCounts* counts) {
+  switch (factor.kind) {
+    case AxisFactor::Kind::given:
+      return all_finite(factor.given) ? nullptr : "a NaN or an infinite factor of the axis";
+    case AxisFactor::Kind::motion:
+      return nullptr;
+    case AxisFactor::Kind::difference: {
+      const char* fault = fault_of(factor.from, counts);
+      return fault != nullptr ? fault : fault_of(factor.to, counts);
+    }
+  }
+  return "a factor of the axis of no known kind";
+}
+
+[[nodiscard]] const char* fault_of_axis(const Proof& proof, const VertexCounts* counts) {
+  if (!proof.symbolic) return all_finite(proof.axis) ? nullptr : "a NaN or an infinite axis";
+  if (proof.axis_sign != 1 && proof.axis_sign != -1) return "an axis_sign that is neither 1 nor -1";
+  for (const AxisFactor& factor : proof.factor)
+    if (const char* fault = fault_of(factor, counts)) return fault;
+  return nullptr;
+}
+
 // Is it a proof, about a case that the checker reads? `of_a` and `of_b` are what the bodies' doors said.
 [[nodiscard]] Entry read_case(const corpus::Case& problem, const Proof& proof, const Door& of_a,
                               const Door& of_b, const VertexCounts& counts) {
@@ -57,20 +91,15 @@ struct VertexCounts {
 
   if (!(proof.toi_lower >= 0)) return {Refusal::malformed, "toi_lower is NaN or below zero"};
   if (!(proof.toi_upper >= 0)) return {Refusal::malformed, "toi_upper is NaN or below zero"};
-  if (proof.has_axis && !all_finite(proof.axis)) return {Refusal::malformed, "a NaN or an infinite axis"};
+  const bool known = in_a.refusal == Refusal::none && in_b.refusal == Refusal::none;
+  const VertexCounts* const bound = known ? &counts : nullptr;
+  if (const char* fault = proof.has_axis ? fault_of_axis(proof, bound) : nullptr)
+    return {Refusal::malformed, fault};
   if (proof.portal_size < 0 || proof.portal_size > 4)
     return {Refusal::malformed, "a portal of a size outside 0..4"};
-  for (int i = 0; i < proof.portal_size; ++i) {
-    const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
-    for (const Feature* f : {&s.a, &s.b}) {
-      if (!all_finite(f->offset)) return {Refusal::malformed, "a NaN or an infinite offset"};
-      for (const Vec3<double>& x : f->curved)
-        if (!all_finite(x)) return {Refusal::malformed, "a NaN or an infinite point of a curved part"};
-    }
-    const bool known = in_a.refusal == Refusal::none && in_b.refusal == Refusal::none;
-    if (known && (s.a.vertex >= counts.a || s.b.vertex >= counts.b))
-      return {Refusal::malformed, "an index beyond the vertices of its shape"};
-  }
+  for (int i = 0; i < proof.portal_size; ++i)
+    if (const char* fault = fault_of(proof.portal[static_cast<std::size_t>(i)], bound))
+      return {Refusal::malformed, fault};
 
   if (in_a.refusal == Refusal::unsupported) return in_a;
   if (in_b.refusal == Refusal::unsupported) return in_b;
@@ -110,13 +139,18 @@ class Cascade {
     return decide.template operator()<Dyadic>();
   }
 
-  // The same for what has square roots; it may stay unknown.
+  // The same for what may have square roots; it may stay unknown.
   template <class Decide>
-  [[nodiscard]] auto run_with_roots(const Decide& decide) const {
+  [[nodiscard]] auto run_with_roots(bool has_roots, const Decide& decide) const {
     using Finding = decltype(decide.template operator()<Ball>());
     if (filters_) {
       if (const auto found = decide.template operator()<Filtered>(); found != Finding::unknown) {
         if (cost_ != nullptr) ++cost_->double_decisions;
+        return found;
+      }
+      if (const auto found = has_roots ? Finding::unknown : decide.template operator()<Extended>();
+          found != Finding::unknown) {
+        if (cost_ != nullptr) ++cost_->extended_decisions;
         return found;
       }
     }
@@ -171,6 +205,9 @@ struct AxisValues {
     return {Refusal::undecided, "h(n), about " + text(values.support) +
                                     ", is closer to what the axis must prove than " +
                                     std::to_string(kMostBits) + " bits tell"};
+  if (found == AxisFinding::zero_axis)
+    return {Refusal::axis_missing, "toi_lower " + text(claim.toi_lower) +
+                                       " needs a non-zero axis; the cross product of its factors is zero"};
   if (claim.is_miss())
     return {Refusal::miss_not_proved, "a miss needs h(n) < min(0, T n.v); h(n) is about " +
                                           text(values.support) + ", n.v about " + text(values.approach)};
@@ -206,21 +243,22 @@ class SolidBodies {
     return {};
   }
 
-  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Vec3<double>& n, double target_distance,
+  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Proof& proof, double target_distance,
                                  const LowerClaim& claim) const {
-    const AxisQuestion ask{a_, b_, n, target_distance};
+    const AxisQuestion ask{a_, b_, proof, target_distance};
     Scans scans;
     return cascade.run([&]<class N>() { return axis_claim<N>(ask, claim, scans); });
   }
-  [[nodiscard]] AxisValues axis_values(const Vec3<double>& n, double target_distance) const {
-    const AxisQuestion ask{a_, b_, n, target_distance};
+  [[nodiscard]] AxisValues axis_values(const Proof& proof, double target_distance) const {
+    const AxisQuestion ask{a_, b_, proof, target_distance};
     Scans every_vertex;
     const Pair<Dyadic> pair(a_, b_);
-    const Triple<Dyadic> exact = triple<Dyadic>(n);
+    const Triple<Dyadic> n = axis_vector(a_, b_, pair, proof);
+    const auto value = [](const Dyadic& x) { return Dyadic::ratio(x, Dyadic(1)); };
     const double radius = a_.radius + b_.radius + target_distance;
-    return {Dyadic::ratio(weighted_support(ask, pair, exact, every_vertex), pair.weight) +
-                radius * n.stableNorm(),
-            Dyadic::ratio(dot(exact, pair.velocity), Dyadic(1))};
+    return {Dyadic::ratio(weighted_support(ask, pair, n, every_vertex), pair.weight) +
+                radius * Vec3<double>(value(n.x), value(n.y), value(n.z)).stableNorm(),
+            value(approach_along(proof, n, pair.velocity).value)};
   }
 
   template <class N>
@@ -236,7 +274,7 @@ class SolidBodies {
 // Shapes of any kind.
 class TreeBodies {
  public:
-  TreeBodies(const TreePair& pair, const Proof& proof) : pair_(pair) {
+  TreeBodies(const TreePair& pair, const Proof& proof) : pair_(pair), axis_(pair, proof) {
     for (int i = 0; i < proof.portal_size; ++i) {
       const SupportPair& s = proof.portal[static_cast<std::size_t>(i)];
       ways_a_.emplace_back(pair.a, s.a);
@@ -245,11 +283,12 @@ class TreeBodies {
   }
 
   [[nodiscard]] Verdict points_fit(const Cascade& cascade, const Proof&) const {
+    bool named = axis_.named();
     for (const std::vector<Way>* ways : {&ways_a_, &ways_b_})
-      for (const Way& way : *ways)
-        if (way.curved_count() > kCurvedParts)
-          return {Refusal::malformed, "a point on a way with more than " + std::to_string(kCurvedParts) +
-                                          " curved parts, which a feature cannot name"};
+      for (const Way& way : *ways) named &= way.curved_count() <= kCurvedParts;
+    if (!named)
+      return {Refusal::malformed, "a point on a way with more than " + std::to_string(kCurvedParts) +
+                                      " curved parts, which a feature cannot name"};
     for (std::size_t i = 0; i < ways_a_.size(); ++i) {
       for (const Way* way : {&ways_a_[i], &ways_b_[i]}) {
         const bool fits = way->feature().offset.isZero(0) ||
@@ -267,18 +306,19 @@ class TreeBodies {
     return {};
   }
 
-  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Vec3<double>& n, double target_distance,
+  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Proof&, double target_distance,
                                  const LowerClaim& claim) const {
     TreeScans scans(pair_);
-    return cascade.run_with_roots(
-        [&]<class N>() { return tree_axis_claim<N>(pair_, n, target_distance, claim, scans); });
+    return cascade.run_with_roots(target_distance > 0 || pair_.has_roots(),
+                                  [&]<class N>() { return axis_.decide<N>(target_distance, claim, scans); });
   }
-  [[nodiscard]] AxisValues axis_values(const Vec3<double>& n, double target_distance) const {
+  [[nodiscard]] AxisValues axis_values(const Proof& proof, double target_distance) const {
     const WorkingPrecision working(kFirstBits);
     TreeScans every_vertex(pair_);
+    const Triple<Ball> n = axis_.vector<Ball>();
     const Fraction<Ball> h = tree_support<Ball>(pair_, n, target_distance, every_vertex);
-    const Triple<Ball> v = difference<Ball>(pair_.body_b.displacement, pair_.body_a.displacement);
-    return {(h.value / h.weight).mid_double(), dot(triple<Ball>(n), v).mid_double()};
+    return {(h.value / h.weight).mid_double(),
+            approach_along(proof, n, axis_.velocity<Ball>()).value.mid_double()};
   }
 
   template <class N>
@@ -288,6 +328,7 @@ class TreeBodies {
 
  private:
   const TreePair& pair_;
+  TreeAxis axis_;
   std::vector<Way> ways_a_, ways_b_;
 };
 
@@ -299,12 +340,12 @@ template <class Bodies>
   if (Verdict points = bodies.points_fit(cascade, proof); !points.accepted()) return points;
 
   if (proof.toi_lower > 0) {
-    if (!proof.has_axis || proof.axis.isZero(0))
+    if (!proof.has_axis || (!proof.symbolic && proof.axis.isZero(0)))
       return {Refusal::axis_missing, "toi_lower " + text(proof.toi_lower) + " needs a non-zero axis"};
     const LowerClaim claim{proof.toi_lower, problem.t_max};
-    const AxisFinding found = bodies.axis(cascade, proof.axis, problem.target_distance, claim);
+    const AxisFinding found = bodies.axis(cascade, proof, problem.target_distance, claim);
     if (found != AxisFinding::holds)
-      return refuse_axis(found, claim, bodies.axis_values(proof.axis, problem.target_distance));
+      return refuse_axis(found, claim, bodies.axis_values(proof, problem.target_distance));
   }
 
   if (proof.toi_upper < kInfinity<double>) {

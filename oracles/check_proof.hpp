@@ -3,12 +3,16 @@
 //
 // What it decides: whether the claims of a Proof hold for the true shapes of a case, exactly. Polytopes plus
 // a ball (point, segment, triangle, sphere, capsule, box, hull): in double with a running error bound, what
-// is open then in double-double, what is still open in GMP. Every other shape: axes, which have square roots,
-// in double, then in balls of 128 to 4,096 bits, then with exact sums and products; portals as above.
+// is open then in double-double, what is still open in GMP. Every other shape: axes in double, where they
+// take no square roots in double-double, then in balls of 128 to 4,096 bits, then with exact sums and
+// products; portals as above. A symbolic axis is computed in the arithmetic at hand, so what it proves is
+// exact too; the points of its factors may lie anywhere, as every vector but zero is an axis.
 //
 // What it costs, tight proofs, 8 to 16 vertices, median (bench/check_proof_bench.cpp): polytopes plus a ball
-// 1.1 microseconds, 2.4 with rotated poses, without allocating unless it refuses or needs GMP; any other
-// shape 3 to 5, and 8 to 12 with rotated poses.
+// 1.2 microseconds, 2.4 with rotated poses; by the symbolic axis of a facet of C 1.4 and 2.7, a ray's miss by
+// v x edge 0.2 and 0.3. Nothing is allocated unless it refuses or needs GMP, which no tight claim of 2,773
+// random facets did (tests/oracles/symbolic_proof_test.cpp). Any other shape 3 to 5, and 8 to 12 with rotated
+// poses; by its symbolic facet, a hull swept along a segment 3.2 and 6.1.
 //
 // Where it does not decide: a case with a magnitude outside 1e-60 .. 1e60 is refused as out_of_range; the
 // proof's own numbers may be any finite doubles. A shape of more than 64 levels or 4,096 parts, and upper
@@ -27,12 +31,13 @@ namespace graze::oracle {
 enum class Refusal {
   none,             // accepted
   malformed,        // NaN, a part without a shape, a portal size out of 0..4, an index beyond the vertices,
-                    // a feature with more than kCurvedParts curved parts, a bound below zero
+                    // a feature with more than kCurvedParts curved parts, a bound below zero, an axis_sign
+                    // other than 1 and -1, a factor of no known kind
   unsupported,      // a case that this checker does not know (rotation, a shape of too many parts)
   out_of_range,     // a non-zero magnitude of the case outside 1e-60 .. 1e60
   offset_too_long,  // |offset| > the sum of the radii on the way to the vertex
   point_outside,    // a point of a curved part outside that part
-  axis_missing,     // toi_lower > 0 without an axis, or a zero axis
+  axis_missing,     // toi_lower > 0 without an axis, or a zero axis, exactly
   axis_not_approaching,  // 0 < toi_lower < infinity, and n.v >= 0
   lower_not_proved,      // toi_lower > h(n)/(n.v)
   miss_not_proved,       // toi_lower infinite, and h(n) >= min(0, T n.v)

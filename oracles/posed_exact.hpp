@@ -91,6 +91,10 @@ struct Frame {
     if (!rotated) return triple<N>(x);
     return {dot(row_x, x), dot(row_y, x), dot(row_z, x)};
   }
+  [[nodiscard]] Triple<N> apply(const Triple<N>& x) const {
+    if (!rotated) return x;
+    return {dot(row_x, x), dot(row_y, x), dot(row_z, x)};
+  }
   // M^T n: n . (M x) = (M^T n) . x
   [[nodiscard]] Triple<N> into_body(const Triple<N>& n) const {
     if (!rotated) return n;

@@ -1,5 +1,6 @@
 // What an axis proves about shapes of any kind: h(n) by recursion over the parts, with square roots, over
-// doubles with an error bound (Filtered) and over balls of growing precision (Ball).
+// doubles with an error bound (Filtered), where no roots are met over double-doubles too (Extended), and over
+// balls of growing precision (Ball).
 //
 //   leaf       max over vertices x of n.x, + radius |n|         posed     p.n + h_child(R^T n)
 //   ellipsoid  sqrt(sum (r_i n_i)^2)                            rounded   h_child + radius |n|
@@ -17,6 +18,7 @@
 
 #include "oracles/axis_claim.hpp"
 #include "oracles/ball.hpp"
+#include "oracles/double_double.hpp"
 #include "oracles/filtered.hpp"
 #include "oracles/part_tree.hpp"
 
@@ -33,6 +35,12 @@ inline constexpr long kFirstBits = 128, kMostBits = 4096;
   if (x.is_positive()) return Sign::positive;
   if (x.is_negative()) return Sign::negative;
   return x.is_zero() ? Sign::zero : Sign::unknown;
+}
+
+// A double-double has no root here: a number of unbounded error, which tells no sign.
+[[nodiscard]] inline Extended root(const Extended&) {
+  const Extended largest(std::numeric_limits<double>::max());
+  return largest * largest;
 }
 
 // value / weight, weight > 0.
@@ -133,6 +141,14 @@ struct TreePair {
   const PartTree& b;
   const Body<double>& body_a;
   const Body<double>& body_b;
+
+  // Does h(n) take roots, without a target distance?
+  [[nodiscard]] bool has_roots() const {
+    for (const PartTree* tree : {&a, &b})
+      for (std::size_t i = 0; i < tree->size(); ++i)
+        if ((*tree)[i].is_curved() || (*tree)[i].leaf.radius > 0) return true;
+    return false;
+  }
 };
 
 struct TreeScans {
@@ -142,25 +158,13 @@ struct TreeScans {
 
 // h(n) of C = A - B + ball(m).
 template <class N>
-[[nodiscard]] Fraction<N> tree_support(const TreePair& pair, const Vec3<double>& axis, double target_distance,
+[[nodiscard]] Fraction<N> tree_support(const TreePair& pair, const Triple<N>& n, double target_distance,
                                        TreeScans& scans) {
-  const Triple<N> n = triple<N>(axis);
   const N length = root(dot(n, n));
   const Fraction<N> core =
       TreeSupport<N>(pair.a, scans.a)(n, length) + TreeSupport<N>(pair.b, scans.b)(-n, length);
   const N offset = dot(n, difference<N>(pair.body_a.position, pair.body_b.position));
-  return core + Fraction<N>{offset + length * target_distance};
-}
-
-template <class N>
-[[nodiscard]] AxisFinding tree_axis_claim(const TreePair& pair, const Vec3<double>& axis,
-                                          double target_distance, const LowerClaim& claim, TreeScans& scans) {
-  const Fraction<N> h = tree_support<N>(pair, axis, target_distance, scans);
-  const N approach = dot(triple<N>(axis), difference<N>(pair.body_b.displacement, pair.body_a.displacement));
-  return claim.decide(approach, [&](const N& x, bool strict) {
-    const Sign s = sign(h.value - weigh(h, x));
-    return strict ? is_negative(s) : at_most_zero(s);
-  });
+  return core + Fraction<N>{target_distance > 0 ? offset + length * target_distance : offset};
 }
 
 }  // namespace graze::oracle

@@ -342,7 +342,7 @@ class TreeWalk {
   }
   TreePoint step(const Hull<S>& s, const Placement& at, const std::uint32_t* chosen) const {
     const std::uint32_t k = chosen ? *chosen : hull_support(s, at.to_own(n_));
-    const Vec3<double> x = std::ldexp(1.0, s.exponent()) * hull_vertex<double>(s, k);
+    const Vec3<double> x = power_of_two(s.exponent()) * hull_vertex<double>(s, k);
     return at.moved(wide(s.center())).at(x, k);
   }
   // `drawn_in` is the point moved towards the shape's middle.

@@ -52,20 +52,20 @@ class Cso {
     const double size_a = 2 * (a.half.maxCoeff() + a.radius), size_b = 2 * (b.half.maxCoeff() + b.radius);
     const double apart = (d + turn(body_b, b.middle) - turn(body_a, a.middle)).cwiseAbs().maxCoeff();
     const double scale = std::max({size_a, size_b, apart});
-    k_ = scale > 0 ? std::ilogb(scale) : 0;
-    scale_ = scale > 0 ? static_cast<S>(std::ldexp(scale, -k_)) : S(0);
+    k_ = scale > 0 ? exponent_of(scale) : 0;
+    scale_ = scale > 0 ? static_cast<S>(scale * power_of_two(-k_)) : S(0);
     a_ = detail::make_side<S>(body_a, a, k_, turning);
     b_ = detail::make_side<S>(body_b, b, k_, turning);
-    d_ = (std::ldexp(1.0, -k_) * d).template cast<S>();
-    const double target = std::ldexp(static_cast<double>(target_distance), -k_);
+    d_ = (power_of_two(-k_) * d).template cast<S>();
+    const double target = static_cast<double>(target_distance) * power_of_two(-k_);
     target_ = static_cast<S>(target);
     radius_ = a_.radius + b_.radius + target_;
     curved_ = a_.curved || b_.curved;
     const Vec3<double> v =
         body_b.displacement.template cast<double>() - body_a.displacement.template cast<double>();
     const double speed = v.cwiseAbs().maxCoeff();
-    j_ = speed > 0 ? std::ilogb(speed) : 0;
-    r_ = (std::ldexp(1.0, -j_) * v).template cast<S>();
+    j_ = speed > 0 ? exponent_of(speed) : 0;
+    r_ = (power_of_two(-j_) * v).template cast<S>();
   }
 
   // The core's support point along n (any length); the rounded C's, n a unit vector.
@@ -121,12 +121,14 @@ class Cso {
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
   // t = s 2^(k - j), and back; infinite where t_max is, or where it is out of S's range.
-  [[nodiscard]] S to_time(S s) const { return static_cast<S>(std::ldexp(static_cast<double>(s), k_ - j_)); }
+  [[nodiscard]] S to_time(S s) const {
+    return static_cast<S>(static_cast<double>(s) * power_of_two(k_ - j_));
+  }
   [[nodiscard]] S to_parameter(S t) const {
-    return static_cast<S>(std::ldexp(static_cast<double>(t), j_ - k_));
+    return static_cast<S>(static_cast<double>(t) * power_of_two(j_ - k_));
   }
   [[nodiscard]] S to_length(S internal) const {
-    return static_cast<S>(std::ldexp(static_cast<double>(internal), k_));
+    return static_cast<S>(static_cast<double>(internal) * power_of_two(k_));
   }
 
  private:

@@ -58,6 +58,14 @@ class Hull {
     const std::vector<S>& from = data_->choice.empty() ? data_->scan : data_->choice;
     return from.data() + static_cast<std::size_t>(axis) * data_->padded;
   }
+  // The same in float, for a first guess.
+  [[nodiscard]] const float* guess_scan(int axis) const {
+    if constexpr (std::same_as<S, float>) {
+      return choice_scan(axis);
+    } else {
+      return data_->guess.data() + static_cast<std::size_t>(axis) * data_->padded;
+    }
+  }
   [[nodiscard]] std::size_t padded_size() const { return data_->padded; }
   [[nodiscard]] const Vec3<S>& center() const { return data_->center; }
   [[nodiscard]] int exponent() const { return data_->exponent; }
@@ -77,8 +85,9 @@ class Hull {
     explicit Data(std::span<const Vec3<S>> given);
 
     std::vector<Vec3<S>> vertices;
-    std::vector<S> scan;    // x..., y..., z..., each `padded` long
-    std::vector<S> choice;  // choice_scan, where it differs
+    std::vector<S> scan;       // x..., y..., z..., each `padded` long
+    std::vector<S> choice;     // choice_scan, where it differs
+    std::vector<float> guess;  // of a double hull
     std::size_t padded = 0;
     Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
     int exponent = 0;
@@ -127,10 +136,16 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     middle[i] = l + half[i];
   }
   // An offset below an eighth of the extent costs no more than that: not worth a second scan.
-  if ((middle.cwiseAbs() - half / 8).maxCoeff() <= 0) return;
-  choice = scan;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < padded; ++k) choice[i * padded + k] -= middle[static_cast<int>(i)];
+  if (!((middle.cwiseAbs() - half / 8).maxCoeff() <= 0)) {
+    choice = scan;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < padded; ++k) choice[i * padded + k] -= middle[static_cast<int>(i)];
+    }
+  }
+  if constexpr (std::same_as<S, double>) {
+    const std::vector<S>& from = choice.empty() ? scan : choice;
+    guess.reserve(from.size());
+    for (const S x : from) guess.push_back(static_cast<float>(x));
   }
 }
 

@@ -5,6 +5,7 @@
 // directions along which a curved shape is flat give one of the points that are greatest, always the same.
 #pragma once
 
+#include <graze/scan.hpp>
 #include <graze/shape.hpp>
 #include <span>
 
@@ -59,33 +60,33 @@ Vec3<S> cone_point(S radius, S half_height, const Vec3<S>& d) {
 // (4.4 for small offsets): at most 8 u |d| diameter below the true maximum.
 template <Scalar S, Scalar Given>
 std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
-  // In a wider scalar than the hull's, the choice scan's rounding would count for more than the offset's.
-  constexpr bool kWider = sizeof(S) > sizeof(Given);
-  const auto axis = [&](int i) { return kWider ? hull.scan(i) : hull.choice_scan(i); };
-  const Given *x = axis(0), *y = axis(1), *z = axis(2);
-  constexpr std::size_t kLanes = Hull<Given>::kBlock;
-  using Index = std::conditional_t<sizeof(S) == 8, std::int64_t, std::int32_t>;
-  const S dx = d[0], dy = d[1], dz = d[2];
-  S best[kLanes];
-  Index at[kLanes];
-  for (std::size_t l = 0; l < kLanes; ++l) {
-    best[l] = S(x[l]) * dx + S(y[l]) * dy + S(z[l]) * dz;
-    at[l] = static_cast<Index>(l);
-  }
-  const std::size_t n = hull.padded_size();
-  for (std::size_t i = kLanes; i < n; i += kLanes) {
-    for (std::size_t l = 0; l < kLanes; ++l) {
-      const S value = S(x[i + l]) * dx + S(y[i + l]) * dy + S(z[i + l]) * dz;
-      const bool up = value > best[l];
-      best[l] = up ? value : best[l];
-      at[l] = up ? static_cast<Index>(i + l) : at[l];
+  if constexpr (std::same_as<S, Given>) {
+    const std::size_t k =
+        scan(hull.choice_scan(0), hull.choice_scan(1), hull.choice_scan(2), hull.padded_size(), d);
+    return static_cast<std::uint32_t>(k);
+  } else {
+    // In a wider scalar than the hull's, the choice scan's rounding would count for more than the offset's.
+    constexpr bool kWider = sizeof(S) > sizeof(Given);
+    const auto axis = [&](int i) { return kWider ? hull.scan(i) : hull.choice_scan(i); };
+    const Given *x = axis(0), *y = axis(1), *z = axis(2);
+    // A block at a time in S, then as one of S.
+    constexpr std::size_t kBlock = Hull<Given>::kBlock;
+    std::size_t best = 0;
+    S top = -kInfinity<S>;
+    for (std::size_t i = 0; i < hull.padded_size(); i += kBlock) {
+      S value[kBlock];
+      for (std::size_t l = 0; l < kBlock; ++l)
+        value[l] = S(x[i + l]) * d[0] + S(y[i + l]) * d[1] + S(z[i + l]) * d[2];
+      S most = value[0];
+      for (std::size_t l = 1; l < kBlock; ++l) most = value[l] > most ? value[l] : most;
+      if (!(most > top)) continue;
+      top = most;
+      std::size_t l = 0;
+      while (l + 1 < kBlock && value[l] != most) ++l;
+      best = i + l;
     }
+    return static_cast<std::uint32_t>(best);
   }
-  std::size_t lane = 0;
-  for (std::size_t l = 1; l < kLanes; ++l) {
-    if (best[l] > best[lane] || (best[l] == best[lane] && at[l] < at[lane])) lane = l;
-  }
-  return at[lane] < static_cast<Index>(hull.size()) ? static_cast<std::uint32_t>(at[lane]) : 0u;
 }
 // In the hull's scan units, about its centre.
 template <Scalar S, Scalar Given>

@@ -3,8 +3,9 @@
 //   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 4 u |offset| + 2^-98 (|p_A| + |p_B| + |c_A| +
 //   |c_B|),
 //
-// computed as an unevaluated sum hi + lo of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Only additions
-// and std::fma are used, so contracting multiply-adds cannot change a result.
+// computed as an unevaluated sum hi + lo of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Sums are
+// Knuth's; products use std::fma where the compiler has it (and may contract), else Veltkamp's splitting (and
+// it cannot): contraction changes no result. The splitting is exact for |x| < 2^996.
 #pragma once
 
 #include <array>
@@ -26,10 +27,18 @@ inline TwoDoubles two_sum(double a, double b) {
 // a b = hi + lo exactly, barring underflow.
 inline TwoDoubles two_product(double a, double b) {
   const double hi = a * b;
+#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA) || !defined(__x86_64__)
   return {hi, std::fma(a, b, -hi)};
+#else
+  // Without the instruction std::fma is a call. The halves have 26 bits, so their products are exact.
+  constexpr double kSplit = 0x1p27 + 1;
+  const double p = kSplit * a, q = kSplit * b;
+  const double a_hi = p - (p - a), a_lo = a - a_hi, b_hi = q - (q - b), b_lo = b - b_hi;
+  return {hi, ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+#endif
 }
 
-// Relative errors below 2^-100 for each of these (Joldes, Muller, Popescu 2017, algorithms 6, 12 and 17).
+// Relative errors below 2^-100 for each of these (Joldes, Muller, Popescu 2017, algorithms 6, 10 and 17).
 inline TwoDoubles operator+(TwoDoubles x, TwoDoubles y) {
   const TwoDoubles s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
   const TwoDoubles v = two_sum(s.hi, s.lo + t.hi);
@@ -38,8 +47,7 @@ inline TwoDoubles operator+(TwoDoubles x, TwoDoubles y) {
 inline TwoDoubles operator-(TwoDoubles x) { return {-x.hi, -x.lo}; }
 inline TwoDoubles operator*(TwoDoubles x, TwoDoubles y) {
   const TwoDoubles p = two_product(x.hi, y.hi);
-  const double cross = std::fma(x.lo, y.hi, std::fma(x.hi, y.lo, x.lo * y.lo));
-  return two_sum(p.hi, p.lo + cross);
+  return two_sum(p.hi, p.lo + (x.lo * y.hi + x.hi * y.lo));
 }
 inline TwoDoubles operator/(TwoDoubles x, TwoDoubles y) {
   const double first = x.hi / y.hi;

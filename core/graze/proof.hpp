@@ -3,8 +3,8 @@
 // Notation (world axes, t = 0)   C = A - B + ball(m), m the target distance;   v = v_B - v_A, exact;
 //   h(n) = max over C of n.c;   contact at t iff t v in C;   TOI = the least such t in [0, T], or infinity.
 //
-// Axis n != 0, not normalised: a triple of doubles or, as the axis of an exact answer rarely is one, symbolic:
-// plus or minus the cross product of two factors. It proves
+// Axis n != 0, not normalised: a triple of doubles or, as the axis of an exact answer rarely is one,
+// symbolic: plus or minus the cross product of two factors. It proves
 //   TOI >= h(n) / (n.v)          when n.v < 0 (every t below lies outside the half-space n.c <= h(n));
 //   TOI = infinity, a miss       when h(n) < min(0, T n.v)  (T * 0 = 0, for T = infinity too).
 // Portal: k support pairs (a_i, b_i), k <= 3, or <= 4 for contact at t = 0. If some convex combination of the

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>  // cross
 #include <bit>
 #include <cfloat>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,17 @@ inline constexpr S kUnitRoundoff = std::numeric_limits<S>::epsilon() / 2;
 
 template <Scalar S>
 inline constexpr S kInfinity = std::numeric_limits<S>::infinity();
+
+// 2^e.
+[[nodiscard]] inline double power_of_two(int e) {
+  if (e < -1022 || e > 1023) return std::ldexp(1.0, e);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+// floor(log2 |x|) for a finite x != 0.
+[[nodiscard]] inline int exponent_of(double x) {
+  const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
+  return biased == 0 ? std::ilogb(x) : biased - 1023;
+}
 
 // Does the machine take this subnormal for 0 (denormals-are-zero)? Then it is not what the caller gave.
 template <Scalar S>

@@ -87,7 +87,7 @@ Bounds bounds(const Shape<S>& shape) {
                                   wide(s.a).cwiseMax(wide(s.b)).cwiseMax(wide(s.c)));
           },
           [](const Hull<S>& s) {
-            const double unit = std::ldexp(1.0, s.exponent());
+            const double unit = power_of_two(s.exponent());
             Bounds out;
             out.center = wide(s.center());
             out.half = unit * wide(s.scan_half_extents());
@@ -205,7 +205,7 @@ inline constexpr int kCurvedRounding = 6;
 
 template <Scalar S, Scalar Given>
 void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
-  const double unit = std::ldexp(1.0, -k);
+  const double unit = power_of_two(-k);
   const auto few = [&](std::initializer_list<Vec3<Given>> points) {
     std::size_t i = 0;
     for (const Vec3<Given>& x : points) {
@@ -242,7 +242,7 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                           const bool climbs = hull.has_adjacency() && hull.size() >= kClimbFrom;
                           side.support = climbs ? &climb_of_side<S, Given> : &hull_of_side<S, Given>;
                           side.shape = &hull;
-                          side.unit = static_cast<S>(std::ldexp(1.0, hull.exponent() - k));
+                          side.unit = static_cast<S>(power_of_two(hull.exponent() - k));
                         },
                         [&](const auto&) {
                           side.support = &tree_of_side<S, Given>;
@@ -263,7 +263,7 @@ inline constexpr int kQuickTurn = 19, kAccurateTurn = 5;
 template <Scalar S, Scalar Given>
 Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning turning) {
   Side<S> side;
-  const double unit = std::ldexp(1.0, -k);
+  const double unit = power_of_two(-k);
   side.turning = turning;
   side.center = bounds.center;
   side.half = (unit * bounds.half).template cast<S>();

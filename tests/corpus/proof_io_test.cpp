@@ -28,6 +28,31 @@ ProofRecord example() {
   return record;
 }
 
+// n = -(v x (a_to - b_to - a_from + b_from)), every field of a pair in use.
+ProofRecord symbolic_example() {
+  ProofRecord record = example();
+  record.proof.symbolic = true;
+  record.proof.axis_sign = -1;
+  record.proof.axis = Vec3<double>::Zero();
+  record.proof.factor[0].kind = AxisFactor::Kind::motion;
+  AxisFactor& edge = record.proof.factor[1];
+  edge.kind = AxisFactor::Kind::difference;
+  edge.from.a.vertex = 6;
+  edge.from.b.offset = Vec3<double>(0, 0.3, -0.0);
+  edge.to.a.vertex = 4294967295;
+  edge.to.b.curved[1] = Vec3<double>(5e-324, 0.7, -1);
+  return record;
+}
+
+void expect_same_pair(const SupportPair& l, const SupportPair& r) {
+  EXPECT_EQ(l.a.vertex, r.a.vertex);
+  EXPECT_EQ(l.b.vertex, r.b.vertex);
+  EXPECT_EQ(l.a.offset, r.a.offset);
+  EXPECT_EQ(l.b.offset, r.b.offset);
+  EXPECT_EQ(l.a.curved, r.a.curved);
+  EXPECT_EQ(l.b.curved, r.b.curved);
+}
+
 void expect_same(const ProofRecord& l, const ProofRecord& r) {
   // Equal text is equal bits: the round trip of numbers is tested on its own.
   EXPECT_EQ(write_proof(l), write_proof(r));
@@ -38,16 +63,17 @@ void expect_same(const ProofRecord& l, const ProofRecord& r) {
   EXPECT_EQ(l.proof.toi_lower, r.proof.toi_lower);
   EXPECT_EQ(l.proof.has_axis, r.proof.has_axis);
   EXPECT_EQ(l.proof.axis, r.proof.axis);
+  EXPECT_EQ(l.proof.symbolic, r.proof.symbolic);
+  EXPECT_EQ(l.proof.axis_sign, r.proof.axis_sign);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(l.proof.factor[i].kind, r.proof.factor[i].kind);
+    EXPECT_EQ(l.proof.factor[i].given, r.proof.factor[i].given);
+    expect_same_pair(l.proof.factor[i].from, r.proof.factor[i].from);
+    expect_same_pair(l.proof.factor[i].to, r.proof.factor[i].to);
+  }
   EXPECT_EQ(l.proof.toi_upper, r.proof.toi_upper);
   ASSERT_EQ(l.proof.portal_size, r.proof.portal_size);
-  for (int i = 0; i < l.proof.portal_size; ++i) {
-    EXPECT_EQ(l.proof.portal[i].a.vertex, r.proof.portal[i].a.vertex);
-    EXPECT_EQ(l.proof.portal[i].b.vertex, r.proof.portal[i].b.vertex);
-    EXPECT_EQ(l.proof.portal[i].a.offset, r.proof.portal[i].a.offset);
-    EXPECT_EQ(l.proof.portal[i].b.offset, r.proof.portal[i].b.offset);
-    EXPECT_EQ(l.proof.portal[i].a.curved, r.proof.portal[i].a.curved);
-    EXPECT_EQ(l.proof.portal[i].b.curved, r.proof.portal[i].b.curved);
-  }
+  for (int i = 0; i < l.proof.portal_size; ++i) expect_same_pair(l.proof.portal[i], r.proof.portal[i]);
 }
 
 TEST(ProofIo, ReadsBackWhatItWrote) {
@@ -99,6 +125,57 @@ TEST(ProofIo, RefusesWhatIsMalformedAndKeepsTheRest) {
     ASSERT_EQ(result.errors.size(), 1u) << malformation.text;
     const std::string line = result.errors[0].text();
     EXPECT_EQ(line.substr(0, std::string(malformation.message).size()), malformation.message) << line;
+  }
+}
+
+TEST(ProofIo, ReadsBackSymbolicAxes) {
+  ProofRecord triples = symbolic_example();
+  triples.proof.axis_sign = 1;
+  triples.proof.factor[0] = {};
+  triples.proof.factor[0].given = Vec3<double>(-0.0, 0.1, 5e-324);
+  const ProofRecord given[] = {symbolic_example(), triples};
+  const ProofReadResult result =
+      read_proofs_text(write_proof(given[0]) + "\n" + write_proof(given[1]), "p.jsonl");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  ASSERT_EQ(result.proofs.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) expect_same(result.proofs[i], given[i]);
+  EXPECT_TRUE(std::signbit(result.proofs[0].proof.factor[1].from.b.offset[2]));
+  EXPECT_TRUE(std::signbit(result.proofs[1].proof.factor[0].given[0]));
+}
+
+TEST(ProofIo, RefusesMalformedSymbolicAxes) {
+  const std::string sound = write_proof(symbolic_example());
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = sound;
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+    return text;
+  };
+  const struct {
+    std::string text;
+    const char* message;
+  } malformations[] = {
+      {replaced("\"sign\": -1", "\"sign\": 0"), "p.jsonl:1: proof.axis.sign: the number 0; the sign of"},
+      {replaced("\"sign\": -1", "\"sign\": \"-\""), "p.jsonl:1: proof.axis.sign: the string \"-\"; the"},
+      {replaced("\"sign\": -1, ", ""), "p.jsonl:1: proof.axis.sign: missing"},
+      {replaced("\"sign\"", "\"plus\": 1, \"sign\""), "p.jsonl:1: proof.axis: unknown field \"plus\""},
+      {replaced("\"cross\"", "\"dot\""), "p.jsonl:1: proof.axis: unknown field \"dot\""},
+      {replaced("\"cross\": [", "\"cross\": [[1, 0, 0], "), "p.jsonl:1: proof.axis.cross: an array of 3"},
+      {replaced("\"motion\", ", ""), "p.jsonl:1: proof.axis.cross: an array of 1"},
+      {replaced("\"motion\"", "\"velocity\""), "p.jsonl:1: proof.axis.cross[0]: the string \"velocity\"; a"},
+      {replaced("\"motion\"", "[1, 0]"), "p.jsonl:1: proof.axis.cross[0]: an array of 2"},
+      {replaced("\"motion\"", "[1, \"inf\", 0]"), "p.jsonl:1: proof.axis.cross[0][1]: "},
+      {replaced("\"from\"", "\"away\""), "p.jsonl:1: proof.axis.cross[1]: unknown field \"away\""},
+      {replaced("\"vertex\": 6", "\"vertex\": -6"),
+       "p.jsonl:1: proof.axis.cross[1].from.a.vertex: the number"},
+  };
+  for (const auto& malformation : malformations) {
+    const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");
+    EXPECT_EQ(result.proofs.size(), 1u);
+    ASSERT_EQ(result.errors.size(), 1u) << malformation.text;
+    const std::string line = result.errors[0].text();
+    EXPECT_EQ(line.substr(0, std::string(malformation.message).size()), malformation.message) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
   }
 }
 

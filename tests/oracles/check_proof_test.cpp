@@ -163,7 +163,7 @@ TEST(CheckProofLower, RadiusTimesNormOfAxisIsIrrationalAndStillDecided) {
   c.b.shape = Sphere<double>{1};
   c.b.position = {10, 10, 0};
   c.b.displacement = {-10, -10, 0};
-  const AxisReference truth(c, {1, 1, 0});
+  const AxisReference truth(c, Vec3<double>(1, 1, 0));
   const auto tight = truth.tightest();
   ASSERT_TRUE(tight);
   EXPECT_NEAR(*tight, 1 - std::sqrt(2) / 10, 1e-15);
@@ -173,7 +173,7 @@ TEST(CheckProofLower, RadiusTimesNormOfAxisIsIrrationalAndStillDecided) {
   c.b.position = {6, 8, 0};
   c.b.displacement = {-6, -8, 0};
   EXPECT_EQ(judge(c, lower_proof(0.8, {3, 4, 0})),
-            AxisReference(c, {3, 4, 0}).lower_holds(0.8) ? Refusal::none : Refusal::lower_not_proved);
+            AxisReference(c, Vec3<double>(3, 4, 0)).lower_holds(0.8) ? Refusal::none : Refusal::lower_not_proved);
   c.target_distance = 0.5;  // h = -50 + 2.5 * 5, bound exactly 3/4
   EXPECT_EQ(judge(c, lower_proof(0.75, {3, 4, 0})), Refusal::none);
   EXPECT_EQ(judge(c, lower_proof(up(0.75), {3, 4, 0})), Refusal::lower_not_proved);

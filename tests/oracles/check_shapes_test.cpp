@@ -525,7 +525,7 @@ TEST(CheckShapesDoor, DepthAndPartsAreBounded) {
   c.b.shape = Point<double>{};
   c.b.position = {200, 0, 0};
   c.b.displacement = {-1, 0, 0};
-  const auto tight = HighAxis(c, {1, 0.5, 0.25}).tightest();
+  const auto tight = HighAxis(c, Vec3<double>(1, 0.5, 0.25)).tightest();
   ASSERT_TRUE(tight);
   EXPECT_EQ(judge(c, lower_proof(*tight, {1, 0.5, 0.25})), Refusal::none);
   EXPECT_EQ(judge(c, lower_proof(up(*tight), {1, 0.5, 0.25})), Refusal::lower_not_proved);

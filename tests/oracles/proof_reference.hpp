@@ -28,6 +28,9 @@ inline RationalVec operator+(const RationalVec& a, const RationalVec& b) {
 inline RationalVec operator*(const Rational& s, const RationalVec& a) {
   return {s * a[0], s * a[1], s * a[2]};
 }
+inline RationalVec outer(const RationalVec& a, const RationalVec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 inline Rational inner(const RationalVec& a, const RationalVec& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -51,12 +54,9 @@ inline RationalVec posed(const Body<double>& body, const Vec3<double>& local) {
   const RationalVec x = rational(local);
   const Rational w = body.orientation.w;
   const RationalVec u{body.orientation.x, body.orientation.y, body.orientation.z};
-  const auto cross = [](const RationalVec& l, const RationalVec& r) -> RationalVec {
-    return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
-  };
-  const RationalVec once = cross(u, x);
+  const RationalVec once = outer(u, x);
   const Rational two_over = Rational(2) / (w * w + inner(u, u));
-  return rational(body.position) + x + (two_over * w) * once + two_over * cross(u, once);
+  return rational(body.position) + x + (two_over * w) * once + two_over * outer(u, once);
 }
 
 inline std::vector<RationalVec> posed_vertices(const Body<double>& body) {
@@ -74,8 +74,8 @@ inline Rational radius_of(const Shape<double>& shape) {
 struct AxisReference {
   Rational support, approach, radius, n_sq;
 
-  AxisReference(const corpus::Case& c, const Vec3<double>& axis) {
-    const RationalVec n = rational(axis);
+  AxisReference(const corpus::Case& c, const Vec3<double>& axis) : AxisReference(c, rational(axis)) {}
+  AxisReference(const corpus::Case& c, const RationalVec& n) {
     bool first = true;
     for (const RationalVec& a : posed_vertices(c.a)) {
       for (const RationalVec& b : posed_vertices(c.b)) {

@@ -15,6 +15,7 @@ inline constexpr int kHighBits = 2048, kEqualBits = 1500;
 inline const bool kHighPrecision = (mpf_set_default_prec(kHighBits), true);
 
 inline HighVec high(const Vec3<double>& v) { return {High(v.x()), High(v.y()), High(v.z())}; }
+inline HighVec rounded_high(const RationalVec& v) { return {High(v[0]), High(v[1]), High(v[2])}; }
 inline HighVec operator+(const HighVec& a, const HighVec& b) {
   return {High(a[0] + b[0]), High(a[1] + b[1]), High(a[2] + b[2])};
 }
@@ -103,8 +104,9 @@ inline HighVec support_point(const Shape<double>& shape, const HighVec& n) {
 struct HighAxis {
   High support, approach;
 
-  HighAxis(const corpus::Case& c, const Vec3<double>& axis) {
-    const HighVec n = high(axis), minus = High(-1) * n;
+  HighAxis(const corpus::Case& c, const Vec3<double>& axis) : HighAxis(c, high(axis)) {}
+  HighAxis(const corpus::Case& c, const HighVec& n) {
+    const HighVec minus = High(-1) * n;
     const auto reach = [](const Body<double>& body, const HighVec& d) {
       const HighVec local = support_point(body.shape, turned(body.orientation, d, true));
       return inner(d, high(body.position) + turned(body.orientation, local, false));

@@ -19,10 +19,8 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
   const double size = p.size * q.size;
   Vec3<double> n = Vec3<double>::Zero();
   if (size > Scene<S>::kLeastSize) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      n[static_cast<int>(i)] = (p.x[j] * q.x[k] + -(p.x[k] * q.x[j])).hi;
-    }
+    const Pair3 fine = cross(p.x, q.x);
+    for (int i = 0; i < 3; ++i) n[i] = rounded(fine[static_cast<std::size_t>(i)]);
   }
   if (!(n.cwiseAbs().maxCoeff() > 0x1p-30 * size)) {
     scene.count_exact_decision();
@@ -59,12 +57,7 @@ std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, c
   // Seen as a segment: its second factor is the axis (edge_on.hpp) that takes the place of a third corner.
   if (size == 2) c[2] = scene.fine(facet.f2);
   const auto side = [&](std::size_t i, std::size_t j) {
-    detail::TwoDoubles sum;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-      sum = sum + motion.x[k] * (c[i].x[l] * c[j].x[m] + -(c[i].x[m] * c[j].x[l]));
-    }
-    return std::max(sum.hi, 0.0);
+    return std::max(rounded(dot(motion.x, cross(c[i].x, c[j].x))), 0.0);
   };
   double total = 0;
   for (std::size_t i = 0; i < size; ++i) {

@@ -6,10 +6,8 @@
 // c_0. If none has, c_0 is a maximum, the proved one. Within a leaf, by the sign in doubles where that is
 // beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
 //
-// Ties by construction. A vertex of C that lies in n's plane with c_0 and differs from it in one leaf only
-// makes its vertex of that leaf a tie. A box: x_0's three neighbours are enough, n being separable, and
-// neighbours make ties together. A hull with adjacency: x_0's neighbours are enough, a local maximum being
-// one.
+// Ties by construction. Where two vertices of C in n's plane differ in one leaf only, their vertices of that
+// leaf tie. A box: x_0's three neighbours are enough, n being separable.
 #pragma once
 
 #include <graze/cso.hpp>
@@ -18,12 +16,12 @@
 
 namespace graze::exact {
 
-// n, and what doubles know of it: |approx_i - lambda n_i| <= error for some lambda > 0.
+// n, and what doubles know of it: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 says
+// that n_i is 0.
 struct Direction {
   Term f1, f2;
   int sign = 1;
-  Vec3<double> approx = Vec3<double>::Zero();
-  double error = 0;
+  Vec3<double> approx = Vec3<double>::Zero(), error = Vec3<double>::Zero();
 };
 
 // The direction of two terms, rounded from pairs of doubles; for directions that are not at hand in doubles.
@@ -31,21 +29,13 @@ template <Scalar S>
 Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, int sign) {
   const Fine x = scene.fine(f1), y = scene.fine(f2);
   const double size_x = std::max(x.size, 0x1p-1000), size_y = std::max(y.size, 0x1p-1000);
-  detail::TwoDoubles3 p = x.x, q = y.x;
   // Near 1 first: the products must not vanish.
-  const double scale_x = std::ldexp(1.0, -std::ilogb(size_x));
-  const double scale_y = std::ldexp(1.0, -std::ilogb(size_y));
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = {p[i].hi * scale_x, p[i].lo * scale_x};
-    q[i] = {q[i].hi * scale_y, q[i].lo * scale_y};
-  }
-  Direction out{f1, f2, sign, {}, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    out.approx[static_cast<int>(i)] = sign * (p[j] * q[k] + -(p[k] * q[j])).hi;
-  }
+  const Pair scale_x{power_of_two(-exponent_of(size_x)), 0}, scale_y{power_of_two(-exponent_of(size_y)), 0};
+  const Pair3 n = cross(scaled(x.x, scale_x), scaled(y.x, scale_y));
+  Direction out{f1, f2, sign};
+  for (int i = 0; i < 3; ++i) out.approx[i] = sign * rounded(n[static_cast<std::size_t>(i)]);
   // Factors below 4, within 2^-90 of that each; and the rounding of the result.
-  out.error = 0x1p-85 + kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff();
+  out.error.setConstant(0x1p-85 + kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
   return out;
 }
 
@@ -88,9 +78,9 @@ class BeyondSearch {
     std::span<const Vertex> ties;
     std::uint32_t index;
     const Leaf<S>& leaf;
-    std::uint32_t at = 0;                   // of x_0
-    Vec3<double> d = Vec3<double>::Zero();  // n in the leaf's own axes, negated for B
-    double error = 0;                       // of d.(x - x_0) / (sum of magnitudes of x - x_0), see search()
+    std::uint32_t at = 0;                       // of x_0
+    Vec3<double> d = Vec3<double>::Zero();      // n in the leaf's own axes, negated for B
+    Vec3<double> error = Vec3<double>::Zero();  // of a step's height, over the step's components
     bool found = false;
     std::uint32_t best = 0;
     double height = 0;
@@ -105,8 +95,12 @@ class BeyondSearch {
     if (leaf.of_b) s.d = -s.d;
     // Per component of d: n's own error (turned: of three), the rotation's; then three products and sums of
     // differences that round once.
-    const double largest = s.n.approx.norm();
-    s.error = (view.turned ? 1.8 : 1.0) * s.n.error + (view.turn + 8 * kUnitRoundoff<double>)*largest;
+    if (view.turned) {
+      s.error.setConstant(1.8 * s.n.error.maxCoeff() +
+                          (view.turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
+    } else {
+      s.error = s.n.error + 8 * kUnitRoundoff<double> * s.d.cwiseAbs();
+    }
     if (const auto* hull = std::get_if<Hull<S>>(leaf.shape)) {
       search_hull(s, *hull);
     } else if (std::holds_alternative<Box<S>>(*leaf.shape)) {
@@ -141,15 +135,13 @@ class BeyondSearch {
     return view;
   }
 
-  [[nodiscard]] static Vec3<double> vertex(const Leaf<S>& leaf, std::uint32_t k) {
-    return leaf_vertex(*leaf.shape, k);
-  }
+  [[nodiscard]] static Vec3<double> vertex(const Leaf<S>& leaf, std::uint32_t k) { return leaf.point(k); }
 
   // A vertex beside x_0: is it farther?
   void try_vertex(Search& s, std::uint32_t k) const {
     if (k == s.at) return;
     const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.at);
-    const double height = s.d.dot(step), error = 1.01 * s.error * step.cwiseAbs().sum() + kUnderflow;
+    const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
     if (height < -error) return;
     if (height > error) {
       accept(s, k, height);
@@ -165,28 +157,37 @@ class BeyondSearch {
     s.best = k;
     s.height = height;
   }
-  // Does a tie differ from x_0's vertex in this leaf only, as k?
+  // Do two vertices of C in the plane differ in this leaf only, as x_0 and k do?
   [[nodiscard]] bool ties_by_index(const Search& s, std::uint32_t k) const {
-    const Vertex as = s.leaf.with(s.from, k);
-    return std::find(s.ties.begin(), s.ties.end(), as) != s.ties.end();
+    const auto in_plane = [&](const Vertex& v) {
+      return v == s.from || std::find(s.ties.begin(), s.ties.end(), v) != s.ties.end();
+    };
+    if (in_plane(s.leaf.with(s.from, k))) return true;
+    return std::any_of(s.ties.begin(), s.ties.end(), [&](const Vertex& v) {
+      return s.leaf.vertex(v) == s.at && in_plane(s.leaf.with(v, k));
+    });
   }
 
   void search_box(Search& s) const {
     // Bits of x_0's neighbours that are ties: single ones first, then those that remain of two.
     std::uint32_t level = 0;
     for (int round = 0; round < 2; ++round) {
-      for (const Vertex& tie : s.ties) {
-        if (s.leaf.with(s.from, s.leaf.vertex(tie)) != tie) continue;
-        const std::uint32_t flips = (s.leaf.vertex(tie) ^ s.at) & ~level;
-        if (std::has_single_bit(flips)) level |= flips;
+      for (std::size_t i = 0; i < s.ties.size(); ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+          const Vertex &tie = s.ties[i], &other = j < i ? s.ties[j] : s.from;
+          if (s.leaf.with(other, s.leaf.vertex(tie)) != tie) continue;
+          const std::uint32_t flips = (s.leaf.vertex(tie) ^ s.leaf.vertex(other)) & ~level;
+          if (std::has_single_bit(flips)) level |= flips;
+        }
       }
     }
     const Vec3<double> x = vertex(s.leaf, s.at);
     std::uint32_t flips = 0;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const double step = -2 * x[static_cast<int>(i)], height = s.d[static_cast<int>(i)] * step;
-      if ((level >> i & 1u) != 0 || step == 0) continue;
-      const double error = 1.01 * s.error * std::abs(step) + kUnderflow;
+      const double own = s.error[static_cast<int>(i)];
+      if ((level >> i & 1u) != 0 || step == 0 || own == 0) continue;
+      const double error = 1.01 * own * std::abs(step) + kUnderflow;
       const bool up =
           std::abs(height) > error
               ? height > 0
@@ -208,7 +209,7 @@ class BeyondSearch {
     const Vec3<double>& d = s.d;
     // Heights round by 4 u sum |d_i| |x_i|; the difference of x and x_0 is at most 2 half.
     const double rounding = 8 * kUnitRoundoff<double> * d.cwiseAbs().dot(half + middle.cwiseAbs());
-    const double error = 1.01 * (2 * s.error * half.sum() + rounding) + kUnderflow;
+    const double error = 1.01 * (2 * s.error.dot(half) + rounding) + kUnderflow;
     const auto height = [&](std::size_t k) { return d[0] * x[k] + d[1] * y[k] + d[2] * z[k]; };
     const double least = height(s.at) - error;
     constexpr std::size_t kLanes = Hull<S>::kBlock;

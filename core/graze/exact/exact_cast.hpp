@@ -79,10 +79,13 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
       out.outcome = Outcome::initially_overlapping;
       toi = {0, 0};
     }
-  } else if (answer.passage == Passage::ahead && cast.cso().moves() &&
-             (t_max == kInfinity<double> || exact::compare_time(scene, answer.facet, v, t_max) <= 0)) {
-    out.outcome = Outcome::hit;
-    toi = exact::round_time(scene, answer.facet, v);
+  } else if (answer.passage == Passage::ahead && cast.cso().moves()) {
+    // t_max is a double: t_in <= t_max iff the least double not below t_in is.
+    const exact::TimeBracket t_in = exact::round_time(scene, answer.facet, v);
+    if (t_in.upper <= t_max) {
+      out.outcome = Outcome::hit;
+      toi = t_in;
+    }
   }
   out.toi_lower = exact::round_down<S>(toi.lower);
   out.toi_upper = exact::round_up<S>(toi.upper);

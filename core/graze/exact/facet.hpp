@@ -84,29 +84,33 @@ inline TimeBracket bracket_of(const ExactTime& time) {
   }
 }
 
-// The quotient in pairs of doubles, in the caller's unit of time, where they can tell it.
+// The quotient in pairs of doubles, where they can tell it.
 struct FineTime {
-  detail::TwoDoubles numerator, denominator;
+  Pair numerator, denominator;
   double error_n = 0, error_d = 0;
-  bool known = false;  // the denominator is beyond its error, and all is in the range of `scene.hpp`
+  bool known = false;  // the denominator is beyond its error, and all is in the range of scene.hpp
+
+  // numerator - s denominator, s >= 0 in size; and how far off.
+  [[nodiscard]] double rest(double s, double& error) const {
+    error = error_n + std::abs(s) * error_d;
+    return rounded(numerator - denominator * Pair{s, 0});
+  }
 };
 
 template <Scalar S>
 FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
-  using detail::TwoDoubles;
+  FineTime out;
+  if (!scene.has_fine()) return out;
   const Fine c = scene.fine(Term::point(facet.c0)), f1 = scene.fine(facet.f1), f2 = scene.fine(facet.f2),
              motion = scene.fine(v);
-  FineTime out;
   const double plane = f1.size * f2.size;
-  const double size_n = plane * c.size, size_d = plane * motion.size;
+  const double size_n = plane * c.size, size_d = plane * motion.size * c.weight.hi;
   if (!(std::min(size_n, size_d) > Scene<S>::kLeastSize && std::max(size_n, size_d) < Scene<S>::kMostSize))
     return out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const detail::TwoDoubles n = f1.x[j] * f2.x[k] + -(f1.x[k] * f2.x[j]);
-    out.numerator = out.numerator + n * c.x[i];
-    out.denominator = out.denominator + n * motion.x[i];
-  }
+  const Pair3 n = cross(f1.x, f2.x);
+  out.numerator = dot(n, c.x);
+  out.denominator = dot(n, motion.x);
+  if (c.weighted) out.denominator = out.denominator * c.weight;
   out.error_n = Scene<S>::kFineError * size_n;
   out.error_d = Scene<S>::kFineError * size_d;
   out.known = out.denominator.hi > 2 * out.error_d;
@@ -117,13 +121,12 @@ FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
 template <Scalar S>
 int compare_time(const Scene<S>& scene, const Facet& facet, const Term& v, double end) {
   const FineTime f = fine_time(scene, facet, v);
-  const double s = std::ldexp(end, scene.speed_exponent() - scene.length_exponent());
+  const double s = end * power_of_two(scene.speed_exponent() - scene.length_exponent());
   if (f.known && (s == 0 || (s > 0x1p-500 && s < 0x1p500))) {
-    const auto rest = f.numerator + -(f.denominator * detail::TwoDoubles{s, 0});
-    const double error =
-        f.error_n + s * f.error_d + 0x1p-95 * (std::abs(f.numerator.hi) + s * f.denominator.hi);
-    if (rest.hi > error) return 1;
-    if (rest.hi < -error) return -1;
+    double error = 0;
+    const double rest = f.rest(s, error);
+    if (rest > error) return 1;
+    if (rest < -error) return -1;
   }
   return exact_time(scene, facet, v).compare(end);
 }
@@ -133,18 +136,17 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
   const FineTime f = fine_time(scene, facet, v);
   const int exponent = scene.length_exponent() - scene.speed_exponent();
   if (f.known) {
-    const double s = f.numerator.hi / f.denominator.hi, magnitude = std::abs(s);
+    const double s = rounded(f.numerator) / rounded(f.denominator), magnitude = std::abs(s);
     // Scaling by a power of two is then exact.
     if (magnitude > 0x1p-500 && magnitude < 0x1p500 && std::abs(exponent) < 500) {
-      const auto rest = f.numerator + -(f.denominator * detail::TwoDoubles{s, 0});
-      const double error = f.error_n + magnitude * f.error_d +
-                           0x1p-95 * (std::abs(f.numerator.hi) + magnitude * f.denominator.hi);
-      const bool up = rest.hi > 0;
+      double error = 0;
+      const double rest = f.rest(s, error);
+      const bool up = rest > 0;
       const double other = up ? next_up(s) : next_down(s);
-      const double most = (std::abs(rest.hi) + error) * (1 + 4 * kUnitRoundoff<double>);
-      if (std::abs(rest.hi) > error &&
+      const double most = (std::abs(rest) + error) * (1 + 4 * kUnitRoundoff<double>);
+      if (std::abs(rest) > error &&
           most < std::abs(other - s) * (f.denominator.hi - f.error_d) * (1 - 4 * kUnitRoundoff<double>)) {
-        const double t = std::ldexp(s, exponent), t_other = std::ldexp(other, exponent);
+        const double t = s * power_of_two(exponent), t_other = other * power_of_two(exponent);
         return up ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
       }
     }

@@ -34,7 +34,9 @@ template <Scalar S>
 class LineCast {
  public:
   LineCast(const Body<S>& a, const Body<S>& b, Counters& counters)
-      : cso_(a, b),
+      : a_(a),
+        b_(b),
+        cso_(a, b),
         scene_(a, b, cso_.length_exponent(), cso_.speed_exponent()),
         line_(line_of(cso_)),
         counters_(counters) {}
@@ -94,7 +96,7 @@ class LineCast {
     if (cso.moves()) return {Term::motion(), cso.direction()};
     const Vec3<double> middle = cso.middle();
     const Vec3<double> r = middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : middle;
-    const Vec3<double> near_one = r * std::ldexp(1.0, -std::ilogb(r.cwiseAbs().maxCoeff()));
+    const Vec3<double> near_one = r * power_of_two(-exponent_of(r.cwiseAbs().maxCoeff()));
     return {Term::given(near_one), near_one};
   }
   static void contact_in(const Facet& facet, Answer& out) {
@@ -112,7 +114,7 @@ class LineCast {
       out.miss_sign = walk.miss_sign();
       return out;
     };
-    PortalWalk<S> walk(scene_, cso_, line_, counters_);
+    PortalWalk<S> walk(a_, b_, scene_, cso_, line_, counters_);
     const LineState state = walk.find(outward);
     if (state == LineState::beside) return missed(walk);
     if (state == LineState::through) return go(walk);
@@ -121,6 +123,7 @@ class LineCast {
     return go(flat);
   }
 
+  const Body<S>&a_, &b_;
   Cso<double> cso_;
   Scene<S> scene_;
   Line line_;

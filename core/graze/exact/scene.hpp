@@ -3,15 +3,16 @@
 // A vertex of C is named by a vertex of A and one of B (shape.hpp has the indices). What the cast decides is
 // the sign of a determinant of three terms: points of C, their differences, v, triples of doubles.
 //
-//   fine    pairs of doubles (offset.hpp):  each coordinate within 2^-92 size, size >= |x_i|;
-//   exact   dyadic numbers, times a positive weight (the |q|^2 of the rotations in it).
+//   fine    pairs of doubles (pair.hpp):  each coordinate within 2^-92 size, size >= |x_i|;
+//   exact   dyadic numbers;
+// both times a positive weight, the |q|^2 of the rotations in it, so that nothing is divided.
 //
 // Lengths are in the pair's internal unit, 2^k of the caller's, and v in its own, 2^j (cso.hpp).   Frame:
 // world axes.   Range: magnitudes 1e-60 to 1e60.
 //
-// Rounding of `fine`. A difference of two coordinates of a leaf is exact (two_sum); each rotation on the way
-// out, at most kMaxNesting + 1, and each sum is within 2^-98 relatively to `size`, what was added before
-// anything cancelled: 18 of them make less than 2^-93.
+// Rounding of `fine`. A difference of two coordinates of a leaf is exact (two_sum); a rotation adds 2^-97 of
+// `size`, what was added before anything cancelled, a sum or a weight 2^-99: a way out has at most 17 of the
+// one and a few of the other for each leaf, below 2^-92 for up to 16 leaves (more are refused).
 //
 // A grid: every coordinate of an unrotated term is a multiple of 2^grid. A determinant is one of 2^(sum of
 // the three), so what is below that is 0: that decides the ties of numbers of few bits.
@@ -20,8 +21,7 @@
 #include <graze/body.hpp>
 #include <graze/combinator.hpp>
 #include <graze/exact/dyadic.hpp>
-#include <graze/exact/expansion.hpp>
-#include <graze/offset.hpp>
+#include <graze/exact/pair.hpp>
 #include <vector>
 
 namespace graze::exact {
@@ -52,26 +52,71 @@ bool is_exact(const Shape<S>& shape) {
 // rotations, outermost first; what they are moved by is in the scene's shifts.
 template <Scalar S>
 struct Leaf {
-  const Shape<S>* shape = nullptr;
+  enum class Kind : std::uint8_t { point, few, list, box };
+  Kind kind = Kind::point;
   bool of_b = false;
+  bool turned = false;
   std::uint32_t stride = 1, count = 1;  // its vertex is (body's vertex / stride) % count
-  Quaternion<double> outer = {};        // the body's
+  const Shape<S>* shape = nullptr;
+  const Vec3<S>* list = nullptr;  // a hull's vertices
+  std::array<Vec3<S>, 3> few;     // a segment's or a triangle's; of a box the half extents first
+  Quaternion<double> outer = {};  // the body's
   std::vector<Quaternion<double>> inner = {};
 
-  [[nodiscard]] std::uint32_t vertex(const Vertex& v) const { return (of_b ? v.b : v.a) / stride % count; }
+  void init(const Shape<S>& given, bool is_of_b, const Quaternion<double>& outer_turn) {
+    of_b = is_of_b;
+    shape = &given;
+    outer = outer_turn;
+    turned = !outer.is_identity();
+    if (const auto* hull = std::get_if<Hull<S>>(shape)) {
+      kind = Kind::list;
+      list = hull->vertices().data();
+      count = static_cast<std::uint32_t>(hull->size());
+    } else if (const auto* box = std::get_if<Box<S>>(shape)) {
+      kind = Kind::box;
+      few[0] = box->half_extents;
+      count = 8;
+    } else if (const auto* segment = std::get_if<Segment<S>>(shape)) {
+      kind = Kind::few;
+      few = {segment->a, segment->b, segment->b};
+      count = 2;
+    } else if (const auto* triangle = std::get_if<Triangle<S>>(shape)) {
+      kind = Kind::few;
+      few = {triangle->a, triangle->b, triangle->c};
+      count = 3;
+    }
+  }
+
+  // As given; caller's units, the leaf's own frame.
+  [[nodiscard]] Vec3<double> point(std::uint32_t k) const {
+    switch (kind) {
+      case Kind::list:
+        return list[k].template cast<double>();
+      case Kind::box:
+        return detail::box_vertex(Vec3<double>(few[0].template cast<double>()), k);
+      case Kind::few:
+        return few[k].template cast<double>();
+      case Kind::point:
+        break;
+    }
+    return Vec3<double>::Zero();
+  }
+  [[nodiscard]] std::uint32_t vertex(const Vertex& v) const {
+    const std::uint32_t whole = of_b ? v.b : v.a;
+    return stride == 1 && whole < count ? whole : whole / stride % count;
+  }
   // v with another vertex of this leaf.
   [[nodiscard]] Vertex with(Vertex v, std::uint32_t k) const {
     std::uint32_t& whole = of_b ? v.b : v.a;
     whole += (k - vertex(v)) * stride;  // modulo 2^32, which cancels
     return v;
   }
-  [[nodiscard]] bool turned() const { return !outer.is_identity() || !inner.empty(); }
 };
 
 // The same rotation, its largest component in [1, 2).
 inline Quaternion<double> scaled_to_one(const Quaternion<double>& q) {
   const double largest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
-  const int shift = -std::ilogb(largest);
+  const int shift = -exponent_of(largest);
   return {std::ldexp(q.w, shift), std::ldexp(q.x, shift), std::ldexp(q.y, shift), std::ldexp(q.z, shift)};
 }
 
@@ -105,57 +150,114 @@ struct Term {
   }
 };
 
-inline constexpr int kNoGrid = -100000, kAnyGrid = 100000;
-
+// A vector in pairs of doubles.
 struct Fine {
-  detail::TwoDoubles3 x = {};
+  Pair3 x = {};
   double size = 0;
-  int grid = kAnyGrid;  // kNoGrid: none is known
+  Pair weight{1, 0};  // > 0
+  bool weighted = false;
 
-  [[nodiscard]] Vec3<double> rounded() const { return {x[0].hi, x[1].hi, x[2].hi}; }
+  // x - y, exact
+  static Fine of(const Vec3<double>& x, const Vec3<double>& y) {
+    Fine out;
+    for (int i = 0; i < 3; ++i) {
+      out.x[static_cast<std::size_t>(i)] = difference(x[i], y[i]);
+      out.size = std::max(out.size, std::abs(x[i]) + std::abs(y[i]));
+    }
+    return out;
+  }
+  static Fine of(const Vec3<double>& x) {
+    Fine out;
+    for (int i = 0; i < 3; ++i) out.x[static_cast<std::size_t>(i)].hi = x[i];
+    out.size = x.cwiseAbs().maxCoeff();
+    return out;
+  }
+  void add(const Fine& part, bool negative) {
+    if (part.weighted || weighted) return add_weighted(part, negative);
+    for (std::size_t i = 0; i < 3; ++i) x[i] = x[i] + (negative ? -part.x[i] : part.x[i]);
+    size += part.size;
+  }
+
+ private:
+  void add_weighted(const Fine& part, bool negative) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Pair own = part.weighted ? x[i] * part.weight : x[i];
+      const Pair more = weighted ? part.x[i] * weight : part.x[i];
+      x[i] = own + (negative ? -more : more);
+    }
+    size = size * part.weight.hi + part.size * weight.hi;
+    if (part.weighted) weight = weighted ? weight * part.weight : part.weight;
+    weighted = true;
+  }
 };
 
+// |q|^2 R(q) and |q|^2, for a q whose largest component is in [1, 2): entries within 2^-99 |q|^2.
+struct FineTurn {
+  std::array<Pair3, 3> row;
+  Pair weight;
+
+  FineTurn() = default;
+  explicit FineTurn(const Quaternion<double>& q) {
+    const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z);
+    const auto twice = [](double a, double b, double c, double d) {
+      const Pair sum = product(a, b) + product(c, d);
+      return Pair{2 * sum.hi, 2 * sum.lo};
+    };
+    row[0] = {(ww + xx) - (yy + zz), twice(q.x, q.y, -q.w, q.z), twice(q.x, q.z, q.w, q.y)};
+    row[1] = {twice(q.x, q.y, q.w, q.z), (ww + yy) - (xx + zz), twice(q.y, q.z, -q.w, q.x)};
+    row[2] = {twice(q.x, q.z, -q.w, q.y), twice(q.y, q.z, q.w, q.x), (ww + zz) - (xx + yy)};
+    weight = (ww + xx) + (yy + zz);
+  }
+  void operator()(Fine& v) const {
+    v.x = {dot(row[0], v.x), dot(row[1], v.x), dot(row[2], v.x)};
+    v.size *= 2 * weight.hi;  // |R x|_i <= |x|_2 < 2 |x|_inf
+    v.weight = v.weighted ? v.weight * weight : weight;
+    v.weighted = true;
+  }
+};
+
+// A vector in dyadic numbers.
 struct Exact {
   Dyadic3 x;
   Dyadic weight = Dyadic(1);  // > 0
   bool weighted = false;      // the weight is not 1
+
+  static Exact of(const Vec3<double>& x, const Vec3<double>& y) {
+    Exact out;
+    for (int i = 0; i < 3; ++i) out.x[static_cast<std::size_t>(i)] = Dyadic(x[i]) - Dyadic(y[i]);
+    return out;
+  }
+  static Exact of(const Vec3<double>& x) {
+    Exact out;
+    for (int i = 0; i < 3; ++i) out.x[static_cast<std::size_t>(i)] = Dyadic(x[i]);
+    return out;
+  }
+  void add(const Exact& part, bool negative) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Dyadic more = weighted ? part.x[i] * weight : part.x[i];
+      x[i] = (part.weighted ? x[i] * part.weight : x[i]) + (negative ? -more : more);
+    }
+    if (part.weighted) weight = weighted ? weight * part.weight : part.weight;
+    weighted = weighted || part.weighted;
+  }
 };
 
-// R(q) c, each coordinate within 2^-98 |c|: rotate_accurately of pairs.
-inline detail::TwoDoubles3 rotate_pairs(const Quaternion<double>& q, const detail::TwoDoubles3& c) {
-  const detail::TwoDoubles w{q.w, 0}, u[3] = {{q.x, 0}, {q.y, 0}, {q.z, 0}};
-  const detail::TwoDoubles norm = (detail::two_product(q.w, q.w) + detail::two_product(q.x, q.x)) +
-                                  (detail::two_product(q.y, q.y) + detail::two_product(q.z, q.z));
-  const auto cross = [&](const detail::TwoDoubles3& x) {
-    detail::TwoDoubles3 out;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      out[i] = u[j] * x[k] + -(u[k] * x[j]);
-    }
-    return out;
-  };
-  const detail::TwoDoubles3 once = cross(c), twice = cross(once);
-  detail::TwoDoubles3 out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const detail::TwoDoubles turned = (w * once[i] + twice[i]) / norm;
-    out[i] = c[i] + (turned + turned);
+struct ExactTurn {
+  Quaternion<double> q;
+  void operator()(Exact& e) const {
+    const Dyadic w(q.w);
+    const Dyadic3 u = {Dyadic(q.x), Dyadic(q.y), Dyadic(q.z)};
+    const Dyadic ww = w * w, uu = dot(u, u), along = dot(u, e.x).times_power_of_two(1);
+    const Dyadic straight = ww - uu, twist = w.times_power_of_two(1);
+    const Dyadic3 around = cross(u, e.x);
+    for (std::size_t i = 0; i < 3; ++i) e.x[i] = straight * e.x[i] + along * u[i] + twist * around[i];
+    e.weight = e.weighted ? e.weight * (ww + uu) : ww + uu;
+    e.weighted = true;
   }
-  return out;
-}
+};
 
-// |q|^2 R(q) x
-inline void rotate_exactly(const Quaternion<double>& q, Exact& e) {
-  const Dyadic w(q.w);
-  const Dyadic3 u = {Dyadic(q.x), Dyadic(q.y), Dyadic(q.z)};
-  const Dyadic ww = w * w, uu = dot(u, u), along = dot(u, e.x).times_power_of_two(1);
-  const Dyadic straight = ww - uu, twist = w.times_power_of_two(1);
-  const Dyadic3 around = cross(u, e.x);
-  for (std::size_t i = 0; i < 3; ++i) e.x[i] = straight * e.x[i] + along * u[i] + twist * around[i];
-  e.weight = e.weighted ? e.weight * (ww + uu) : ww + uu;
-  e.weighted = true;
-}
-
-// The exponent of the last bit of x that is set.
+// The exponent of the last bit of x that is set; kAnyGrid for 0.
+inline constexpr int kAnyGrid = 100000;
 inline int trailing_exponent(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>(bits >> 52 & 0x7ff);
@@ -163,30 +265,8 @@ inline int trailing_exponent(double x) {
   const std::uint64_t magnitude = biased == 0 ? fraction : fraction | std::uint64_t{1} << 52;
   return magnitude == 0 ? kAnyGrid : std::max(biased, 1) - 1075 + std::countr_zero(magnitude);
 }
-
-template <Scalar S>
-std::uint32_t leaf_count(const Shape<S>& shape) {
-  return std::visit(detail::Overloaded{[](const Segment<S>&) -> std::uint32_t { return 2; },
-                                       [](const Triangle<S>&) -> std::uint32_t { return 3; },
-                                       [](const Box<S>&) -> std::uint32_t { return 8; },
-                                       [](const Hull<S>& h) { return static_cast<std::uint32_t>(h.size()); },
-                                       [](const auto&) -> std::uint32_t { return 1; }},
-                    shape);
-}
-
-// As given; caller's units.
-template <Scalar S>
-Vec3<double> leaf_vertex(const Shape<S>& shape, std::uint32_t k) {
-  const auto wide = [](const Vec3<S>& x) -> Vec3<double> { return x.template cast<double>(); };
-  return std::visit(
-      detail::Overloaded{[&](const Segment<S>& s) { return wide(k == 0 ? s.a : s.b); },
-                         [&](const Triangle<S>& s) {
-                           return wide(k == 0 ? s.a : k == 1 ? s.b : s.c);
-                         },
-                         [&](const Box<S>& s) { return detail::box_vertex(wide(s.half_extents), k); },
-                         [&](const Hull<S>& s) { return wide(s.vertex(k)); },
-                         [](const auto&) -> Vec3<double> { return Vec3<double>::Zero(); }},
-      shape);
+inline int trailing_exponent(const Vec3<double>& x) {
+  return std::min({trailing_exponent(x[0]), trailing_exponent(x[1]), trailing_exponent(x[2])});
 }
 
 // Valid while the bodies live. They have passed validate(), and is_exact.
@@ -195,15 +275,16 @@ class Scene {
  public:
   // length_exponent k, speed_exponent j.
   Scene(const Body<S>& a, const Body<S>& b, int length_exponent, int speed_exponent)
-      : a_(a), b_(b), k_(length_exponent), j_(speed_exponent) {
+      : a_(a), b_(b), k_(length_exponent), j_(speed_exponent), unit_(power_of_two(-length_exponent)) {
+    const Quaternion<double> turn_a = turn_of(a.orientation), turn_b = turn_of(b.orientation);
     if (is_leaf(a.shape) && is_leaf(b.shape)) {
-      own_[0] = leaf_of(a, false);
-      own_[1] = leaf_of(b, true);
+      own_[0].init(a.shape, false, turn_a);
+      own_[1].init(b.shape, true, turn_b);
       leaves_ = own_;
       return;
     }
-    add_body(a, false);
-    add_body(b, true);
+    add_body(a, false, turn_a);
+    add_body(b, true, turn_b);
     leaves_ = more_;
   }
   Scene(const Scene&) = delete;
@@ -213,81 +294,9 @@ class Scene {
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
 
-  [[nodiscard]] Fine fine(const Term& term) const {
-    Fine out;
-    switch (term.kind) {
-      case Term::Kind::motion:
-        add_shift(out, b_.displacement, a_.displacement, j_);
-        break;
-      case Term::Kind::given:
-        for (int i = 0; i < 3; ++i) {
-          out.x[static_cast<std::size_t>(i)] = {term.triple[i], 0};
-          out.size = std::max(out.size, std::abs(term.triple[i]));
-          out.grid = std::min(out.grid, trailing_exponent(term.triple[i]));
-        }
-        break;
-      case Term::Kind::point:
-        add_point(out, term.to, 1);
-        break;
-      case Term::Kind::difference:
-        add_difference(out, term.from, term.to);
-        break;
-      case Term::Kind::step:
-        add_step(out, leaves_[term.leaf], term.k, term.l);
-        break;
-      case Term::Kind::inside:
-        for (const Vertex& v : term.around) add_difference(out, term.from, v);
-        break;
-    }
-    return out;
-  }
-
+  [[nodiscard]] Fine fine(const Term& term) const { return evaluate<Fine>(term); }
   [[nodiscard]] Exact exact(const Term& term) const {
-    Exact out;
-    switch (term.kind) {
-      case Term::Kind::motion:
-        add_exactly(out, difference_of(b_.displacement, a_.displacement), -j_);
-        break;
-      case Term::Kind::given:
-        for (std::size_t i = 0; i < 3; ++i) out.x[i] = Dyadic(term.triple[static_cast<int>(i)]);
-        break;
-      case Term::Kind::point:
-        add_exactly(out, difference_of(a_.position, b_.position), -k_);
-        for (const Shift& s : shifts_) {
-          Exact part;
-          for (std::size_t i = 0; i < 3; ++i) part.x[i] = Dyadic(s.by[static_cast<int>(i)]);
-          turn_exactly(part, s.outer, s.inner);
-          add_exactly(out, part, -k_, s.of_b);
-        }
-        for (const Leaf<S>& leaf : leaves_) {
-          Exact part;
-          const Vec3<double> x = leaf_vertex(*leaf.shape, leaf.vertex(term.to));
-          for (std::size_t i = 0; i < 3; ++i) part.x[i] = Dyadic(x[static_cast<int>(i)]);
-          turn_exactly(part, leaf.outer, leaf.inner);
-          add_exactly(out, part, -k_, leaf.of_b);
-        }
-        break;
-      case Term::Kind::difference:
-        for (const Leaf<S>& leaf : leaves_) {
-          add_step_exactly(out, leaf, leaf.vertex(term.from), leaf.vertex(term.to));
-        }
-        break;
-      case Term::Kind::step:
-        add_step_exactly(out, leaves_[term.leaf], term.k, term.l);
-        break;
-      case Term::Kind::inside:
-        // All of one weight: the same leaves, whether they step or not.
-        for (const Leaf<S>& leaf : leaves_) {
-          Exact part;
-          for (const Vertex& v : term.around) {
-            const Dyadic3 d = step_of(leaf, leaf.vertex(term.from), leaf.vertex(v));
-            for (std::size_t i = 0; i < 3; ++i) part.x[i] = part.x[i] + d[i];
-          }
-          turn_exactly(part, leaf.outer, leaf.inner);
-          add_exactly(out, part, -k_, leaf.of_b);
-        }
-        break;
-    }
+    Exact out = evaluate<Exact>(term);
     for (const Dyadic& x : out.x) valid_ = valid_ && x.valid();
     return out;
   }
@@ -296,21 +305,17 @@ class Scene {
   // three, each of whose factors is within 2^-92, and what pairs round. The product of the sizes must leave
   // room for low parts above the least normal number.
   [[nodiscard]] int determinant_sign(const Term& a, const Term& b, const Term& c) const {
-    const Fine x = fine(a), y = fine(b), z = fine(c);
-    const double size = x.size * y.size * z.size;
-    if (size > kLeastSize && size < kMostSize) {
-      detail::TwoDoubles sum;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        sum = sum + x.x[i] * (y.x[j] * z.x[k] + -(y.x[k] * z.x[j]));
-      }
-      const double error = kFineError * size;
-      if (sum.hi > error) return 1;
-      if (sum.hi < -error) return -1;
-      const int grid = x.grid + y.grid + z.grid;
-      if (std::min({x.grid, y.grid, z.grid}) > kNoGrid && grid > -900 &&
-          std::abs(sum.hi) + error < std::ldexp(1.0, std::min(grid, 0))) {
-        return 0;
+    if (has_fine()) {
+      const Fine x = fine(a), y = fine(b), z = fine(c);
+      const double size = x.size * y.size * z.size;
+      if (size > kLeastSize && size < kMostSize) {
+        const double value = rounded(dot(x.x, cross(y.x, z.x))), error = kFineError * size;
+        if (value > error) return 1;
+        if (value < -error) return -1;
+        if (!(x.weighted || y.weighted || z.weighted)) {
+          const int grid = grid_of(a) + grid_of(b) + grid_of(c);
+          if (grid > -900 && std::abs(value) + error < power_of_two(std::min(grid, 0))) return 0;
+        }
       }
     }
     ++exact_decisions_;
@@ -321,6 +326,8 @@ class Scene {
   }
 
   static constexpr double kLeastSize = 0x1p-700, kMostSize = 0x1p700, kFineError = 0x1p-87;
+  static constexpr std::size_t kFineLeaves = 16;
+  [[nodiscard]] bool has_fine() const { return leaves_.size() <= kFineLeaves; }
 
   // False once a number outgrew Dyadic: no sign may be trusted then.
   [[nodiscard]] bool valid() const { return valid_; }
@@ -333,7 +340,6 @@ class Scene {
   struct Shift {
     Vec3<double> by;
     bool of_b;
-    Quaternion<double> outer;
     std::vector<Quaternion<double>> inner;
   };
 
@@ -344,16 +350,10 @@ class Scene {
     if (q.is_identity()) return {};
     return scaled_to_one({double(q.w), double(q.x), double(q.y), double(q.z)});
   }
-  static Leaf<S> leaf_of(const Body<S>& body, bool of_b) {
-    return {.shape = &body.shape,
-            .of_b = of_b,
-            .count = leaf_count(body.shape),
-            .outer = turn_of(body.orientation)};
-  }
-  void add_body(const Body<S>& body, bool of_b) {
+  void add_body(const Body<S>& body, bool of_b, const Quaternion<double>& outer) {
     const std::size_t first = more_.size();
     std::vector<Quaternion<double>> inner;
-    add_parts(body.shape, of_b, turn_of(body.orientation), inner);
+    add_parts(body.shape, of_b, outer, inner);
     // The last part's index counts fastest.
     std::uint32_t stride = 1;
     for (std::size_t i = more_.size(); i-- > first;) {
@@ -365,7 +365,7 @@ class Scene {
                  std::vector<Quaternion<double>>& inner) {
     if (const auto* posed = std::get_if<Posed<S>>(&shape)) {
       const Vec3<double> by = posed->position.template cast<double>();
-      if (by != Vec3<double>::Zero()) shifts_.push_back({by, of_b, outer, inner});
+      if (by != Vec3<double>::Zero()) shifts_.push_back({by, of_b, inner});
       const bool turns = !posed->orientation.is_identity();
       if (turns) inner.push_back(turn_of(posed->orientation));
       add_parts(posed->shape->shape, of_b, outer, inner);
@@ -373,111 +373,167 @@ class Scene {
     } else if (const auto* sum = std::get_if<Sum<S>>(&shape)) {
       for (const SharedShape<S>& part : sum->shapes) add_parts(part->shape, of_b, outer, inner);
     } else {
-      more_.push_back(
-          {.shape = &shape, .of_b = of_b, .count = leaf_count(shape), .outer = outer, .inner = inner});
+      more_.emplace_back();
+      more_.back().init(shape, of_b, outer);
+      more_.back().inner = inner;
+      more_.back().turned = more_.back().turned || !inner.empty();
     }
   }
 
-  // fine: out += scale (x - y), three roundings at most.
-  static void add_shift(Fine& out, const Vec3<S>& x, const Vec3<S>& y, int exponent) {
-    const double unit = std::ldexp(1.0, -exponent);
-    for (int i = 0; i < 3; ++i) {
-      const std::size_t k = static_cast<std::size_t>(i);
-      const double p = unit * double(x[i]), q = unit * double(y[i]);
-      out.x[k] = out.x[k] + detail::two_sum(p, -q);
-      out.size += std::abs(p) + std::abs(q);
-      out.grid = std::min({out.grid, trailing_exponent(p), trailing_exponent(q)});
-    }
-  }
-  // fine: out += sign R x, x exact pairs
-  static void add_turned(Fine& out, detail::TwoDoubles3 x, double size, int grid, bool negative,
-                         const Quaternion<double>& outer, const std::vector<Quaternion<double>>& inner) {
-    for (auto q = inner.rbegin(); q != inner.rend(); ++q) x = rotate_pairs(*q, x);
-    if (!outer.is_identity()) x = rotate_pairs(outer, x);
-    const bool turned = !outer.is_identity() || !inner.empty();
-    for (std::size_t i = 0; i < 3; ++i) out.x[i] = out.x[i] + (negative ? -x[i] : x[i]);
-    out.size += (turned ? 2 : 1) * size;  // |R x|_i <= |x|_2 < 2 |x|_inf
-    out.grid = turned ? kNoGrid : std::min(out.grid, grid);
-  }
-  void add_point(Fine& out, const Vertex& v, int) const {
-    add_shift(out, a_.position, b_.position, k_);
-    const auto add = [&](const Vec3<double>& given, bool of_b, const auto& outer, const auto& inner) {
-      const Vec3<double> x = std::ldexp(1.0, -k_) * given;
-      detail::TwoDoubles3 pairs;
-      int grid = kAnyGrid;
-      for (std::size_t i = 0; i < 3; ++i) {
-        pairs[i] = {x[static_cast<int>(i)], 0};
-        grid = std::min(grid, trailing_exponent(x[static_cast<int>(i)]));
+  // ---- terms, in either arithmetic ----
+
+  template <class V>
+  [[nodiscard]] V evaluate(const Term& term) const {
+    switch (term.kind) {
+      case Term::Kind::motion: {
+        const double unit = power_of_two(-j_);
+        return V::of(Vec3<double>(unit * b_.displacement.template cast<double>()),
+                     Vec3<double>(unit * a_.displacement.template cast<double>()));
       }
-      add_turned(out, pairs, x.cwiseAbs().maxCoeff(), grid, of_b, outer, inner);
-    };
-    for (const Shift& s : shifts_) add(s.by, s.of_b, s.outer, s.inner);
-    for (const Leaf<S>& leaf : leaves_) {
-      add(leaf_vertex(*leaf.shape, leaf.vertex(v)), leaf.of_b, leaf.outer, leaf.inner);
+      case Term::Kind::given:
+        return V::of(term.triple);
+      case Term::Kind::step: {
+        const Leaf<S>& leaf = leaves_[term.leaf];
+        V out;
+        V part = turned_inside<V>(step_of<V>(leaf, term.k, term.l), leaf.inner);
+        turn_outside(part, leaf.outer, leaf.of_b);
+        out.add(part, leaf.of_b);
+        return out;
+      }
+      case Term::Kind::point: {
+        V out = V::of(Vec3<double>(unit_ * a_.position.template cast<double>()),
+                      Vec3<double>(unit_ * b_.position.template cast<double>()));
+        add_bodies(
+            out, [&](const Leaf<S>& leaf) { return V::of(at(leaf, leaf.vertex(term.to))); }, true);
+        return out;
+      }
+      case Term::Kind::difference: {
+        V out;
+        add_bodies(
+            out,
+            [&](const Leaf<S>& leaf) {
+              return step_of<V>(leaf, leaf.vertex(term.from), leaf.vertex(term.to));
+            },
+            false);
+        return out;
+      }
+      case Term::Kind::inside:
+        break;
     }
+    V out;
+    add_bodies(
+        out,
+        [&](const Leaf<S>& leaf) {
+          V sum;
+          for (const Vertex& v : term.around)
+            sum.add(step_of<V>(leaf, leaf.vertex(term.from), leaf.vertex(v)), false);
+          return sum;
+        },
+        false);
+    return out;
   }
-  void add_difference(Fine& out, const Vertex& from, const Vertex& to) const {
-    for (const Leaf<S>& leaf : leaves_) add_step(out, leaf, leaf.vertex(from), leaf.vertex(to));
-  }
-  void add_step(Fine& out, const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
-    if (k == l) return;
-    const double unit = std::ldexp(1.0, -k_);
-    const Vec3<double> x = unit * leaf_vertex(*leaf.shape, k), y = unit * leaf_vertex(*leaf.shape, l);
-    detail::TwoDoubles3 pairs;
-    double size = 0;
-    int grid = kAnyGrid;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int m = static_cast<int>(i);
-      pairs[i] = detail::two_sum(y[m], -x[m]);
-      size = std::max(size, std::abs(pairs[i].hi));
-      grid = std::min({grid, trailing_exponent(x[m]), trailing_exponent(y[m])});
-    }
-    add_turned(out, pairs, size, grid, leaf.of_b, leaf.outer, leaf.inner);
+  [[nodiscard]] Vec3<double> at(const Leaf<S>& leaf, std::uint32_t k) const { return unit_ * leaf.point(k); }
+  // Zero, exactly and of size 0, where it does not move.
+  template <class V>
+  [[nodiscard]] V step_of(const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
+    return k == l ? V() : V::of(at(leaf, l), at(leaf, k));
   }
 
-  static Exact difference_of(const Vec3<S>& x, const Vec3<S>& y) {
-    Exact out;
-    for (int i = 0; i < 3; ++i)
-      out.x[static_cast<std::size_t>(i)] = Dyadic(double(x[i])) - Dyadic(double(y[i]));
-    return out;
-  }
-  static Dyadic3 step_of(const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) {
-    if (k == l) return {};
-    const Vec3<double> x = leaf_vertex(*leaf.shape, k), y = leaf_vertex(*leaf.shape, l);
-    Dyadic3 out;
-    for (int i = 0; i < 3; ++i) out[static_cast<std::size_t>(i)] = Dyadic(y[i]) - Dyadic(x[i]);
-    return out;
-  }
-  static void turn_exactly(Exact& e, const Quaternion<double>& outer,
-                           const std::vector<Quaternion<double>>& inner) {
-    for (auto q = inner.rbegin(); q != inner.rend(); ++q) rotate_exactly(*q, e);
-    if (!outer.is_identity()) rotate_exactly(outer, e);
-  }
-  // out += 2^exponent (part), as fractions.
-  static void add_exactly(Exact& out, const Exact& part, int exponent, bool negative = false) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      Dyadic x = part.x[i].times_power_of_two(exponent);
-      if (negative) x = -x;
-      if (out.weighted) x = x * out.weight;
-      out.x[i] = (part.weighted ? out.x[i] * part.weight : out.x[i]) + x;
+  // out += the leaves of A, - those of B, each body's turned once; and their shifts. A point's weight must
+  // not depend on which vertex it is, so nothing is left out of it; a difference has its own weight.
+  template <class V, class Part>
+  void add_bodies(V& out, const Part& part_of, bool shifted) const {
+    for (const bool of_b : {false, true}) {
+      V sum;
+      const Leaf<S>* any = nullptr;
+      for (const Leaf<S>& leaf : leaves_) {
+        if (leaf.of_b != of_b) continue;
+        any = &leaf;
+        V part = part_of(leaf);
+        if (shifted || !is_zero(part)) sum.add(turned_inside<V>(std::move(part), leaf.inner), false);
+      }
+      if (shifted) {
+        for (const Shift& s : shifts_) {
+          if (s.of_b == of_b) sum.add(turned_inside<V>(V::of(Vec3<double>(unit_ * s.by)), s.inner), false);
+        }
+      }
+      if (!shifted && is_zero(sum)) continue;
+      turn_outside(sum, any->outer, of_b);
+      out.add(sum, of_b);
     }
-    if (part.weighted) out.weight = out.weighted ? out.weight * part.weight : part.weight;
-    out.weighted = out.weighted || part.weighted;
   }
-  void add_step_exactly(Exact& out, const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
-    if (k == l) return;
-    Exact part;
-    part.x = step_of(leaf, k, l);
-    turn_exactly(part, leaf.outer, leaf.inner);
-    add_exactly(out, part, -k_, leaf.of_b);
+  [[nodiscard]] static bool is_zero(const Fine& v) { return v.size == 0; }
+  [[nodiscard]] static bool is_zero(const Exact& v) {
+    return v.x[0].sign() == 0 && v.x[1].sign() == 0 && v.x[2].sign() == 0;
+  }
+  template <class V>
+  [[nodiscard]] static V turned_inside(V v, const std::vector<Quaternion<double>>& inner) {
+    for (auto q = inner.rbegin(); q != inner.rend(); ++q) {
+      if constexpr (std::same_as<V, Fine>) {
+        FineTurn{*q}(v);
+      } else {
+        ExactTurn{*q}(v);
+      }
+    }
+    return v;
+  }
+  void turn_outside(Exact& v, const Quaternion<double>& q, bool) const {
+    if (!q.is_identity()) ExactTurn{q}(v);
+  }
+  void turn_outside(Fine& v, const Quaternion<double>& q, bool of_b) const {
+    if (q.is_identity()) return;
+    if (!has_turn_[of_b]) {
+      turn_[of_b] = FineTurn(q);
+      has_turn_[of_b] = true;
+    }
+    turn_[of_b](v);
+  }
+
+  // Every coordinate of an unturned term is a multiple of 2^grid.
+  [[nodiscard]] int grid_of(const Term& term) const {
+    int grid = kAnyGrid;
+    const auto take = [&](const Vec3<double>& x) { grid = std::min(grid, trailing_exponent(x)); };
+    const auto take_vertex = [&](const Vertex& v) {
+      for (const Leaf<S>& leaf : leaves_) take(at(leaf, leaf.vertex(v)));
+    };
+    switch (term.kind) {
+      case Term::Kind::motion:
+        take(Vec3<double>(power_of_two(-j_) * a_.displacement.template cast<double>()));
+        take(Vec3<double>(power_of_two(-j_) * b_.displacement.template cast<double>()));
+        break;
+      case Term::Kind::given:
+        take(term.triple);
+        break;
+      case Term::Kind::step:
+        take(at(leaves_[term.leaf], term.k));
+        take(at(leaves_[term.leaf], term.l));
+        break;
+      case Term::Kind::point:
+        take(Vec3<double>(unit_ * a_.position.template cast<double>()));
+        take(Vec3<double>(unit_ * b_.position.template cast<double>()));
+        for (const Shift& s : shifts_) take(Vec3<double>(unit_ * s.by));
+        take_vertex(term.to);
+        break;
+      case Term::Kind::inside:
+        for (const Vertex& v : term.around) take_vertex(v);
+        [[fallthrough]];
+      case Term::Kind::difference:
+        take_vertex(term.from);
+        take_vertex(term.to);
+        break;
+    }
+    return grid == kAnyGrid ? 0 : grid;
   }
 
   const Body<S>&a_, &b_;
   int k_, j_;
+  double unit_;  // 2^-k
   std::array<Leaf<S>, 2> own_;
   std::vector<Leaf<S>> more_;
   std::vector<Shift> shifts_;
   std::span<const Leaf<S>> leaves_;
+  mutable std::array<FineTurn, 2> turn_;
+  mutable std::array<bool, 2> has_turn_ = {false, false};
   mutable bool valid_ = true;
   mutable int exact_decisions_ = 0;
 };

@@ -35,11 +35,104 @@ namespace graze::exact {
 // u in double.
 inline constexpr double kU = kUnitRoundoff<double>;
 
+// Three doubles, as scalars: packets of two and one cost more than they save.
+struct Triple {
+  double x = 0, y = 0, z = 0;
+
+  [[nodiscard]] double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  [[nodiscard]] Vec3<double> vector() const { return {x, y, z}; }
+  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+inline Triple triple(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
+inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Triple cross(const Triple& a, const Triple& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
+inline double sum(const Triple& a) { return a.x + a.y + a.z; }
+inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
 struct Corner {
-  Vec3<double> a = Vec3<double>::Zero(), b = Vec3<double>::Zero();  // about the bodies' centres, world axes
-  Vec3<double> w = Vec3<double>::Zero();                            // a - b - offset
+  Triple a, b, w;  // of A and B about the bodies' centres, world axes; a - b - offset
   double qx = 0, qy = 0;
   Vertex id;
+};
+
+// One body of the walk: a vertex far along a direction, if not always the farthest, and where it is.
+template <Scalar S>
+class Guide {
+ public:
+  Guide(const detail::Side<double>& side, const Shape<S>& shape) : side_(side) {
+    if (side.rotated) {
+      for (int i = 0; i < 3; ++i)
+        row_[static_cast<std::size_t>(i)] = triple(Vec3<double>(side.rotation.row(i)));
+    }
+    if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
+      kind_ = hull->has_adjacency() && hull->size() >= kClimbFrom ? Kind::other : Kind::hull;
+      size_ = hull->padded_size();
+      for (int i = 0; i < 3; ++i) {
+        guess_[static_cast<std::size_t>(i)] = hull->guess_scan(i);
+        scan_[static_cast<std::size_t>(i)] = hull->scan(i);
+      }
+      unit_ = side.unit;
+    } else if (std::holds_alternative<Box<S>>(shape)) {
+      kind_ = Kind::box;
+      half_ = triple(side.half);
+    }
+  }
+
+  // n in world axes, its largest component near 1. Sets the vertex.
+  [[nodiscard]] Triple support(const Triple& n, std::uint32_t& vertex) const {
+    Triple d = n;
+    if (side_.rotated) d = n.x * row_[0] + n.y * row_[1] + n.z * row_[2];
+    switch (kind_) {
+      case Kind::hull: {
+        const Vec3<float> direction(static_cast<float>(d.x), static_cast<float>(d.y),
+                                    static_cast<float>(d.z));
+        const std::size_t k = detail::scan(guess_[0], guess_[1], guess_[2], size_, direction);
+        vertex = static_cast<std::uint32_t>(k);
+        break;
+      }
+      case Kind::box:
+        vertex = (d.x >= 0 ? 1u : 0u) | (d.y >= 0 ? 2u : 0u) | (d.z >= 0 ? 4u : 0u);
+        break;
+      case Kind::other: {
+        const detail::SidePoint<double> p = side_.support(side_, d.vector(), nullptr);
+        vertex = p.vertex;
+        return to_world(triple(p.x));
+      }
+    }
+    return at(vertex);
+  }
+  [[nodiscard]] Triple at(std::uint32_t vertex) const {
+    switch (kind_) {
+      case Kind::hull:
+        return to_world({unit_ * double(scan_[0][vertex]), unit_ * double(scan_[1][vertex]),
+                         unit_ * double(scan_[2][vertex])});
+      case Kind::box:
+        return to_world({vertex & 1u ? half_.x : -half_.x, vertex & 2u ? half_.y : -half_.y,
+                         vertex & 4u ? half_.z : -half_.z});
+      case Kind::other:
+        break;
+    }
+    return to_world(triple(side_.support(side_, Vec3<double>::UnitX(), &vertex).x));
+  }
+
+ private:
+  enum class Kind : std::uint8_t { hull, box, other };
+  [[nodiscard]] Triple to_world(const Triple& x) const {
+    return side_.rotated ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
+  }
+  const detail::Side<double>& side_;
+  Kind kind_ = Kind::other;
+  std::array<Triple, 3> row_;
+  std::array<const float*, 3> guess_ = {};
+  std::array<const S*, 3> scan_ = {};
+  std::size_t size_ = 0;
+  double unit_ = 1;
+  Triple half_;
 };
 
 // The line {t v}, or, for bodies at rest relative to each other, any line through the origin.
@@ -88,8 +181,18 @@ enum class LineState : std::uint8_t {
 template <Scalar S>
 class PortalWalk {
  public:
-  PortalWalk(const Scene<S>& scene, const Cso<double>& cso, const Line& line, Counters& counters)
-      : scene_(scene), cso_(cso), line_(line), bounds_(cso), beyond_(scene, cso), counters_(counters) {}
+  PortalWalk(const Body<S>& body_a, const Body<S>& body_b, const Scene<S>& scene, const Cso<double>& cso,
+             const Line& line, Counters& counters)
+      : scene_(scene),
+        line_(line),
+        bounds_(cso),
+        beyond_(scene, cso),
+        guide_a_(cso.side_a(), body_a.shape),
+        guide_b_(cso.side_b(), body_b.shape),
+        offset_(triple(cso.offset())),
+        counters_(counters) {
+    turned_ = cso.side_a().rotated || cso.side_b().rotated || bounds_.body > 0;
+  }
 
   // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses.
   LineState find(bool outward = false) {
@@ -126,11 +229,11 @@ class PortalWalk {
   }
   // The sign of the time at which the line is at the portal.
   [[nodiscard]] int height_sign() const {
-    const Vec3<double> e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
-    const double height = corner_[0].w.dot(e.cross(f));
-    const double e_1 = e.cwiseAbs().sum(), f_1 = f.cwiseAbs().sum();
+    const Triple e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
+    const double height = dot(corner_[0].w, cross(e, f));
+    const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     const double error =
-        1.2 * (bounds_.seen * e_1 * f_1 + corner_[0].w.cwiseAbs().sum() * bounds_.edge * (e_1 + f_1)) +
+        1.2 * (bounds_.seen * e_1 * f_1 + sum(magnitude(corner_[0].w)) * bounds_.edge * (e_1 + f_1)) +
         kUnderflow;
     if (height > error) return 1;
     if (height < -error) return -1;
@@ -147,36 +250,36 @@ class PortalWalk {
   [[nodiscard]] int miss_sign() const { return miss_sign_; }
 
   [[nodiscard]] Corner corner(const Vertex& id) const {
-    const auto &a = cso_.side_a(), &b = cso_.side_b();
-    return make({a.support(a, Vec3<double>::Zero(), &id.a).x, id.a},
-                {b.support(b, Vec3<double>::Zero(), &id.b).x, id.b});
+    return make(guide_a_.at(id.a), guide_b_.at(id.b), id);
   }
-  [[nodiscard]] Corner support(const Vec3<double>& n) const {
+  [[nodiscard]] Corner support(const Triple& n) const {
     ++counters_.supports;
-    const auto &a = cso_.side_a(), &b = cso_.side_b();
-    return make(a.support(a, a.to_own(n), nullptr), b.support(b, b.to_own(Vec3<double>(-n)), nullptr));
+    // Near 1, so that no component that counts leaves the range of floats.
+    const double size = largest(n);
+    const Triple near_one = size > 0 ? power_of_two(-exponent_of(size)) * n : n;
+    Vertex id;
+    const Triple a = guide_a_.support(near_one, id.a), b = guide_b_.support(-1.0 * near_one, id.b);
+    return make(a, b, id);
   }
   [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
 
  private:
-  [[nodiscard]] Corner make(const detail::SidePoint<double>& a, const detail::SidePoint<double>& b) const {
+  [[nodiscard]] Corner make(const Triple& a, const Triple& b, const Vertex& id) const {
     Corner out;
-    out.a = cso_.side_a().to_world(a.x);
-    out.b = cso_.side_b().to_world(b.x);
-    out.w = out.a - (out.b + cso_.offset());
-    out.qx = out.w[line_.x] - line_.slope_x * out.w[line_.z];
-    out.qy = out.w[line_.y] - line_.slope_y * out.w[line_.z];
-    out.id = {a.vertex, b.vertex};
+    out.a = a;
+    out.b = b;
+    out.w = a - (b + offset_);
+    const double along = out.w[line_.z];
+    out.qx = out.w[line_.x] - line_.slope_x * along;
+    out.qy = out.w[line_.y] - line_.slope_y * along;
+    out.id = id;
     return out;
   }
 
   // n2 in the plane that is seen, as a direction of space that is perpendicular to v but for its rounding.
-  [[nodiscard]] Vec3<double> across(double nx, double ny) const {
-    Vec3<double> n;
-    n[line_.x] = nx;
-    n[line_.y] = ny;
-    n[line_.z] = -(line_.slope_x * nx + line_.slope_y * ny);
-    return n;
+  [[nodiscard]] Triple across(double nx, double ny) const {
+    const double nz = -(line_.slope_x * nx + line_.slope_y * ny);
+    return line_.z == 2 ? Triple{nx, ny, nz} : line_.z == 1 ? Triple{ny, nz, nx} : Triple{nz, nx, ny};
   }
   // The support along n2, and whether it proves in doubles that the line misses: n = v x (n_y, -n_x, 0).
   bool support_across(double nx, double ny, Corner& out) {
@@ -242,8 +345,7 @@ class PortalWalk {
 
   // Three vertices, in the hope that they are a triangle around o, or close to it.
   bool start() {
-    const Vec3<double> back = -line_.r;
-    corner_[0] = support(back);
+    corner_[0] = support(-1.0 * triple(line_.r));
     double nx = -corner_[0].qx, ny = -corner_[0].qy;
     if (!(std::abs(nx) + std::abs(ny) > 4 * bounds_.seen)) nx = 1;
     if (!support_across(nx, ny, corner_[1])) return false;
@@ -333,24 +435,41 @@ class PortalWalk {
 
   // ---- 3 ----
 
-  [[nodiscard]] static Vec3<double> edge(const Corner& from, const Corner& to) {
+  [[nodiscard]] static Triple edge(const Corner& from, const Corner& to) {
     return (to.a - from.a) - (to.b - from.b);
+  }
+  // What was added up to make an edge: 0 where its component is 0 exactly.
+  [[nodiscard]] static Triple edge_size(const Corner& from, const Corner& to) {
+    return magnitude(to.a - from.a) + magnitude(to.b - from.b);
   }
   // A vertex strictly beyond the portal's plane, or a proof that there is none.
   bool above_portal(Corner& next) {
-    const Vec3<double> e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
-    const Vec3<double> n = toward_ * e.cross(f);
-    const double e_1 = e.cwiseAbs().sum(), f_1 = f.cwiseAbs().sum();
+    const Triple e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
+    const Triple n = double(toward_) * cross(e, f);
+    const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     next = support(n);
     if (!is_corner(next.id)) {
-      const Vec3<double> g = edge(corner_[0], next);
-      const double g_1 = g.cwiseAbs().sum();
+      const Triple g = edge(corner_[0], next);
+      const double g_1 = sum(magnitude(g));
       const double error = 1.1 * bounds_.edge * (e_1 * f_1 + (e_1 + f_1) * g_1) + kUnderflow;
-      if (n.dot(g) > error) return true;
+      if (dot(n, g) > error) return true;
     }
     Direction direction{Term::difference(corner_[0].id, corner_[1].id),
-                        Term::difference(corner_[0].id, corner_[2].id), toward_, n,
-                        1.2 * bounds_.edge * (e_1 + f_1)};
+                        Term::difference(corner_[0].id, corner_[2].id),
+                        toward_,
+                        n.vector(),
+                        {}};
+    if (turned_) {
+      direction.error.setConstant(1.2 * bounds_.edge * (e_1 + f_1));
+    } else {
+      // e and f are differences of given numbers, each of two roundings; a product adds one, the sum another.
+      const Triple p = edge_size(corner_[0], corner_[1]), q = edge_size(corner_[0], corner_[2]);
+      for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double size = p[j] * q[k] + p[k] * q[j];
+        direction.error[i] = size == 0 ? 0 : 8 * kU * size + kUnderflow;
+      }
+    }
     Vertex id;
     if (!beyond_.find(direction, corner_[0].id, std::array{corner_[1].id, corner_[2].id}, id)) return false;
     next = corner(id);
@@ -382,16 +501,17 @@ class PortalWalk {
   }
 
   const Scene<S>& scene_;
-  const Cso<double>& cso_;
   Line line_;
   Bounds bounds_;
   BeyondSearch<S> beyond_;
+  Guide<S> guide_a_, guide_b_;
+  Triple offset_;
   Counters& counters_;
   LineState state_ = LineState::undecided;
   std::array<Corner, 3> corner_, previous_;
   Corner newest_;
   std::array<Vertex, 3> around_;
-  bool outward_ = false;
+  bool outward_ = false, turned_ = false;
   int toward_ = -1;
   Term miss_f1_, miss_f2_;
   int miss_sign_ = 1;

@@ -49,16 +49,13 @@ class Records {
                  method, sizeof(S) == 4 ? "float" : "double", name_of(result.outcome));
     const graze::Proof& proof = *result.proof;
     value(proof.toi_lower);
-    if (proof.has_axis) field("axis", proof.axis);
+    if (proof.has_axis) axis(proof);
     field("toi_upper", proof.toi_upper);
     std::fputs(R"(, "portal": [)", proofs_);
     for (int i = 0; i < proof.portal_size; ++i) {
       const graze::SupportPair& pair = proof.portal[static_cast<std::size_t>(i)];
-      std::fprintf(proofs_, R"(%s{"a": )", i > 0 ? ", " : "");
-      feature(pair.a);
-      std::fputs(R"(, "b": )", proofs_);
-      feature(pair.b);
-      std::fputs("}", proofs_);
+      if (i > 0) std::fputs(", ", proofs_);
+      support_pair(pair);
     }
     std::fputs("]}}\n", proofs_);
   }
@@ -108,6 +105,37 @@ class Records {
   void feature(const graze::Feature& feature) {
     std::fprintf(proofs_, R"({"vertex": %u)", static_cast<unsigned>(feature.vertex));
     field("offset", feature.offset);
+    std::fputs("}", proofs_);
+  }
+  void support_pair(const graze::SupportPair& pair) {
+    std::fputs(R"({"a": )", proofs_);
+    feature(pair.a);
+    std::fputs(R"(, "b": )", proofs_);
+    feature(pair.b);
+    std::fputs("}", proofs_);
+  }
+  void axis(const graze::Proof& proof) {
+    if (!proof.symbolic) return field("axis", proof.axis);
+    std::fprintf(proofs_, R"(, "axis": {"sign": %d, "cross": [)", proof.axis_sign);
+    factor(proof.factor[0]);
+    std::fputs(", ", proofs_);
+    factor(proof.factor[1]);
+    std::fputs("]}", proofs_);
+  }
+  void factor(const graze::AxisFactor& factor) {
+    switch (factor.kind) {
+      case graze::AxisFactor::Kind::given:
+        return value(factor.given);
+      case graze::AxisFactor::Kind::motion:
+        std::fputs(R"("motion")", proofs_);
+        return;
+      case graze::AxisFactor::Kind::difference:
+        break;
+    }
+    std::fputs(R"({"from": )", proofs_);
+    support_pair(factor.from);
+    std::fputs(R"(, "to": )", proofs_);
+    support_pair(factor.to);
     std::fputs("}", proofs_);
   }
   template <class S>

@@ -1,0 +1,84 @@
+// btSubsimplexConvexCast as its users call it: shapes built once, margin 0, a Voronoi simplex solver,
+// transforms from and to. Compiled as one module for each of Bullet's scalars (BT_USE_DOUBLE_PRECISION).
+#include "bench/bullet_casts.hpp"
+
+#include <btBulletCollisionCommon.h>
+
+#include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <memory>
+#include <vector>
+
+namespace graze::bench {
+namespace {
+
+btVector3 vector_of(const double (&x)[3]) { return {btScalar(x[0]), btScalar(x[1]), btScalar(x[2])}; }
+
+std::unique_ptr<btConvexShape> shape_of(const PlainShape& plain) {
+  std::unique_ptr<btConvexShape> out;
+  if (plain.xyz != nullptr) {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (std::size_t i = 0; i < plain.vertices; ++i) {
+      const double* x = plain.xyz + 3 * i;
+      hull->addPoint({btScalar(x[0]), btScalar(x[1]), btScalar(x[2])}, false);
+    }
+    hull->recalcLocalAabb();
+    out = std::move(hull);
+  } else {
+    out = std::make_unique<btBoxShape>(vector_of(plain.half_extents));
+  }
+  // A box keeps its half extents: its core grows by what the margin shrinks.
+  out->setMargin(0);
+  return out;
+}
+
+struct Motion {
+  const btConvexShape* shape;
+  btTransform from, to;
+};
+
+class Casts final : public PreparedCasts {
+ public:
+  Casts(const PlainShape* shapes, std::size_t shape_count, const PlainPair* pairs, std::size_t pair_count) {
+    for (std::size_t i = 0; i < shape_count; ++i) shapes_.push_back(shape_of(shapes[i]));
+    for (std::size_t i = 0; i < pair_count; ++i) pairs_.push_back({motion(pairs[i].a), motion(pairs[i].b)});
+  }
+
+  void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const override {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pair& pair = pairs_[order[k]];
+      btVoronoiSimplexSolver solver;
+      btSubsimplexConvexCast caster(pair.a.shape, pair.b.shape, &solver);
+      btConvexCast::CastResult result;
+      const bool contact = caster.calcTimeOfImpact(pair.a.from, pair.a.to, pair.b.from, pair.b.to, result) &&
+                           result.m_fraction <= 1;
+      verdicts[order[k]] = contact ? Verdict::contact : Verdict::miss;
+    }
+  }
+
+ private:
+  struct Pair {
+    Motion a, b;
+  };
+
+  [[nodiscard]] Motion motion(const PlainBody& body) const {
+    const double(&q)[4] = body.orientation;
+    const btVector3 position = vector_of(body.position);
+    const btQuaternion turn{btScalar(q[1]), btScalar(q[2]), btScalar(q[3]), btScalar(q[0])};
+    return {shapes_[body.shape].get(), btTransform(turn, position),
+            btTransform(turn, position + vector_of(body.displacement))};
+  }
+
+  std::vector<std::unique_ptr<btConvexShape>> shapes_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+}  // namespace graze::bench
+
+extern "C" __attribute__((visibility("default"))) graze::bench::PreparedCasts* graze_make_bullet_casts(
+    const graze::bench::PlainShape* shapes, std::size_t shape_count, const graze::bench::PlainPair* pairs,
+    std::size_t pair_count) {
+  return new graze::bench::Casts(shapes, shape_count, pairs, pair_count);
+}

@@ -1,0 +1,42 @@
+// Bullet's casts behind an interface without Bullet's types: Bullet in float and Bullet in double define the
+// same names, so each lives in a module of its own that the benchmark opens.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace graze::bench {
+
+// Contact in [0, 1]?
+enum class Verdict : std::uint8_t { miss, contact, none };
+
+struct PlainShape {
+  const double* xyz = nullptr;  // a hull's vertices; nullptr for a box
+  std::size_t vertices = 0;
+  double half_extents[3] = {0, 0, 0};
+};
+
+struct PlainBody {
+  std::size_t shape = 0;
+  double position[3] = {0, 0, 0}, displacement[3] = {0, 0, 0};
+  double orientation[4] = {1, 0, 0, 0};  // w, x, y, z
+};
+
+struct PlainPair {
+  PlainBody a, b;
+};
+
+// Cases made ready for one contestant.
+class PreparedCasts {
+ public:
+  virtual ~PreparedCasts() = default;
+  // Casts the cases order[0] .. order[count - 1], and notes each verdict under the case's index.
+  virtual void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const = 0;
+};
+
+// What a module exports under kMakeBulletCasts; delete the result before closing the module.
+using MakeBulletCasts = PreparedCasts* (*)(const PlainShape* shapes, std::size_t shape_count,
+                                           const PlainPair* pairs, std::size_t pair_count);
+inline constexpr const char* kMakeBulletCasts = "graze_make_bullet_casts";
+
+}  // namespace graze::bench

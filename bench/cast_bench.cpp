@@ -1,0 +1,327 @@
+// What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast, side by side.
+//
+// One run; every contestant is asked the same cases, verdicts only, in rounds that take turns. Ours: bodies
+// built once, cast() with its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over
+// all cases of a family in a new random order, so that the processor learns no case's branches; its processor
+// time over the number of cases is the round's time, the median over the rounds is the number shown, and a
+// ratio is the median of the rounds' ratios. For the tail each case is timed by itself in five sweeps: the
+// least of the five, less the clock's own time; the 99th percentile of that over the cases, over its median.
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <graze/cast.hpp>
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "bench/bullet_casts.hpp"
+#include "bench/cast_families.hpp"
+#include "corpus/random.hpp"
+#include "engines/convert.hpp"
+
+namespace graze::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double nanoseconds(Clock::duration d) { return std::chrono::duration<double, std::nano>(d).count(); }
+
+// Of this thread's processor, so that a sweep is not charged for what else the machine does meanwhile.
+double processor_ns() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+template <Scalar S>
+class OurCasts final : public PreparedCasts {
+ public:
+  OurCasts(const CastFamily& family, const CastOptions<S>& options) : options_(options) {
+    std::vector<Shape<S>> shapes;
+    for (const Shape<double>& shape : family.shapes) shapes.push_back(engine::round_to<S>(shape));
+    for (const CastCase& c : family.cases)
+      pairs_.push_back({body_of<S>(c.a, shapes), body_of<S>(c.b, shapes)});
+  }
+
+  void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const override {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pair& pair = pairs_[order[k]];
+      const CastResult<S> result = cast(pair.a, pair.b, options_);
+      const Outcome outcome = result.outcome;
+      verdicts[order[k]] = outcome == Outcome::miss ? Verdict::miss
+                           : outcome == Outcome::hit || outcome == Outcome::initially_overlapping
+                               ? Verdict::contact
+                               : Verdict::none;
+    }
+  }
+
+ private:
+  struct Pair {
+    Body<S> a, b;
+  };
+  CastOptions<S> options_;
+  std::vector<Pair> pairs_;
+};
+
+// A module with Bullet's casts in one scalar. Nothing of it is unloaded before the end of the process.
+MakeBulletCasts open_bullet(const char* path) {
+  void* module = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  if (module == nullptr) {
+    fmt::print(stderr, "cast_bench: {}\n", dlerror());
+    return nullptr;
+  }
+  return reinterpret_cast<MakeBulletCasts>(dlsym(module, kMakeBulletCasts));
+}
+
+std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFamily& family) {
+  std::vector<PlainShape> shapes;
+  for (const Shape<double>& shape : family.shapes) {
+    PlainShape& plain = shapes.emplace_back();
+    if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+      plain.xyz = hull->vertices().data()->data();
+      plain.vertices = hull->size();
+    } else {
+      Eigen::Map<Vec3<double>>(plain.half_extents) = std::get<Box<double>>(shape).half_extents;
+    }
+  }
+  const auto plain_body = [](const Placed& placed) {
+    PlainBody out;
+    out.shape = placed.shape;
+    Eigen::Map<Vec3<double>>(out.position) = placed.position;
+    Eigen::Map<Vec3<double>>(out.displacement) = placed.displacement;
+    const Quaternion<double>& q = placed.orientation;
+    Eigen::Map<Eigen::Vector4d>(out.orientation) = Eigen::Vector4d(q.w, q.x, q.y, q.z);
+    return out;
+  };
+  std::vector<PlainPair> pairs;
+  for (const CastCase& c : family.cases) pairs.push_back({plain_body(c.a), plain_body(c.b)});
+  return std::unique_ptr<PreparedCasts>(make(shapes.data(), shapes.size(), pairs.data(), pairs.size()));
+}
+
+struct Contestant {
+  std::string name;
+  std::function<std::unique_ptr<PreparedCasts>(const CastFamily&)> prepare;
+};
+
+template <Scalar S>
+Contestant ours(std::string name, CastOptions<S> options) {
+  options.request = Request::verdict;
+  return {std::move(name),
+          [options](const CastFamily& family) { return std::make_unique<OurCasts<S>>(family, options); }};
+}
+
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> out = {
+      ours<double>("gjk/double", {.method = Method::gjk_ray_cast}),
+      ours<double>("mpr/double", {.method = Method::mpr_sweep}),
+      ours<double>("ca/double", {.method = Method::conservative_advancement}),
+      ours<float>("gjk/float", {.method = Method::gjk_ray_cast}),
+      ours<float>("mpr/float", {.method = Method::mpr_sweep}),
+      ours<float>("ca/float", {.method = Method::conservative_advancement}),
+      ours<double>("exact/double", {.tier = Tier::exact}),
+      ours<float>("exact/float", {.tier = Tier::exact}),
+  };
+  [[maybe_unused]] const auto bullet = [&](std::string name, const char* path) {
+    if (const MakeBulletCasts make = open_bullet(path)) {
+      out.push_back(
+          {std::move(name), [make](const CastFamily& family) { return bullet_casts(make, family); }});
+    }
+  };
+#ifdef GRAZE_BULLET_FLOAT
+  bullet("bullet/float", GRAZE_BULLET_FLOAT);
+#endif
+#ifdef GRAZE_BULLET_DOUBLE
+  bullet("bullet/double", GRAZE_BULLET_DOUBLE);
+#endif
+  return out;
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+struct Measured {
+  std::vector<double> round_ns;  // a cast, by round
+  std::vector<double> case_ns;   // the least of five, by case
+  std::size_t wrong = 0;         // verdicts that differ from the case's
+  [[nodiscard]] double ns() const { return quantile(round_ns, 0.5); }
+  [[nodiscard]] double tail() const { return quantile(case_ns, 0.99) / quantile(case_ns, 0.5); }
+};
+
+using Report = std::map<std::string, Measured>;
+
+double clock_ns() {
+  double least = kInfinity<double>;
+  for (int i = 0; i < 1000; ++i) {
+    const auto start = Clock::now();
+    least = std::min(least, nanoseconds(Clock::now() - start));
+  }
+  return least;
+}
+
+constexpr int kTailRepeats = 5;
+
+Report measure(const CastFamily& family, const std::vector<Contestant>& field, int rounds) {
+  const std::size_t n = family.cases.size();
+  std::vector<std::unique_ptr<PreparedCasts>> prepared;
+  for (const Contestant& c : field) prepared.push_back(c.prepare(family));
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  corpus::Random random(1);
+  const auto shuffle = [&] {
+    for (std::size_t k = n; k > 1; --k) std::swap(order[k - 1], order[random.below(k)]);
+  };
+
+  Report report;
+  std::vector<std::vector<Verdict>> verdicts(field.size(), std::vector<Verdict>(n, Verdict::none));
+  for (int round = -1; round < rounds; ++round) {  // the first only warms up
+    shuffle();
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double start = processor_ns();
+      prepared[i]->cast_all(order.data(), n, verdicts[i].data());
+      const double ns = (processor_ns() - start) / static_cast<double>(n);
+      if (round >= 0) report[field[i].name].round_ns.push_back(ns);
+    }
+  }
+  const double clock = clock_ns();
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    Measured& m = report[field[i].name];
+    m.case_ns.assign(n, kInfinity<double>);
+    for (int repeat = 0; repeat < kTailRepeats; ++repeat) {
+      shuffle();
+      for (const std::uint32_t k : order) {
+        const auto start = Clock::now();
+        prepared[i]->cast_all(&k, 1, verdicts[i].data());
+        m.case_ns[k] = std::min(m.case_ns[k], nanoseconds(Clock::now() - start) - clock);
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      m.wrong += verdicts[i][k] != (family.cases[k].contact ? Verdict::contact : Verdict::miss) ? 1 : 0;
+    }
+  }
+  return report;
+}
+
+// The median over the rounds of top's time over bottom's; "-" where one is missing.
+std::string ratio(const Report& report, const std::string& top, const std::string& bottom) {
+  const auto t = report.find(top), b = report.find(bottom);
+  if (t == report.end() || b == report.end()) return "-";
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < t->second.round_ns.size(); ++i) {
+    ratios.push_back(t->second.round_ns[i] / b->second.round_ns[i]);
+  }
+  return fmt::format("{:.2f}", quantile(ratios, 0.5));
+}
+
+struct Ratio {
+  const char *heading, *top, *bottom;
+};
+constexpr Ratio kRatios[] = {
+    {"exact:gjk d", "exact/double", "gjk/double"},     {"exact:mpr d", "exact/double", "mpr/double"},
+    {"exact:gjk f", "exact/float", "gjk/float"},       {"exact:mpr f", "exact/float", "mpr/float"},
+    {"bullet:gjk f", "bullet/float", "gjk/float"},     {"bullet:mpr f", "bullet/float", "mpr/float"},
+    {"bullet:exact f", "bullet/float", "exact/float"}, {"bullet f:gjk d", "bullet/float", "gjk/double"},
+    {"bullet f:mpr d", "bullet/float", "mpr/double"},  {"bullet f:exact d", "bullet/float", "exact/double"},
+};
+
+struct Measurement {
+  CastFamily family;
+  Report report;
+};
+
+void print_row(const std::string& name, const std::vector<std::string>& cells) {
+  fmt::print("{:39}", name);
+  for (const std::string& cell : cells) fmt::print(" {:>16}", cell);
+  fmt::print("\n");
+}
+
+// One row a family, one cell a contestant.
+template <class Cell>
+void print_table(const std::string& title, const std::vector<Contestant>& field,
+                 const std::vector<Measurement>& measurements, const Cell& cell) {
+  std::vector<std::string> cells;
+  for (const Contestant& c : field) cells.push_back(c.name);
+  print_row("\n" + title, cells);
+  for (const Measurement& m : measurements) {
+    cells.clear();
+    for (const Contestant& c : field) cells.push_back(cell(m.report.at(c.name)));
+    print_row(m.family.name, cells);
+  }
+}
+
+void print_tables(const std::vector<Contestant>& field, const std::vector<Measurement>& measurements) {
+  print_table("ns a cast", field, measurements,
+              [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
+  std::vector<std::string> cells;
+  for (const Ratio& r : kRatios) cells.emplace_back(r.heading);
+  print_row("\ntime : time", cells);
+  for (const Measurement& m : measurements) {
+    cells.clear();
+    for (const Ratio& r : kRatios) cells.push_back(ratio(m.report, r.top, r.bottom));
+    print_row(m.family.name, cells);
+  }
+  print_table("99th percentile : median, over cases", field, measurements,
+              [](const Measured& m) { return fmt::format("{:.1f}", m.tail()); });
+  print_table("wrong verdicts", field, measurements,
+              [](const Measured& m) { return fmt::format("{}", m.wrong); });
+  print_row("\ncases", {"all", "contacts"});
+  for (const Measurement& m : measurements) {
+    print_row(m.family.name,
+              {fmt::format("{}", m.family.cases.size()), fmt::format("{}", m.family.contacts())});
+  }
+}
+
+void print_csv(const std::vector<Contestant>& field, const std::vector<Measurement>& measurements) {
+  fmt::print("family,cases,contacts,contestant,ns,p99_over_median,wrong\n");
+  for (const Measurement& m : measurements) {
+    for (const Contestant& c : field) {
+      const Measured& one = m.report.at(c.name);
+      fmt::print("\"{}\",{},{},{},{:.1f},{:.2f},{}\n", m.family.name, m.family.cases.size(),
+                 m.family.contacts(), c.name, one.ns(), one.tail(), one.wrong);
+    }
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("What a cast costs, beside Bullet's. Verdicts only.");
+  FamilySize size;
+  int rounds = 31;
+  bool csv = false;
+  std::string family_part, contestant_part;
+  app.add_option("--cases", size.cases, "cases of each family, half of them hits where not all are one kind");
+  app.add_option("--shapes", size.shapes, "shapes in each family's pool")->check(CLI::Range(2, 1 << 20));
+  app.add_option("--rounds", rounds, "rounds that the median is taken over")->check(CLI::PositiveNumber);
+  app.add_option("--family", family_part, "only families whose name contains this");
+  app.add_option("--only", contestant_part, "only contestants whose name contains this");
+  app.add_flag("--csv", csv, "one line a family and contestant");
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<Contestant> field = contestants();
+  if (field.back().name.find("bullet") == std::string::npos) {
+    fmt::print(stderr, "cast_bench: built without Bullet (Debian: libbullet-dev); only ours run\n");
+  }
+  std::erase_if(field,
+                [&](const Contestant& c) { return c.name.find(contestant_part) == std::string::npos; });
+  std::vector<Measurement> measurements;
+  for (CastFamily& family : cast_families(size)) {
+    if (family.name.find(family_part) == std::string::npos) continue;
+    Report report = measure(family, field, rounds);
+    measurements.push_back({std::move(family), std::move(report)});
+  }
+  csv ? print_csv(field, measurements) : print_tables(field, measurements);
+  return 0;
+}
+
+}  // namespace
+}  // namespace graze::bench
+
+int main(int argc, char** argv) { return graze::bench::run(argc, argv); }

@@ -1,0 +1,53 @@
+// The cases that the benchmark of casts asks, by family.
+//
+// Every number is a float (held in a double), so that contestants in float and in double are asked the same.
+// A family shares a pool of shapes among its cases, as a scene does. t_max is 1; v is of the order of the
+// shapes' size.
+#pragma once
+
+#include <algorithm>
+#include <graze/body.hpp>
+#include <string>
+#include <vector>
+
+namespace graze::bench {
+
+struct Placed {
+  std::size_t shape = 0;  // index into CastFamily::shapes
+  Vec3<double> position = Vec3<double>::Zero();
+  Quaternion<double> orientation = {};
+  Vec3<double> displacement = Vec3<double>::Zero();
+};
+
+struct CastCase {
+  Placed a, b;
+  bool contact = false;  // in [0, 1], by judge()
+};
+
+struct CastFamily {
+  std::string name;
+  bool rotated = false;
+  std::vector<Shape<double>> shapes;
+  std::vector<CastCase> cases;
+
+  [[nodiscard]] std::ptrdiff_t contacts() const { return std::ranges::count_if(cases, &CastCase::contact); }
+};
+
+template <Scalar S>
+[[nodiscard]] Body<S> body_of(const Placed& placed, const std::vector<Shape<S>>& shapes) {
+  const Quaternion<double>& q = placed.orientation;
+  return {.shape = shapes[placed.shape],
+          .position = placed.position.cast<S>(),
+          .orientation = {S(q.w), S(q.x), S(q.y), S(q.z)},
+          .displacement = placed.displacement.cast<S>()};
+}
+
+struct FamilySize {
+  std::size_t cases = 512;   // of each family
+  std::size_t shapes = 128;  // in its pool
+};
+
+// All of them, in the order of the report. Deterministic.
+[[nodiscard]] std::vector<CastFamily> cast_families(const FamilySize& size);
+
+}  // namespace graze::bench
