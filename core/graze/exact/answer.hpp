@@ -72,18 +72,14 @@ std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, c
 
 // The facet's point of one body at time t, in world coordinates.
 template <Scalar S>
-Vec3<double> facet_point(const Body<S>& body, const detail::Side<double>& side, const Cso<double>& cso,
-                         const Facet& facet, const std::array<double, 3>& weight, bool of_a, double t) {
-  Vec3<double> own = Vec3<double>::Zero();
+Vec3<double> facet_point(const Body<S>& body, const Guide<S>& guide, int length_exponent, const Facet& facet,
+                         const std::array<double, 3>& weight, bool of_a, double t) {
+  Triple own;
   for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) {
-    const std::uint32_t vertex = of_a ? facet.corner[i].a : facet.corner[i].b;
-    own += weight[i] * side.support(side, Vec3<double>::UnitX(), &vertex).x;
+    own = own + weight[i] * guide.own(of_a ? facet.corner[i].a : facet.corner[i].b);
   }
-  own = side.to_world(own);
-  Vec3<double> out = body.position.template cast<double>() + side.to_world(side.center) +
-                     t * body.displacement.template cast<double>();
-  for (int i = 0; i < 3; ++i) out[i] += cso.to_length(own[i]);
-  return out;
+  const Triple shift = triple(body.position) + t * triple(body.displacement) + guide.to_world(guide.center());
+  return (shift + power_of_two(length_exponent) * guide.to_world(own)).vector();
 }
 
 inline SupportPair name(const Vertex& v) {

@@ -10,8 +10,8 @@
 // leaf tie. A box: x_0's three neighbours are enough, n being separable.
 #pragma once
 
-#include <graze/cso.hpp>
 #include <graze/exact/scene.hpp>
+#include <graze/guide.hpp>
 #include <graze/result.hpp>
 
 namespace graze::exact {
@@ -43,8 +43,7 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
 struct LeafView {
   Mat3<double> rotation = Mat3<double>::Identity();
   bool turned = false;
-  double turn = 0;   // R^T n is within turn |n| per component, and R x within turn |x|
-  double reach = 0;  // |x - y| <= 2 reach for any two of its vertices
+  double turn = 0;  // R^T n is within turn |n| per component
 };
 
 // More than what products lose below the range of doubles, flushed or not.
@@ -53,7 +52,7 @@ inline constexpr double kUnderflow = 0x1p-960;
 template <Scalar S>
 class BeyondSearch {
  public:
-  BeyondSearch(const Scene<S>& scene, const Cso<double>& cso) : scene_(scene), cso_(cso) {}
+  BeyondSearch(const Scene<S>& scene, const GuidedPair<S>& pair) : scene_(scene), pair_(pair) {}
 
   // `ties`: vertices of C with n.(tie - from) = 0.
   [[nodiscard]] bool find(const Direction& n, const Vertex& from, std::span<const Vertex> ties,
@@ -112,11 +111,12 @@ class BeyondSearch {
 
   [[nodiscard]] LeafView view_of(const Leaf<S>& leaf) const {
     LeafView view;
-    const auto& side = leaf.of_b ? cso_.side_b() : cso_.side_a();
+    if (!leaf.turned) return view;
+    view.turned = true;
     if (leaf.inner.empty()) {
-      view.turned = side.rotated;
-      view.rotation = side.rotation;
-      view.turn = side.turn * kUnitRoundoff<double>;
+      const Guide<S>& guide = leaf.of_b ? pair_.b() : pair_.a();
+      for (std::size_t i = 0; i < 3; ++i) view.rotation.row(static_cast<int>(i)) = guide.row(i).vector();
+      view.turn = kGuideTurn * kUnitRoundoff<double>;
       return view;
     }
     // Each matrix within 16 u per row sum, each product of two adds 3 sqrt(3) u.
@@ -129,7 +129,6 @@ class BeyondSearch {
     };
     turn(leaf.outer);
     for (const Quaternion<double>& q : leaf.inner) turn(q);
-    view.turned = true;
     view.rotation = r;
     view.turn = 24 * turns * kUnitRoundoff<double>;
     return view;
@@ -226,7 +225,7 @@ class BeyondSearch {
   }
 
   const Scene<S>& scene_;
-  const Cso<double>& cso_;
+  const GuidedPair<S>& pair_;
 };
 
 }  // namespace graze::exact

@@ -79,7 +79,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
       out.outcome = Outcome::initially_overlapping;
       toi = {0, 0};
     }
-  } else if (answer.passage == Passage::ahead && cast.cso().moves()) {
+  } else if (answer.passage == Passage::ahead && cast.pair().moves()) {
     // t_max is a double: t_in <= t_max iff the least double not below t_in is.
     const exact::TimeBracket t_in = exact::round_time(scene, answer.facet, v);
     if (t_in.upper <= t_max) {
@@ -90,19 +90,20 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   out.toi_lower = exact::round_down<S>(toi.lower);
   out.toi_upper = exact::round_up<S>(toi.upper);
   if (out.outcome == Outcome::hit) {
-    const double speed = cast.cso().direction().norm() * std::ldexp(1.0, scene.speed_exponent());
+    const Triple& r = cast.pair().direction();
+    const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
     out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
     if (asks_for(options.request, Request::normal))
       out.normal = exact::outward_normal(scene, answer.facet, true);
     if (asks_for(options.request, Request::witnesses)) {
       const std::array<double, 3> weight = exact::facet_weights(scene, answer.facet, v);
-      const Cso<double>& cso = cast.cso();
-      const auto point = [&](const Body<S>& body, const detail::Side<double>& side, bool of_a) -> Vec3<S> {
-        return exact::facet_point(body, side, cso, answer.facet, weight, of_a, double(out.toi_lower))
+      const auto point = [&](const Body<S>& body, const Guide<S>& guide, bool of_a) -> Vec3<S> {
+        return exact::facet_point(body, guide, scene.length_exponent(), answer.facet, weight, of_a,
+                                  double(out.toi_lower))
             .template cast<S>();
       };
-      out.point_a = point(a, cso.side_a(), true);
-      out.point_b = point(b, cso.side_b(), false);
+      out.point_a = point(a, cast.pair().a(), true);
+      out.point_b = point(b, cast.pair().b(), false);
     }
   }
   if (asks_for(options.request, Request::proof) && !out.passed_over)
@@ -162,7 +163,7 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   const bool ahead = answer.passage == exact::Passage::ahead;
   const double t_max = static_cast<double>(options.t_max);
   const bool meets = answer.passage == exact::Passage::contact ||
-                     (ahead && cast.cso().moves() &&
+                     (ahead && cast.pair().moves() &&
                       (t_max == kInfinity<double> ||
                        exact::compare_time(cast.scene(), answer.facet, cast.line().v, t_max) <= 0));
   out.outcome = meets ? Outcome::hit : Outcome::miss;
@@ -191,7 +192,7 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   if (out.invalid != Invalid::none) return out;
   exact::LineCast<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
-  if (!cast.cso().moves()) {
+  if (!cast.pair().moves()) {
     const OverlapResult<S> rest = overlap_exact(a, b);
     out.invalid = rest.invalid;
     out.counters = rest.counters;

@@ -113,7 +113,7 @@ FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
   if (c.weighted) out.denominator = out.denominator * c.weight;
   out.error_n = Scene<S>::kFineError * size_n;
   out.error_d = Scene<S>::kFineError * size_d;
-  out.known = out.denominator.hi > 2 * out.error_d;
+  out.known = rounded(out.denominator) > 2 * out.error_d;
   return out;
 }
 
@@ -135,20 +135,25 @@ template <Scalar S>
 TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
   const FineTime f = fine_time(scene, facet, v);
   const int exponent = scene.length_exponent() - scene.speed_exponent();
-  if (f.known) {
-    const double s = rounded(f.numerator) / rounded(f.denominator), magnitude = std::abs(s);
-    // Scaling by a power of two is then exact.
-    if (magnitude > 0x1p-500 && magnitude < 0x1p500 && std::abs(exponent) < 500) {
+  if (f.known && std::abs(exponent) < 500) {
+    constexpr double u = kUnitRoundoff<double>;
+    const double below = (rounded(f.denominator) * (1 - 2 * u) - f.error_d) * (1 - 4 * u);
+    double s = rounded(f.numerator) / rounded(f.denominator);
+    // The quotient of two rounded numbers may be off by more than a unit: then once more, from where the rest says.
+    for (int round = 0; round < 2; ++round) {
+      // Scaling by a power of two is exact here.
+      if (!(std::abs(s) > 0x1p-500 && std::abs(s) < 0x1p500)) break;
       double error = 0;
       const double rest = f.rest(s, error);
       const bool up = rest > 0;
       const double other = up ? next_up(s) : next_down(s);
-      const double most = (std::abs(rest) + error) * (1 + 4 * kUnitRoundoff<double>);
-      if (std::abs(rest) > error &&
-          most < std::abs(other - s) * (f.denominator.hi - f.error_d) * (1 - 4 * kUnitRoundoff<double>)) {
+      if (std::abs(rest) > error && (std::abs(rest) + error) * (1 + 4 * u) < std::abs(other - s) * below) {
         const double t = s * power_of_two(exponent), t_other = other * power_of_two(exponent);
         return up ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
       }
+      const double moved = s + rest / rounded(f.denominator);
+      if (moved == s) break;
+      s = moved;
     }
   }
   return bracket_of(exact_time(scene, facet, v));

@@ -34,11 +34,9 @@ template <Scalar S>
 class LineCast {
  public:
   LineCast(const Body<S>& a, const Body<S>& b, Counters& counters)
-      : a_(a),
-        b_(b),
-        cso_(a, b),
-        scene_(a, b, cso_.length_exponent(), cso_.speed_exponent()),
-        line_(line_of(cso_)),
+      : pair_(a, b),
+        scene_(a, b, pair_.length_exponent(), pair_.speed_exponent()),
+        line_(line_of(pair_)),
         counters_(counters) {}
 
   [[nodiscard]] Answer pass() {
@@ -75,7 +73,7 @@ class LineCast {
   [[nodiscard]] bool leaves_or_slides() {
     const Answer out = end(1);
     if (compare_time(scene_, out.facet, line_.v, 0.0) == 0) return true;
-    if (!cso_.moves()) {
+    if (!pair_.moves()) {
       const Answer in = end(-1);
       if (compare_time(scene_, in.facet, line_.v, 0.0) == 0) return true;
     }
@@ -86,18 +84,18 @@ class LineCast {
            }).passage == Passage::beside;
   }
 
-  [[nodiscard]] const Cso<double>& cso() const { return cso_; }
+  [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }
   [[nodiscard]] const Scene<S>& scene() const { return scene_; }
   [[nodiscard]] const Line& line() const { return line_; }
 
  private:
-  // A path, or, at rest, the line from the origin through the middle of C.
-  static Line line_of(const Cso<double>& cso) {
-    if (cso.moves()) return {Term::motion(), cso.direction()};
-    const Vec3<double> middle = cso.middle();
-    const Vec3<double> r = middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : middle;
-    const Vec3<double> near_one = r * power_of_two(-exponent_of(r.cwiseAbs().maxCoeff()));
-    return {Term::given(near_one), near_one};
+  // A path, or, at rest, a line from the origin to about the middle of C.
+  static Line line_of(const GuidedPair<S>& pair) {
+    if (pair.moves()) return {Term::motion(), pair.direction()};
+    const Triple& r = pair.offset();
+    const double size = largest(r);
+    const Triple near_one = size > 0 ? power_of_two(-exponent_of(size)) * r : Triple{0, 0, 1};
+    return {Term::given(near_one.vector()), near_one};
   }
   static void contact_in(const Facet& facet, Answer& out) {
     out.passage = Passage::contact;
@@ -114,7 +112,7 @@ class LineCast {
       out.miss_sign = walk.miss_sign();
       return out;
     };
-    PortalWalk<S> walk(a_, b_, scene_, cso_, line_, counters_);
+    PortalWalk<S> walk(pair_, scene_, line_, counters_);
     const LineState state = walk.find(outward);
     if (state == LineState::beside) return missed(walk);
     if (state == LineState::through) return go(walk);
@@ -123,8 +121,7 @@ class LineCast {
     return go(flat);
   }
 
-  const Body<S>&a_, &b_;
-  Cso<double> cso_;
+  GuidedPair<S> pair_;
   Scene<S> scene_;
   Line line_;
   Counters& counters_;

@@ -35,139 +35,48 @@ namespace graze::exact {
 // u in double.
 inline constexpr double kU = kUnitRoundoff<double>;
 
-// Three doubles, as scalars: packets of two and one cost more than they save.
-struct Triple {
-  double x = 0, y = 0, z = 0;
-
-  [[nodiscard]] double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
-  [[nodiscard]] Vec3<double> vector() const { return {x, y, z}; }
-  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
-};
-inline Triple triple(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
-inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Triple cross(const Triple& a, const Triple& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
-inline double sum(const Triple& a) { return a.x + a.y + a.z; }
-inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
-
 struct Corner {
   Triple a, b, w;  // of A and B about the bodies' centres, world axes; a - b - offset
   double qx = 0, qy = 0;
   Vertex id;
 };
 
-// One body of the walk: a vertex far along a direction, if not always the farthest, and where it is.
-template <Scalar S>
-class Guide {
- public:
-  Guide(const detail::Side<double>& side, const Shape<S>& shape) : side_(side) {
-    if (side.rotated) {
-      for (int i = 0; i < 3; ++i)
-        row_[static_cast<std::size_t>(i)] = triple(Vec3<double>(side.rotation.row(i)));
-    }
-    if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
-      kind_ = hull->has_adjacency() && hull->size() >= kClimbFrom ? Kind::other : Kind::hull;
-      size_ = hull->padded_size();
-      for (int i = 0; i < 3; ++i) {
-        guess_[static_cast<std::size_t>(i)] = hull->guess_scan(i);
-        scan_[static_cast<std::size_t>(i)] = hull->scan(i);
-      }
-      unit_ = side.unit;
-    } else if (std::holds_alternative<Box<S>>(shape)) {
-      kind_ = Kind::box;
-      half_ = triple(side.half);
-    }
-  }
-
-  // n in world axes, its largest component near 1. Sets the vertex.
-  [[nodiscard]] Triple support(const Triple& n, std::uint32_t& vertex) const {
-    Triple d = n;
-    if (side_.rotated) d = n.x * row_[0] + n.y * row_[1] + n.z * row_[2];
-    switch (kind_) {
-      case Kind::hull: {
-        const Vec3<float> direction(static_cast<float>(d.x), static_cast<float>(d.y),
-                                    static_cast<float>(d.z));
-        const std::size_t k = detail::scan(guess_[0], guess_[1], guess_[2], size_, direction);
-        vertex = static_cast<std::uint32_t>(k);
-        break;
-      }
-      case Kind::box:
-        vertex = (d.x >= 0 ? 1u : 0u) | (d.y >= 0 ? 2u : 0u) | (d.z >= 0 ? 4u : 0u);
-        break;
-      case Kind::other: {
-        const detail::SidePoint<double> p = side_.support(side_, d.vector(), nullptr);
-        vertex = p.vertex;
-        return to_world(triple(p.x));
-      }
-    }
-    return at(vertex);
-  }
-  [[nodiscard]] Triple at(std::uint32_t vertex) const {
-    switch (kind_) {
-      case Kind::hull:
-        return to_world({unit_ * double(scan_[0][vertex]), unit_ * double(scan_[1][vertex]),
-                         unit_ * double(scan_[2][vertex])});
-      case Kind::box:
-        return to_world({vertex & 1u ? half_.x : -half_.x, vertex & 2u ? half_.y : -half_.y,
-                         vertex & 4u ? half_.z : -half_.z});
-      case Kind::other:
-        break;
-    }
-    return to_world(triple(side_.support(side_, Vec3<double>::UnitX(), &vertex).x));
-  }
-
- private:
-  enum class Kind : std::uint8_t { hull, box, other };
-  [[nodiscard]] Triple to_world(const Triple& x) const {
-    return side_.rotated ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
-  }
-  const detail::Side<double>& side_;
-  Kind kind_ = Kind::other;
-  std::array<Triple, 3> row_;
-  std::array<const float*, 3> guess_ = {};
-  std::array<const S*, 3> scan_ = {};
-  std::size_t size_ = 0;
-  double unit_ = 1;
-  Triple half_;
-};
-
 // The line {t v}, or, for bodies at rest relative to each other, any line through the origin.
 struct Line {
   Term v;
-  Vec3<double> r;  // v rounded, within u per component
+  Triple r;  // v rounded, within u per component
   int x = 0, y = 1, z = 2;
   double slope_x = 0, slope_y = 0;  // v_x / v_z, v_y / v_z, within 3.1 u
   int sign = 1;                     // of v_z
 
-  Line(const Term& v_term, const Vec3<double>& rounded) : v(v_term), r(rounded) {
-    rounded.cwiseAbs().maxCoeff(&z);
+  Line(const Term& v_term, const Triple& rounded) : v(v_term), r(rounded) {
+    const Triple size = magnitude(rounded);
+    z = size.x > size.y ? (size.x > size.z ? 0 : 2) : size.y > size.z ? 1 : 2;
     x = (z + 1) % 3;
     y = (z + 2) % 3;
-    slope_x = r[x] / r[z];
-    slope_y = r[y] / r[z];
-    sign = r[z] > 0 ? 1 : -1;
+    const double along = r[z];
+    slope_x = r[x] / along;
+    slope_y = r[y] / along;
+    sign = along > 0 ? 1 : -1;
   }
 };
 
-// Bounds of the rounding, lengths in internal units: `body` of a vertex of A or B about its centre (cso.hpp);
-// `edge` of a component of the difference of two vertices of C, formed from those of A and of B, with what a
-// determinant of three such adds (8 u of the product of three, each below 6 reach: 16 u reach each); `seen`
-// of a component of q: twice that of w, 3.1 u + 2 u of the slope's product, 2 u of the sum; `far` of how far
-// a rounded direction n of length |n|_1 sees C reach: the vertex that was chosen, n's own rounding besides.
+// Bounds of the rounding, lengths in internal units, per component:
+//   body   of a vertex of A or B about its centre, both added (guide.hpp);
+//   edge   of the difference of two vertices of C, formed from those of A and of B, with what a determinant of three
+//          such adds (8 u of the product of three, each below 6 reach: 16 u reach each);
+//   seen   of q: twice that of w (4 u extent with the offset), 3.1 u + 2 u of the slope's product, 2 u of the sum;
+//   far    of how far C reaches along a rounded direction n, over |n|_1: what the guess passed over, n's rounding.
 struct Bounds {
   double body = 0, edge = 0, seen = 0, far = 0;
 
-  explicit Bounds(const Cso<double>& cso) {
-    const auto &a = cso.side_a(), &b = cso.side_b();
-    const double reach = a.reach() + b.reach(), extent = cso.extent();
-    body = kU * (a.turn * a.reach() + b.turn * b.reach()) + a.blur + b.blur;
+  template <Scalar S>
+  explicit Bounds(const GuidedPair<S>& pair) {
+    const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
+    body = pair.a().error() + pair.b().error();
     edge = 2 * body + 20 * kU * reach + kUnderflow;
     seen = 2 * (body + 4 * kU * extent) + 8 * kU * extent + kUnderflow;
-    far = seen + 2 * cso.choice_error() + 16 * kU * reach;
+    far = seen + 2 * (pair.a().slip() + pair.b().slip()) + 16 * kU * reach;
   }
 };
 
@@ -181,17 +90,9 @@ enum class LineState : std::uint8_t {
 template <Scalar S>
 class PortalWalk {
  public:
-  PortalWalk(const Body<S>& body_a, const Body<S>& body_b, const Scene<S>& scene, const Cso<double>& cso,
-             const Line& line, Counters& counters)
-      : scene_(scene),
-        line_(line),
-        bounds_(cso),
-        beyond_(scene, cso),
-        guide_a_(cso.side_a(), body_a.shape),
-        guide_b_(cso.side_b(), body_b.shape),
-        offset_(triple(cso.offset())),
-        counters_(counters) {
-    turned_ = cso.side_a().rotated || cso.side_b().rotated || bounds_.body > 0;
+  PortalWalk(const GuidedPair<S>& pair, const Scene<S>& scene, const Line& line, Counters& counters)
+      : scene_(scene), pair_(pair), line_(line), bounds_(pair), beyond_(scene, pair), counters_(counters) {
+    turned_ = bounds_.body > 0;
   }
 
   // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses.
@@ -250,7 +151,7 @@ class PortalWalk {
   [[nodiscard]] int miss_sign() const { return miss_sign_; }
 
   [[nodiscard]] Corner corner(const Vertex& id) const {
-    return make(guide_a_.at(id.a), guide_b_.at(id.b), id);
+    return make(pair_.a().at(id.a), pair_.b().at(id.b), id);
   }
   [[nodiscard]] Corner support(const Triple& n) const {
     ++counters_.supports;
@@ -258,7 +159,7 @@ class PortalWalk {
     const double size = largest(n);
     const Triple near_one = size > 0 ? power_of_two(-exponent_of(size)) * n : n;
     Vertex id;
-    const Triple a = guide_a_.support(near_one, id.a), b = guide_b_.support(-1.0 * near_one, id.b);
+    const Triple a = pair_.a().support(near_one, id.a), b = pair_.b().support(-near_one, id.b);
     return make(a, b, id);
   }
   [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
@@ -268,7 +169,7 @@ class PortalWalk {
     Corner out;
     out.a = a;
     out.b = b;
-    out.w = a - (b + offset_);
+    out.w = a - (b + pair_.offset());
     const double along = out.w[line_.z];
     out.qx = out.w[line_.x] - line_.slope_x * along;
     out.qy = out.w[line_.y] - line_.slope_y * along;
@@ -345,7 +246,7 @@ class PortalWalk {
 
   // Three vertices, in the hope that they are a triangle around o, or close to it.
   bool start() {
-    corner_[0] = support(-1.0 * triple(line_.r));
+    corner_[0] = support(-line_.r);
     double nx = -corner_[0].qx, ny = -corner_[0].qy;
     if (!(std::abs(nx) + std::abs(ny) > 4 * bounds_.seen)) nx = 1;
     if (!support_across(nx, ny, corner_[1])) return false;
@@ -501,11 +402,10 @@ class PortalWalk {
   }
 
   const Scene<S>& scene_;
-  Line line_;
+  const GuidedPair<S>& pair_;
+  const Line& line_;
   Bounds bounds_;
   BeyondSearch<S> beyond_;
-  Guide<S> guide_a_, guide_b_;
-  Triple offset_;
   Counters& counters_;
   LineState state_ = LineState::undecided;
   std::array<Corner, 3> corner_, previous_;

@@ -1,0 +1,254 @@
+// Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a direction.
+//
+//   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
+//
+// Point, segment, triangle, box and hull; any other shape through its side (side.hpp). In doubles whatever the
+// scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs the
+// farthest vertex must make sure of it.
+//
+// Rounding, internal length, per component, u in double; |a|, |b| <= reach:
+//   body   of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (rotation_matrix,
+//          and a product with a reciprocal instead of a quotient), so 10 sqrt(3) u, and 3 u for the sum of three;
+//   offset 2 u of it (offset.hpp).
+#pragma once
+
+#include <graze/side.hpp>
+#include <optional>
+
+namespace graze {
+
+// Three doubles, as scalars: packets of two and one cost more than they save.
+struct Triple {
+  double x = 0, y = 0, z = 0;
+
+  [[nodiscard]] double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  [[nodiscard]] Vec3<double> vector() const { return {x, y, z}; }
+  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Triple operator-(const Triple& a) { return {-a.x, -a.y, -a.z}; }
+  friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+template <Scalar S>
+Triple triple(const Vec3<S>& v) {
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Triple cross(const Triple& a, const Triple& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
+inline double sum(const Triple& a) { return a.x + a.y + a.z; }
+inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
+inline constexpr int kGuideTurn = 21;
+
+// One body. Valid while it lives.
+template <Scalar S>
+class Guide {
+ public:
+  // Caller's units; `prepare` sets the internal one.
+  explicit Guide(const Body<S>& body) : body_(body) {
+    std::visit(detail::Overloaded{[&](const Hull<S>& hull) {
+                                    kind_ = hull.has_adjacency() && hull.size() >= kClimbFrom ? Kind::climb
+                                                                                              : Kind::hull;
+                                    hull_ = &hull;
+                                    unit_ = power_of_two(hull.exponent());
+                                    center_ = triple(hull.center());
+                                    const Triple half = triple(hull.scan_half_extents()),
+                                                 middle = triple(hull.scan_middle());
+                                    set_reach(unit_ * (half + magnitude(middle)));
+                                  },
+                                  [&](const Box<S>& box) {
+                                    kind_ = Kind::box;
+                                    few_[0] = triple(box.half_extents);
+                                    set_reach(few_[0]);
+                                  },
+                                  [&](const Point<S>&) {},
+                                  [&](const Segment<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.b)}, 2); },
+                                  [&](const Triangle<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.c)}, 3); },
+                                  [&](const auto&) {
+                                    kind_ = Kind::side;
+                                    bounds_ = detail::bounds(body.shape);
+                                    center_ = triple(bounds_.center);
+                                    set_reach(triple(Vec3<double>(bounds_.half + bounds_.middle.cwiseAbs())));
+                                  }},
+               body.shape);
+    turned_ = !body.orientation.is_identity() && (reach_ > 0 || largest(center_) > 0);
+    if (turned_) set_rotation();
+  }
+  // k: the internal length is 2^-k of the caller's.
+  void prepare(int k) {
+    const double scale = power_of_two(-k);
+    unit_ *= scale;
+    reach_ *= scale;
+    for (Triple& x : few_) x = scale * x;
+    if (kind_ != Kind::side) return;
+    side_ = detail::make_side<double>(body_, bounds_, k, detail::Turning::quick);
+    blur_ = side_->blur;
+  }
+
+  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] bool turned() const { return turned_; }
+  [[nodiscard]] const Triple& center() const { return center_; }  // caller's unit, own axes
+  // Rounding of a vertex in world axes about the centre, per component.
+  [[nodiscard]] double error() const {
+    return (turned_ ? kGuideTurn * kUnitRoundoff<double> * reach_ : 0.0) + blur_;
+  }
+  // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of floats
+  // (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n| reach for each
+  // of two vertices, u of float), and n was turned.
+  [[nodiscard]] double slip() const {
+    constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
+    const double turn = turned_ ? 2 * kGuideTurn * u * reach_ : 0.0;
+    switch (kind_) {
+      case Kind::hull:
+        return turn + 20 * u_float * reach_;
+      case Kind::side:
+        return turn + side_->slip;
+      default:
+        return turn + 16 * u * reach_;
+    }
+  }
+  // n turned into the body's axes: within kGuideTurn u |n|.
+  [[nodiscard]] Triple to_own(const Triple& n) const {
+    return turned_ ? n.x * row_[0] + n.y * row_[1] + n.z * row_[2] : n;
+  }
+  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
+  [[nodiscard]] Triple to_world(const Triple& x) const {
+    return turned_ ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
+  }
+
+  // A vertex far along n, which is in world axes, its largest component near 1; and where it is.
+  [[nodiscard]] Triple support(const Triple& n, std::uint32_t& vertex) const {
+    const Triple d = to_own(n);
+    switch (kind_) {
+      case Kind::hull: {
+        const Vec3<float> direction(float(d.x), float(d.y), float(d.z));
+        vertex = static_cast<std::uint32_t>(detail::scan(hull_->guess_scan(0), hull_->guess_scan(1),
+                                                         hull_->guess_scan(2), hull_->padded_size(), direction));
+        break;
+      }
+      case Kind::box:
+        vertex = (d.x >= 0 ? 1u : 0u) | (d.y >= 0 ? 2u : 0u) | (d.z >= 0 ? 4u : 0u);
+        break;
+      case Kind::few: {
+        vertex = 0;
+        for (std::uint32_t k = 1; k < count_; ++k) {
+          if (dot(d, few_[k] - few_[vertex]) > 0) vertex = k;
+        }
+        break;
+      }
+      case Kind::climb:
+        vertex = climb_support<double, S>(*hull_, d.vector(), last_);
+        last_ = vertex;
+        break;
+      case Kind::side:
+        vertex = side_->support(*side_, d.vector(), nullptr).vertex;
+        break;
+    }
+    return at(vertex);
+  }
+  [[nodiscard]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
+  // In its own axes, about the centre, internal length; exact but for shapes through their side.
+  [[nodiscard]] Triple own(std::uint32_t vertex) const {
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb:
+        return {unit_ * double(hull_->scan(0)[vertex]), unit_ * double(hull_->scan(1)[vertex]),
+                unit_ * double(hull_->scan(2)[vertex])};
+      case Kind::box:
+        return {vertex & 1u ? few_[0].x : -few_[0].x, vertex & 2u ? few_[0].y : -few_[0].y,
+                vertex & 4u ? few_[0].z : -few_[0].z};
+      case Kind::few:
+        return few_[vertex];
+      case Kind::side:
+        break;
+    }
+    return triple(side_->support(*side_, Vec3<double>::UnitX(), &vertex).x);
+  }
+
+ private:
+  enum class Kind : std::uint8_t { few, box, hull, climb, side };
+
+  void set_reach(const Triple& extent) { reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50); }
+  // About their bounds' centre where the offset exceeds the extent: the differences are then exact (hull.hpp).
+  void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
+    kind_ = Kind::few;
+    count_ = count;
+    Vec3<double> low = points[0].vector(), high = low;
+    for (const Triple& p : points) {
+      low = low.cwiseMin(p.vector());
+      high = high.cwiseMax(p.vector());
+    }
+    const detail::Bounds bounds = detail::bounds_between(low, high);
+    center_ = triple(bounds.center);
+    for (std::size_t i = 0; i < 3; ++i) few_[i] = points[i] - center_;
+    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+  }
+  void set_rotation() {
+    const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
+                 z = body_.orientation.z;
+    const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, s = 1 / (ww + xx + yy + zz);
+    row_[0] = {s * (ww + xx - yy - zz), s * 2 * (x * y - w * z), s * 2 * (x * z + w * y)};
+    row_[1] = {s * 2 * (x * y + w * z), s * (ww - xx + yy - zz), s * 2 * (y * z - w * x)};
+    row_[2] = {s * 2 * (x * z - w * y), s * 2 * (y * z + w * x), s * (ww - xx - yy + zz)};
+  }
+
+  const Body<S>& body_;
+  const Hull<S>* hull_ = nullptr;
+  Kind kind_ = Kind::few;
+  bool turned_ = false;
+  std::uint32_t count_ = 1;
+  mutable std::uint32_t last_ = kNoStart;
+  double unit_ = 1, reach_ = 0, blur_ = 0;
+  Triple center_;
+  std::array<Triple, 3> few_, row_;
+  detail::Bounds bounds_;
+  std::optional<detail::Side<double>> side_;
+};
+
+// The pair: valid while the bodies live. They have passed validate().
+template <Scalar S>
+class GuidedPair {
+ public:
+  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) {
+    const Triple& c_a = a_.center();
+    const Triple& c_b = b_.center();
+    Triple d;
+    if (largest(c_a) == 0 && largest(c_b) == 0) {
+      d = triple(b.position) - triple(a.position);
+    } else {
+      d = triple(detail::accurate_offset(a.position.template cast<double>(), detail::as_double(a.orientation),
+                                         c_a.vector(), b.position.template cast<double>(),
+                                         detail::as_double(b.orientation), c_b.vector()));
+    }
+    const double size = std::max({a_.reach(), b_.reach(), largest(d)});
+    k_ = size > 0 ? exponent_of(size) : 0;
+    offset_ = power_of_two(-k_) * d;
+    a_.prepare(k_);
+    b_.prepare(k_);
+    extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
+    const Triple v = triple(b.displacement) - triple(a.displacement);
+    const double speed = largest(v);
+    j_ = speed > 0 ? exponent_of(speed) : 0;
+    r_ = power_of_two(-j_) * v;
+  }
+
+  [[nodiscard]] const Guide<S>& a() const { return a_; }
+  [[nodiscard]] const Guide<S>& b() const { return b_; }
+  [[nodiscard]] const Triple& offset() const { return offset_; }
+  [[nodiscard]] double extent() const { return extent_; }  // bounds |c|
+  // r = v 2^-j, within u per component; zero if nothing moves.
+  [[nodiscard]] const Triple& direction() const { return r_; }
+  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
+  [[nodiscard]] int length_exponent() const { return k_; }
+  [[nodiscard]] int speed_exponent() const { return j_; }
+
+ private:
+  Guide<S> a_, b_;
+  Triple offset_, r_;
+  double extent_ = 0;
+  int k_ = 0, j_ = 0;
+};
+
+}  // namespace graze
