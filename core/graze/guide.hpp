@@ -19,7 +19,7 @@ namespace graze {
 
 // Three doubles, as scalars: packets of two and one cost more than they save.
 struct Triple {
-  double x = 0, y = 0, z = 0;
+  double x, y, z;  // not set unless given
 
   [[nodiscard]] double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   [[nodiscard]] Vec3<double> vector() const { return {x, y, z}; }
@@ -52,25 +52,24 @@ class Guide {
                                     kind_ = hull.has_adjacency() && hull.size() >= kClimbFrom ? Kind::climb
                                                                                               : Kind::hull;
                                     hull_ = &hull;
-                                    unit_ = power_of_two(hull.exponent());
                                     center_ = triple(hull.center());
                                     const Triple half = triple(hull.scan_half_extents()),
                                                  middle = triple(hull.scan_middle());
-                                    set_reach(unit_ * (half + magnitude(middle)));
+                                    set_reach(power_of_two(hull.exponent()) * (half + magnitude(middle)));
                                   },
                                   [&](const Box<S>& box) {
                                     kind_ = Kind::box;
                                     few_[0] = triple(box.half_extents);
                                     set_reach(few_[0]);
                                   },
-                                  [&](const Point<S>&) {},
+                                  [&](const Point<S>&) { few_[0] = {0, 0, 0}; },
                                   [&](const Segment<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.b)}, 2); },
                                   [&](const Triangle<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.c)}, 3); },
                                   [&](const auto&) {
                                     kind_ = Kind::side;
-                                    bounds_ = detail::bounds(body.shape);
-                                    center_ = triple(bounds_.center);
-                                    set_reach(triple(Vec3<double>(bounds_.half + bounds_.middle.cwiseAbs())));
+                                    const detail::Bounds bounds = detail::bounds(body.shape);
+                                    center_ = triple(bounds.center);
+                                    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
                                   }},
                body.shape);
     turned_ = !body.orientation.is_identity() && (reach_ > 0 || largest(center_) > 0);
@@ -81,9 +80,11 @@ class Guide {
     const double scale = power_of_two(-k);
     unit_ *= scale;
     reach_ *= scale;
-    for (Triple& x : few_) x = scale * x;
+    if (kind_ == Kind::box || kind_ == Kind::few) {
+      for (std::uint32_t i = 0; i < count_; ++i) few_[i] = scale * few_[i];
+    }
     if (kind_ != Kind::side) return;
-    side_ = detail::make_side<double>(body_, bounds_, k, detail::Turning::quick);
+    side_ = detail::make_side<double>(body_, detail::bounds(body_.shape), k, detail::Turning::quick);
     blur_ = side_->blur;
   }
 
@@ -110,16 +111,23 @@ class Guide {
     }
   }
   // n turned into the body's axes: within kGuideTurn u |n|.
-  [[nodiscard]] Triple to_own(const Triple& n) const {
+  [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     return turned_ ? n.x * row_[0] + n.y * row_[1] + n.z * row_[2] : n;
   }
   [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
-  [[nodiscard]] Triple to_world(const Triple& x) const {
+  [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
     return turned_ ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
   }
 
+  // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
+  [[nodiscard]] Triple farthest(const Triple& n, std::uint32_t& vertex) const {
+    if (kind_ != Kind::hull) return support(n, vertex);
+    vertex = detail::hull_support<double, S>(*hull_, to_own(n).vector());
+    return at(vertex);
+  }
+
   // A vertex far along n, which is in world axes, its largest component near 1; and where it is.
-  [[nodiscard]] Triple support(const Triple& n, std::uint32_t& vertex) const {
+  [[nodiscard, gnu::always_inline]] Triple support(const Triple& n, std::uint32_t& vertex) const {
     const Triple d = to_own(n);
     switch (kind_) {
       case Kind::hull: {
@@ -148,14 +156,13 @@ class Guide {
     }
     return at(vertex);
   }
-  [[nodiscard]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
+  [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
   // In its own axes, about the centre, internal length; exact but for shapes through their side.
-  [[nodiscard]] Triple own(std::uint32_t vertex) const {
+  [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
     switch (kind_) {
       case Kind::hull:
       case Kind::climb:
-        return {unit_ * double(hull_->scan(0)[vertex]), unit_ * double(hull_->scan(1)[vertex]),
-                unit_ * double(hull_->scan(2)[vertex])};
+        return unit_ * (triple(hull_->vertex(vertex)) - center_);  // exact (hull.hpp)
       case Kind::box:
         return {vertex & 1u ? few_[0].x : -few_[0].x, vertex & 2u ? few_[0].y : -few_[0].y,
                 vertex & 4u ? few_[0].z : -few_[0].z};
@@ -201,9 +208,8 @@ class Guide {
   std::uint32_t count_ = 1;
   mutable std::uint32_t last_ = kNoStart;
   double unit_ = 1, reach_ = 0, blur_ = 0;
-  Triple center_;
-  std::array<Triple, 3> few_, row_;
-  detail::Bounds bounds_;
+  Triple center_{0, 0, 0};
+  std::array<Triple, 3> few_, row_;  // as far as they are used
   std::optional<detail::Side<double>> side_;
 };
 
@@ -224,6 +230,7 @@ class GuidedPair {
     }
     const double size = std::max({a_.reach(), b_.reach(), largest(d)});
     k_ = size > 0 ? exponent_of(size) : 0;
+    size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
     a_.prepare(k_);
     b_.prepare(k_);
@@ -237,6 +244,8 @@ class GuidedPair {
   [[nodiscard]] const Guide<S>& a() const { return a_; }
   [[nodiscard]] const Guide<S>& b() const { return b_; }
   [[nodiscard]] const Triple& offset() const { return offset_; }
+  // The largest of the reaches and of the offset's components, in [1, 2): within a factor 4 of the pair's scale.
+  [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] double extent() const { return extent_; }  // bounds |c|
   // r = v 2^-j, within u per component; zero if nothing moves.
   [[nodiscard]] const Triple& direction() const { return r_; }
@@ -246,8 +255,8 @@ class GuidedPair {
 
  private:
   Guide<S> a_, b_;
-  Triple offset_, r_;
-  double extent_ = 0;
+  Triple offset_{}, r_{};
+  double extent_ = 0, size_ = 0;
   int k_ = 0, j_ = 0;
 };
 

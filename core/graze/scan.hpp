@@ -53,38 +53,47 @@ struct Pack<double> {
   static double greatest(Type v) { return _mm_cvtsd_f64(_mm_max_sd(v, _mm_unpackhi_pd(v, v))); }
 };
 
+// Of at most kScanChunk points.
 template <Scalar S>
-std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+inline std::size_t scan_chunk(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d, S& most) {
   using P = Pack<S>;
   constexpr std::size_t kStep = P::kSize;
   const typename P::Type dx = P::all(d[0]), dy = P::all(d[1]), dz = P::all(d[2]);
+  const auto at = [&](std::size_t k) {
+    return P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
+  };
   S value[kScanChunk];
-  std::size_t best = 0;
-  S top = -kInfinity<S>;
-  for (std::size_t begin = 0; begin < n; begin += kScanChunk) {
-    const std::size_t size = std::min(kScanChunk, n - begin);
-    typename P::Type most_a = P::all(-kInfinity<S>), most_b = most_a;
-    for (std::size_t i = 0; i < size; i += 2 * kStep) {
-      const std::size_t k = begin + i, l = k + kStep;
-      const auto a =
-          P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
-      const auto b =
-          P::add(P::add(P::mul(P::load(x + l), dx), P::mul(P::load(y + l), dy)), P::mul(P::load(z + l), dz));
-      P::store(value + i, a);
-      P::store(value + i + kStep, b);
-      most_a = P::max(a, most_a);
-      most_b = P::max(b, most_b);
-    }
-    const S most = P::greatest(P::max(most_a, most_b));
+  typename P::Type greatest = P::all(-kInfinity<S>);
+  for (std::size_t i = 0; i < n; i += 2 * kStep) {
+    const auto a = at(i), b = at(i + kStep);
+    P::store(value + i, a);
+    P::store(value + i + kStep, b);
+    greatest = P::max(P::max(a, b), greatest);
+  }
+  most = P::greatest(greatest);
+  // A bit for each that is equal: no branch that depends on where it is.
+  const auto wanted = P::all(most);
+  std::uint64_t equal = 0;
+  for (std::size_t i = n; i > 0; i -= 2 * kStep) {
+    const unsigned low = P::equal(P::load(value + i - 2 * kStep), wanted),
+                   high = P::equal(P::load(value + i - kStep), wanted);
+    equal = equal << (2 * kStep) | (low | high << kStep);
+  }
+  return static_cast<std::size_t>(std::countr_zero(equal));
+}
+
+template <Scalar S>
+inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+  S top;
+  const std::size_t first = scan_chunk(x, y, z, std::min(n, kScanChunk), d, top);
+  std::size_t best = first < n ? first : 0;  // NaN: none is equal
+  if (n <= kScanChunk) return best;
+  for (std::size_t begin = kScanChunk; begin < n; begin += kScanChunk) {
+    S most;
+    const std::size_t k = scan_chunk(x + begin, y + begin, z + begin, std::min(n - begin, kScanChunk), d, most);
     if (!(most > top)) continue;
     top = most;
-    const auto wanted = P::all(most);
-    for (std::size_t i = 0; i < size; i += kStep) {
-      if (const unsigned at = P::equal(P::load(value + i), wanted); at != 0) {
-        best = begin + i + static_cast<std::size_t>(std::countr_zero(at));
-        break;
-      }
-    }
+    best = begin + k;
   }
   return best;
 }

@@ -74,7 +74,7 @@ std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, c
 template <Scalar S>
 Vec3<double> facet_point(const Body<S>& body, const Guide<S>& guide, int length_exponent, const Facet& facet,
                          const std::array<double, 3>& weight, bool of_a, double t) {
-  Triple own;
+  Triple own{0, 0, 0};
   for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) {
     own = own + weight[i] * guide.own(of_a ? facet.corner[i].a : facet.corner[i].b);
   }
@@ -101,7 +101,7 @@ inline AxisFactor name(const Term& term) {
       out.to = name(term.to);
       break;
     default:  // no other kind becomes an axis
-      out.given = term.triple;
+      out.given = term.given_triple();
   }
   return out;
 }

@@ -39,13 +39,6 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   return out;
 }
 
-// A body's leaf in doubles: the rotation, and its rounding.
-struct LeafView {
-  Mat3<double> rotation = Mat3<double>::Identity();
-  bool turned = false;
-  double turn = 0;  // R^T n is within turn |n| per component
-};
-
 // More than what products lose below the range of doubles, flushed or not.
 inline constexpr double kUnderflow = 0x1p-960;
 
@@ -89,17 +82,22 @@ class BeyondSearch {
     const Leaf<S>& leaf = s.leaf;
     if (leaf.count == 1) return;
     s.at = leaf.vertex(s.from);
-    const LeafView view = view_of(leaf);
-    s.d = view.turned ? Vec3<double>(view.rotation.transpose() * s.n.approx) : s.n.approx;
-    if (leaf.of_b) s.d = -s.d;
+    s.d = s.n.approx;
     // Per component of d: n's own error (turned: of three), the rotation's; then three products and sums of
     // differences that round once.
-    if (view.turned) {
-      s.error.setConstant(1.8 * s.n.error.maxCoeff() +
-                          (view.turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
-    } else {
+    if (!leaf.turned) {
       s.error = s.n.error + 8 * kUnitRoundoff<double> * s.d.cwiseAbs();
+    } else {
+      double turn = kGuideTurn * kUnitRoundoff<double>;
+      if (leaf.inner.empty()) {
+        s.d = (leaf.of_b ? pair_.b() : pair_.a()).to_own(triple(s.d)).vector();
+      } else {
+        s.d = turn_into(leaf, turn).transpose() * s.d;
+      }
+      s.error.setConstant(1.8 * s.n.error.maxCoeff() +
+                          (turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
     }
+    if (leaf.of_b) s.d = -s.d;
     if (const auto* hull = std::get_if<Hull<S>>(leaf.shape)) {
       search_hull(s, *hull);
     } else if (std::holds_alternative<Box<S>>(*leaf.shape)) {
@@ -109,29 +107,13 @@ class BeyondSearch {
     }
   }
 
-  [[nodiscard]] LeafView view_of(const Leaf<S>& leaf) const {
-    LeafView view;
-    if (!leaf.turned) return view;
-    view.turned = true;
-    if (leaf.inner.empty()) {
-      const Guide<S>& guide = leaf.of_b ? pair_.b() : pair_.a();
-      for (std::size_t i = 0; i < 3; ++i) view.rotation.row(static_cast<int>(i)) = guide.row(i).vector();
-      view.turn = kGuideTurn * kUnitRoundoff<double>;
-      return view;
-    }
-    // Each matrix within 16 u per row sum, each product of two adds 3 sqrt(3) u.
-    Mat3<double> r = Mat3<double>::Identity();
-    int turns = 0;
-    const auto turn = [&](const Quaternion<double>& q) {
-      if (q.is_identity()) return;
-      r = Mat3<double>(r * detail::rotation_matrix(q));
-      ++turns;
-    };
-    turn(leaf.outer);
-    for (const Quaternion<double>& q : leaf.inner) turn(q);
-    view.rotation = r;
-    view.turn = 24 * turns * kUnitRoundoff<double>;
-    return view;
+  // The leaf's whole rotation; R^T n is within `turn` |n| per component: each matrix within 16 u a row, each product
+  // of two adds 3 sqrt(3) u.
+  [[nodiscard]] static Mat3<double> turn_into(const Leaf<S>& leaf, double& turn) {
+    Mat3<double> r = detail::rotation_matrix(leaf.outer);
+    for (const Quaternion<double>& q : leaf.inner) r = Mat3<double>(r * detail::rotation_matrix(q));
+    turn = 24 * static_cast<double>(leaf.inner.size() + 1) * kUnitRoundoff<double>;
+    return r;
   }
 
   [[nodiscard]] static Vec3<double> vertex(const Leaf<S>& leaf, std::uint32_t k) { return leaf.point(k); }

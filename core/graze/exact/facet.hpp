@@ -86,7 +86,7 @@ inline TimeBracket bracket_of(const ExactTime& time) {
 
 // The quotient in pairs of doubles, where they can tell it.
 struct FineTime {
-  Pair numerator, denominator;
+  Pair numerator{0, 0}, denominator{1, 0};
   double error_n = 0, error_d = 0;
   bool known = false;  // the denominator is beyond its error, and all is in the range of scene.hpp
 

@@ -14,7 +14,7 @@
 namespace graze::exact {
 
 struct Pair {
-  double hi = 0, lo = 0;
+  double hi, lo;  // not set unless given
 };
 using Pair3 = std::array<Pair, 3>;
 

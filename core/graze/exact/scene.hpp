@@ -28,7 +28,7 @@ namespace graze::exact {
 
 // Of C.
 struct Vertex {
-  std::uint32_t a = 0, b = 0;
+  std::uint32_t a, b;
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
@@ -117,7 +117,8 @@ struct Leaf {
 inline Quaternion<double> scaled_to_one(const Quaternion<double>& q) {
   const double largest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
   const int shift = -exponent_of(largest);
-  return {std::ldexp(q.w, shift), std::ldexp(q.x, shift), std::ldexp(q.y, shift), std::ldexp(q.z, shift)};
+  const double scale = power_of_two(shift);  // exact: the range is that of valid input
+  return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
 }
 
 // An exact vector.
@@ -130,29 +131,54 @@ struct Term {
     step,        // of a leaf, as part of C: from its vertex k to its vertex l
     inside,      // around[0] + around[1] + around[2] - 3 from
   };
-  Kind kind = Kind::motion;
-  Vec3<double> triple = Vec3<double>::Zero();
-  Vertex from = {}, to = {};
-  std::uint32_t leaf = 0, k = 0, l = 0;
-  std::array<Vertex, 3> around = {};
+  Kind kind;
+  // What the kind needs of these; the rest is not set.
+  Vertex from, to;
+  std::uint32_t leaf, k, l;
+  std::array<Vertex, 3> around;
+  std::array<double, 3> triple;
 
-  static Term motion() { return {}; }
-  static Term given(const Vec3<double>& x) { return {.kind = Kind::given, .triple = x}; }
-  static Term point(const Vertex& v) { return {.kind = Kind::point, .to = v}; }
+  static Term of(Kind kind) {
+    Term out;
+    out.kind = kind;
+    return out;
+  }
+  static Term motion() { return of(Kind::motion); }
+  static Term given(const Vec3<double>& x) {
+    Term out = of(Kind::given);
+    out.triple = {x[0], x[1], x[2]};
+    return out;
+  }
+  static Term point(const Vertex& v) {
+    Term out = of(Kind::point);
+    out.to = v;
+    return out;
+  }
   static Term difference(const Vertex& from, const Vertex& to) {
-    return {.kind = Kind::difference, .from = from, .to = to};
+    Term out = of(Kind::difference);
+    out.from = from;
+    out.to = to;
+    return out;
   }
   static Term step(std::uint32_t leaf, std::uint32_t k, std::uint32_t l) {
-    return {.kind = Kind::step, .leaf = leaf, .k = k, .l = l};
+    Term out = of(Kind::step);
+    out.leaf = leaf;
+    out.k = k;
+    out.l = l;
+    return out;
   }
   static Term inside(const std::array<Vertex, 3>& around, const Vertex& from) {
-    return {.kind = Kind::inside, .from = from, .around = around};
+    Term out = of(Kind::inside);
+    out.around = around;
+    out.from = from;
+    return out;
   }
+  [[nodiscard]] Vec3<double> given_triple() const { return {triple[0], triple[1], triple[2]}; }
 };
 
 // A vector in pairs of doubles.
 struct Fine {
-  Pair3 x = {};
+  Pair3 x = {Pair{0, 0}, Pair{0, 0}, Pair{0, 0}};
   double size = 0;
   Pair weight{1, 0};  // > 0
   bool weighted = false;
@@ -193,7 +219,7 @@ struct Fine {
 
 // |q|^2 R(q) and |q|^2, for a q whose largest component is in [1, 2): entries within 2^-99 |q|^2.
 struct FineTurn {
-  std::array<Pair3, 3> row;
+  std::array<Pair3, 3> row;  // not set by the default constructor
   Pair weight;
 
   FineTurn() = default;
@@ -281,6 +307,7 @@ class Scene {
       own_[0].init(a.shape, false, turn_a);
       own_[1].init(b.shape, true, turn_b);
       leaves_ = own_;
+      unturned_ = !own_[0].turned && !own_[1].turned;
       return;
     }
     add_body(a, false, turn_a);
@@ -294,7 +321,9 @@ class Scene {
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
 
-  [[nodiscard]] Fine fine(const Term& term) const { return evaluate<Fine>(term); }
+  [[nodiscard]] Fine fine(const Term& term) const {
+    return unturned_ ? fine_unturned(term) : evaluate<Fine>(term);
+  }
   [[nodiscard]] Exact exact(const Term& term) const {
     Exact out = evaluate<Exact>(term);
     for (const Dyadic& x : out.x) valid_ = valid_ && x.valid();
@@ -391,7 +420,7 @@ class Scene {
                      Vec3<double>(unit * a_.displacement.template cast<double>()));
       }
       case Term::Kind::given:
-        return V::of(term.triple);
+        return V::of(term.given_triple());
       case Term::Kind::step: {
         const Leaf<S>& leaf = leaves_[term.leaf];
         V out;
@@ -432,6 +461,33 @@ class Scene {
         false);
     return out;
   }
+  // The same, straight: two leaves that do not turn.
+  [[nodiscard]] Fine fine_unturned(const Term& term) const {
+    const Leaf<S>&a = own_[0], &b = own_[1];
+    Fine out;
+    const auto add = [&](const Vec3<double>& x, const Vec3<double>& y, bool negative) {
+      for (int i = 0; i < 3; ++i) {
+        const Pair d = negative ? difference(y[i], x[i]) : difference(x[i], y[i]);
+        Pair& sum = out.x[static_cast<std::size_t>(i)];
+        sum = sum + d;
+      }
+      out.size += std::max({std::abs(x[0]) + std::abs(y[0]), std::abs(x[1]) + std::abs(y[1]),
+                            std::abs(x[2]) + std::abs(y[2])});
+    };
+    switch (term.kind) {
+      case Term::Kind::difference:
+        if (term.from.a != term.to.a) add(at(a, term.to.a), at(a, term.from.a), false);
+        if (term.from.b != term.to.b) add(at(b, term.to.b), at(b, term.from.b), true);
+        return out;
+      case Term::Kind::point:
+        add(at(a, term.to.a), at(b, term.to.b), false);
+        add(unit_ * triple_of(a_.position), unit_ * triple_of(b_.position), false);
+        return out;
+      default:
+        return evaluate<Fine>(term);
+    }
+  }
+  [[nodiscard]] static Vec3<double> triple_of(const Vec3<S>& x) { return x.template cast<double>(); }
   [[nodiscard]] Vec3<double> at(const Leaf<S>& leaf, std::uint32_t k) const { return unit_ * leaf.point(k); }
   // Zero, exactly and of size 0, where it does not move.
   template <class V>
@@ -502,7 +558,7 @@ class Scene {
         take(Vec3<double>(power_of_two(-j_) * b_.displacement.template cast<double>()));
         break;
       case Term::Kind::given:
-        take(term.triple);
+        take(term.given_triple());
         break;
       case Term::Kind::step:
         take(at(leaves_[term.leaf], term.k));
@@ -528,11 +584,12 @@ class Scene {
   const Body<S>&a_, &b_;
   int k_, j_;
   double unit_;  // 2^-k
+  bool unturned_ = false;
   std::array<Leaf<S>, 2> own_;
   std::vector<Leaf<S>> more_;
   std::vector<Shift> shifts_;
   std::span<const Leaf<S>> leaves_;
-  mutable std::array<FineTurn, 2> turn_;
+  mutable std::array<FineTurn, 2> turn_;  // where has_turn_
   mutable std::array<bool, 2> has_turn_ = {false, false};
   mutable bool valid_ = true;
   mutable int exact_decisions_ = 0;

@@ -37,7 +37,7 @@ inline constexpr double kU = kUnitRoundoff<double>;
 
 struct Corner {
   Triple a, b, w;  // of A and B about the bodies' centres, world axes; a - b - offset
-  double qx = 0, qy = 0;
+  double qx, qy;
   Vertex id;
 };
 
@@ -143,7 +143,7 @@ class PortalWalk {
   }
   // The portal before the last step, and the vertex that came in: their hull holds both portals.
   [[nodiscard]] int hull_before(std::array<Vertex, 4>& out) const {
-    out = {previous_[0].id, previous_[1].id, previous_[2].id, newest_.id};
+    out = {previous_[0], previous_[1], previous_[2], newest_};
     return 4;
   }
   [[nodiscard]] const Term& miss_f1() const { return miss_f1_; }
@@ -158,7 +158,7 @@ class PortalWalk {
     // Near 1, so that no component that counts leaves the range of floats.
     const double size = largest(n);
     const Triple near_one = size > 0 ? power_of_two(-exponent_of(size)) * n : n;
-    Vertex id;
+    Vertex id{};
     const Triple a = pair_.a().support(near_one, id.a), b = pair_.b().support(-near_one, id.b);
     return make(a, b, id);
   }
@@ -381,8 +381,8 @@ class PortalWalk {
   }
   // w takes the place of the corner whose opposite edge makes with it the triangle that holds o.
   void replace(const Corner& w) {
-    previous_ = corner_;
-    newest_ = w;
+    previous_ = {corner_[0].id, corner_[1].id, corner_[2].id};
+    newest_ = w.id;
     int s[3];
     for (std::size_t i = 0; i < 3; ++i) {
       s[i] = side(corner_[i], w);
@@ -408,9 +408,9 @@ class PortalWalk {
   BeyondSearch<S> beyond_;
   Counters& counters_;
   LineState state_ = LineState::undecided;
-  std::array<Corner, 3> corner_, previous_;
-  Corner newest_;
-  std::array<Vertex, 3> around_;
+  std::array<Corner, 3> corner_;
+  std::array<Vertex, 3> around_, previous_;
+  Vertex newest_;
   bool outward_ = false, turned_ = false;
   int toward_ = -1;
   Term miss_f1_, miss_f2_;
