@@ -1,15 +1,17 @@
-// Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a direction.
+// Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a
+// direction.
 //
 //   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
 //
-// Point, segment, triangle, box and hull; any other shape through its side (side.hpp). In doubles whatever the
-// scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs the
-// farthest vertex must make sure of it.
+// Point, segment, triangle, box and hull; any other shape through its side (side.hpp). In doubles whatever
+// the scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs
+// the farthest vertex must make sure of it.
 //
 // Rounding, internal length, per component, u in double; |a|, |b| <= reach:
-//   body   of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (rotation_matrix,
-//          and a product with a reciprocal instead of a quotient), so 10 sqrt(3) u, and 3 u for the sum of three;
-//   offset 2 u of it (offset.hpp).
+//   body   of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (as
+//          rotation_matrix, and a product with a reciprocal instead of a quotient), so 10 sqrt(3) u, and 3 u
+//          for the sum of three;
+//   offset 2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each).
 #pragma once
 
 #include <graze/side.hpp>
@@ -62,9 +64,15 @@ class Guide {
                                     few_[0] = triple(box.half_extents);
                                     set_reach(few_[0]);
                                   },
-                                  [&](const Point<S>&) { few_[0] = {0, 0, 0}; },
-                                  [&](const Segment<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.b)}, 2); },
-                                  [&](const Triangle<S>& s) { set_few({triple(s.a), triple(s.b), triple(s.c)}, 3); },
+                                  [&](const Point<S>&) {
+                                    few_[0] = {0, 0, 0};
+                                  },
+                                  [&](const Segment<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
+                                  },
+                                  [&](const Triangle<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.c)}, 3);
+                                  },
                                   [&](const auto&) {
                                     kind_ = Kind::side;
                                     const detail::Bounds bounds = detail::bounds(body.shape);
@@ -95,9 +103,9 @@ class Guide {
   [[nodiscard]] double error() const {
     return (turned_ ? kGuideTurn * kUnitRoundoff<double> * reach_ : 0.0) + blur_;
   }
-  // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of floats
-  // (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n| reach for each
-  // of two vertices, u of float), and n was turned.
+  // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of
+  // floats (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n|
+  // reach for each of two vertices, u of float), and n was turned.
   [[nodiscard]] double slip() const {
     constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
     const double turn = turned_ ? 2 * kGuideTurn * u * reach_ : 0.0;
@@ -112,11 +120,23 @@ class Guide {
   }
   // n turned into the body's axes: within kGuideTurn u |n|.
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
-    return turned_ ? n.x * row_[0] + n.y * row_[1] + n.z * row_[2] : n;
+    double x = n.x, y = n.y, z = n.z;
+    if (turned_) {
+      x = n.x * row_[0].x + n.y * row_[1].x + n.z * row_[2].x;
+      y = n.x * row_[0].y + n.y * row_[1].y + n.z * row_[2].y;
+      z = n.x * row_[0].z + n.y * row_[1].z + n.z * row_[2].z;
+    }
+    return {x, y, z};
   }
   [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
   [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
-    return turned_ ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
+    double i = x.x, j = x.y, k = x.z;
+    if (turned_) {
+      i = dot(row_[0], x);
+      j = dot(row_[1], x);
+      k = dot(row_[2], x);
+    }
+    return {i, j, k};
   }
 
   // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
@@ -132,8 +152,9 @@ class Guide {
     switch (kind_) {
       case Kind::hull: {
         const Vec3<float> direction(float(d.x), float(d.y), float(d.z));
-        vertex = static_cast<std::uint32_t>(detail::scan(hull_->guess_scan(0), hull_->guess_scan(1),
-                                                         hull_->guess_scan(2), hull_->padded_size(), direction));
+        vertex =
+            static_cast<std::uint32_t>(detail::scan(hull_->guess_scan(0), hull_->guess_scan(1),
+                                                    hull_->guess_scan(2), hull_->padded_size(), direction));
         break;
       }
       case Kind::box:
@@ -159,26 +180,43 @@ class Guide {
   [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
   // In its own axes, about the centre, internal length; exact but for shapes through their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
+    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its stores.
+    double x, y, z;
     switch (kind_) {
       case Kind::hull:
-      case Kind::climb:
-        return unit_ * (triple(hull_->vertex(vertex)) - center_);  // exact (hull.hpp)
-      case Kind::box:
-        return {vertex & 1u ? few_[0].x : -few_[0].x, vertex & 2u ? few_[0].y : -few_[0].y,
-                vertex & 4u ? few_[0].z : -few_[0].z};
-      case Kind::few:
-        return few_[vertex];
-      case Kind::side:
+      case Kind::climb: {
+        const Vec3<S>& v = hull_->vertex(vertex);  // exact (hull.hpp)
+        x = unit_ * (double(v[0]) - center_.x);
+        y = unit_ * (double(v[1]) - center_.y);
+        z = unit_ * (double(v[2]) - center_.z);
         break;
+      }
+      case Kind::box:
+        x = vertex & 1u ? few_[0].x : -few_[0].x;
+        y = vertex & 2u ? few_[0].y : -few_[0].y;
+        z = vertex & 4u ? few_[0].z : -few_[0].z;
+        break;
+      case Kind::few:
+        x = few_[vertex].x;
+        y = few_[vertex].y;
+        z = few_[vertex].z;
+        break;
+      default: {
+        const Vec3<double> v = side_->support(*side_, Vec3<double>::UnitX(), &vertex).x;
+        x = v[0];
+        y = v[1];
+        z = v[2];
+      }
     }
-    return triple(side_->support(*side_, Vec3<double>::UnitX(), &vertex).x);
+    return {x, y, z};
   }
 
  private:
   enum class Kind : std::uint8_t { few, box, hull, climb, side };
 
   void set_reach(const Triple& extent) { reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50); }
-  // About their bounds' centre where the offset exceeds the extent: the differences are then exact (hull.hpp).
+  // About their bounds' centre where the offset exceeds the extent: the differences are then exact
+  // (hull.hpp).
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
     kind_ = Kind::few;
     count_ = count;
@@ -232,6 +270,9 @@ class GuidedPair {
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
+    // One rounding of a difference, or of a sum of pairs with what turned the centres.
+    const double turned = (a_.turned() ? largest(c_a) : 0.0) + (b_.turned() ? largest(c_b) : 0.0);
+    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
     a_.prepare(k_);
     b_.prepare(k_);
     extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
@@ -244,9 +285,11 @@ class GuidedPair {
   [[nodiscard]] const Guide<S>& a() const { return a_; }
   [[nodiscard]] const Guide<S>& b() const { return b_; }
   [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the reaches and of the offset's components, in [1, 2): within a factor 4 of the pair's scale.
+  // The largest of the reaches and of the offset's components, in [1, 2): within a factor 4 of the pair's
+  // scale.
   [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] double extent() const { return extent_; }  // bounds |c|
+  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
+  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
   // r = v 2^-j, within u per component; zero if nothing moves.
   [[nodiscard]] const Triple& direction() const { return r_; }
   [[nodiscard]] bool moves() const { return largest(r_) > 0; }
@@ -256,7 +299,7 @@ class GuidedPair {
  private:
   Guide<S> a_, b_;
   Triple offset_{}, r_{};
-  double extent_ = 0, size_ = 0;
+  double extent_ = 0, size_ = 0, offset_error_ = 0;
   int k_ = 0, j_ = 0;
 };
 

@@ -90,7 +90,8 @@ inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const
   if (n <= kScanChunk) return best;
   for (std::size_t begin = kScanChunk; begin < n; begin += kScanChunk) {
     S most;
-    const std::size_t k = scan_chunk(x + begin, y + begin, z + begin, std::min(n - begin, kScanChunk), d, most);
+    const std::size_t k =
+        scan_chunk(x + begin, y + begin, z + begin, std::min(n - begin, kScanChunk), d, most);
     if (!(most > top)) continue;
     top = most;
     best = begin + k;

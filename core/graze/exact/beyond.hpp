@@ -34,8 +34,10 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   const Pair3 n = cross(scaled(x.x, scale_x), scaled(y.x, scale_y));
   Direction out{f1, f2, sign};
   for (int i = 0; i < 3; ++i) out.approx[i] = sign * rounded(n[static_cast<std::size_t>(i)]);
-  // Factors below 4, within 2^-90 of that each; and the rounding of the result.
-  out.error.setConstant(0x1p-85 + kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
+  // Factors below 4, within 2^-90 of that each (2^-82 for as many leaves as there may be, 4096, each of which
+  // adds four roundings of 2^-99); and the rounding of the result.
+  out.error.setConstant((scene.has_fine() ? 0x1p-85 : 0x1p-77) +
+                        kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
   return out;
 }
 
@@ -94,8 +96,7 @@ class BeyondSearch {
       } else {
         s.d = turn_into(leaf, turn).transpose() * s.d;
       }
-      s.error.setConstant(1.8 * s.n.error.maxCoeff() +
-                          (turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
+      s.error.setConstant(1.8 * s.n.error.maxCoeff() + (turn + 8 * kUnitRoundoff<double>)*s.n.approx.norm());
     }
     if (leaf.of_b) s.d = -s.d;
     if (const auto* hull = std::get_if<Hull<S>>(leaf.shape)) {
@@ -107,8 +108,8 @@ class BeyondSearch {
     }
   }
 
-  // The leaf's whole rotation; R^T n is within `turn` |n| per component: each matrix within 16 u a row, each product
-  // of two adds 3 sqrt(3) u.
+  // The leaf's whole rotation; R^T n is within `turn` |n| per component: each matrix within 16 u a row, each
+  // product of two adds 3 sqrt(3) u.
   [[nodiscard]] static Mat3<double> turn_into(const Leaf<S>& leaf, double& turn) {
     Mat3<double> r = detail::rotation_matrix(leaf.outer);
     for (const Quaternion<double>& q : leaf.inner) r = Mat3<double>(r * detail::rotation_matrix(q));
@@ -199,9 +200,9 @@ class BeyondSearch {
       for (std::size_t l = 0; l < kLanes; ++l) block[l] = height(i + l);
       double most = block[0];
       for (std::size_t l = 1; l < kLanes; ++l) most = block[l] > most ? block[l] : most;
-      if (!(most >= least)) continue;
+      if (most < least) continue;  // NaN decides nothing
       for (std::size_t l = 0; l < kLanes && i + l < hull.size(); ++l) {
-        if (block[l] >= least) try_vertex(s, static_cast<std::uint32_t>(i + l));
+        if (!(block[l] < least)) try_vertex(s, static_cast<std::uint32_t>(i + l));
       }
     }
   }

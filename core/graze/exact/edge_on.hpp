@@ -32,7 +32,7 @@ class EdgeOnWalk {
 
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
-    while (true) {
+    while (scene_.valid()) {
       ++counters_.portal_steps;
       const Facet f = facet();
       Vertex w;
@@ -46,6 +46,7 @@ class EdgeOnWalk {
       }
       if (stop(*this)) return true;
     }
+    return false;
   }
 
   [[nodiscard]] Facet facet() const {
@@ -111,7 +112,7 @@ class EdgeOnWalk {
     for (const int end : {0, 1}) {
       const std::size_t i = static_cast<std::size_t>(end);
       const int wanted = end == 0 ? -1 : 1;
-      while (place(corner_[i]) != wanted) {
+      while (place(corner_[i]) != wanted && scene_.valid()) {
         ++counters_.portal_steps;
         Vertex w;
         // s grows along x_ x v, falls along v x x_.

@@ -139,7 +139,8 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
     constexpr double u = kUnitRoundoff<double>;
     const double below = (rounded(f.denominator) * (1 - 2 * u) - f.error_d) * (1 - 4 * u);
     double s = rounded(f.numerator) / rounded(f.denominator);
-    // The quotient of two rounded numbers may be off by more than a unit: then once more, from where the rest says.
+    // The quotient of two rounded numbers may be off by more than a unit: then once more, from where the rest
+    // says.
     for (int round = 0; round < 2; ++round) {
       // Scaling by a power of two is exact here.
       if (!(std::abs(s) > 0x1p-500 && std::abs(s) < 0x1p500)) break;

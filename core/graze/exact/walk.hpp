@@ -21,7 +21,8 @@
 // It ends. In 2, every vertex is strictly beyond an edge of the hull of those before it: a new one. In 3, w
 // is strictly beyond the plane, and the moved o strictly inside: the portal's height over it strictly falls,
 // so no portal comes twice; there are finitely many. That a vertex is beyond is proved, and that none is
-// (beyond.hpp); along which rounded direction it was looked for does not matter.
+// (beyond.hpp); along which rounded direction it was looked for does not matter. (Where a number outgrows its
+// room, dyadic.hpp, no sign can be trusted: the walk stops, and the cast is refused.)
 //
 // Frame: world axes; lengths in units of 2^k, v of 2^j. The plane that is seen: with z the axis of v's
 // largest component, q = (c_x - (v_x/v_z) c_z, c_y - (v_y/v_z) c_z), and side(c, d) = v_z (q_c x q_d).
@@ -63,10 +64,11 @@ struct Line {
 
 // Bounds of the rounding, lengths in internal units, per component:
 //   body   of a vertex of A or B about its centre, both added (guide.hpp);
-//   edge   of the difference of two vertices of C, formed from those of A and of B, with what a determinant of three
-//          such adds (8 u of the product of three, each below 6 reach: 16 u reach each);
-//   seen   of q: twice that of w (4 u extent with the offset), 3.1 u + 2 u of the slope's product, 2 u of the sum;
-//   far    of how far C reaches along a rounded direction n, over |n|_1: what the guess passed over, n's rounding.
+//   edge   of the difference of two vertices of C, formed from those of A and of B, with what a determinant
+//          of three such adds (8 u of the product of three, each below 6 reach: 16 u reach each);
+//   seen   of q: twice that of w, 3.1 u + u of the slope's product, 2 u of the sum;
+//   far    of how far C reaches along a rounded direction n, over |n|_1: what the guess passed over (|n| is
+//          at most 1.5 |n|_1 in space), n's own rounding.
 struct Bounds {
   double body = 0, edge = 0, seen = 0, far = 0;
 
@@ -74,8 +76,9 @@ struct Bounds {
   explicit Bounds(const GuidedPair<S>& pair) {
     const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
     body = pair.a().error() + pair.b().error();
+    const double place = body + pair.offset_error() + 2 * kU * extent;  // of w
     edge = 2 * body + 20 * kU * reach + kUnderflow;
-    seen = 2 * (body + 4 * kU * extent) + 8 * kU * extent + kUnderflow;
+    seen = 2 * place + 8 * kU * extent + kUnderflow;
     far = seen + 2 * (pair.a().slip() + pair.b().slip()) + 16 * kU * reach;
   }
 };
@@ -110,13 +113,14 @@ class PortalWalk {
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
     toward_ = toward;
-    while (true) {
+    while (scene_.valid()) {
       ++counters_.portal_steps;
       Corner next;
       if (!above_portal(next)) return false;
       replace(next);
       if (stop(*this)) return true;
     }
+    return false;
   }
 
   [[nodiscard]] const std::array<Corner, 3>& portal() const { return corner_; }
@@ -233,7 +237,8 @@ class PortalWalk {
   // Of det(d - c, e - c, v): do the three turn left?
   [[nodiscard]] int turn(const Corner& c, const Corner& d, const Corner& e) const {
     const double ux = d.qx - c.qx, uy = d.qy - c.qy, wx = e.qx - c.qx, wy = e.qy - c.qy;
-    const double value = ux * wy - uy * wx, err = 2.1 * bounds_.seen;
+    // Of a difference: twice that of q, and u of its length, below 2.9 extent.
+    const double value = ux * wy - uy * wx, err = 2.5 * bounds_.seen;
     const double error =
         2 * err * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * err * err;
     if (value > error) return line_.sign;
@@ -302,7 +307,7 @@ class PortalWalk {
 
   void walk_around() {
     int edge = outside_edge();
-    while (edge >= 0) {
+    while (edge >= 0 && scene_.valid()) {
       ++counters_.portal_steps;
       const std::size_t i = static_cast<std::size_t>(edge);
       const Corner c = corner_[i], d = corner_[(i + 1) % 3];
