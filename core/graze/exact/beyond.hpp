@@ -7,7 +7,8 @@
 // beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
 //
 // Ties by construction. Where two vertices of C in n's plane differ in one leaf only, their vertices of that
-// leaf tie. A box: x_0's three neighbours are enough, n being separable.
+// leaf tie. A box: x_0's three neighbours are enough, n being separable. A hull with adjacency: x_0's
+// neighbours are.
 #pragma once
 
 #include <graze/exact/scene.hpp>
@@ -183,8 +184,17 @@ class BeyondSearch {
     s.best = s.at ^ flips;
   }
 
-  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre.
+  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre. On a
+  // hull with adjacency the neighbours are enough: its edges at x_0 span the cone that it lies in.
   void search_hull(Search& s, const Hull<S>& hull) const {
+    if (hull.has_adjacency()) {
+      const HullGraph<S>& graph = hull.graph();
+      if (const std::uint32_t rank = graph.rank[s.at]; rank != HullGraph<S>::kNone) {
+        const std::uint32_t *i = graph.neighbours.list(rank), *end = graph.neighbours.list(rank + 1);
+        for (; i != end; ++i) try_vertex(s, graph.vertex[*i]);
+        return;
+      }
+    }
     const S *x = hull.scan(0), *y = hull.scan(1), *z = hull.scan(2);
     const Vec3<double> half = hull.scan_half_extents().template cast<double>(),
                        middle = hull.scan_middle().template cast<double>();
