@@ -1,4 +1,4 @@
-// Our three casts as engines: a case in, an answer in doubles out.
+// Our casts as engines: a case in, an answer in doubles out.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -15,6 +15,7 @@ template <Scalar S>
 CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Method method) {
   CastOptions<S> options;
   options.method = method;
+  options.tier = method == Method::exact_portal ? Tier::exact : Tier::standard;
   options.request = ask.request;
   options.t_max = static_cast<S>(problem.t_max);
   options.target_distance = static_cast<S>(problem.target_distance);
@@ -79,7 +80,7 @@ template <Scalar S, Method kMethod>
 EngineMethod engine_of(const char* name) {
   return {.name = name,
           .scalar = std::same_as<S, float> ? "float" : "double",
-          .tier = "standard",
+          .tier = kMethod == Method::exact_portal ? "exact" : "standard",
           .unit_roundoff = kUnitRoundoff<S>,
           .cast = &cast_case<S, kMethod>,
           .seen = &rounded_case<S>,
@@ -89,13 +90,15 @@ EngineMethod engine_of(const char* name) {
 }  // namespace
 
 std::span<const EngineMethod> methods() {
-  static const std::array<EngineMethod, 6> kMethods = {
+  static const std::array<EngineMethod, 8> kMethods = {
       engine_of<double, Method::conservative_advancement>("ca"),
       engine_of<double, Method::gjk_ray_cast>("gjk"),
       engine_of<double, Method::mpr_sweep>("mpr"),
+      engine_of<double, Method::exact_portal>("exact"),
       engine_of<float, Method::conservative_advancement>("ca"),
       engine_of<float, Method::gjk_ray_cast>("gjk"),
       engine_of<float, Method::mpr_sweep>("mpr"),
+      engine_of<float, Method::exact_portal>("exact"),
   };
   return kMethods;
 }
@@ -105,6 +108,32 @@ const EngineMethod* find_method(std::string_view name) {
     if (name == method.name || name == method.full_name()) return &method;
   }
   return nullptr;
+}
+
+namespace {
+
+bool is_polytope(const Shape<double>& shape) {
+  return std::visit(
+      []<class T>(const T& s) {
+        if constexpr (std::same_as<T, Posed<double>>) {
+          return s.shape && is_polytope(s.shape->shape);
+        } else if constexpr (std::same_as<T, Sum<double>>) {
+          return std::all_of(s.shapes.begin(), s.shapes.end(), [](const SharedShape<double>& part) {
+            return part && is_polytope(part->shape);
+          });
+        } else {
+          return std::same_as<T, Point<double>> || std::same_as<T, Segment<double>> ||
+                 std::same_as<T, Triangle<double>> || std::same_as<T, Box<double>> ||
+                 std::same_as<T, Hull<double>>;
+        }
+      },
+      shape);
+}
+
+}  // namespace
+
+bool is_exact_question(const corpus::Case& seen) {
+  return is_polytope(seen.a.shape) && is_polytope(seen.b.shape) && seen.target_distance == 0;
 }
 
 std::string unsupported(const corpus::Case& problem) {

@@ -41,8 +41,9 @@ double number_field(const Json& row, const std::string& where, const char* name)
 }
 
 Guarantee parse_row(const Json& row, const std::string& where) {
-  static const std::set<std::string> kFields = {"query",          "method",        "scalar",    "tier",
-                                                "kappa_polytope", "kappa_rounded", "stall_cap", "mechanism"};
+  static const std::set<std::string> kFields = {"query",         "method",         "scalar",
+                                                "tier",          "kappa_polytope", "kappa_rounded",
+                                                "kappa_contact", "stall_cap",      "mechanism"};
   if (!row.is_object()) refuse(where, "must be an object");
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
@@ -58,10 +59,14 @@ Guarantee parse_row(const Json& row, const std::string& where) {
               .tier = text_field(row, where, "tier"),
               .kappa_polytope = number_field(row, where, "kappa_polytope"),
               .kappa_rounded = number_field(row, where, "kappa_rounded"),
+              .kappa_contact = row.contains("kappa_contact")
+                                   ? std::optional(number_field(row, where, "kappa_contact"))
+                                   : std::nullopt,
               .stall_cap = number_field(row, where, "stall_cap"),
               .mechanism = text_field(row, where, "mechanism")};
   const bool beyond =
-      std::max(g.kappa_polytope, g.kappa_rounded) > kPlainKappa || g.stall_cap > kPlainStallCap;
+      std::max({g.kappa_polytope, g.kappa_rounded, g.kappa_contact.value_or(0)}) > kPlainKappa ||
+      g.stall_cap > kPlainStallCap;
   if (beyond && g.mechanism.empty()) {
     refuse(where + ".mechanism", "must name what needs a kappa above 1024 or a stall cap above 0.001");
   }
@@ -114,7 +119,7 @@ const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMe
 const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method) {
   for (const Guarantee& row : table) {
     if (row.query == corpus::name_of(method.query) && row.method == method.name &&
-        row.scalar == method.scalar && row.tier == "standard") {
+        row.scalar == method.scalar && row.tier == method.tier) {
       return &row;
     }
   }

@@ -1,6 +1,7 @@
 // What each method promises, and what `graze certify` holds it to. docs/guarantees.md explains a row.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,10 +19,16 @@ struct Guarantee {
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
   double kappa_rounded = 0;   // a sphere, or a target distance
-  double stall_cap = 0;       // the largest fraction of a family's cases that may end not_converged
-  std::string mechanism;      // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
+  // Of tier exact kappa is 0, of the verdict and both bounds; its normals and witnesses are doubles, held to
+  // this kappa. Absent from a row: as the kappas above.
+  std::optional<double> kappa_contact = {};
+  double stall_cap = 0;   // the largest fraction of a family's cases that may end not_converged
+  std::string mechanism;  // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
 
   [[nodiscard]] double kappa(const corpus::Case& problem) const;
+  [[nodiscard]] double contact_kappa(const corpus::Case& problem) const {
+    return kappa_contact ? *kappa_contact : kappa(problem);
+  }
   [[nodiscard]] std::string name() const {
     return (query == "cast" ? "" : query + " ") + method + "/" + scalar + " " + tier;
   }

@@ -28,9 +28,9 @@ struct Ask {
 };
 
 struct EngineMethod {
-  std::string name;    // "ca", "gjk", "mpr"
+  std::string name;    // "ca", "gjk", "mpr", "exact"
   std::string scalar;  // "float", "double"
-  std::string tier;    // "standard"
+  std::string tier;    // "standard", "exact"
   double unit_roundoff;
   // A case for which unsupported() says something comes back as invalid_input with Invalid::none.
   Answer (*cast)(const corpus::Case&, const Ask&);
@@ -41,11 +41,17 @@ struct EngineMethod {
   double (*time_ns)(const corpus::Case&, const Ask&, int repeats);
 
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
+  [[nodiscard]] bool is_exact() const { return tier == "exact"; }
 };
 
 [[nodiscard]] std::span<const EngineMethod> methods();
 // By "mpr" (the first of that name, in double), "mpr/double", ...: nullptr if there is none.
 [[nodiscard]] const EngineMethod* find_method(std::string_view name);
+
+// Whether a case, as a method of tier exact sees it, is one that the tier answers; from any other it hands
+// back invalid_input with Invalid::not_exact. Written from the documentation of the tier, not from its code:
+// points, segments, triangles, boxes, hulls, posed and summed, and no target distance.
+[[nodiscard]] bool is_exact_question(const corpus::Case& seen);
 
 // What in a case no method here answers ("a rotating motion", ...); empty when all of them do.
 [[nodiscard]] std::string unsupported(const corpus::Case& problem);

@@ -1,5 +1,6 @@
 #include "engines/queries.hpp"
 
+#include <graze/exact/exact_cast.hpp>
 #include <graze/overlap.hpp>
 #include <graze/penetration.hpp>
 #include <graze/swept_overlap.hpp>
@@ -85,10 +86,18 @@ QueryAnswer penetration_along_by_mpr(const Case& c) {
 }
 
 template <Scalar S>
-QueryAnswer line_by_mpr(const Case& c) {
+QueryAnswer overlap_exactly(const Case& c) {
+  return of_overlap(overlap_exact(round_to<S>(c.a), round_to<S>(c.b)));
+}
+
+template <Scalar S>
+LineOptions<S> line_options(const Case& c) {
   LineOptions<S> options;
   options.target_distance = static_cast<S>(c.target_distance);
-  const LineResult<S> result = line(round_to<S>(c.a), round_to<S>(c.b), options);
+  return options;
+}
+template <Scalar S>
+QueryAnswer of_line(const LineResult<S>& result) {
   QueryAnswer answer = begun(result, result.outcome);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.normal = widened(result.normal_in);
@@ -99,31 +108,56 @@ QueryAnswer line_by_mpr(const Case& c) {
   return answer;
 }
 
-template <Scalar S, SweptMethod kMethod>
-QueryAnswer swept_overlap_by(const Case& c) {
+template <Scalar S>
+QueryAnswer line_by_mpr(const Case& c) {
+  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c)));
+}
+template <Scalar S>
+QueryAnswer line_exactly(const Case& c) {
+  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c)));
+}
+
+template <Scalar S>
+SweptOverlapOptions<S> swept_options(const Case& c) {
   SweptOverlapOptions<S> options;
-  options.method = kMethod;
   options.t_max = static_cast<S>(c.t_max);
   options.target_distance = static_cast<S>(c.target_distance);
-  const SweptOverlapResult<S> result = swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options);
+  return options;
+}
+template <Scalar S>
+QueryAnswer of_swept(const SweptOverlapResult<S>& result) {
   QueryAnswer answer = begun(result, result.outcome);
   answer.normal = widened(result.normal);
   return answer;
 }
 
+template <Scalar S, SweptMethod kMethod>
+QueryAnswer swept_overlap_by(const Case& c) {
+  SweptOverlapOptions<S> options = swept_options<S>(c);
+  options.method = kMethod;
+  return of_swept(swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options));
+}
+template <Scalar S>
+QueryAnswer swept_overlap_exactly(const Case& c) {
+  return of_swept(swept_overlap_exact(round_to<S>(c.a), round_to<S>(c.b), swept_options<S>(c)));
+}
+
 template <Scalar S>
 void add_methods(std::vector<QueryMethod>& out) {
   const char* scalar = std::same_as<S, float> ? "float" : "double";
-  out.push_back({Query::overlap, "gjk", scalar, &overlap_by_gjk<S>});
-  out.push_back({Query::overlap, "mpr", scalar, &overlap_by_mpr<S>});
-  out.push_back({Query::distance, "gjk", scalar, &distance_by_gjk<S>});
-  out.push_back({Query::penetration, "epa", scalar, &penetration_by_epa<S>});
-  out.push_back({Query::penetration_along, "mpr", scalar, &penetration_along_by_mpr<S>});
-  out.push_back({Query::line, "mpr", scalar, &line_by_mpr<S>});
-  out.push_back({Query::swept_overlap, "gjk", scalar, &swept_overlap_by<S, SweptMethod::gjk>});
-  out.push_back({Query::swept_overlap, "mpr", scalar, &swept_overlap_by<S, SweptMethod::mpr>});
-  out.push_back(
-      {Query::swept_overlap, "before_after", scalar, &swept_overlap_by<S, SweptMethod::before_after>});
+  out.push_back({Query::overlap, "gjk", scalar, "standard", &overlap_by_gjk<S>});
+  out.push_back({Query::overlap, "mpr", scalar, "standard", &overlap_by_mpr<S>});
+  out.push_back({Query::distance, "gjk", scalar, "standard", &distance_by_gjk<S>});
+  out.push_back({Query::penetration, "epa", scalar, "standard", &penetration_by_epa<S>});
+  out.push_back({Query::penetration_along, "mpr", scalar, "standard", &penetration_along_by_mpr<S>});
+  out.push_back({Query::line, "mpr", scalar, "standard", &line_by_mpr<S>});
+  out.push_back({Query::swept_overlap, "gjk", scalar, "standard", &swept_overlap_by<S, SweptMethod::gjk>});
+  out.push_back({Query::swept_overlap, "mpr", scalar, "standard", &swept_overlap_by<S, SweptMethod::mpr>});
+  out.push_back({Query::swept_overlap, "before_after", scalar, "standard",
+                 &swept_overlap_by<S, SweptMethod::before_after>});
+  out.push_back({Query::overlap, "exact", scalar, "exact", &overlap_exactly<S>});
+  out.push_back({Query::line, "exact", scalar, "exact", &line_exactly<S>});
+  out.push_back({Query::swept_overlap, "exact", scalar, "exact", &swept_overlap_exactly<S>});
 }
 
 }  // namespace

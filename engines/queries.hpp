@@ -26,11 +26,13 @@ struct QueryAnswer {
 
 struct QueryMethod {
   corpus::Query query;
-  std::string name;    // "gjk", "mpr", "epa", ...
+  std::string name;    // "gjk", "mpr", "epa", ..., "exact"
   std::string scalar;  // "float", "double"
+  std::string tier;    // "standard", "exact"
   QueryAnswer (*answer)(const corpus::Case&);
 
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
+  [[nodiscard]] bool is_exact() const { return tier == "exact"; }
 };
 
 // The first of a query, in double, is its default.

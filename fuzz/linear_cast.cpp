@@ -1,7 +1,7 @@
 // Does any linear cast answer wrongly?
 //
 //   1  decode the bytes to a case, whatever they are;
-//   2  ask the three methods in double for everything;
+//   2  ask every method in double for everything;
 //   3  judge them by their proofs, and by the exact oracle where proofs leave a question open, and on one
 //   case
 //      in 256, chosen by a hash of its numbers (judge_cast.hpp lists the steps);

@@ -104,7 +104,10 @@ struct VertexCounts {
   if (in_a.refusal == Refusal::unsupported) return in_a;
   if (in_b.refusal == Refusal::unsupported) return in_b;
   if (!spin_a.isZero(0) || !spin_b.isZero(0)) return {Refusal::unsupported, "a rotating motion"};
-  if (problem.start_policy == corpus::StartPolicy::pass_over && proof.toi_upper < kInfinity<double>)
+  // A lower bound above 0, which is checked as well, says that the start is not in contact: then no policy
+  // applies.
+  if (problem.start_policy == corpus::StartPolicy::pass_over && proof.toi_upper < kInfinity<double> &&
+      !(proof.toi_lower > 0))
     return {Refusal::unsupported, "an upper bound under the policy pass_over, which a leaving start voids"};
   if (in_a.refusal != Refusal::none) return in_a;
   if (in_b.refusal != Refusal::none) return in_b;

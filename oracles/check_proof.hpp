@@ -15,9 +15,10 @@
 // poses; by its symbolic facet, a hull swept along a segment 3.2 and 6.1.
 //
 // Where it does not decide: a case with a magnitude outside 1e-60 .. 1e60 is refused as out_of_range; the
-// proof's own numbers may be any finite doubles. A shape of more than 64 levels or 4,096 parts, and upper
-// bounds under the policy pass_over (a leaving start makes them void), are unsupported. What 4,096 bits leave
-// open is undecided: never a tie (tree_support.hpp), only roots that differ by less.
+// proof's own numbers may be any finite doubles. A shape of more than 64 levels or 4,096 parts is
+// unsupported, and so is an upper bound under the policy pass_over without a lower one above 0 (a start that
+// leaves makes it void). What 4,096 bits leave open is undecided: never a tie (tree_support.hpp), only roots
+// that differ by less.
 #pragma once
 
 #include <graze/proof.hpp>

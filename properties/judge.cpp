@@ -22,7 +22,23 @@ double kappa(const EngineMethod& method, const Case& problem) {
 }
 
 double bound_of(const EngineMethod& method, const Case& problem) {
-  return kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high;
+  const CaseTruth& truth = truth_of(problem);
+  if (!method.is_exact()) return kappa(method, problem) * method.unit_roundoff * truth.scale().high;
+  if (truth.outcome() != Outcome::hit) return 0;
+  const double least = method.scalar == "float" ? std::numeric_limits<float>::denorm_min()
+                                                : std::numeric_limits<double>::denorm_min();
+  // |v| rounds, too.
+  return (2 * method.unit_roundoff * truth.toi_upper() + least) * velocity(problem).stableNorm() *
+         (1 + 8 * kUnitRoundoff<double>);
+}
+
+double contact_kappa(const EngineMethod& method, const Case& problem) {
+  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+  return row ? row->contact_kappa(problem) : std::numeric_limits<double>::infinity();
+}
+
+double contact_bound_of(const EngineMethod& method, const Case& problem) {
+  return contact_kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high;
 }
 
 namespace {
@@ -87,6 +103,10 @@ bool is_undecided(const CaseTruth& truth) { return truth.outcome() == Outcome::n
 
 bool is_linear_question(const Case& problem) {
   return engine::unsupported(problem).empty() && in_domain(problem);
+}
+
+bool is_question_for(const EngineMethod& method, const Case& seen) {
+  return is_linear_question(seen) && (!method.is_exact() || engine::is_exact_question(seen));
 }
 
 bool claims_contact(const Answer& answer) {

@@ -16,7 +16,12 @@ namespace graze::law {
 // kappa of the method's row for this kind of case; infinite for a method without a row, which promises
 // nothing.
 [[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
+// kappa u scale. Of tier exact, whose kappa is 0: what rounding the times of a hit outward may cost, 2 u TOI
+// |v|; the law exact_equals_oracle leaves it nothing.
 [[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+// Of normals and witnesses.
+[[nodiscard]] double contact_kappa(const engine::EngineMethod& method, const corpus::Case& problem);
+[[nodiscard]] double contact_bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
 
 // Whether an oracle takes the case: every linear one of valid shapes. Polytopes, alone or rounded by one
 // radius, go to the exact oracle while they have no more than kMostDifferences pairs of vertices (256 x 256
@@ -34,6 +39,8 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 
 // A cast that the methods know, in the domain: the laws speak about nothing else (but the door's).
 [[nodiscard]] bool is_linear_question(const corpus::Case& problem);
+// One that this method answers: tier exact does not answer all of them.
+[[nodiscard]] bool is_question_for(const engine::EngineMethod& method, const corpus::Case& seen);
 
 [[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
 [[nodiscard]] std::string_view label_of(Outcome outcome);

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "corpus/case_io.hpp"
+#include "corpus/proof_io.hpp"
 #include "corpus/support_value.hpp"
 #include "properties/case_edit.hpp"
+#include "properties/exact_answer.hpp"
 #include "properties/judge.hpp"
 #include "properties/laws_proof.hpp"
 
@@ -72,6 +74,10 @@ CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
   Proved proved;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const Answer& answer = judgement.said[i].answer;
+    if (!is_question_for(*asked[i], problem)) {
+      if (answer.invalid != Invalid::not_exact) blame(i, "tier exact answers what it does not know");
+      continue;
+    }
     blame(i, consistency_fault(problem, *asked[i], answer, Request::everything));
     blame(i, proof_fault(problem, answer));
     if (!judgement.fault.empty()) return judgement;
@@ -84,6 +90,15 @@ CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const EngineMethod& method = *asked[i];
     const Answer& answer = judgement.said[i].answer;
+    if (!is_question_for(method, problem)) continue;
+    if (method.is_exact()) {
+      const ExactFinding finding = judge_exact_by_proof(problem, answer, false);
+      blame(i, finding.fault);
+      if ((finding.settled && !ask_oracle) || !is_exactly_decided(problem)) continue;
+      judgement.by_oracle = true;
+      blame(i, exact_fault_by_truth(truth_of(problem), answer, false));
+      continue;
+    }
     const double bound = kappa(method, problem) * method.unit_roundoff * least_scale(problem);
     if (!ask_oracle && settled(answer, proved, speed, bound)) continue;
     if (!has_truth(problem)) continue;
@@ -101,8 +116,11 @@ std::string report(const Case& problem, const CastJudgement& judgement) {
     text += fmt::format("{}: {}\n", one.method, describe(one.answer));
     if (!one.answer.proof) continue;
     const Proof& proof = *one.answer.proof;
+    const std::string axis = !proof.has_axis  ? "none"
+                             : proof.symbolic ? corpus::write_axis(proof)
+                                              : hex(proof.axis);
     text += fmt::format("  proof: toi in [{}, {}], axis {}, portal of {}\n", hex(proof.toi_lower),
-                        hex(proof.toi_upper), proof.has_axis ? hex(proof.axis) : "none", proof.portal_size);
+                        hex(proof.toi_upper), axis, proof.portal_size);
   }
   if (is_linear_question(problem) && has_truth(problem)) {
     const oracle::CaseTruth& truth = truth_of(problem);

@@ -6,7 +6,8 @@
 //   the
 //      least upper bound hold for the true TOI, whatever method found them;
 //   4  an answer that lies within [L, U], where L and U are a few roundings apart, is right;
-//   5  any other answer goes to the oracle, as does every answer of a case that is asked for (a sample), if
+//   5  an answer of tier exact is judged to the last bit (exact_answer.hpp), where that tier answers at all;
+//   6  any other answer goes to the oracle, as does every answer of a case that is asked for (a sample), if
 //   it
 //      decides the case (judge.hpp).
 #pragma once

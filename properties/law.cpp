@@ -1,5 +1,6 @@
 #include "properties/law.hpp"
 
+#include "properties/laws_exact.hpp"
 #include "properties/laws_metamorphic.hpp"
 #include "properties/laws_oracle.hpp"
 #include "properties/laws_proof.hpp"
@@ -45,6 +46,13 @@ constexpr Law kLaws[] = {
      Needs::oracle, &witnesses_touch},
     {"proof_is_tight", "A proof's bounds are within kappa u scale of the bracket's.", Needs::oracle,
      &proof_is_tight},
+    {"exact_equals_oracle",
+     "Tier exact: the verdict is the exact one, and the bracket the two S next to the TOI, to the last bit.",
+     Needs::proof, &exact_equals_oracle},
+    {"exact_queries_agree",
+     "Tier exact: overlap, swept overlap and line say what the cast and the exact oracle say, to the last "
+     "bit.",
+     Needs::proof, &exact_queries_agree},
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ using engine::EngineMethod;
 
 namespace {
 
-const LawResult kOutside = not_applicable("not a linear cast in the domain");
+const LawResult kOutside = not_applicable("not a cast that the method answers");
 
 // An edit must survive the rounding to the method's scalar, or the two questions are not the ones meant.
 bool fits(const Case& edited, const EngineMethod& method) { return same_input(method.seen(edited), edited); }
@@ -28,7 +28,7 @@ std::string pair_of(const Answer& one, const Answer& other) {
 
 LawResult swapping(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const Case other = swapped(seen);
   const engine::Ask ask{.request = Request::normal};
   const Answer one = method.cast(seen, ask), two = method.cast(other, ask);
@@ -45,14 +45,14 @@ LawResult swapping(const Case& problem, const EngineMethod& method) {
   if (const auto open = without_truth(seen)) return *open;
   if (truth_of(seen).outcome() != Outcome::hit) return result;
   result.labels.push_back("cone");
-  const std::string fault = normal_fault(seen, two, -two.normal, bound_of(method, seen));
+  const std::string fault = normal_fault(seen, two, -two.normal, contact_bound_of(method, seen));
   if (!fault.empty()) return broken("the swapped normal, negated: " + fault + ": " + pair_of(one, two));
   return result;
 }
 
 LawResult scaling(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const int powers[] = {-1, 1, 7, -9, 24, -31, 60, -60};
   const std::uint64_t first = hash_of(seen);
   for (std::size_t j = 0; j < std::size(powers); ++j) {
@@ -86,7 +86,7 @@ LawResult scaling(const Case& problem, const EngineMethod& method) {
 
 LawResult translating(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
     const std::optional<Case> other = translated(seen, salt);
     if (!other || !fits(*other, method)) continue;
@@ -103,10 +103,10 @@ LawResult translating(const Case& problem, const EngineMethod& method) {
 
 LawResult superset(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
     const Case other = grown(seen, salt);
-    if (!in_domain(other) || !fits(other, method)) continue;
+    if (!is_question_for(method, other) || !fits(other, method)) continue;
     const Answer one = method.cast(seen, {}), two = method.cast(other, {});
     const bool ordered = one.outcome == Outcome::miss ||
                          (claims_contact(one) && claims_contact(two) && two.toi_lower <= one.toi_upper);
@@ -122,7 +122,7 @@ LawResult superset(const Case& problem, const EngineMethod& method) {
 
 LawResult ray_is_point_cast(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const std::optional<Case> ray = ray_against_cso(seen);
   if (!ray || !fits(*ray, method)) return not_applicable("no exact hull of differences");
   const Answer one = method.cast(seen, {}), two = method.cast(*ray, {});
@@ -136,7 +136,7 @@ LawResult ray_is_point_cast(const Case& problem, const EngineMethod& method) {
 
 LawResult splitting(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const std::optional<Split> parts = split(seen, hash_of(seen));
   if (!parts || !fits(parts->before, method) || !fits(parts->after, method))
     return not_applicable("no exact restart");
@@ -177,11 +177,11 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
 
 LawResult methods_meet(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const Answer one = method.cast(seen, {});
   LawResult result = holds();
   for (const EngineMethod& other : engine::methods()) {
-    if (other.scalar != method.scalar || other.name == method.name) continue;
+    if (other.scalar != method.scalar || other.name == method.name || !is_question_for(other, seen)) continue;
     const Answer two = other.cast(seen, {});
     if (agree(one, two, method.unit_roundoff)) continue;
     // Each within its own row. Of curved shapes nobody is blamed: where the edge of a plate grazes a
@@ -202,7 +202,7 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
 
 LawResult requesting(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return kOutside;
+  if (!is_question_for(method, seen)) return kOutside;
   const Answer least = method.cast(seen, {.request = Request::verdict});
   const Answer all = method.cast(seen, {.request = Request::everything});
   if (least.outcome != all.outcome || least.toi_lower != all.toi_lower || least.toi_upper != all.toi_upper) {

@@ -20,7 +20,7 @@ using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
 LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {});
   const CaseTruth& truth = truth_of(seen);
@@ -56,26 +56,26 @@ LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
 
 LawResult normal_supports(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::normal});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const CaseTruth& truth = truth_of(seen);
   if (truth.outcome() != Outcome::hit)
     return holds({label_of(answer.outcome), "near a start in contact or a miss"});
-  const std::string fault = normal_fault(seen, answer, answer.normal, bound_of(method, seen));
+  const std::string fault = normal_fault(seen, answer, answer.normal, contact_bound_of(method, seen));
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
 
 LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const CaseTruth& truth = truth_of(seen);
-  const double bound = bound_of(method, seen);
+  const double bound = std::max(contact_bound_of(method, seen), bound_of(method, seen));
   // A coordinate of a witness, position + t displacement + ..., is rounded at the size of its largest term.
   const auto rounding = [&](const Body<double>& body, const Vec3<double>& point) {
     const double size = std::max({point.cwiseAbs().maxCoeff(), body.position.cwiseAbs().maxCoeff(),
@@ -101,7 +101,7 @@ LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
 
 LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::proof});
   if (answer.outcome != Outcome::hit && answer.outcome != Outcome::miss)

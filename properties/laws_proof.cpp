@@ -49,7 +49,7 @@ std::string consistency_fault(const Case& seen, const EngineMethod& method, cons
     // Divided first: the products of extreme lengths may leave the exponent range.
     const double speed = v.stableNorm();
     const double receding = speed > 0 ? answer.normal.dot(v / speed) : 0;
-    if (!(receding <= kappa(method, seen) * u)) {
+    if (!(receding <= contact_kappa(method, seen) * u)) {
       return fmt::format("a normal along the motion, n.v = {} |v|", receding);
     }
   }
@@ -68,7 +68,7 @@ std::string proof_fault(const Case& seen, const Answer& answer) {
 
 LawResult answer_is_consistent(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   const Request request = Request::normal | Request::witnesses;
   const Answer answer = method.cast(seen, {.request = request});
   const std::string fault = consistency_fault(seen, method, answer, request);
@@ -78,7 +78,7 @@ LawResult answer_is_consistent(const Case& problem, const EngineMethod& method) 
 
 LawResult proof_is_accepted(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   const Answer answer = method.cast(seen, {.request = Request::proof});
   const std::string fault = proof_fault(seen, answer);
   if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
@@ -89,7 +89,7 @@ LawResult proof_is_accepted(const Case& problem, const EngineMethod& method) {
 
 LawResult bad_input_is_refused(const Case& problem, const EngineMethod& method) {
   const Case seen = method.seen(problem);
-  if (!is_linear_question(seen)) return not_applicable("not a linear cast in the domain");
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   std::string fault;
   const auto expect_refusal = [&](const Case& bad, const std::string& what) {
     const Answer answer = method.cast(bad, {.request = Request::everything});

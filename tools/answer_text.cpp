@@ -49,7 +49,9 @@ std::string invalid_text(Invalid invalid) {
     case Invalid::missing_part:
       return "a combinator without parts";
     case Invalid::too_complex:
-      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices";
+      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices, or, in tier "
+             "exact, "
+             "too many nested rotations";
     case Invalid::rounding_mode:
       return "another rounding mode than to nearest";
     case Invalid::bad_horizon:
@@ -58,6 +60,9 @@ std::string invalid_text(Invalid invalid) {
       return "a target distance below zero or out of range";
     case Invalid::bad_tolerance:
       return "a tolerance below zero, or a budget below one";
+    case Invalid::not_exact:
+      return "a curved or rounded shape, a hull of shapes or a target distance, which tier exact does not "
+             "know";
   }
   return "an unknown reason";
 }
@@ -126,7 +131,7 @@ std::string answer_block(const corpus::Case& problem, const engine::QueryMethod&
     text += fmt::format("  {:<10}{}\n", name, value);
   };
   line("query", std::string(corpus::name_of(problem.query)));
-  line("method", fmt::format("{}, {}, tier standard", method.name, method.scalar));
+  line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
   line("outcome", std::string(corpus::name_of(answer.outcome)));
   if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
   for (const auto& [name, value] : intervals(answer)) {
@@ -154,7 +159,7 @@ std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& 
   for (const auto& [name, value] : vectors(answer)) {
     text += fmt::format(R"(, "{}": {})", name, value ? json_vector(*value) : "null");
   }
-  return text + fmt::format(R"(, "method": "{}", "tier": "standard", "iterations": {}}})", method.name,
+  return text + fmt::format(R"(, "method": "{}", "tier": "{}", "iterations": {}}})", method.name, method.tier,
                             answer.counters.iterations);
 }
 

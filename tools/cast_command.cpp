@@ -20,10 +20,14 @@ struct Settings {
 };
 
 void check(const Settings& settings) {
-  if (settings.tier != "standard") {
-    const bool known = settings.tier == "certified" || settings.tier == "exact";
-    throw std::runtime_error(fmt::format("--tier: {} is {}; use standard", settings.tier,
-                                         known ? "not available in this version" : "no tier"));
+  if (settings.tier != "standard" && settings.tier != "exact") {
+    throw std::runtime_error(
+        fmt::format("--tier: {} is {}; use standard or exact", settings.tier,
+                    settings.tier == "certified" ? "not available in this version" : "no tier"));
+  }
+  if (settings.tier == "exact" && !settings.method.empty() && settings.method != "exact") {
+    throw std::runtime_error(fmt::format(
+        "--tier: exact has one method, not {}; leave --method away, or leave the tier", settings.method));
   }
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
@@ -49,8 +53,10 @@ std::vector<const engine::QueryMethod*> methods_for(corpus::Query query) {
 
 class Run {
  public:
-  explicit Run(const Settings& settings) : settings_(settings) {
-    check(settings);
+  explicit Run(const Settings& given) : settings_(given) {
+    check(given);
+    if (given.tier == "exact") settings_.method = "exact";
+    const Settings& settings = settings_;
     std::set<std::string> names = {"all"};
     for (const engine::EngineMethod& method : engine::methods()) {
       names.insert({method.name, method.full_name()});
@@ -101,6 +107,11 @@ class Run {
     }
   }
 
+  // Of all methods, those of tier exact are meant where there is one.
+  [[nodiscard]] bool is_left_out(Invalid invalid) const {
+    return settings_.method == "all" && invalid == Invalid::not_exact;
+  }
+
   void cast(const std::string& file, const corpus::Case& problem) {
     if (const std::string why = engine::unsupported(problem); !why.empty()) {
       return refuse(file, problem,
@@ -108,12 +119,13 @@ class Run {
     }
     if (casts_.empty()) {
       return refuse(file, problem,
-                    fmt::format("--method {} does not cast; ca, gjk and mpr do", settings_.method));
+                    fmt::format("--method {} does not cast; ca, gjk, mpr and exact do", settings_.method));
     }
     const Request request =
         Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
     for (const engine::EngineMethod* method : casts_) {
       const engine::Answer answer = method->cast(problem, {.request = request});
+      if (is_left_out(answer.invalid)) continue;
       show(file, problem, *method, answer);
       if (proofs_ && answer.proof) {
         proofs_->write_line(corpus::write_proof({.problem = method->seen(problem),
@@ -138,7 +150,8 @@ class Run {
         continue;
       }
       answered = true;
-      show(file, problem, *method, method->answer(problem));
+      const engine::QueryAnswer answer = method->answer(problem);
+      if (!is_left_out(answer.invalid)) show(file, problem, *method, answer);
     }
     if (answered) return;
     std::set<std::string> names;
@@ -148,7 +161,7 @@ class Run {
                        corpus::name_of(problem.query), fmt::join(names, " or ")));
   }
 
-  const Settings& settings_;
+  Settings settings_;
   std::vector<const engine::EngineMethod*> casts_;
   std::unique_ptr<OutputFile> proofs_;
   bool bad_ = false;
@@ -168,13 +181,16 @@ void add_cast_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--method", settings->method,
                    "For a cast: gjk (GJK ray cast, the default), mpr (MPR sweep), ca (conservative "
-                   "advancement); for another query see below; or all")
+                   "advancement), exact (the tier's); for another query see below; or all")
       ->type_name("NAME");
   command
       ->add_option("--scalar", settings->scalar,
                    "double (the default) or float: rounds the case, then casts it")
       ->type_name("NAME");
-  command->add_option("--tier", settings->tier, "standard: the tier of this version")->type_name("NAME");
+  command
+      ->add_option("--tier", settings->tier,
+                   "standard (the default), or exact: polytopes, to the last bit; the same as --method exact")
+      ->type_name("NAME");
   command->add_flag("--json", settings->json,
                     "One JSON object a line, whose numbers read back to the same bits");
   command->add_option("--proof", settings->proofs, "Also write the proofs to this file, for `graze check`")
@@ -184,15 +200,20 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "impact;\n"
       "use lower in a simulator: it is never late. The normal is from A to B; point_a and point_b are the "
       "contact\n"
-      "on each body at lower, in world coordinates.\n\n"
+      "on each body at lower, in world coordinates. Tier exact: points, segments, triangles, boxes, hulls, "
+      "posed "
+      "and\n"
+      "summed, without a target distance; lower and upper are the two doubles next to the time, or both are "
+      "it.\n\n"
       "A case may ask another query:\n"
-      "  overlap            gjk (default), mpr       do the bodies touch at t = 0?\n"
+      "  overlap            gjk (default), mpr,      do the bodies touch at t = 0?\n"
+      "                     exact\n"
       "  distance           gjk                      how far apart are they, closest points\n"
       "  penetration        epa                      how deep, and the shortest way out\n"
       "  penetration_along  mpr                      how deep along the case's direction\n"
-      "  line               mpr                      [t_in, t_out] over all times, negative ones too\n"
+      "  line               mpr (default), exact     [t_in, t_out] over all times, negative ones too\n"
       "  swept_overlap      gjk (default), mpr,      do they touch at any t in [0, t_max]? only whether\n"
-      "                     before_after\n\n"
+      "                     before_after, exact\n\n"
       "  graze cast pair.json\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
       "Exit code: 0, or 2 if a file or a case could not be read or answered; the others are answered all the "

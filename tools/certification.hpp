@@ -1,6 +1,7 @@
 // Certification: suites of cases, every method judged on each, tallied. Pure but for the clock.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,11 +12,19 @@
 
 namespace graze::tool {
 
+// Linear casts: given ones, or as many as wanted, each drawn when it is asked for.
 struct Suite {
   std::string family;
-  std::vector<corpus::Case> cases = {};  // linear casts
+  std::vector<corpus::Case> cases = {};
+  std::size_t drawn = 0;
+  std::function<corpus::Case(std::size_t)> draw = {};
   std::size_t oracle_every =
       1;  // the exact oracle measures every so many of them, beside what it must decide
+
+  [[nodiscard]] std::size_t size() const { return cases.size() + drawn; }
+  [[nodiscard]] corpus::Case at(std::size_t i) const {
+    return i < cases.size() ? cases[i] : draw(i - cases.size());
+  }
 };
 
 struct Settings {
@@ -34,6 +43,10 @@ struct Certification {
 };
 
 [[nodiscard]] Certification certify(const std::vector<Suite>& suites, const Settings& settings);
+
+// What the exact tier's casts come to: how many, how many wrong or stalled, and the rate of failures that so
+// many without one allow at 95 %; empty without a method of that tier.
+[[nodiscard]] std::string exact_summary(const Certification& certification, const Settings& settings);
 
 // Which methods there are, what their rows promise, and whether it was kept.
 [[nodiscard]] std::string guarantee_table(const Certification& certification, const Settings& settings);

@@ -71,17 +71,19 @@ struct Intake {
   }
 };
 
+// Level by level: a sample of every k-th case of levels that alternate would miss levels whenever k and their
+// number have a common factor. The seeds are those of cases dealt to the levels in turn.
 Suite generated_suite(const corpus::Family& family, const Arguments& arguments) {
-  Suite suite{.family = std::string(family.name), .oracle_every = arguments.oracle_every};
-  for (std::size_t i = 0; i < arguments.count; ++i) {
-    suite.cases.push_back(family.generate(family.levels[i % family.levels.size()], arguments.seed + i));
-  }
-  // Neighbours have different levels, so a sample of every k-th would miss levels whenever k and their number
-  // have a common factor; sorting by level keeps every level in the sample.
-  std::stable_sort(suite.cases.begin(), suite.cases.end(), [](const corpus::Case& l, const corpus::Case& r) {
-    return l.hardness.value_or(0) < r.hardness.value_or(0);
-  });
-  return suite;
+  const std::size_t levels = family.levels.size(), count = arguments.count;
+  return {.family = std::string(family.name),
+          .drawn = count,
+          .draw =
+              [&family, levels, count, seed = arguments.seed](std::size_t i) {
+                std::size_t level = 0, share = 0;
+                for (; i >= (share = (count + levels - 1 - level) / levels); ++level) i -= share;
+                return family.generate(family.levels[level], seed + level + i * levels);
+              },
+          .oracle_every = arguments.oracle_every};
 }
 
 std::vector<const corpus::Family*> wanted_families(const Arguments& arguments) {
@@ -141,7 +143,14 @@ void print_tables(const Certification& certification, const Settings& settings,
       "end, on the\n"
       "cases by oracle; true in.: the backward error of a float answer against the input before rounding to "
       "float.\n"
+      "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not "
+      "asked: "
+      "cases\n"
+      "that are not for the tier, and that it refuses.\n"
       "median ns: one cast with normal and witnesses, shapes built beforehand.\n\n");
+  if (const std::string exact = exact_summary(certification, settings); !exact.empty()) {
+    fmt::print("Tier exact\n\n{}\n", exact);
+  }
   if (!study.empty()) {
     fmt::print(
         "Error against time: backward error of the bracket's ends over scale, on {} measured hits.\n\n{}\n",
@@ -189,16 +198,17 @@ int run(const Arguments& arguments) {
     suites.push_back(intake.suite(file.name, file.name, file.cases, false));
   bad = bad || files.bad || (!arguments.files.empty() && intake.skipped > 0);
   for (const corpus::Family* family : families) suites.push_back(generated_suite(*family, arguments));
-  std::erase_if(suites, [](const Suite& suite) { return suite.cases.empty(); });
+  std::erase_if(suites, [](const Suite& suite) { return suite.size() == 0; });
   if (suites.empty()) {
     if (!bad) complain("there is no case to judge; give a file with one, or a count above 0");
     return 2;
   }
 
   const Certification certification = certify(suites, settings);
-  // Float cannot follow a tolerance below its own u: the study is of double.
+  // Float cannot follow a tolerance below its own u, and tier exact knows none: the study is of double.
   std::vector<const engine::EngineMethod*> studied = settings.methods;
-  std::erase_if(studied, [](const engine::EngineMethod* m) { return m->scalar != "double"; });
+  std::erase_if(studied,
+                [](const engine::EngineMethod* m) { return m->scalar != "double" || m->is_exact(); });
   std::vector<ToleranceRow> study;
   if (!certification.hits.empty() && !studied.empty()) {
     study = study_tolerances(studied, studied_hits(certification.hits), settings.threads);
@@ -235,7 +245,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")->type_name("S");
   command
       ->add_option("--method", arguments->methods,
-                   "ca, gjk, mpr, one with its scalar (mpr/float), or all (may be repeated)")
+                   "ca, gjk, mpr, exact, one with its scalar (mpr/float), or all (may be repeated)")
       ->type_name("NAME");
   command
       ->add_option("--oracle-every", arguments->oracle_every,
@@ -268,6 +278,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "docs/guarantees.md says what each column means.\n\n"
       "  graze certify\n"
       "  graze certify --family grazing --count 20000 --method mpr/float --save hard.jsonl\n"
+      "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
       "  graze certify my_cases.jsonl\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not, 2 for bad "
       "input.");

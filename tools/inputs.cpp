@@ -72,9 +72,10 @@ std::vector<const engine::EngineMethod*> select_methods(const std::vector<std::s
   }
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
-    throw std::runtime_error(fmt::format(
-        "--method: {} is no method; it is ca, gjk, mpr, one of them with its scalar (mpr/float), or all",
-        names[static_cast<std::size_t>(unknown - used.begin())]));
+    throw std::runtime_error(
+        fmt::format("--method: {} is no method; it is ca, gjk, mpr, exact, one of them with its scalar "
+                    "(mpr/float), or all",
+                    names[static_cast<std::size_t>(unknown - used.begin())]));
   }
   return selected;
 }

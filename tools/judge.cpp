@@ -8,6 +8,7 @@
 
 #include "corpus/names.hpp"
 #include "corpus/support_value.hpp"
+#include "properties/exact_answer.hpp"
 #include "tools/table.hpp"
 
 namespace graze::tool {
@@ -86,13 +87,13 @@ double scale_from_below(const corpus::Case& problem) {
 // An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
 //   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
 //   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
-//   the axis proves that the path up to t misses it.
+//   the axis proves that the path up to t misses it. Of a symbolic axis |n.v| / |n| is taken as its bound
+//   |v|.
 double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
   const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
+  const double slope = proof.symbolic ? v.norm() : std::abs(proof.axis.normalized().dot(v));
   const double before =
-      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * std::abs(proof.axis.normalized().dot(v))
-                                            : kInfinity<double>)
-                          : 0;
+      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * slope : kInfinity<double>) : 0;
   return kSlack * std::max(apart, before);
 }
 
@@ -159,7 +160,7 @@ void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& a
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
     if (!(std::abs(length - 1) <= 16 * limits.unit_roundoff)) {
       convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
-    } else if (!(answer.normal.dot(v) <= limits.kappa * limits.unit_roundoff * v.norm())) {
+    } else if (!(answer.normal.dot(v) <= limits.contact_kappa * limits.unit_roundoff * v.norm())) {
       convict(judgement.bad_contact, "the normal points along the motion");
     } else if (const double error = normal_error(exact, answer, v); error > limit) {
       convict(judgement.bad_contact,
@@ -218,7 +219,8 @@ void judge_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer&
         convict(judgement.off, fmt::format("backward error {} of scale at t = {:.17g}", in_scale(error), t));
       }
     }
-    judge_contact(judgement, exact, answer, problem, limits, limit, request);
+    const double contact_limit = limits.contact_kappa * limits.unit_roundoff * scale;
+    judge_contact(judgement, exact, answer, problem, limits, contact_limit, request);
     return;
   }
   // not_converged. Its finite upper end claims contact by then; up to the first contact the distance from C
@@ -396,17 +398,25 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   return errors;
 }
 
-Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle, Request request) {
-  Judgement judgement;
+namespace {
+
+// The door. True if there is nothing more to judge.
+bool is_settled_at_the_door(Judgement& judgement, const corpus::Case& problem, const Answer& answer) {
   judgement.outcome = answer.outcome;
   judgement.stalled = answer.outcome == Outcome::not_converged;
-
-  const std::string invalid = why_invalid(truth.problem());
+  const std::string invalid = why_invalid(problem);
   const bool refused = answer.outcome == Outcome::invalid_input;
   if (refused != !invalid.empty()) {
     convict(judgement.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
   }
-  if (refused || !invalid.empty()) return judgement;
+  return refused || !invalid.empty();
+}
+
+}  // namespace
+
+Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle, Request request) {
+  Judgement judgement;
+  if (is_settled_at_the_door(judgement, truth.problem(), answer)) return judgement;
   if (const std::string why = senseless(truth.problem(), answer); !why.empty()) {
     convict(judgement.wrong, why);
     return judgement;
@@ -428,6 +438,49 @@ Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool a
   judge_by_oracle(judgement, truth.exact(), answer, truth.problem(), limits, request);
   judgement.errors = errors_of(truth, answer, request);
   return judgement;
+}
+
+Judgement judge_exact(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle) {
+  const corpus::Case& problem = truth.problem();
+  const bool in_float = limits.unit_roundoff == kUnitRoundoff<float>;
+  Judgement judgement;
+  if (why_invalid(problem).empty() && !engine::is_exact_question(problem)) {
+    judgement.outcome = answer.outcome;
+    judgement.not_asked = true;
+    if (answer.outcome != Outcome::invalid_input || answer.invalid != Invalid::not_exact) {
+      judgement.wrong = "answers a case that is not for the exact tier";
+    }
+    return judgement;
+  }
+  if (is_settled_at_the_door(judgement, problem, answer)) return judgement;
+
+  const law::ExactFinding finding = law::judge_exact_by_proof(problem, answer, in_float);
+  if (finding.false_proof) {
+    judgement.proof = ProofState::refused;
+    judgement.false_proof = finding.fault;
+  } else {
+    judgement.proof = finding.fault.empty() && answer.proof ? ProofState::accepted : ProofState::none;
+    judgement.wrong = finding.fault;
+  }
+  if (!ask_oracle && finding.settled) return judgement;
+  judgement.by_oracle = true;
+  const CaseTruth& exact = truth.exact();
+  if (std::string why = law::exact_fault_by_truth(exact, answer, in_float); !why.empty()) {
+    convict(judgement.wrong, std::move(why));
+  }
+  const double limit = limits.contact_kappa * limits.unit_roundoff * exact.scale().high;
+  judge_contact(judgement, exact, answer, problem, limits, limit, Request::everything);
+  judgement.errors = errors_of(truth, answer, Request::everything);
+  return judgement;
+}
+
+Judgement judge_method(Truth& truth, const corpus::Case& problem, const engine::EngineMethod& method,
+                       const Answer& answer, const engine::Guarantee* row, bool ask_oracle) {
+  const Limits limits{.kappa = row != nullptr ? row->kappa(problem) : kPlainKappa,
+                      .unit_roundoff = method.unit_roundoff,
+                      .contact_kappa = row != nullptr ? row->contact_kappa(problem) : kPlainKappa};
+  return method.is_exact() ? judge_exact(truth, answer, limits, ask_oracle)
+                           : judge(truth, answer, limits, ask_oracle, Request::everything);
 }
 
 }  // namespace graze::tool

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "corpus/case.hpp"
+#include "engines/guarantees.hpp"
 #include "engines/method.hpp"
 #include "oracles/case_truth.hpp"
 #include "oracles/check_proof.hpp"
@@ -36,6 +37,7 @@ class Truth {
 struct Limits {
   double kappa = 0;
   double unit_roundoff = 0;
+  double contact_kappa = kappa;  // of normals and witnesses
 };
 
 // Over scale. NaN where the answer or the truth has no such error.
@@ -67,7 +69,8 @@ struct Judgement {
   bool excused = false;  // verdict wrong within the limit: the question is decided by less than that
   ProofState proof = ProofState::none;
   bool by_oracle = false;
-  Errors errors;  // by_oracle only
+  bool not_asked = false;  // tier exact: a question that is not for it, and that it refused with not_exact
+  Errors errors;           // by_oracle only
 
   [[nodiscard]] bool faulty() const {
     return !(wrong.empty() && late.empty() && off.empty() && bad_contact.empty() && false_proof.empty());
@@ -78,6 +81,18 @@ struct Judgement {
 // all.
 [[nodiscard]] Judgement judge(Truth& truth, const engine::Answer& answer, const Limits& limits,
                               bool ask_oracle, Request request);
+
+// Tier exact: an answer, asked for everything, judged to the last bit (properties/exact_answer.hpp); its
+// normal and witnesses, which are doubles, by limits.contact_kappa.
+[[nodiscard]] Judgement judge_exact(Truth& truth, const engine::Answer& answer, const Limits& limits,
+                                    bool ask_oracle);
+
+// The method asked for everything about a case, and judged as its tier is, by its row; without a row, by
+// kPlainKappa. `truth` is about method.seen(problem).
+inline constexpr double kPlainKappa = 1024;
+[[nodiscard]] Judgement judge_method(Truth& truth, const corpus::Case& problem,
+                                     const engine::EngineMethod& method, const engine::Answer& answer,
+                                     const engine::Guarantee* row, bool ask_oracle);
 
 // The errors of an answer against any truth: for a float answer, against the input before it was rounded.
 [[nodiscard]] Errors errors_of(Truth& truth, const engine::Answer& answer, Request request);

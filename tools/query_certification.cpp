@@ -23,6 +23,9 @@ using corpus::Query;
 // A vertex pair each: beyond, an exact answer takes a tenth of a second.
 constexpr std::size_t kMostDifferences = 1u << 12;
 
+// Of a suite, evenly spread, to find small ones among them.
+constexpr std::size_t kMostLookedAt = 10000;
+
 bool is_small(const Case& problem) {
   const auto size = [](const Shape<double>& shape) { return graze::detail::vertex_count(shape); };
   return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape) &&
@@ -59,7 +62,7 @@ Case seen_by(const engine::QueryMethod& method, const Case& problem) {
   return problem;
 }
 
-// By method. Nothing for a case that the scalar of a method made invalid.
+// By method. Nothing for a case that the scalar of a method made invalid, or that is not for tier exact.
 std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t index,
                                                 std::span<const engine::Guarantee> guarantees,
                                                 std::vector<Case>& convicted) {
@@ -75,9 +78,16 @@ std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t
     }
     const engine::Guarantee* row = engine::find_guarantee(guarantees, method);
     const Limits limits{
-        .kappa = row != nullptr ? row->kappa(seen) : 1024,
-        .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>};
-    out.push_back(judge_query(*truth, method.answer(question), limits));
+        .kappa = row != nullptr ? row->kappa(seen) : kPlainKappa,
+        .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>,
+        .contact_kappa = row != nullptr ? row->contact_kappa(seen) : kPlainKappa};
+    const engine::QueryAnswer answer = method.answer(question);
+    out.push_back(method.is_exact() ? judge_exact_query(*truth, answer, limits)
+                                    : judge_query(*truth, answer, limits));
+    if (out.back()->not_asked && out.back()->wrong.empty()) {
+      out.back().reset();
+      continue;
+    }
     if (out.back()->faulty()) convicted.push_back(question);
   }
   return out;
@@ -87,15 +97,17 @@ std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t
 
 QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t count,
                                    std::span<const engine::Guarantee> guarantees, unsigned threads) {
-  std::vector<const Case*> chosen;
+  std::vector<Case> chosen;
   for (const Suite& suite : suites) {
-    std::vector<const Case*> small;
-    for (const Case& problem : suite.cases) {
-      if (why_invalid(problem).empty() && is_small(problem)) small.push_back(&problem);
+    std::vector<std::size_t> small;
+    const std::size_t sparse = (suite.size() + kMostLookedAt - 1) / kMostLookedAt;
+    for (std::size_t i = 0; i < suite.size(); i += sparse) {
+      const Case problem = suite.at(i);
+      if (why_invalid(problem).empty() && is_small(problem)) small.push_back(i);
     }
     const std::size_t stride = std::max<std::size_t>(1, small.size() / std::max<std::size_t>(count, 1));
     for (std::size_t i = 0, taken = 0; i < small.size() && taken < count; i += stride, ++taken) {
-      chosen.push_back(small[i]);
+      chosen.push_back(suite.at(small[i]));
     }
   }
   std::vector<std::vector<std::optional<Judgement>>> judged(chosen.size());
@@ -103,7 +115,7 @@ QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t
   {
     Progress progress("judging queries", chosen.size());
     for_each_index(chosen.size(), threads, [&](std::size_t i) {
-      judged[i] = judge_all(*chosen[i], i, guarantees, convicted[i]);
+      judged[i] = judge_all(chosen[i], i, guarantees, convicted[i]);
       progress.step();
     });
   }
@@ -120,14 +132,14 @@ QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t
       tally.off += judgement.off.empty() ? 0 : 1;
       tally.bad_contact += judgement.bad_contact.empty() ? 0 : 1;
       tally.stalled += judgement.stalled ? 1 : 0;
-      if (judgement.stalled && tally.first_stalled.empty()) tally.first_stalled = chosen[i]->id;
+      if (judgement.stalled && tally.first_stalled.empty()) tally.first_stalled = chosen[i].id;
       tally.excused += judgement.excused ? 1 : 0;
       tally.error.push_back(judgement.errors.backward);
       tally.normal.push_back(judgement.errors.normal);
       tally.witness.push_back(judgement.errors.witness);
       if (judgement.faulty() && engine::find_guarantee(guarantees, *tally.method) != nullptr) {
         result.breaches.push_back(fmt::format("{} {}: {}: {}{}{}", corpus::name_of(tally.method->query),
-                                              tally.method->full_name(), chosen[i]->id, judgement.wrong,
+                                              tally.method->full_name(), chosen[i].id, judgement.wrong,
                                               judgement.off, judgement.bad_contact));
       }
     }
@@ -162,6 +174,7 @@ std::string query_table(const QueryCertification& certification,
                {"witness\nworst"},
                {"kappa\npolytopes"},
                {"kappa\nrounded"},
+               {"kappa\ncontact"},
                {"stalls\nat most"},
                {"mechanism", Align::left}});
   for (const QueryTally& t : certification.tallies) {
@@ -172,6 +185,7 @@ std::string query_table(const QueryCertification& certification,
                    short_number(median(t.error)), short_number(worst(t.error)), short_number(worst(t.normal)),
                    short_number(worst(t.witness)), row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
                    row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
+                   row == nullptr || !row->kappa_contact ? "-" : fmt::to_string(*row->kappa_contact),
                    row == nullptr ? "-" : fmt::to_string(row->stall_cap),
                    row == nullptr ? "no row" : row->mechanism});
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "corpus/names.hpp"
+#include "properties/exact_answer.hpp"
 
 namespace graze::tool {
 namespace {
@@ -242,6 +243,50 @@ const oracle::PenetrationTruth& QueryTruth::penetration() {
 
 Judgement judge_query(QueryTruth& truth, const QueryAnswer& answer, const Limits& limits) {
   return QueryJudge(truth, answer, limits)();
+}
+
+Judgement judge_exact_query(QueryTruth& truth, const QueryAnswer& answer, const Limits& limits) {
+  const corpus::Case& problem = truth.problem();
+  const bool in_float = limits.unit_roundoff == kUnitRoundoff<float>;
+  Judgement judgement;
+  judgement.outcome = answer.outcome;
+  corpus::Case question = problem;
+  // An overlap knows no target distance.
+  if (problem.query == Query::overlap) question.target_distance = 0;
+  if (!engine::is_exact_question(question)) {
+    judgement.not_asked = true;
+    if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
+    return judgement;
+  }
+  judgement.by_oracle = true;
+  judgement.stalled = answer.outcome == Outcome::not_converged;
+  if (problem.query == Query::line) {
+    const std::optional<oracle::ContactInterval> exact = truth.moving().contact_interval();
+    if (answer.outcome != (exact ? Outcome::hit : Outcome::miss))
+      judgement.wrong = "the verdict is not the oracle's";
+    if (!exact || !judgement.wrong.empty()) return judgement;
+    const auto is = [&](const std::optional<Interval>& bracket, const Enclosure& end) {
+      return bracket && bracket->lower == law::detail::outward_down(end.low, in_float) &&
+             bracket->upper == law::detail::outward_up(end.high, in_float);
+    };
+    if (!is(answer.t_in, exact->in)) judgement.off = "t_in is not the oracle's, rounded outward";
+    if (!is(answer.t_out, exact->out)) judgement.off = "t_out is not the oracle's, rounded outward";
+    return judgement;
+  }
+  const bool swept = problem.query == Query::swept_overlap;
+  const bool contact = (swept ? truth.moving() : truth.at_rest()).outcome() != Outcome::miss;
+  const Outcome claim = swept ? Outcome::hit : Outcome::initially_overlapping;
+  if (answer.outcome != (contact ? claim : Outcome::miss))
+    judgement.wrong = "the verdict is not the oracle's";
+  if (!swept && answer.outcome == Outcome::miss && !contact && answer.normal) {
+    const double beyond = std::max(0.0, truth.penetration().reach(*answer.normal).low);
+    const double scale = truth.at_rest().scale().high;
+    if (beyond > limits.contact_kappa * limits.unit_roundoff * scale) {
+      judgement.bad_contact = fmt::format("the normal is {:.2e} off separating", beyond);
+    }
+    judgement.errors.normal = scale > 0 ? beyond / scale : 0;
+  }
+  return judgement;
 }
 
 }  // namespace graze::tool

@@ -34,4 +34,8 @@ class QueryTruth {
 [[nodiscard]] Judgement judge_query(QueryTruth& truth, const engine::QueryAnswer& answer,
                                     const Limits& limits);
 
+// Tier exact: verdict and both ends of the line to the last bit; a separating normal by limits.contact_kappa.
+[[nodiscard]] Judgement judge_exact_query(QueryTruth& truth, const engine::QueryAnswer& answer,
+                                          const Limits& limits);
+
 }  // namespace graze::tool

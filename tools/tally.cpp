@@ -11,6 +11,10 @@ void Tally::add(const std::string& id, const Judgement& judgement) {
   const auto count = [&](const std::string& fault, std::size_t& counter, Example& first) {
     if (!fault.empty() && counter++ == 0) first = {id, fault};
   };
+  if (judgement.not_asked && judgement.wrong.empty()) {
+    ++not_asked;
+    return;
+  }
   ++cases;
   count(judgement.wrong, wrong, first_wrong);
   count(judgement.late, late, first_late);
@@ -54,6 +58,7 @@ std::string tally_table(const std::vector<Tally>& tallies) {
   Table table({{"method", Align::left},
                {"family", Align::left},
                {"cases"},
+               {"not\nasked"},
                {"wrong"},
                {"late"},
                {"off"},
@@ -80,6 +85,7 @@ std::string tally_table(const std::vector<Tally>& tallies) {
     table.add_row({t.method + "/" + t.scalar,
                    t.family,
                    fmt::to_string(t.cases),
+                   t.not_asked > 0 ? fmt::to_string(t.not_asked) : "-",
                    fmt::to_string(t.wrong),
                    fmt::to_string(t.late),
                    fmt::to_string(t.off),

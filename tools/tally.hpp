@@ -12,7 +12,7 @@ namespace graze::tool {
 
 struct Tally {
   std::string method, scalar, family;
-  std::size_t cases = 0;
+  std::size_t cases = 0, not_asked = 0;  // those that are not for the tier are no cases of its row
   std::size_t wrong = 0, late = 0, off = 0, bad_contact = 0, stalled = 0, excused = 0;
   std::size_t accepted = 0, refused = 0, unproved = 0;
   std::size_t by_oracle = 0;

@@ -11,6 +11,7 @@
 #include <graze/gjk_casts.hpp>
 #include <graze/leaving.hpp>
 #include <graze/prove.hpp>
+#include <graze/quick_cast.hpp>
 #include <graze/validate.hpp>
 #include <graze/witness.hpp>
 
@@ -52,12 +53,8 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
 }
 
 template <Scalar S, class Search>
-CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                        const Search& search) {
-  CastResult<S> out;
-  out.method = method;
-  out.invalid = validate(a, b, options);
-  if (out.invalid != Invalid::none) return out;
+[[gnu::noinline]] void search_with(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                   const Search& search, CastResult<S>& out) {
   const Cso<S> cso(a, b, options.target_distance);
   SweepLimits<S> limits = sweep_limits(cso, options);
   // A ray, or a path without end, is first clipped to C's bounds.
@@ -83,9 +80,18 @@ CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const
     out.outcome = Outcome::miss;
     out.toi_lower = out.toi_upper = kInfinity<S>;
     out.passed_over = true;
-    return out;
+    return;
   }
   fill(out, a, b, options, cso, sweep);
+}
+
+template <Scalar S, class Search>
+CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                        const Search& search) {
+  CastResult<S> out;
+  out.method = method;
+  out.invalid = validate(a, b, options);
+  if (out.invalid == Invalid::none) search_with(a, b, options, search, out);
   return out;
 }
 
@@ -110,11 +116,28 @@ CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions
       });
 }
 
+// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
+namespace detail {
+template <Scalar S>
+void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                       CastResult<S>& out) {
+  search_with(
+      a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>&, Counters& counters) {
+        return mpr_sweep(cso, limits, counters);
+      },
+      out);
+}
+}  // namespace detail
+
 template <Scalar S>
 CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
-  return detail::cast_with(Method::mpr_sweep, a, b, options,
-                           [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>&,
-                              Counters& counters) { return mpr_sweep(cso, limits, counters); });
+  CastResult<S> out;
+  out.method = Method::mpr_sweep;
+  out.invalid = validate(a, b, options);
+  if (out.invalid == Invalid::none && !detail::quick_cast(a, b, options, out))
+    detail::careful_mpr_sweep(a, b, options, out);
+  return out;
 }
 
 // By options.tier, and in tier standard by options.method.

@@ -14,6 +14,7 @@
 //   offset 2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each).
 #pragma once
 
+#include <graze/guess_scan.hpp>
 #include <graze/side.hpp>
 #include <optional>
 
@@ -50,37 +51,23 @@ class Guide {
  public:
   // Caller's units; `prepare` sets the internal one.
   explicit Guide(const Body<S>& body) : body_(body) {
-    std::visit(detail::Overloaded{[&](const Hull<S>& hull) {
-                                    kind_ = hull.has_adjacency() && hull.size() >= kClimbFrom ? Kind::climb
-                                                                                              : Kind::hull;
-                                    hull_ = &hull;
-                                    center_ = triple(hull.center());
-                                    const Triple half = triple(hull.scan_half_extents()),
-                                                 middle = triple(hull.scan_middle());
-                                    set_reach(power_of_two(hull.exponent()) * (half + magnitude(middle)));
-                                  },
-                                  [&](const Box<S>& box) {
-                                    kind_ = Kind::box;
-                                    few_[0] = triple(box.half_extents);
-                                    set_reach(few_[0]);
-                                  },
-                                  [&](const Point<S>&) {
-                                    few_[0] = {0, 0, 0};
-                                  },
-                                  [&](const Segment<S>& s) {
-                                    set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
-                                  },
-                                  [&](const Triangle<S>& s) {
-                                    set_few({triple(s.a), triple(s.b), triple(s.c)}, 3);
-                                  },
-                                  [&](const auto&) {
-                                    kind_ = Kind::side;
-                                    const detail::Bounds bounds = detail::bounds(body.shape);
-                                    center_ = triple(bounds.center);
-                                    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
-                                  }},
-               body.shape);
-    turned_ = !body.orientation.is_identity() && (reach_ > 0 || largest(center_) > 0);
+    if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
+      kind_ = hull->has_adjacency() && hull->size() >= kClimbFrom ? Kind::climb : Kind::hull;
+      hull_ = hull;
+      vertices_ = hull->vertices().data();
+      guess_ = hull->guess_scan(0);
+      padded_ = hull->padded_size();
+      center_ = triple(hull->center());
+      const Triple half = triple(hull->scan_half_extents()), middle = triple(hull->scan_middle());
+      set_reach(power_of_two(hull->exponent()) * (half + magnitude(middle)));
+    } else if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
+      kind_ = Kind::box;
+      few_[0] = triple(box->half_extents);
+      set_reach(few_[0]);
+    } else {
+      set_other(body);
+    }
+    turned_ = !body.orientation.is_identity() && (size_ > 0 || largest(center_) > 0);
     if (turned_) set_rotation();
   }
   // k: the internal length is 2^-k of the caller's.
@@ -88,6 +75,7 @@ class Guide {
     const double scale = power_of_two(-k);
     unit_ *= scale;
     reach_ *= scale;
+    size_ *= scale;
     if (kind_ == Kind::box || kind_ == Kind::few) {
       for (std::uint32_t i = 0; i < count_; ++i) few_[i] = scale * few_[i];
     }
@@ -97,6 +85,8 @@ class Guide {
   }
 
   [[nodiscard]] double reach() const { return reach_; }
+  // The largest of its bounds' coordinates, about the centre.
+  [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] bool turned() const { return turned_; }
   [[nodiscard]] const Triple& center() const { return center_; }  // caller's unit, own axes
   // Rounding of a vertex in world axes about the centre, per component.
@@ -149,43 +139,38 @@ class Guide {
   // A vertex far along n, which is in world axes, its largest component near 1; and where it is.
   [[nodiscard, gnu::always_inline]] Triple support(const Triple& n, std::uint32_t& vertex) const {
     const Triple d = to_own(n);
-    switch (kind_) {
-      case Kind::hull: {
-        const Vec3<float> direction(float(d.x), float(d.y), float(d.z));
-        vertex =
-            static_cast<std::uint32_t>(detail::scan(hull_->guess_scan(0), hull_->guess_scan(1),
-                                                    hull_->guess_scan(2), hull_->padded_size(), direction));
-        break;
-      }
-      case Kind::box:
-        vertex = (d.x >= 0 ? 1u : 0u) | (d.y >= 0 ? 2u : 0u) | (d.z >= 0 ? 4u : 0u);
-        break;
-      case Kind::few: {
-        vertex = 0;
-        for (std::uint32_t k = 1; k < count_; ++k) {
-          if (dot(d, few_[k] - few_[vertex]) > 0) vertex = k;
-        }
-        break;
-      }
-      case Kind::climb:
-        vertex = climb_support<double, S>(*hull_, d.vector(), last_);
-        last_ = vertex;
-        break;
-      case Kind::side:
-        vertex = side_->support(*side_, d.vector(), nullptr).vertex;
-        break;
+    double x, y, z;
+    if (kind_ == Kind::hull) {
+      vertex = detail::guess_scan(guess_, padded_, float(d.x), float(d.y), float(d.z));
+      const Vec3<S>& v = vertices_[vertex];
+      x = unit_ * (double(v[0]) - center_.x);
+      y = unit_ * (double(v[1]) - center_.y);
+      z = unit_ * (double(v[2]) - center_.z);
+    } else if (kind_ == Kind::box) {
+      // By the sign bits: nothing to guess for the machine.
+      vertex = plus(d.x) | plus(d.y) << 1 | plus(d.z) << 2;
+      x = std::copysign(few_[0].x, d.x);
+      y = std::copysign(few_[0].y, d.y);
+      z = std::copysign(few_[0].z, d.z);
+    } else {
+      vertex = other_support(d.x, d.y, d.z);
+      const Triple v = own(vertex);
+      x = v.x;
+      y = v.y;
+      z = v.z;
     }
-    return at(vertex);
+    return to_world({x, y, z});
   }
   [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
   // In its own axes, about the centre, internal length; exact but for shapes through their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
-    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its stores.
+    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
+    // stores.
     double x, y, z;
     switch (kind_) {
       case Kind::hull:
       case Kind::climb: {
-        const Vec3<S>& v = hull_->vertex(vertex);  // exact (hull.hpp)
+        const Vec3<S>& v = vertices_[vertex];  // exact (hull.hpp)
         x = unit_ * (double(v[0]) - center_.x);
         y = unit_ * (double(v[1]) - center_.y);
         z = unit_ * (double(v[2]) - center_.z);
@@ -214,7 +199,43 @@ class Guide {
  private:
   enum class Kind : std::uint8_t { few, box, hull, climb, side };
 
-  void set_reach(const Triple& extent) { reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50); }
+  [[nodiscard]] static std::uint32_t plus(double x) {
+    return 1u ^ static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 63);
+  }
+  [[nodiscard, gnu::noinline]] std::uint32_t other_support(double x, double y, double z) const {
+    const Triple d{x, y, z};
+    if (kind_ == Kind::few) {
+      std::uint32_t vertex = 0;
+      for (std::uint32_t k = 1; k < count_; ++k) {
+        if (dot(d, few_[k] - few_[vertex]) > 0) vertex = k;
+      }
+      return vertex;
+    }
+    if (kind_ == Kind::climb) return last_ = climb_support<double, S>(*hull_, d.vector(), last_);
+    return side_->support(*side_, d.vector(), nullptr).vertex;
+  }
+  void set_reach(const Triple& extent) {
+    size_ = largest(extent);
+    reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50);
+  }
+  [[gnu::noinline]] void set_other(const Body<S>& body) {
+    std::visit(detail::Overloaded{[&](const Point<S>&) {
+                                    few_[0] = {0, 0, 0};
+                                  },
+                                  [&](const Segment<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
+                                  },
+                                  [&](const Triangle<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.c)}, 3);
+                                  },
+                                  [&](const auto&) {
+                                    kind_ = Kind::side;
+                                    const detail::Bounds bounds = detail::bounds(body.shape);
+                                    center_ = triple(bounds.center);
+                                    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+                                  }},
+               body.shape);
+  }
   // About their bounds' centre where the offset exceeds the extent: the differences are then exact
   // (hull.hpp).
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
@@ -241,11 +262,14 @@ class Guide {
 
   const Body<S>& body_;
   const Hull<S>* hull_ = nullptr;
+  const Vec3<S>* vertices_ = nullptr;  // of the hull
+  const float* guess_ = nullptr;       // its guess scan, by axis, each padded_ long
+  std::size_t padded_ = 0;
   Kind kind_ = Kind::few;
   bool turned_ = false;
   std::uint32_t count_ = 1;
   mutable std::uint32_t last_ = kNoStart;
-  double unit_ = 1, reach_ = 0, blur_ = 0;
+  double unit_ = 1, reach_ = 0, size_ = 0, blur_ = 0;
   Triple center_{0, 0, 0};
   std::array<Triple, 3> few_, row_;  // as far as they are used
   std::optional<detail::Side<double>> side_;
@@ -266,7 +290,7 @@ class GuidedPair {
                                          c_a.vector(), b.position.template cast<double>(),
                                          detail::as_double(b.orientation), c_b.vector()));
     }
-    const double size = std::max({a_.reach(), b_.reach(), largest(d)});
+    const double size = std::max({a_.size(), b_.size(), largest(d)});
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
@@ -285,8 +309,8 @@ class GuidedPair {
   [[nodiscard]] const Guide<S>& a() const { return a_; }
   [[nodiscard]] const Guide<S>& b() const { return b_; }
   [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the reaches and of the offset's components, in [1, 2): within a factor 4 of the pair's
-  // scale.
+  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
+  // pair's scale.
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
   [[nodiscard]] double extent() const { return extent_; }              // bounds |c|

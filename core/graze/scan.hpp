@@ -98,7 +98,27 @@ inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const
   }
   return best;
 }
+// visit(k) for every point of value not below `least`, as rounded; NaN counts as not below.
+template <class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Visit& visit) {
+  using P = Pack<float>;
+  const P::Type dx = P::all(d[0]), dy = P::all(d[1]), dz = P::all(d[2]), bound = P::all(least);
+  for (std::size_t k = 0; k < n; k += 4) {
+    const P::Type value =
+        P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
+    unsigned above = unsigned(_mm_movemask_ps(_mm_cmpnlt_ps(value, bound)));
+    for (; above != 0; above &= above - 1) visit(k + static_cast<std::size_t>(std::countr_zero(above)));
+  }
+}
 #else
+template <class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Visit& visit) {
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!(x[k] * d[0] + y[k] * d[1] + z[k] * d[2] < least)) visit(k);
+  }
+}
 template <Scalar S>
 std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
   constexpr std::size_t kLanes = 8;

@@ -68,6 +68,38 @@ Invalid check_extents(const Vec3<S>& extents) {
       {check_vector(extents), check_extent(extents[0]), check_extent(extents[1]), check_extent(extents[2])});
 }
 
+// The common case, without a branch: 0, or a normal number within the range. What is left (subnormal numbers,
+// which may be flushed, and all that is refused) goes the long way. By the bits, without the sign: they order
+// as magnitudes do.
+template <Scalar S>
+bool is_common(S x) {
+  using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
+  constexpr S kLeast = sizeof(S) == 8 ? S(kLeastMagnitude) : std::numeric_limits<S>::min();
+  constexpr S kGreatest = sizeof(S) == 8 ? S(kGreatestMagnitude) : std::numeric_limits<S>::max();
+  constexpr Bits kLow = std::bit_cast<Bits>(kLeast), kHigh = std::bit_cast<Bits>(kGreatest);
+  const Bits bits = std::bit_cast<Bits>(x) & (~Bits{0} >> 1);
+  return bool(unsigned(bits == 0) | unsigned(bits - kLow <= kHigh - kLow));
+}
+template <Scalar S>
+bool is_common(const Vec3<S>& v) {
+  return bool(unsigned(is_common(v[0])) & unsigned(is_common(v[1])) & unsigned(is_common(v[2])));
+}
+template <Scalar S>
+bool is_common(const Body<S>& body) {
+  const Quaternion<S>& q = body.orientation;
+  const unsigned motion = unsigned(is_common(body.position)) & unsigned(is_common(body.displacement));
+  const unsigned turn = unsigned(is_common(q.w)) & unsigned(is_common(q.x)) & unsigned(is_common(q.y)) &
+                        unsigned(is_common(q.z)) & (unsigned(q.w != 0) | unsigned(!q.is_identity()));
+  if (!(motion & turn)) return false;
+  if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
+    return hull->size() > 0 && hull->finite() && !hull->flushed() && is_common(hull->largest()) &&
+           is_common(hull->smallest_nonzero());
+  }
+  if (const auto* box = std::get_if<Box<S>>(&body.shape))
+    return is_common(box->half_extents) && box->half_extents.minCoeff() >= 0;
+  return std::holds_alternative<Point<S>>(body.shape);
+}
+
 template <Scalar S>
 Invalid check_shape(const Shape<S>& shape, int nesting, int& parts_seen);
 
@@ -129,6 +161,8 @@ Invalid check_shape(const Shape<S>& shape, int nesting, int& parts_seen) {
 
 template <Scalar S>
 Invalid validate(const Body<S>& body) {
+  if (detail::is_common(body)) [[likely]]
+    return Invalid::none;
   int parts_seen = 0;
   return detail::first_of({detail::check_shape(body.shape, 0, parts_seen),
                            detail::check_vector(body.position), detail::check_vector(body.displacement),
@@ -150,7 +184,9 @@ Invalid validate(const CastOptions<S>& options) {
 template <Scalar S>
 Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   if (!detail::rounds_to_nearest()) return Invalid::rounding_mode;
-  return detail::first_of({validate(a), validate(b), validate(options)});
+  if (const Invalid one = validate(a); one != Invalid::none) return one;
+  if (const Invalid one = validate(b); one != Invalid::none) return one;
+  return validate(options);
 }
 
 }  // namespace graze

@@ -21,7 +21,8 @@ namespace {
 
 using graze::corpus::Case;
 
-// Half drawn, half from the easier levels of the families: the same cases in every run.
+// Half drawn, half from the easier levels of the families: the same cases in every run. Laws that judge by
+// proof, in microseconds, get near-ties as well, ten times as many.
 std::vector<Case> sample(int count) {
   std::vector<Case> all;
   graze::corpus::Random random(20260117);
@@ -43,6 +44,13 @@ bool is_left_out(const graze::law::Law& law, const Case& problem) {
          graze::law::hash_of(problem) % kBracketShare != 0;
 }
 
+std::vector<Case> near_ties(int count) {
+  std::vector<Case> all;
+  graze::corpus::Random random(20261122);
+  for (int i = 0; i < count; ++i) all.push_back(graze::law::draw_near_tie(random));
+  return all;
+}
+
 // The number of cases before the law broke, or -1.
 int first_broken(const graze::law::Law& law, const std::vector<Case>& cases, bool print) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -60,6 +68,14 @@ int first_broken(const graze::law::Law& law, const std::vector<Case>& cases, boo
   return -1;
 }
 
+int first_broken(const graze::law::Law& law, const std::vector<Case>& cases, const std::vector<Case>& ties,
+                 bool print) {
+  const int first = first_broken(law, cases, print);
+  if (first >= 0 || law.needs != graze::law::Needs::proof) return first;
+  const int tie = first_broken(law, ties, print);
+  return tie < 0 ? tie : static_cast<int>(cases.size()) + tie;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,11 +87,12 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s LAW|--all CASES, or --laws\n", argv[0]);
     return 2;
   }
-  const std::vector<Case> cases = sample(std::atoi(argv[2]));
+  const int count = std::atoi(argv[2]);
+  const std::vector<Case> cases = sample(count), ties = near_ties(10 * count);
   if (std::strcmp(argv[1], "--all") == 0) {
     bool broken = false;
     for (const graze::law::Law& law : graze::law::laws()) {
-      const int first = first_broken(law, cases, false);
+      const int first = first_broken(law, cases, ties, false);
       broken = broken || first >= 0;
       if (first >= 0) std::printf("  %-22s broken by case %d\n", std::string(law.name).c_str(), first);
     }
@@ -86,11 +103,11 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "no law %s\n", argv[1]);
     return 2;
   }
-  const int first = first_broken(*law, cases, true);
+  const int first = first_broken(*law, cases, ties, true);
   if (first < 0) {
     std::printf("%s holds on %zu cases\n", argv[1], cases.size());
     return 0;
   }
-  std::printf("%s is broken by case %d of %zu\n", argv[1], first, cases.size());
+  std::printf("%s is broken by case %d\n", argv[1], first);
   return 1;
 }

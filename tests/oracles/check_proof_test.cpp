@@ -172,8 +172,9 @@ TEST(CheckProofLower, RadiusTimesNormOfAxisIsIrrationalAndStillDecided) {
   // A rational tie, |n| = 5: h(n) = -60 + 5 R - ..., decided as equality.
   c.b.position = {6, 8, 0};
   c.b.displacement = {-6, -8, 0};
-  EXPECT_EQ(judge(c, lower_proof(0.8, {3, 4, 0})),
-            AxisReference(c, Vec3<double>(3, 4, 0)).lower_holds(0.8) ? Refusal::none : Refusal::lower_not_proved);
+  EXPECT_EQ(judge(c, lower_proof(0.8, {3, 4, 0})), AxisReference(c, Vec3<double>(3, 4, 0)).lower_holds(0.8)
+                                                       ? Refusal::none
+                                                       : Refusal::lower_not_proved);
   c.target_distance = 0.5;  // h = -50 + 2.5 * 5, bound exactly 3/4
   EXPECT_EQ(judge(c, lower_proof(0.75, {3, 4, 0})), Refusal::none);
   EXPECT_EQ(judge(c, lower_proof(up(0.75), {3, 4, 0})), Refusal::lower_not_proved);
@@ -593,7 +594,13 @@ TEST(CheckProofDoor, EveryRefusalHasItsCause) {
   EXPECT_EQ(spoilt([](Good& g) { g.c.b.shape = Sphere<double>{-1}; }), Refusal::malformed);
   EXPECT_EQ(spoilt([](Good& g) { g.c.a.orientation = {0, 0, 0, 0}; }), Refusal::malformed);
   EXPECT_EQ(spoilt([](Good& g) { g.c.spin_b.rotation.x() = 1; }), Refusal::unsupported);
-  EXPECT_EQ(spoilt([](Good& g) { g.c.start_policy = corpus::StartPolicy::pass_over; }), Refusal::unsupported);
+  EXPECT_EQ(spoilt([](Good& g) {
+              g.c.start_policy = corpus::StartPolicy::pass_over;
+              g.proof.toi_lower = 0;
+            }),
+            Refusal::unsupported);
+  // Apart at the start, as the lower bound says: no policy applies.
+  EXPECT_EQ(spoilt([](Good& g) { g.c.start_policy = corpus::StartPolicy::pass_over; }), Refusal::none);
   EXPECT_EQ(spoilt([](Good& g) { g.c.a.position.x() = 1e61; }), Refusal::out_of_range);
   EXPECT_EQ(spoilt([](Good& g) { g.c.b.displacement.y() = 1e-61; }), Refusal::out_of_range);
   EXPECT_EQ(spoilt([](Good& g) { g.c.target_distance = 1e-61; }), Refusal::out_of_range);

@@ -72,6 +72,7 @@ TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same
     const CommandRun run = folder.graze("cast hit.json --json --method all --scalar " + scalar);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::vector<std::string> lines = lines_of(run.out);
+    // Of a case with a ball there is no exact answer.
     ASSERT_EQ(lines.size(), 3U);
     for (const std::string& line : lines) {
       const Json json = Json::parse(line);
@@ -156,11 +157,45 @@ TEST(Cast, a_malformed_file_is_one_line_of_complaint_and_the_others_are_answered
   expect_one_complaint(folder.graze("cast missing.json"), {"missing.json"});
 }
 
+TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
+  const Folder folder;
+  const std::string cube = R"({"schema": "graze.case/1", "id": "test/cube", "family": "test",
+ "a": {"shape": {"type": "box", "half_extents": [1, 1, 1]}},
+ "b": {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "position": [0, 0, 3], "displacement": [0, 0, -3]}})";
+  folder.write("cube.json", cube);
+  for (const std::string choice : {"--method exact", "--tier exact"}) {
+    const CommandRun run = folder.graze("cast cube.json --json --proof proof.jsonl " + choice);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["tier"], "exact");
+    EXPECT_EQ(json["toi"]["lower"], std::nextafter(json["toi"]["upper"].get<double>(), 0.0));
+    EXPECT_EQ(json["toi"]["lower"], 1.0 / 3);
+    EXPECT_EQ(folder.graze("check proof.jsonl").exit_code, 0);
+  }
+  EXPECT_EQ(lines_of(folder.graze("cast cube.json --json --method all").out).size(), 4U);
+  std::string line = cube;
+  line.insert(line.rfind('}'), R"(, "query": "line")");
+  folder.write("line.json", line);
+  const Json answer = Json::parse(folder.graze("cast line.json --json --tier exact").out);
+  EXPECT_EQ(answer["tier"], "exact");
+  EXPECT_EQ(answer["t_in"]["lower"], 1.0 / 3);
+  folder.write("hit.json", kHit);
+  expect_one_complaint(folder.graze("cast hit.json --tier exact"), {"test/hit", "target distance"});
+}
+
+TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
+  const Folder folder;
+  const CommandRun run =
+      folder.graze("certify --family grazing --family curved --count 300 --method exact --queries 20");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("0 wrong, 0 stalled"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("below 3/n"), std::string::npos) << run.out;
+}
+
 TEST(Cast, what_this_version_lacks_is_said_and_not_answered) {
   const Folder folder;
   folder.write("hit.json", kHit);
-  expect_one_complaint(folder.graze("cast hit.json --tier exact"),
-                       {"exact", "not available in this version"});
+  expect_one_complaint(folder.graze("cast hit.json --tier exact --method mpr"), {"--tier", "mpr"});
   expect_one_complaint(folder.graze("cast hit.json --tier certified"), {"not available in this version"});
   expect_one_complaint(folder.graze("cast hit.json --method epa"), {"epa", "gjk"});
   expect_one_complaint(folder.graze("cast hit.json --scalar half"), {"half", "float"});

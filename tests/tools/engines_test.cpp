@@ -22,21 +22,29 @@ corpus::Case falling_ball() {
   return problem;
 }
 
-TEST(Methods, are_ca_gjk_and_mpr_in_both_scalars) {
-  EXPECT_EQ(methods().size(), 6U);
-  for (const char* name : {"ca", "gjk", "mpr"}) {
+// The same with a cube: a case that every method answers.
+corpus::Case falling_cube() {
+  corpus::Case problem = falling_ball();
+  problem.b.shape = Box<double>{{0.3, 0.3, 0.3}};
+  return problem;
+}
+
+TEST(Methods, are_ca_gjk_mpr_and_exact_in_both_scalars) {
+  EXPECT_EQ(methods().size(), 8U);
+  for (const char* name : {"ca", "gjk", "mpr", "exact"}) {
     ASSERT_NE(find_method(name), nullptr);
     EXPECT_EQ(find_method(name)->scalar, "double");
     const EngineMethod* in_float = find_method(std::string(name) + "/float");
     ASSERT_NE(in_float, nullptr);
     EXPECT_EQ(in_float->unit_roundoff, 0x1p-24);
+    EXPECT_EQ(in_float->tier, name == std::string("exact") ? "exact" : "standard");
   }
   EXPECT_EQ(find_method("mp"), nullptr);
 }
 
 TEST(Methods, hit_in_their_own_precision) {
   for (const EngineMethod& method : methods()) {
-    const Answer answer = method.cast(falling_ball(), {.request = Request::everything});
+    const Answer answer = method.cast(falling_cube(), {.request = Request::everything});
     ASSERT_EQ(answer.outcome, Outcome::hit) << method.full_name();
     EXPECT_NEAR(answer.toi_lower, 0.1, 1024 * method.unit_roundoff) << method.full_name();
     EXPECT_EQ(answer.toi_lower,
@@ -80,7 +88,44 @@ TEST(Methods, pass_invalid_input_on_with_its_reason) {
 }
 
 TEST(Methods, take_time) {
-  for (const EngineMethod& method : methods()) EXPECT_GT(method.time_ns(falling_ball(), {}, 3), 0);
+  for (const EngineMethod& method : methods()) EXPECT_GT(method.time_ns(falling_cube(), {}, 3), 0);
+}
+
+TEST(Methods, exact_ones_refuse_what_is_not_for_their_tier) {
+  const auto asked = [](const corpus::Case& problem) {
+    for (const char* name : {"exact/double", "exact/float"}) {
+      const Answer answer = find_method(name)->cast(problem, {});
+      EXPECT_EQ(answer.invalid, is_exact_question(problem) ? Invalid::none : Invalid::not_exact);
+    }
+    return is_exact_question(problem);
+  };
+  EXPECT_TRUE(asked(falling_cube()));
+  EXPECT_FALSE(asked(falling_ball()));
+  corpus::Case problem = falling_cube();
+  problem.target_distance = 0.5;
+  EXPECT_FALSE(asked(problem));
+  problem = falling_cube();
+  problem.a.shape = swept<double>(problem.a.shape, Vec3<double>(0, 0, 0.5));
+  EXPECT_TRUE(asked(problem));
+  problem.a.shape = hull_of<double>(problem.a.shape, Point<double>{});
+  EXPECT_FALSE(asked(problem));
+}
+
+TEST(Queries, exact_ones_answer_overlap_swept_overlap_and_line) {
+  int exact = 0;
+  for (const QueryMethod& method : query_methods()) {
+    EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
+    if (!method.is_exact()) continue;
+    ++exact;
+    corpus::Case problem = falling_cube();
+    problem.query = method.query;
+    const QueryAnswer answer = method.answer(problem);
+    EXPECT_EQ(answer.outcome, method.query == corpus::Query::overlap ? Outcome::miss : Outcome::hit);
+    EXPECT_EQ(answer.t_in.has_value(), method.query == corpus::Query::line);
+    problem.b.shape = Sphere<double>{0.3};
+    EXPECT_EQ(method.answer(problem).invalid, Invalid::not_exact);
+  }
+  EXPECT_EQ(exact, 6);
 }
 
 TEST(Guarantees, have_a_row_for_every_method) {
@@ -99,6 +144,19 @@ TEST(Guarantees, hold_spheres_and_target_distances_to_the_rounded_constant) {
   EXPECT_EQ(row.kappa(problem), 1);
   problem.target_distance = 0.5;
   EXPECT_EQ(row.kappa(problem), 2);
+  EXPECT_EQ(row.contact_kappa(problem), 2);
+  row.kappa_contact = 3;
+  EXPECT_EQ(row.contact_kappa(problem), 3);
+}
+
+TEST(Guarantees, allow_tier_exact_nothing) {
+  for (const EngineMethod& method : methods()) {
+    if (!method.is_exact()) continue;
+    const Guarantee& row = *find_guarantee(guarantees(), method);
+    EXPECT_EQ(row.kappa_polytope, 0);
+    EXPECT_EQ(row.kappa_rounded, 0);
+    EXPECT_EQ(row.stall_cap, 0);
+  }
 }
 
 std::string table_with(const std::string& kappa, const std::string& more) {

@@ -213,6 +213,96 @@ TEST(Judge, over_a_scale_of_zero_only_an_error_of_zero_is_excused) {
   EXPECT_FALSE(judged(answer, true, problem).faulty());
 }
 
+// --- Tier exact: falling from 3 by 3 the cubes touch at t = 1/3, which is no double.
+corpus::Case falling_by_three() {
+  corpus::Case problem = falling_cube();
+  problem.b.displacement = {0, 0, -3};
+  return problem;
+}
+
+engine::Answer exact_answer() {
+  engine::Answer answer = right_answer();
+  answer.proof = right_proof();
+  answer.toi_lower = answer.proof->toi_lower = 1.0 / 3;  // rounds down
+  answer.toi_upper = answer.proof->toi_upper = std::nextafter(1.0 / 3, 1.0);
+  return answer;
+}
+
+Judgement judged_exactly(const engine::Answer& answer, bool ask_oracle,
+                         const corpus::Case& problem = falling_by_three()) {
+  Truth truth(problem);
+  return judge_exact(truth, answer, {.kappa = 0, .unit_roundoff = kU, .contact_kappa = 16}, ask_oracle);
+}
+
+TEST(JudgeExact, acquits_the_two_doubles_next_to_the_time) {
+  for (const bool ask_oracle : {false, true}) {
+    const Judgement j = judged_exactly(exact_answer(), ask_oracle);
+    EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
+    EXPECT_EQ(j.proof, ProofState::accepted);
+    EXPECT_EQ(j.by_oracle, ask_oracle);
+  }
+}
+
+TEST(JudgeExact, convicts_a_bracket_that_is_a_double_too_wide_by_its_proof) {
+  engine::Answer answer = exact_answer();
+  answer.toi_lower = answer.proof->toi_lower = std::nextafter(answer.toi_lower, 0.0);
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer = exact_answer();
+  answer.toi_upper = answer.proof->toi_upper = std::nextafter(answer.toi_upper, 1.0);
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  // 1/4 is a double: the ends are neighbours, and either is a double too far.
+  for (const double beside : {std::nextafter(0.25, 0.0), std::nextafter(0.25, 1.0)}) {
+    answer = right_answer();
+    answer.proof = right_proof();
+    answer.toi_lower = answer.proof->toi_lower = std::min(beside, 0.25);
+    answer.toi_upper = answer.proof->toi_upper = std::max(beside, 0.25);
+    EXPECT_FALSE(judged_exactly(answer, false, falling_cube()).wrong.empty());
+  }
+}
+
+TEST(JudgeExact, convicts_what_is_a_double_late_or_early) {
+  engine::Answer answer = exact_answer();
+  answer.toi_lower = answer.proof->toi_lower = answer.toi_upper;
+  EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
+  answer = exact_answer();
+  answer.toi_upper = answer.proof->toi_upper = answer.toi_lower;
+  EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
+  // What the proof claims is right, and the answer is something else.
+  answer = exact_answer();
+  answer.toi_lower = answer.toi_upper;
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer = exact_answer();
+  answer.proof.reset();
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer.outcome = Outcome::not_converged;
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+}
+
+TEST(JudgeExact, rounds_the_proved_bracket_outward_to_float) {
+  engine::Answer answer = exact_answer();
+  Truth truth(falling_by_three());
+  const Limits limits{.kappa = 0, .unit_roundoff = kUnitRoundoff<float>, .contact_kappa = 16};
+  EXPECT_FALSE(judge_exact(truth, answer, limits, true).wrong.empty());
+  answer.toi_upper = 1.0F / 3;  // rounds up
+  answer.toi_lower = std::nextafter(1.0F / 3, 0.0F);
+  const Judgement j = judge_exact(truth, answer, limits, true);
+  EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
+}
+
+TEST(JudgeExact, counts_apart_what_the_tier_is_not_asked) {
+  corpus::Case problem = falling_by_three();
+  problem.b.shape = Sphere<double>{1};
+  engine::Answer refusal;
+  refusal.outcome = Outcome::invalid_input;
+  refusal.invalid = Invalid::not_exact;
+  EXPECT_TRUE(judged_exactly(refusal, true, problem).not_asked);
+  EXPECT_FALSE(judged_exactly(refusal, true, problem).faulty());
+  EXPECT_TRUE(judged_exactly(exact_answer(), false, problem).faulty());
+  EXPECT_TRUE(judged_exactly(refusal, false).faulty());
+  refusal.invalid = Invalid::too_complex;
+  EXPECT_TRUE(judged_exactly(refusal, false, problem).faulty());
+}
+
 }  // namespace
 }  // namespace graze::tool
 
@@ -229,9 +319,8 @@ TEST(KnownFailures, still_fail) {
       Truth truth(method.seen(problem));
       const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
       ASSERT_NE(row, nullptr);
-      const Limits limits{.kappa = row->kappa(problem), .unit_roundoff = method.unit_roundoff};
       const engine::Answer answer = method.cast(problem, {.request = Request::everything});
-      const Judgement judgement = judge(truth, answer, limits, true, Request::everything);
+      const Judgement judgement = judge_method(truth, problem, method, answer, row, true);
       EXPECT_TRUE(judgement.false_proof.empty()) << problem.id << ", " << method.full_name();
       fails = fails || judgement.faulty();
     }

@@ -106,10 +106,12 @@ inline AxisFactor name(const Term& term) {
   return out;
 }
 
-// toi: the bracket of a hit in doubles.
-inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi) {
+// toi: the bracket of a hit in doubles. That a start in contact does not leave is not something a proof can
+// say: under pass_over it claims nothing.
+inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi, StartPolicy policy) {
   Proof out;
   if (answer.passage == Passage::contact) {
+    if (policy == StartPolicy::pass_over) return out;
     out.toi_upper = 0;
     out.portal_size = answer.hull_size;
     for (std::size_t i = 0; i < static_cast<std::size_t>(answer.hull_size); ++i)

@@ -195,26 +195,27 @@ class BeyondSearch {
         return;
       }
     }
-    const S *x = hull.scan(0), *y = hull.scan(1), *z = hull.scan(2);
-    const Vec3<double> half = hull.scan_half_extents().template cast<double>(),
-                       middle = hull.scan_middle().template cast<double>();
-    const Vec3<double>& d = s.d;
-    // Heights round by 4 u sum |d_i| |x_i|; the difference of x and x_0 is at most 2 half.
-    const double rounding = 8 * kUnitRoundoff<double> * d.cwiseAbs().dot(half + middle.cwiseAbs());
-    const double error = 1.01 * (2 * s.error.dot(half) + rounding) + kUnderflow;
-    const auto height = [&](std::size_t k) { return d[0] * x[k] + d[1] * y[k] + d[2] * z[k]; };
-    const double least = height(s.at) - error;
-    constexpr std::size_t kLanes = Hull<S>::kBlock;
-    for (std::size_t i = 0; i < hull.padded_size(); i += kLanes) {
-      double block[kLanes];
-      for (std::size_t l = 0; l < kLanes; ++l) block[l] = height(i + l);
-      double most = block[0];
-      for (std::size_t l = 1; l < kLanes; ++l) most = block[l] > most ? block[l] : most;
-      if (most < least) continue;  // NaN decides nothing
-      for (std::size_t l = 0; l < kLanes && i + l < hull.size(); ++l) {
-        if (!(block[l] < least)) try_vertex(s, static_cast<std::uint32_t>(i + l));
-      }
-    }
+    const Vec3<double> half = hull.scan_half_extents().template cast<double>();
+    const double size = s.d.cwiseAbs().maxCoeff();
+    // Near 1, so that no component that counts leaves the range of floats.
+    const double scale = size > 0 ? power_of_two(-exponent_of(size)) : 1.0;
+    const Vec3<float> d = (scale * s.d).template cast<float>();
+    const float *x = hull.guess_scan(0), *y = hull.guess_scan(1), *z = hull.guess_scan(2);
+    const auto height = [&](std::size_t k) { return x[k] * d[0] + y[k] * d[1] + z[k] * d[2]; };
+    // Of a height as rounded: u of d, u of the point, 3 u of products and sums, u of float, over at most 9/8
+    // of the half extents (hull.hpp); of x_0's as well, and of the difference. And n's own error, over 2
+    // half.
+    const double rounding = 14 * kUnitRoundoff<float> * scale * s.d.cwiseAbs().dot(half);
+    const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
+    detail::for_each_above(x, y, z, hull.padded_size(), d, below(double(height(s.at)) - error),
+                           [&](std::size_t k) {
+                             if (k < hull.size()) try_vertex(s, static_cast<std::uint32_t>(k));
+                           });
+  }
+  // A float that is not above x.
+  [[nodiscard]] static float below(double x) {
+    const float near = static_cast<float>(x);
+    return double(near) > x ? std::nextafter(near, -kInfinity<float>) : near;
   }
 
   const Scene<S>& scene_;

@@ -32,8 +32,7 @@ class EdgeOnWalk {
 
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
-    while (scene_.valid()) {
-      ++counters_.portal_steps;
+    while (goes_on()) {
       const Facet f = facet();
       Vertex w;
       if (!find_beyond(f.f1, f.f2, toward, corner_[0], w)) return false;
@@ -74,6 +73,11 @@ class EdgeOnWalk {
   [[nodiscard]] int miss_sign() const { return miss_sign_; }
 
  private:
+  [[nodiscard]] bool goes_on() const {  // walk.hpp
+    constexpr int kMostSteps = 1 << 20;
+    if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
+    return scene_.valid();
+  }
   LineState misses(const Term& f1, const Term& f2, int sign) {
     miss_f1_ = f1;
     miss_f2_ = f2;
@@ -112,8 +116,7 @@ class EdgeOnWalk {
     for (const int end : {0, 1}) {
       const std::size_t i = static_cast<std::size_t>(end);
       const int wanted = end == 0 ? -1 : 1;
-      while (place(corner_[i]) != wanted && scene_.valid()) {
-        ++counters_.portal_steps;
+      while (place(corner_[i]) != wanted && goes_on()) {
         Vertex w;
         // s grows along x_ x v, falls along v x x_.
         if (!find_beyond(x_, line_.v, wanted, corner_[i], w)) return misses(x_, line_.v, wanted);

@@ -107,7 +107,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
     }
   }
   if (asks_for(options.request, Request::proof) && !out.passed_over)
-    out.proof = exact::prove(answer, out.outcome, toi);
+    out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
   out.counters.exact_decisions = scene.exact_decisions();
   if (!scene.valid()) {
     out = {};

@@ -116,7 +116,7 @@ class LineCast {
     const LineState state = walk.find(outward);
     if (state == LineState::beside) return missed(walk);
     if (state == LineState::through) return go(walk);
-    EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.portal()[0].id, walk.portal()[1].id, counters_);
+    EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.first(), walk.second(), counters_);
     if (flat.find(outward) == LineState::beside) return missed(flat);
     return go(flat);
   }

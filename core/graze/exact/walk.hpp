@@ -47,8 +47,8 @@ struct Line {
   Term v;
   Triple r;  // v rounded, within u per component
   int x = 0, y = 1, z = 2;
-  double slope_x = 0, slope_y = 0;  // v_x / v_z, v_y / v_z, within 3.1 u
-  int sign = 1;                     // of v_z
+  Triple across_x, across_y;  // q_x = across_x.c = c_x - (v_x/v_z) c_z, the slopes within 3.1 u; q_y likewise
+  int sign = 1;               // of v_z
 
   Line(const Term& v_term, const Triple& rounded) : v(v_term), r(rounded) {
     const Triple size = magnitude(rounded);
@@ -56,8 +56,13 @@ struct Line {
     x = (z + 1) % 3;
     y = (z + 2) % 3;
     const double along = r[z];
-    slope_x = r[x] / along;
-    slope_y = r[y] / along;
+    const double slope_x = r[x] / along, slope_y = r[y] / along;
+    const auto unit = [&](int axis, double slope) {
+      const auto at = [&](int i) { return i == axis ? 1.0 : i == z ? -slope : 0.0; };
+      return Triple{at(0), at(1), at(2)};
+    };
+    across_x = unit(x, slope_x);
+    across_y = unit(y, slope_y);
     sign = along > 0 ? 1 : -1;
   }
 };
@@ -103,7 +108,7 @@ class PortalWalk {
     outward_ = outward;
     if (!start()) return state_;
     if (!make_triangle()) return state_;
-    around_ = {corner_[0].id, corner_[1].id, corner_[2].id};
+    around_ = {at(0).id, at(1).id, at(2).id};
     walk_around();
     return state_;
   }
@@ -113,33 +118,29 @@ class PortalWalk {
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
     toward_ = toward;
-    while (scene_.valid()) {
-      ++counters_.portal_steps;
-      Corner next;
-      if (!above_portal(next)) return false;
-      replace(next);
+    while (goes_on()) {
+      if (!above_portal()) return false;
+      replace();
       if (stop(*this)) return true;
     }
     return false;
   }
 
-  [[nodiscard]] const std::array<Corner, 3>& portal() const { return corner_; }
+  // The vertices that find() ended with.
+  [[nodiscard]] const Vertex& first() const { return slot_[0].id; }
+  [[nodiscard]] const Vertex& second() const { return slot_[1].id; }
   // Of the portal: its plane, n.v > 0.
   [[nodiscard]] Facet facet() const {
-    return {corner_[0].id,
-            Term::difference(corner_[0].id, corner_[1].id),
-            Term::difference(corner_[0].id, corner_[2].id),
-            {corner_[0].id, corner_[1].id, corner_[2].id},
-            3};
+    const Vertex &a = at(0).id, &b = at(1).id, &c = at(2).id;
+    return {a, Term::difference(a, b), Term::difference(a, c), {a, b, c}, 3};
   }
   // The sign of the time at which the line is at the portal.
   [[nodiscard]] int height_sign() const {
-    const Triple e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
-    const double height = dot(corner_[0].w, cross(e, f));
+    const Triple e = edge(at(0), at(1)), f = edge(at(0), at(2));
+    const double height = dot(at(0).w, cross(e, f));
     const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     const double error =
-        1.2 * (bounds_.seen * e_1 * f_1 + sum(magnitude(corner_[0].w)) * bounds_.edge * (e_1 + f_1)) +
-        kUnderflow;
+        1.2 * (bounds_.seen * e_1 * f_1 + sum(magnitude(at(0).w)) * bounds_.edge * (e_1 + f_1)) + kUnderflow;
     if (height > error) return 1;
     if (height < -error) return -1;
     const Facet at = facet();
@@ -154,41 +155,47 @@ class PortalWalk {
   [[nodiscard]] const Term& miss_f2() const { return miss_f2_; }
   [[nodiscard]] int miss_sign() const { return miss_sign_; }
 
-  [[nodiscard]] Corner corner(const Vertex& id) const {
-    return make(pair_.a().at(id.a), pair_.b().at(id.b), id);
+  [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
+
+ private:
+  // Corners live in four slots, three of the portal and the next, and change places by their index: a copy of
+  // what was just written would wait for it.
+  [[nodiscard]] const Corner& at(std::size_t i) const { return slot_[order_[i]]; }
+  [[nodiscard]] Corner& next() { return slot_[order_[3]]; }
+  void put_next(std::size_t i) { std::swap(order_[i], order_[3]); }
+
+  // The walk ends of itself (see above). Were it not to, by a mistake here, the cast is refused.
+  [[nodiscard]] bool goes_on() const {
+    constexpr int kMostSteps = 1 << 20;
+    if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
+    return scene_.valid();
   }
-  [[nodiscard]] Corner support(const Triple& n) const {
+
+  void place(Corner& out, const Triple& a, const Triple& b) const {
+    out.a = a;
+    out.b = b;
+    const Triple w = a - (b + pair_.offset());
+    out.w = w;
+    out.qx = dot(line_.across_x, w);
+    out.qy = dot(line_.across_y, w);
+  }
+  void find_corner(const Vertex& id, Corner& out) const {
+    out.id = id;
+    place(out, pair_.a().at(id.a), pair_.b().at(id.b));
+  }
+  void support(const Triple& n, Corner& out) const {
     ++counters_.supports;
     // Near 1, so that no component that counts leaves the range of floats.
     const double size = largest(n);
     const Triple near_one = size > 0 ? power_of_two(-exponent_of(size)) * n : n;
-    Vertex id{};
-    const Triple a = pair_.a().support(near_one, id.a), b = pair_.b().support(-near_one, id.b);
-    return make(a, b, id);
-  }
-  [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
-
- private:
-  [[nodiscard]] Corner make(const Triple& a, const Triple& b, const Vertex& id) const {
-    Corner out;
-    out.a = a;
-    out.b = b;
-    out.w = a - (b + pair_.offset());
-    const double along = out.w[line_.z];
-    out.qx = out.w[line_.x] - line_.slope_x * along;
-    out.qy = out.w[line_.y] - line_.slope_y * along;
-    out.id = id;
-    return out;
+    const Triple a = pair_.a().support(near_one, out.id.a), b = pair_.b().support(-near_one, out.id.b);
+    place(out, a, b);
   }
 
-  // n2 in the plane that is seen, as a direction of space that is perpendicular to v but for its rounding.
-  [[nodiscard]] Triple across(double nx, double ny) const {
-    const double nz = -(line_.slope_x * nx + line_.slope_y * ny);
-    return line_.z == 2 ? Triple{nx, ny, nz} : line_.z == 1 ? Triple{ny, nz, nx} : Triple{nz, nx, ny};
-  }
   // The support along n2, and whether it proves in doubles that the line misses: n = v x (n_y, -n_x, 0).
   bool support_across(double nx, double ny, Corner& out) {
-    out = support(across(nx, ny));
+    // Perpendicular to v but for its rounding.
+    support(nx * line_.across_x + ny * line_.across_y, out);
     const double height = nx * out.qx + ny * out.qy;
     if (!(height < -(bounds_.far * 2 * (std::abs(nx) + std::abs(ny)) + kUnderflow))) return true;
     Vec3<double> x = Vec3<double>::Zero();
@@ -251,52 +258,53 @@ class PortalWalk {
 
   // Three vertices, in the hope that they are a triangle around o, or close to it.
   bool start() {
-    corner_[0] = support(-line_.r);
-    double nx = -corner_[0].qx, ny = -corner_[0].qy;
+    Corner &first = slot_[0], &second = slot_[1], &third = slot_[2];
+    support(-line_.r, first);
+    double nx = -first.qx, ny = -first.qy;
     if (!(std::abs(nx) + std::abs(ny) > 4 * bounds_.seen)) nx = 1;
-    if (!support_across(nx, ny, corner_[1])) return false;
-    double ex = corner_[1].qx - corner_[0].qx, ey = corner_[1].qy - corner_[0].qy;
+    if (!support_across(nx, ny, second)) return false;
+    double ex = second.qx - first.qx, ey = second.qy - first.qy;
     if (!(std::abs(ex) + std::abs(ey) > 4 * bounds_.seen)) {
       // Nothing lies beyond the foremost vertex: another way, across.
-      if (!support_across(ny, -nx, corner_[1])) return false;
-      ex = corner_[1].qx - corner_[0].qx;
-      ey = corner_[1].qy - corner_[0].qy;
+      if (!support_across(ny, -nx, second)) return false;
+      ex = second.qx - first.qx;
+      ey = second.qy - first.qy;
     }
     // To the side where o is.
-    const bool left = corner_[0].qx * corner_[1].qy - corner_[0].qy * corner_[1].qx >= 0;
-    return support_across(left ? -ey : ey, left ? ex : -ex, corner_[2]);
+    const bool left = first.qx * second.qy - first.qy * second.qx >= 0;
+    return support_across(left ? -ey : ey, left ? ex : -ex, third);
   }
 
-  // corner_[0..2] as a triangle that turns left; false: seen along v, C has no area.
+  // The first three as a triangle that turns left; false: seen along v, C has no area.
   bool make_triangle() {
-    int s = turn(corner_[0], corner_[1], corner_[2]);
+    int s = turn(at(0), at(1), at(2));
     if (s == 0) s = find_triangle();
-    if (s < 0) std::swap(corner_[1], corner_[2]);
+    if (s < 0) std::swap(order_[1], order_[2]);
     return s != 0;
   }
   [[gnu::noinline]] int find_triangle() {
     // A vertex that is seen apart from the first.
-    const Vertex first = corner_[0].id;
+    const Vertex first = slot_[0].id;
     Vertex second = first;
     for (const int axis : {line_.x, line_.y}) {
       for (const int sign : {1, -1}) {
         const Term unit = Term::given(Vec3<double>(Vec3<double>::Unit(axis)));
-        if (second == first && find_beyond(line_.v, unit, sign, first, second)) corner_[1] = corner(second);
+        if (second == first && find_beyond(line_.v, unit, sign, first, second)) find_corner(second, slot_[1]);
       }
     }
+    state_ = LineState::edge_on;
     if (second == first) {
-      state_ = LineState::edge_on;
-      corner_[1] = corner_[0];
+      find_corner(first, slot_[1]);
       return 0;
     }
     const Term edge = Term::difference(first, second);
     for (const int sign : {1, -1}) {
       Vertex third;
       if (!find_beyond(line_.v, edge, sign, first, third)) continue;
-      corner_[2] = corner(third);
-      return turn(corner_[0], corner_[1], corner_[2]);
+      find_corner(third, slot_[2]);
+      state_ = LineState::undecided;
+      return turn(slot_[0], slot_[1], slot_[2]);
     }
-    state_ = LineState::edge_on;
     return 0;
   }
   bool find_beyond(const Term& f1, const Term& f2, int sign, const Vertex& from, Vertex& out) const {
@@ -307,13 +315,14 @@ class PortalWalk {
 
   void walk_around() {
     int edge = outside_edge();
-    while (edge >= 0 && scene_.valid()) {
-      ++counters_.portal_steps;
-      const std::size_t i = static_cast<std::size_t>(edge);
-      const Corner c = corner_[i], d = corner_[(i + 1) % 3];
+    while (edge >= 0 && goes_on()) {
+      // The edge first.
+      if (edge == 1) order_ = {order_[1], order_[2], order_[0], order_[3]};
+      if (edge == 2) order_ = {order_[2], order_[0], order_[1], order_[3]};
+      const Corner &c = at(0), &d = at(1);
+      Corner& w = next();
       // To the right of c -> d.
       const double ex = d.qx - c.qx, ey = d.qy - c.qy;
-      Corner w;
       if (!support_across(line_.sign * ey, -line_.sign * ex, w)) return;
       if (!(turn(c, d, w) < 0)) {
         // Not shown beyond by the rounded direction: by the exact one?
@@ -323,18 +332,18 @@ class PortalWalk {
           misses(Term::difference(c.id, d.id), line_.v, 1);
           return;
         }
-        w = corner(id);
+        find_corner(id, w);
       }
       // The triangle beyond the edge turns left as c, w, d; o is left of d -> c.
-      corner_ = {c, w, d};
-      edge = side(corner_[0], corner_[1]) < 0 ? 0 : side(corner_[1], corner_[2]) < 0 ? 1 : -1;
+      order_ = {order_[0], order_[3], order_[1], order_[2]};
+      edge = side(at(0), at(1)) < 0 ? 0 : side(at(1), at(2)) < 0 ? 1 : -1;
     }
     state_ = LineState::through;
   }
   // The first edge that has o on its right, or -1.
   [[nodiscard]] int outside_edge() const {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (side(corner_[i], corner_[(i + 1) % 3]) < 0) return static_cast<int>(i);
+      if (side(at(i), at((i + 1) % 3)) < 0) return static_cast<int>(i);
     }
     return -1;
   }
@@ -348,60 +357,52 @@ class PortalWalk {
   [[nodiscard]] static Triple edge_size(const Corner& from, const Corner& to) {
     return magnitude(to.a - from.a) + magnitude(to.b - from.b);
   }
-  // A vertex strictly beyond the portal's plane, or a proof that there is none.
-  bool above_portal(Corner& next) {
-    const Triple e = edge(corner_[0], corner_[1]), f = edge(corner_[0], corner_[2]);
+  // A vertex strictly beyond the portal's plane as the next, or a proof that there is none.
+  bool above_portal() {
+    const Corner &c0 = at(0), &c1 = at(1), &c2 = at(2);
+    const Triple e = edge(c0, c1), f = edge(c0, c2);
     const Triple n = double(toward_) * cross(e, f);
     const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
-    next = support(n);
-    if (!is_corner(next.id)) {
-      const Triple g = edge(corner_[0], next);
+    Corner& w = next();
+    support(n, w);
+    if (!is_corner(w.id)) {
+      const Triple g = edge(c0, w);
       const double g_1 = sum(magnitude(g));
       const double error = 1.1 * bounds_.edge * (e_1 * f_1 + (e_1 + f_1) * g_1) + kUnderflow;
       if (dot(n, g) > error) return true;
     }
-    Direction direction{Term::difference(corner_[0].id, corner_[1].id),
-                        Term::difference(corner_[0].id, corner_[2].id),
-                        toward_,
-                        n.vector(),
-                        {}};
+    Direction direction{Term::difference(c0.id, c1.id), Term::difference(c0.id, c2.id), toward_, n.vector()};
     if (turned_) {
       direction.error.setConstant(1.2 * bounds_.edge * (e_1 + f_1));
     } else {
       // e and f are differences of given numbers, each of two roundings; a product adds one, the sum another.
-      const Triple p = edge_size(corner_[0], corner_[1]), q = edge_size(corner_[0], corner_[2]);
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double size = p[j] * q[k] + p[k] * q[j];
-        direction.error[i] = size == 0 ? 0 : 8 * kU * size + kUnderflow;
-      }
+      const Triple p = edge_size(c0, c1), q = edge_size(c0, c2);
+      const auto error = [](double a, double b, double c, double d) {
+        const double size = a * b + c * d;
+        return size == 0 ? 0 : 8 * kU * size + kUnderflow;
+      };
+      direction.error = {error(p.y, q.z, p.z, q.y), error(p.z, q.x, p.x, q.z), error(p.x, q.y, p.y, q.x)};
     }
     Vertex id;
-    if (!beyond_.find(direction, corner_[0].id, std::array{corner_[1].id, corner_[2].id}, id)) return false;
-    next = corner(id);
+    if (!beyond_.find(direction, c0.id, std::array{c1.id, c2.id}, id)) return false;
+    find_corner(id, w);
     return true;
   }
   [[nodiscard]] bool is_corner(const Vertex& id) const {
-    return id == corner_[0].id || id == corner_[1].id || id == corner_[2].id;
+    return id == at(0).id || id == at(1).id || id == at(2).id;
   }
-  // w takes the place of the corner whose opposite edge makes with it the triangle that holds o.
-  void replace(const Corner& w) {
-    previous_ = {corner_[0].id, corner_[1].id, corner_[2].id};
+  // The next takes the place of the corner whose opposite edge makes with it the triangle that holds o.
+  void replace() {
+    const Corner& w = next();
+    previous_ = {at(0).id, at(1).id, at(2).id};
     newest_ = w.id;
     int s[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      s[i] = side(corner_[i], w);
-      if (s[i] == 0) {  // seen at one point, w before it
-        corner_[i] = w;
-        return;
-      }
+      s[i] = side(at(i), w);
+      if (s[i] == 0) return put_next(i);  // seen at one point, w before it
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t k = (i + 1) % 3;
-      if (s[i] < 0 && s[k] > 0) {
-        corner_[(i + 2) % 3] = w;
-        return;
-      }
+      if (s[i] < 0 && s[(i + 1) % 3] > 0) return put_next((i + 2) % 3);
     }
     scene_.invalidate();  // only numbers beyond their range get here
   }
@@ -413,7 +414,8 @@ class PortalWalk {
   BeyondSearch<S> beyond_;
   Counters& counters_;
   LineState state_ = LineState::undecided;
-  std::array<Corner, 3> corner_;
+  std::array<Corner, 4> slot_;
+  std::array<std::uint8_t, 4> order_ = {0, 1, 2, 3};
   std::array<Vertex, 3> around_, previous_;
   Vertex newest_;
   bool outward_ = false, turned_ = false;
