@@ -116,8 +116,9 @@ CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions
       });
 }
 
-// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
 namespace detail {
+
+// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
 template <Scalar S>
 void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                        CastResult<S>& out) {

@@ -70,7 +70,11 @@ struct PortalView {
   [[nodiscard]] PortalPoint<S> support(const Vec3<S>& n) const {
     ++counters.supports;
     PortalPoint<S> out;
-    out.c = cso.rounded_support(unit(world(n)));
+    // A polytope's support point does not depend on the length, while products stay within range.
+    const Vec3<S> along = world(n);
+    const S size = along.cwiseAbs().maxCoeff();
+    const bool plain = !cso.curved() && !(cso.radius() > 0) && size > S(0x1p-60) && size < S(0x1p60);
+    out.c = plain ? cso.support(along) : cso.rounded_support(unit(along));
     out.q = frame.to_frame(out.c.w);
     out.q[2] *= mirror;
     return out;
@@ -194,13 +198,21 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   return p[j].q[2] + weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]);
 }
 
+// |(x, y)|, of internal lengths: 0, or no smaller than the least ratio of two lengths within range, 1e-120,
+// so that no square vanishes in double.
+template <Scalar S>
+S length_across(S x, S y) {
+  const double a = static_cast<double>(x), b = static_cast<double>(y);
+  return static_cast<S>(std::sqrt(a * a + b * b));
+}
+
 // How far the origin lies outside the projected triangle a b c, counter-clockwise, by its worst edge; 0
 // inside.
 template <Scalar S>
 S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
   S worst = 0;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
-    const S length = std::hypot((*to)[0] - (*from)[0], (*to)[1] - (*from)[1]);
+    const S length = length_across((*to)[0] - (*from)[0], (*to)[1] - (*from)[1]);
     if (length > 0) worst = std::max(worst, -cross2(*from, *to) / length);
   }
   return worst;
@@ -306,7 +318,7 @@ PortalSearch<S> find_portal(const detail::PortalView<S>& view, int budget) {
     const S right = turn * cross2(p[2].q, p[0].q), left = turn * cross2(p[1].q, p[2].q);
     const S noise = view.noise();
     const auto across = [](const PortalPoint<S>& x, const PortalPoint<S>& y) {
-      return std::hypot(y.q[0] - x.q[0], y.q[1] - x.q[1]);
+      return length_across(y.q[0] - x.q[0], y.q[1] - x.q[1]);
     };
     if (right >= -noise * across(p[0], p[2]) && left >= -noise * across(p[1], p[2])) return found(3);
     if (right < left) {

@@ -14,10 +14,12 @@
 // Where that fails, near the start, near the end of the path or after kQuickSteps, it gives up, and the
 // careful search answers.
 //
-// Rounding, internal length: a vertex c of C is within body = err(a) + err(b) + 4 u extent per component
-// (guide.hpp; offset and two sums); n.c adds 3 u |n|_1 extent; a float guess is within 10 u' (|a| + |b|) of
-// the farthest, u' = 2^-24: 8 for the scan (leaf.hpp), 2 for n rounded to float. For S = float that is below
-// the noise and kept; for S = double it is made sure by a scan in doubles where it decides.
+// Rounding, internal length, over |n|_1, with e = err(a) + err(b) of guide.hpp, M the extent, u in double:
+//   a vertex c of C: e + the offset's error + 4 u M per component (two sums);   n.c: 3 u M;   n turned: 2 e,
+//   and sums compared, 8 u M, for the farthest in doubles;   horizon n.r, with |horizon r| <= 4 M: 12 u M,
+//   and r rounded, 4 u M.   Together below margin = 4 e + offset's error + 40 u M.
+// A vertex that floats guess is within slip() of the farthest: below the noise for S = float, where it serves
+// as the farthest for `lower`; wherever else it decides, a scan in doubles makes sure.
 #pragma once
 
 #include <graze/guide.hpp>

@@ -46,6 +46,7 @@ bool is_left_out(const graze::law::Law& law, const Case& problem) {
 
 std::vector<Case> near_ties(int count) {
   std::vector<Case> all;
+  all.reserve(static_cast<std::size_t>(count));
   graze::corpus::Random random(20261122);
   for (int i = 0; i < count; ++i) all.push_back(graze::law::draw_near_tie(random));
   return all;

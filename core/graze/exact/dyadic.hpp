@@ -149,9 +149,10 @@ class Dyadic {
     }
     std::fill_n(out.limb_.data(), limbs, 0);
     Limb carry = 0;
-    for (int i = 0; i < size_; ++i) {
-      const Limb l = limb_[static_cast<std::size_t>(i)];
-      out.limb_[static_cast<std::size_t>(i + limbs)] = rest == 0 ? l : l << rest | carry;
+    const std::size_t moved = static_cast<std::size_t>(limbs);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
+      const Limb l = limb_[i];
+      out.limb_[i + moved] = rest == 0 ? l : l << rest | carry;
       carry = rest == 0 ? 0 : l >> (64 - rest);
     }
     out.size_ = size_ + limbs;

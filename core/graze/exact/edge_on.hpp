@@ -25,7 +25,7 @@ class EdgeOnWalk {
     if (line.sign < 0) std::swap(x_, y_);  // (x_ x y_).v > 0
   }
 
-  LineState find(bool outward = false) {
+  WalkState find(bool outward = false) {
     outward_ = outward;
     return size_ == 1 ? find_point() : find_segment();
   }
@@ -78,28 +78,28 @@ class EdgeOnWalk {
     if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
     return scene_.valid();
   }
-  LineState misses(const Term& f1, const Term& f2, int sign) {
+  WalkState misses(const Term& f1, const Term& f2, int sign) {
     miss_f1_ = f1;
     miss_f2_ = f2;
     miss_sign_ = sign;
-    return LineState::beside;
+    return WalkState::beside;
   }
   bool find_beyond(const Term& f1, const Term& f2, int sign, const Vertex& from, Vertex& out) const {
     ++counters_.supports;
     return beyond_.find(direction_of(scene_, f1, f2, sign), from, {}, out);
   }
 
-  LineState find_point() {
+  WalkState find_point() {
     for (const Term& axis : {x_, y_}) {
       // n = v x axis, the same for all of C
       const int s = scene_.determinant_sign(Term::point(corner_[0]), line_.v, axis);
       if (s != 0) return misses(line_.v, axis, -s);
     }
     if (outward_) return misses(line_.v, x_, 1);  // C is its own border
-    return LineState::through;
+    return WalkState::through;
   }
 
-  LineState find_segment() {
+  WalkState find_segment() {
     const Term e = Term::difference(corner_[0], corner_[1]);
     const int s = scene_.determinant_sign(Term::point(corner_[0]), line_.v, e);
     if (s != 0) return misses(line_.v, e, -s);
@@ -123,7 +123,7 @@ class EdgeOnWalk {
         corner_[i] = w;
       }
     }
-    return LineState::through;
+    return WalkState::through;
   }
 
   // The sign of s(c), o moved as above; never 0.

@@ -31,9 +31,9 @@ struct Answer {
 };
 
 template <Scalar S>
-class LineCast {
+class PassageSearch {
  public:
-  LineCast(const Body<S>& a, const Body<S>& b, Counters& counters)
+  PassageSearch(const Body<S>& a, const Body<S>& b, Counters& counters)
       : pair_(a, b),
         scene_(a, b, pair_.length_exponent(), pair_.speed_exponent()),
         line_(line_of(pair_)),
@@ -86,7 +86,7 @@ class LineCast {
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }
   [[nodiscard]] const Scene<S>& scene() const { return scene_; }
-  [[nodiscard]] const Line& line() const { return line_; }
+  [[nodiscard]] const Term& v() const { return line_.v; }
 
  private:
   // A path, or, at rest, a line from the origin to about the middle of C.
@@ -113,11 +113,11 @@ class LineCast {
       return out;
     };
     PortalWalk<S> walk(pair_, scene_, line_, counters_);
-    const LineState state = walk.find(outward);
-    if (state == LineState::beside) return missed(walk);
-    if (state == LineState::through) return go(walk);
+    const WalkState state = walk.find(outward);
+    if (state == WalkState::beside) return missed(walk);
+    if (state == WalkState::through) return go(walk);
     EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.first(), walk.second(), counters_);
-    if (flat.find(outward) == LineState::beside) return missed(flat);
+    if (flat.find(outward) == WalkState::beside) return missed(flat);
     return go(flat);
   }
 

@@ -88,7 +88,7 @@ struct Bounds {
   }
 };
 
-enum class LineState : std::uint8_t {
+enum class WalkState : std::uint8_t {
   undecided,
   through,  // `portal` holds o
   beside,   // the line misses C: n = miss_sign (miss_f1 x miss_f2) has n.v = 0 and h(n) < 0
@@ -104,7 +104,7 @@ class PortalWalk {
   }
 
   // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses.
-  LineState find(bool outward = false) {
+  WalkState find(bool outward = false) {
     outward_ = outward;
     if (!start()) return state_;
     if (!make_triangle()) return state_;
@@ -205,7 +205,7 @@ class PortalWalk {
     return false;
   }
   void misses(const Term& f1, const Term& f2, int sign) {
-    state_ = LineState::beside;
+    state_ = WalkState::beside;
     miss_f1_ = f1;
     miss_f2_ = f2;
     miss_sign_ = sign;
@@ -292,7 +292,7 @@ class PortalWalk {
         if (second == first && find_beyond(line_.v, unit, sign, first, second)) find_corner(second, slot_[1]);
       }
     }
-    state_ = LineState::edge_on;
+    state_ = WalkState::edge_on;
     if (second == first) {
       find_corner(first, slot_[1]);
       return 0;
@@ -302,7 +302,7 @@ class PortalWalk {
       Vertex third;
       if (!find_beyond(line_.v, edge, sign, first, third)) continue;
       find_corner(third, slot_[2]);
-      state_ = LineState::undecided;
+      state_ = WalkState::undecided;
       return turn(slot_[0], slot_[1], slot_[2]);
     }
     return 0;
@@ -338,7 +338,7 @@ class PortalWalk {
       order_ = {order_[0], order_[3], order_[1], order_[2]};
       edge = side(at(0), at(1)) < 0 ? 0 : side(at(1), at(2)) < 0 ? 1 : -1;
     }
-    state_ = LineState::through;
+    state_ = WalkState::through;
   }
   // The first edge that has o on its right, or -1.
   [[nodiscard]] int outside_edge() const {
@@ -413,7 +413,7 @@ class PortalWalk {
   Bounds bounds_;
   BeyondSearch<S> beyond_;
   Counters& counters_;
-  LineState state_ = LineState::undecided;
+  WalkState state_ = WalkState::undecided;
   std::array<Corner, 4> slot_;
   std::array<std::uint8_t, 4> order_ = {0, 1, 2, 3};
   std::array<Vertex, 3> around_, previous_;
