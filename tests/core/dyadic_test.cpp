@@ -1,0 +1,101 @@
+// Core's exact numbers against GMP's.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <graze/exact/dyadic.hpp>
+#include <limits>
+#include <vector>
+
+#include "corpus/random.hpp"
+
+namespace graze::exact {
+namespace {
+
+struct Both {
+  Dyadic own;
+  mpq_class gmp;
+};
+
+Both of(double x) { return {Dyadic(x), mpq_class(x)}; }
+Both operator+(const Both& x, const Both& y) { return {x.own + y.own, x.gmp + y.gmp}; }
+Both operator-(const Both& x, const Both& y) { return {x.own - y.own, x.gmp - y.gmp}; }
+Both operator*(const Both& x, const Both& y) { return {x.own * y.own, x.gmp * y.gmp}; }
+
+// Any finite double, of few bits or all, near 1 or anywhere.
+double draw(corpus::Random& random) {
+  const int bits = random.once_in(2) ? 53 : random.integer(1, 20);
+  const auto mantissa = static_cast<double>(random.below(std::uint64_t{1} << bits));
+  const int exponent = random.once_in(2) ? random.integer(-60, 60) : random.integer(-1074, 900);
+  return std::ldexp(random.once_in(2) ? mantissa : -mantissa, exponent);
+}
+
+void expect_equal(const Both& x) {
+  ASSERT_TRUE(x.own.valid());
+  ASSERT_EQ(x.own.sign(), sgn(x.gmp));
+  if (x.own.sign() == 0) return;
+  // leading() 2^order is x cut off after 53 bits.
+  const int order = x.own.order();
+  mpq_class scaled = x.gmp;
+  if (order >= 0) {
+    mpq_div_2exp(scaled.get_mpq_t(), scaled.get_mpq_t(), static_cast<mp_bitcnt_t>(order));
+  } else {
+    mpq_mul_2exp(scaled.get_mpq_t(), scaled.get_mpq_t(), static_cast<mp_bitcnt_t>(-order));
+  }
+  ASSERT_GE(abs(scaled), 1);
+  ASSERT_LT(abs(scaled), 2);
+  ASSERT_LE(abs(mpq_class(x.own.leading())), abs(scaled));
+  ASSERT_LT(abs(scaled - mpq_class(x.own.leading())), mpq_class(std::numeric_limits<double>::epsilon()));
+}
+
+TEST(Dyadic, sums_differences_and_products_are_gmps) {
+  corpus::Random random(20261121);
+  for (int round = 0; round < 4000; ++round) {
+    std::vector<Both> known;
+    for (int i = 0; i < 4; ++i) known.push_back(of(draw(random)));
+    known.push_back(of(0));
+    for (int step = 0; step < 6; ++step) {
+      const Both& x = known[random.below(known.size())];
+      const Both& y = known[random.below(known.size())];
+      const std::uint64_t what = random.below(3);
+      Both next = what == 0 ? x + y : what == 1 ? x - y : x * y;
+      // Exponents spread as they multiply: beyond the room it says so, and is not asked for more.
+      if (!next.own.valid()) continue;
+      expect_equal(next);
+      if (HasFatalFailure()) return;
+      known.push_back(next);
+    }
+    // What cancels to the last bit.
+    const Both& last = known.back();
+    EXPECT_EQ((last.own - last.own).sign(), 0);
+    EXPECT_EQ((last.own + -last.own).sign(), 0);
+  }
+}
+
+TEST(Dyadic, neighbours_differ_by_the_last_bit) {
+  for (const double x : {1.0, 0x1p-1074, 0x1.fffffffffffffp1023, 1e-60, 3.0}) {
+    const double below = std::nextafter(x, 0.0);
+    EXPECT_EQ((Dyadic(x) - Dyadic(below)).sign(), 1);
+    EXPECT_EQ((Dyadic(-x) - Dyadic(-below)).sign(), -1);
+  }
+}
+
+// The room is for 10,240 bits; one more is refused, and stays refused.
+TEST(Dyadic, beyond_its_room_it_is_invalid_and_stays_so) {
+  const Dyadic one(1), small(0x1p-1000);
+  Dyadic power = small;
+  int factors = 1;
+  while ((one + power).valid() && factors < 20) {
+    power = power * small;
+    ++factors;
+  }
+  EXPECT_EQ(factors, 11);  // 2^-10000 + 1 fits, 2^-11000 + 1 does not
+  const Dyadic overflown = one + power;
+  EXPECT_FALSE(overflown.valid());
+  EXPECT_FALSE((overflown - overflown).valid());
+  EXPECT_FALSE((overflown * Dyadic(0)).valid());
+  EXPECT_FALSE((Dyadic(0) + overflown).valid());
+}
+
+}  // namespace
+}  // namespace graze::exact
