@@ -1,10 +1,9 @@
 // Vectors in the two arithmetics beyond plain doubles, and rotations of them: nothing is divided, so each has
 // a positive weight, the |q|^2 of the rotations in it.
 //
-//   Fine   pairs of doubles (pair.hpp): each coordinate within 2^-92 size of what it stands for, size >=
-//   |x_i|,
-//          if it is a sum of at most 16 parts that at most 17 rotations turn: a rotation adds 2^-97 of
-//          `size`, what was added before anything cancelled, a sum or a weight 2^-99;
+//   Fine   pairs of doubles (pair.hpp): each coordinate within 2^-92 size of what it stands for, where size
+//          bounds |x_i|, if it is a sum of at most 16 parts that at most 17 rotations turn: a rotation adds
+//          2^-97 of size (what was added before anything cancelled), a sum or a weight 2^-99;
 //   Exact  dyadic numbers.
 #pragma once
 
