@@ -32,7 +32,7 @@ class EdgeOnWalk {
 
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
-    while (goes_on()) {
+    while (goes_on(scene_, counters_)) {
       const Facet f = facet();
       Vertex w;
       if (!find_beyond(f.f1, f.f2, toward, corner_[0], w)) return false;
@@ -73,11 +73,6 @@ class EdgeOnWalk {
   [[nodiscard]] int miss_sign() const { return miss_sign_; }
 
  private:
-  [[nodiscard]] bool goes_on() const {  // walk.hpp
-    constexpr int kMostSteps = 1 << 20;
-    if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
-    return scene_.valid();
-  }
   WalkState misses(const Term& f1, const Term& f2, int sign) {
     miss_f1_ = f1;
     miss_f2_ = f2;
@@ -116,7 +111,7 @@ class EdgeOnWalk {
     for (const int end : {0, 1}) {
       const std::size_t i = static_cast<std::size_t>(end);
       const int wanted = end == 0 ? -1 : 1;
-      while (place(corner_[i]) != wanted && goes_on()) {
+      while (place(corner_[i]) != wanted && goes_on(scene_, counters_)) {
         Vertex w;
         // s grows along x_ x v, falls along v x x_.
         if (!find_beyond(x_, line_.v, wanted, corner_[i], w)) return misses(x_, line_.v, wanted);

@@ -21,6 +21,16 @@ Vec3<S> separating_normal(const Scene<S>& scene, const Answer& answer) {
   return (answer.miss_sign * unit_normal(scene, plane)).template cast<S>();
 }
 
+// The result with what it cost; or that a number outgrew its room (dyadic.hpp).
+template <Scalar S, class Result>
+Result finished(const Scene<S>& scene, Result result) {
+  result.counters.exact_decisions = scene.exact_decisions();
+  if (scene.valid()) return result;
+  Result refused;
+  refused.invalid = Invalid::too_complex;
+  return refused;
+}
+
 }  // namespace exact
 
 // Do they touch at t = 0? Touching counts.
@@ -44,12 +54,7 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
     default:
       out.normal = exact::outward_normal(cast.scene(), answer.facet, answer.passage == exact::Passage::ahead);
   }
-  out.counters.exact_decisions = cast.scene().exact_decisions();
-  if (!cast.scene().valid()) {
-    out = {};
-    out.invalid = Invalid::too_complex;
-  }
-  return out;
+  return exact::finished(cast.scene(), out);
 }
 
 // Do they touch at any t in [0, t_max]? options.method is not read.
@@ -78,12 +83,7 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                      ? exact::separating_normal(cast.scene(), answer)
                      : exact::outward_normal(cast.scene(), answer.facet, ahead);
   }
-  out.counters.exact_decisions = cast.scene().exact_decisions();
-  if (!cast.scene().valid()) {
-    out = {};
-    out.invalid = Invalid::too_complex;
-  }
-  return out;
+  return exact::finished(cast.scene(), out);
 }
 
 // The signed answer {t in R : contact at t}: each end as its two neighbouring S, or one.
@@ -128,12 +128,7 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
       out.normal_out = exact::outward_normal(scene, leave.facet, false);
     }
   }
-  out.counters.exact_decisions = scene.exact_decisions();
-  if (!scene.valid()) {
-    out = {};
-    out.invalid = Invalid::too_complex;
-  }
-  return out;
+  return exact::finished(scene, out);
 }
 
 }  // namespace graze

@@ -95,6 +95,14 @@ enum class WalkState : std::uint8_t {
   edge_on,  // seen along v, C is a segment or a point: edge_on.hpp goes on
 };
 
+// Counts a step. A walk ends of itself (see above): were one not to, by a mistake here, the cast is refused.
+template <Scalar S>
+bool goes_on(const Scene<S>& scene, Counters& counters) {
+  constexpr int kMostSteps = 1 << 20;
+  if (++counters.portal_steps > kMostSteps) scene.invalidate();
+  return scene.valid();
+}
+
 template <Scalar S>
 class PortalWalk {
  public:
@@ -118,7 +126,7 @@ class PortalWalk {
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
     toward_ = toward;
-    while (goes_on()) {
+    while (goes_on(scene_, counters_)) {
       if (!above_portal()) return false;
       replace();
       if (stop(*this)) return true;
@@ -163,13 +171,6 @@ class PortalWalk {
   [[nodiscard]] const Corner& at(std::size_t i) const { return slot_[order_[i]]; }
   [[nodiscard]] Corner& next() { return slot_[order_[3]]; }
   void put_next(std::size_t i) { std::swap(order_[i], order_[3]); }
-
-  // The walk ends of itself (see above). Were it not to, by a mistake here, the cast is refused.
-  [[nodiscard]] bool goes_on() const {
-    constexpr int kMostSteps = 1 << 20;
-    if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
-    return scene_.valid();
-  }
 
   void place(Corner& out, const Triple& a, const Triple& b) const {
     out.a = a;
@@ -315,7 +316,7 @@ class PortalWalk {
 
   void walk_around() {
     int edge = outside_edge();
-    while (edge >= 0 && goes_on()) {
+    while (edge >= 0 && goes_on(scene_, counters_)) {
       // The edge first.
       if (edge == 1) order_ = {order_[1], order_[2], order_[0], order_[3]};
       if (edge == 2) order_ = {order_[2], order_[0], order_[1], order_[3]};
