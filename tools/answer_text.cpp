@@ -61,8 +61,11 @@ std::string invalid_text(Invalid invalid) {
     case Invalid::bad_tolerance:
       return "a tolerance below zero, or a budget below one";
     case Invalid::not_exact:
-      return "a curved or rounded shape, a hull of shapes or a target distance, which tier exact does not "
-             "know";
+      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
+             "which tier exact does not know";
+    case Invalid::not_linear:
+      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
+             "linear motions";
   }
   return "an unknown reason";
 }

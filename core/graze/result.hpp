@@ -17,9 +17,10 @@ enum class Outcome : std::uint8_t {
 enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep, exact_portal };
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
+// certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
 // exact: of the true shapes, correctly rounded (exact/exact_cast.hpp); for polytopes without a target
 // distance.
-enum class Tier : std::uint8_t { standard, exact };
+enum class Tier : std::uint8_t { standard, certified, exact };
 
 // What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
 // n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
@@ -50,7 +51,8 @@ enum class Invalid : std::uint8_t {
   bad_target,       // target_distance below zero, infinite or NaN
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
   not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
-                    // shapes, a target distance
+                    // shapes, a target distance, a rotation that is seen
+  not_linear,       // a rotation that is seen, with an infinite t_max or the start policy pass_over
 };
 
 template <Scalar S>
@@ -75,6 +77,7 @@ struct Counters {
   int gjk_iterations = 0;   // closest-point solves
   int portal_steps = 0;     // portal discovery and refinement steps
   int exact_decisions = 0;  // tier exact: signs that pairs of doubles did not decide
+  int poses = 0;            // rotating casts: times at which the turning bodies were placed
 };
 
 template <Scalar S>

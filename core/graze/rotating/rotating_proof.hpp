@@ -1,0 +1,45 @@
+// The proof of a rotating answer: a chain of axes, each with its slice of time, and proved contact at its
+// end.
+//
+// Slice (t_0, t_1, n): for every t in [t_0, t_1] the bodies are more than the target distance m apart along
+// n(t),
+//   max over a in A(t) of n(t).a  +  m |n|  <  min over b in B(t) of n(t).b,
+// where n(t) is n itself (frame world) or turns with a body: n(t) = R(t rotation_A) n (frame a), and so b.
+// The chain's slices follow each other from t = 0, so together they say: no contact before toi_lower.
+//
+// Contact at toi_upper: k <= 4 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. With c_i = a_i -
+// b_i at that time and r_i the radii that the vertices of the two cores carry (sphere, capsule, rounded),
+// contact is proved if either
+//   |sum l_i c_i| <= sum l_i (r_i + m),
+// or four c_i hold the origin strictly inside their hull; the weights are then not read.
+//
+// Every number is a double whatever scalar made the proof, so it says exactly what it says; the checker lives
+// in oracles/check_rotating_proof.hpp and shares no code with the search.
+#pragma once
+
+#include <graze/proof.hpp>
+#include <vector>
+
+namespace graze {
+
+enum class AxisFrame : std::uint8_t { world, a, b };
+
+struct TimeSlice {
+  double end = 0;                            // the slice begins where the one before it ends, the first at 0
+  Vec3<double> axis = Vec3<double>::Zero();  // world axes (of t = 0, where it turns); not normalised
+  AxisFrame frame = AxisFrame::world;
+};
+
+struct RotatingProof {
+  // Claim: TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.
+  double toi_lower = 0;
+  std::vector<TimeSlice> chain;  // the last slice ends at toi_lower or later; of a miss, at t_max or later
+
+  // Claim: contact at toi_upper, so TOI <= toi_upper. Infinity claims nothing and needs no pairs.
+  double toi_upper = kInfinity<double>;
+  int contact_size = 0;
+  std::array<SupportPair, 4> contact;  // offsets are zero; placed at toi_upper as the body moves
+  std::array<double, 4> weight = {0, 0, 0, 0};
+};
+
+}  // namespace graze
