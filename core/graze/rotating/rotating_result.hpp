@@ -17,9 +17,9 @@ enum class RotatingMethod : std::uint8_t {
 
 template <Scalar S>
 struct RotatingOptions {
-  Tier tier = Tier::standard;            // exact does not exist where a rotation is seen: invalid_input
-  std::optional<RotatingMethod> method;  // none: by the plan
-  Economies economies;                   // of the plan
+  Tier tier = Tier::standard;                 // exact does not exist where a rotation is seen: invalid_input
+  std::optional<RotatingMethod> method = {};  // none: by the plan
+  Economies economies = {};                   // of the plan
   Request request = Request::normal | Request::witnesses;
   S t_max = 1;            // finite, where a rotation is seen
   S target_distance = 0;  // m: contact is when the distance reaches m (length)
