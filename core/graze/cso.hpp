@@ -68,6 +68,14 @@ class Cso {
     r_ = (power_of_two(-j_) * v).template cast<S>();
   }
 
+  // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those that
+  // turn, each entry within 11 u, and the offset, internal units, within 2 u.
+  void place(const Mat3<S>* rotation_a, const Mat3<S>* rotation_b, const Vec3<S>& offset) {
+    if (rotation_a) a_.turn_to(*rotation_a);
+    if (rotation_b) b_.turn_to(*rotation_b);
+    d_ = offset;
+  }
+
   // The core's support point along n (any length); the rounded C's, n a unit vector.
   [[nodiscard]] CsoPoint<S> support(const Vec3<S>& n) const {
     CsoPoint<S> out;

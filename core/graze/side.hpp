@@ -133,6 +133,8 @@ struct Side {
     return rotated ? Vec3<S>(rotation.transpose() * n) : n;
   }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& x) const { return rotated ? Vec3<S>(rotation * x) : x; }
+  // A rotation other than the given orientation; a point's about itself cannot be seen.
+  void turn_to(const Mat3<S>& r);
   // Bounds |x| over the core.
   [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
 };
@@ -258,7 +260,16 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
              shape);
 }
 
-inline constexpr int kQuickTurn = 19, kAccurateTurn = 5;
+// Entries of R within 9 u, 0.6 u, and 11 u: what three rounded products of a row come to (cso.hpp).
+inline constexpr int kQuickTurn = 19, kAccurateTurn = 5, kPlacedTurn = 23;
+
+template <Scalar S>
+void Side<S>::turn_to(const Mat3<S>& r) {
+  if (reach() == 0) return;
+  rotation = r;
+  rotated = true;
+  turn = kPlacedTurn;
+}
 
 template <Scalar S, Scalar Given>
 Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning turning) {

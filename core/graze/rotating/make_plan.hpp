@@ -1,0 +1,80 @@
+// What must be simulated for a pair: the least of nothing, a static query, a linear cast, a rotating cast.
+//
+// Internal lengths. A turn counts as unseen where no point of the body, as a set, gets farther than `noise` from
+// where the linear motion has it: C is then the linear cast's C' within the tier's kappa u scale. In tier
+// certified nothing is below noise but 0. A slow turn gets no farther than the tolerance: a linear cast with that
+// much added to the target distance bounds the answer from below, and a rotating cast goes on from there.
+#pragma once
+
+#include <graze/rotating/rotating_result.hpp>
+#include <graze/rotating/spheres.hpp>
+
+namespace graze::detail {
+
+struct PlanLimits {
+  double t_end = 1;      // may be infinite
+  double noise = 0;      // internal length
+  double tolerance = 0;  // internal length, >= noise
+};
+
+// Neither body turns: no bounds of turning points are needed.
+template <Scalar S>
+Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, const Economies& economies) {
+  Plan out;
+  out.add(PlanReason::no_rotation);
+  out.effects = Effects::linear;
+  if (economies.at_rest && a.body.displacement == b.body.displacement) {
+    out.add(PlanReason::nothing_moves);
+    out.effects = Effects::at_rest;
+  }
+  return out;
+}
+
+// Both bodies turn alike about one axis, and move alike: they stand still to each other, but for how far the
+// pivots' difference swings.
+inline double swing_as_one(const MovingPair& pair, double t_end) {
+  const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
+  if (a.w != b.w || pair.velocity() != Vec3<double>::Zero()) return kInfinity<double>;
+  return std::min(a.rate * t_end, 2.0) * pair.pivots().cross(unit(a.w)).norm();
+}
+
+inline Plan plan_of(const MovingPair& pair, const Economies& economies, const PlanLimits& limits) {
+  Plan out;
+  const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
+  if (economies.bounds && !cast_spheres(pair, limits.t_end).meet) {
+    out.effects = Effects::nothing;
+    out.add(PlanReason::bounds_never_meet);
+    return out;
+  }
+  if (economies.as_one && swing_as_one(pair, limits.t_end) <= limits.noise) {
+    out.effects = Effects::at_rest;
+    out.add(PlanReason::as_one);
+    return out;
+  }
+  const double sway_a = a.sway(limits.t_end), sway_b = b.sway(limits.t_end);
+  const bool unseen_a = economies.unseen_spin && sway_a <= limits.noise / 2;
+  const bool unseen_b = economies.unseen_spin && sway_b <= limits.noise / 2;
+  const bool seen_a = a.turns() && !unseen_a, seen_b = b.turns() && !unseen_b;
+  if (a.turns() && unseen_a) out.add(PlanReason::unseen_spin_a);
+  if (b.turns() && unseen_b) out.add(PlanReason::unseen_spin_b);
+  if (!seen_a && !seen_b) {
+    const bool still = pair.velocity() == Vec3<double>::Zero();
+    out.effects = still && economies.at_rest ? Effects::at_rest : Effects::linear;
+    if (out.effects == Effects::at_rest) out.add(PlanReason::nothing_moves);
+    return out;
+  }
+  const double sway = (seen_a ? sway_a : 0.0) + (seen_b ? sway_b : 0.0);
+  if (economies.slow_spin && sway <= limits.tolerance) {
+    if (seen_a) out.add(PlanReason::slow_spin_a);
+    if (seen_b) out.add(PlanReason::slow_spin_b);
+    out.effects = Effects::linear;
+    out.added = sway;
+    return out;
+  }
+  out.effects = Effects::rotating;
+  if (seen_a) out.add(PlanReason::rotation_a);
+  if (seen_b) out.add(PlanReason::rotation_b);
+  return out;
+}
+
+}  // namespace graze::detail

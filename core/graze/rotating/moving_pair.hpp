@@ -1,0 +1,168 @@
+// Two turning bodies as a CSO that can be placed at any time.
+//
+// Frame: world axes, origin on the path of A's pivot, c_A + v_A t; internal units of cso.hpp (world lengths times
+// 2^-k, k that of t = 0). With the arms r_X = R(orientation)(center - pivot) at t = 0 and the bodies' turns R_X(t),
+//   offset(t) = (c_B - c_A) + (v_B - v_A) t + R_B(t) r_B - R_A(t) r_A,
+// summed in two doubles and rounded once: large common positions, and arms of many sizes, cost nothing.
+// The rounding of what the CSO then says is cso.hpp's; `error()` is what it comes to.
+#pragma once
+
+#include <graze/cso.hpp>
+#include <graze/rotating/mobility.hpp>
+#include <graze/rotating/turn.hpp>
+
+namespace graze::detail {
+
+inline TwoDoubles3 operator+(const TwoDoubles3& l, const TwoDoubles3& r) {
+  return {l[0] + r[0], l[1] + r[1], l[2] + r[2]};
+}
+inline TwoDoubles3 operator-(const TwoDoubles3& l, const TwoDoubles3& r) {
+  return {l[0] + -r[0], l[1] + -r[1], l[2] + -r[2]};
+}
+inline TwoDoubles3 scaled(const TwoDoubles3& x, double power) {
+  TwoDoubles3 out;
+  for (std::size_t i = 0; i < 3; ++i) out[i] = {x[i].hi * power, x[i].lo * power};
+  return out;
+}
+inline TwoDoubles3 two_doubles(const Vec3<double>& x) {
+  return {TwoDoubles{x[0], 0}, TwoDoubles{x[1], 0}, TwoDoubles{x[2], 0}};
+}
+inline Vec3<double> rounded(const TwoDoubles3& x) {
+  return {x[0].hi + x[0].lo, x[1].hi + x[1].lo, x[2].hi + x[2].lo};
+}
+
+// One body's turning: its rotation and its arm at any time.
+struct TurningSide {
+  TurnsAbout turns{Vec3<double>::Zero()};
+  Quaternion<double> start;  // scaled by a power of two, so that its components are near 1
+  Vec3<double> pivot = Vec3<double>::Zero();  // own frame, world lengths
+  TwoDoubles3 arm{};                          // internal units
+  bool has_arm = false;
+  Mobility mobility;
+
+  struct Placed {
+    Mat3<double> rotation = Mat3<double>::Identity();
+    TwoDoubles3 arm{};
+  };
+  [[nodiscard]] Placed at(double t) const {
+    if (!turns.turns() || t == 0) return {rotation_matrix(start), arm};
+    const Turn turn = turns.at(t);
+    return {rotation_matrix(turn.after(start)), has_arm ? turn(arm) : arm};
+  }
+};
+
+template <Scalar S>
+Quaternion<double> near_one(const Quaternion<S>& given) {
+  const Quaternion<double> q = as_double(given);
+  const double most = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  const double factor = power_of_two(-exponent_of(most));
+  return {q.w * factor, q.x * factor, q.y * factor, q.z * factor};
+}
+
+// R(orientation) x, within 2^-98.
+inline TwoDoubles3 posed(const Quaternion<double>& q, const Vec3<double>& x) {
+  return q.is_identity() ? two_doubles(x) : rotate_accurately(q, x);
+}
+
+// Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point search.
+class MovingPair {
+ public:
+  template <Scalar S>
+  MovingPair(const RotatingBody<S>& a, const RotatingBody<S>& b, double target_distance)
+      : cso_(a.body, b.body, static_cast<S>(0)) {
+    const double unit = power_of_two(-cso_.length_exponent());
+    target_ = target_distance * unit;
+    radius_ = cso_.radius() + target_;
+    prepare(a, cso_.side_a(), unit, a_);
+    prepare(b, cso_.side_b(), unit, b_);
+    pivots_ = scaled(start_of_pivot(b, b_) - start_of_pivot(a, a_), unit);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int k = static_cast<int>(i);
+      const TwoDoubles v = two_sum(double(b.body.displacement[k]), -double(a.body.displacement[k]));
+      velocity_[i] = {v.hi * unit, v.lo * unit};
+    }
+    place(0);
+  }
+
+  void place(double t) {
+    t_ = t;
+    TwoDoubles3 d = pivots_;
+    if (t != 0) {
+      for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + velocity_[i] * TwoDoubles{t, 0};
+    }
+    const TurningSide::Placed a = a_.at(t), b = b_.at(t);
+    cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
+               rounded(d + (b.arm - a.arm)));
+    arm_a_ = rounded(a.arm);
+    arm_b_ = rounded(d + b.arm);
+    ++poses_;
+  }
+
+  [[nodiscard]] double time() const { return t_; }
+  [[nodiscard]] const Cso<double>& cso() const { return cso_; }
+  [[nodiscard]] double radius() const { return radius_; }  // of both cores' balls and the target distance
+  [[nodiscard]] double scale() const { return cso_.scale(); }
+  [[nodiscard]] double target() const { return target_; }
+  [[nodiscard]] int poses() const { return poses_; }
+  [[nodiscard]] const Mobility& mobility_a() const { return a_.mobility; }
+  [[nodiscard]] const Mobility& mobility_b() const { return b_.mobility; }
+  [[nodiscard]] Vec3<double> velocity() const { return rounded(velocity_); }
+  // c_B - c_A at t = 0.
+  [[nodiscard]] Vec3<double> pivots() const { return rounded(pivots_); }
+  // Own frame, world lengths: the given centre of rotation, or a point of a body that does not turn.
+  [[nodiscard]] const Vec3<double>& pivot_a() const { return a_.pivot; }
+  // From A's pivot to the centres of the sides (cso.hpp) as placed.
+  [[nodiscard]] const Vec3<double>& center_a() const { return arm_a_; }
+  [[nodiscard]] const Vec3<double>& center_b() const { return arm_b_; }
+
+  // A bound of the rounding of the gap along any unit axis.
+  [[nodiscard]] double error() const {
+    return cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm());
+  }
+  // min over B of n.b - max over A of n.a, less the target distance: not above the true one, n unit.
+  [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
+    ++counters.supports;
+    return -n.dot(cso_.support(n).w) - radius_ - error();
+  }
+  // The gap along a fixed n shrinks by no more than this in one unit of t.
+  [[nodiscard]] double closing(const Vec3<double>& n) const {
+    const Vec3<double> v = velocity();
+    return a_.mobility.speed(n) + b_.mobility.speed(n) - n.dot(v) +
+           8 * kUnitRoundoff<double> * v.cwiseAbs().sum();
+  }
+  // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
+  [[nodiscard]] double bend(const Vec3<double>& n) const {
+    return a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
+  }
+  // Of any point of one body seen from any of the other's.
+  [[nodiscard]] double top_speed() const {
+    return a_.mobility.top_speed() + b_.mobility.top_speed() +
+           velocity().norm() * (1 + 8 * kUnitRoundoff<double>);
+  }
+
+ private:
+  template <Scalar S>
+  static TwoDoubles3 start_of_pivot(const RotatingBody<S>& given, const TurningSide& side) {
+    return two_doubles(wide(given.body.position)) + posed(side.start, side.pivot);
+  }
+  template <Scalar S>
+  static void prepare(const RotatingBody<S>& given, const Side<double>& side, double unit, TurningSide& out) {
+    out.turns = TurnsAbout(wide(given.rotation));
+    out.start = near_one(given.body.orientation);
+    const Bounds bounds = detail::bounds(given.body.shape);
+    // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
+    out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
+    out.has_arm = side.center != out.pivot;
+    if (out.has_arm) out.arm = scaled(posed(out.start, side.center) - posed(out.start, out.pivot), unit);
+    out.mobility = mobility(given, out.pivot, bounds, unit);
+  }
+
+  Cso<double> cso_;
+  TurningSide a_, b_;
+  TwoDoubles3 pivots_{}, velocity_{};
+  Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero();
+  double radius_ = 0, target_ = 0, t_ = 0;
+  int poses_ = 0;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,345 @@
+// cast(A, B) of turning bodies = when do two moving convex shapes first touch, turning included?
+//
+// Inputs: bodies in world axes, the caller's units, radians (rotating/rotating_body.hpp). Everything is computed in
+// double whatever S is; times are rounded outward to S. Without a method the plan decides what is simulated; with
+// one, that method runs whatever moves. No throw, no global state; nothing is allocated but a requested proof.
+// What each method promises: docs/guarantees.md.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/rotating/bilateral_published.hpp>
+#include <graze/rotating/make_plan.hpp>
+#include <graze/rotating/steps.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
+inline constexpr double kRotatingStop = 4;
+// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and the
+// part of it that either end may take.
+inline constexpr double kCertifiedWidth = 1e-9, kWidthPart = 1.0 / 16;
+// The linear slop of the slides, over scale, where the caller names no tolerance.
+inline constexpr double kPublishedSlop = 0.005;
+
+template <Scalar S>
+Invalid validate(const RotatingBody<S>& body, S t_max) {
+  if (const Invalid one = graze::validate(body.body); one != Invalid::none) return one;
+  if (const Invalid one = first_of({check_vector(body.rotation), check_vector(body.pivot)}); one != Invalid::none)
+    return one;
+  const double turned = wide(body.rotation).norm() * static_cast<double>(t_max);
+  return t_max < kInfinity<S> && turned > kMostTurn ? Invalid::out_of_range : Invalid::none;
+}
+
+template <Scalar S>
+CastOptions<S> linear_options(const RotatingOptions<S>& options) {
+  CastOptions<S> out;
+  out.tier = options.tier;
+  out.request = options.request == Request::proof ? Request::verdict : options.request;
+  if (asks_for(options.request, Request::proof)) {
+    out.request = static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
+  }
+  out.t_max = options.t_max;
+  out.target_distance = options.target_distance;
+  out.tolerance = options.tier == Tier::standard ? options.tolerance : S(0);
+  out.start_policy = options.start_policy;
+  return out;
+}
+
+template <Scalar S>
+Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+  if (!rounds_to_nearest()) return Invalid::rounding_mode;
+  if (const Invalid one = graze::validate(linear_options(options)); one != Invalid::none) return one;
+  if (!(options.tolerance >= 0 && options.tolerance < kInfinity<S>) || options.max_iterations < 1 ||
+      options.time_steps < 1)
+    return Invalid::bad_tolerance;
+  if (const Invalid one = validate(a, options.t_max); one != Invalid::none) return one;
+  return validate(b, options.t_max);
+}
+
+// x as an S that is not above, not below.
+template <Scalar S>
+S rounded_down(double x) {
+  S out = static_cast<S>(x);
+  if (static_cast<double>(out) > x) out = std::nextafter(out, -kInfinity<S>);
+  return out;
+}
+template <Scalar S>
+S rounded_up(double x) {
+  return -rounded_down<S>(-x);
+}
+
+template <Scalar S>
+class RotatingCast {
+ public:
+  RotatingCast(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options)
+      : a_(a), b_(b), options_(options) {}
+
+  RotatingResult<S> operator()() {
+    if (!prepare()) return out_;
+    if (options_.method) {
+      run(*options_.method);
+    } else {
+      follow_plan();
+    }
+    return out_;
+  }
+
+  Plan plan() {
+    prepare();
+    return out_.plan;
+  }
+
+ private:
+  [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
+  [[nodiscard]] double scale() const { return pair_->scale(); }
+  [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
+  // Internal length: what the tier's answer may leave open at either end.
+  [[nodiscard]] double stop() const {
+    const double rounding = kRotatingStop * pair_->error() + 8 * scale_roundoff() * scale();
+    double width = static_cast<double>(options_.tolerance);
+    if (options_.tier == Tier::certified) width = width > 0 ? std::min(width, kCertifiedWidth) : kCertifiedWidth;
+    return std::max(rounding, kWidthPart * width * scale());
+  }
+  // Of the answer's scalar, where it is coarser than what the search computes in.
+  [[nodiscard]] double scale_roundoff() const {
+    return sizeof(S) < sizeof(double) && options_.tier == Tier::standard ? double(kUnitRoundoff<S>) : 0.0;
+  }
+  [[nodiscard]] double noise() const {
+    return options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) * scale() : 0.0;
+  }
+
+  // The door and the plan. False: the answer is out_.
+  bool prepare() {
+    out_.invalid = validate(a_, b_, options_);
+    if (out_.invalid != Invalid::none) return false;
+    const bool turns = a_.rotation != Vec3<S>::Zero() || b_.rotation != Vec3<S>::Zero();
+    if (!turns && !options_.method) {
+      out_.plan = plan_without_rotation(a_, b_, options_.economies);
+      return true;
+    }
+    pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+    if (options_.method) {
+      out_.plan.effects = Effects::rotating;
+      if (!turns) out_.plan.add(PlanReason::no_rotation);
+      if (pair_->mobility_a().turns()) out_.plan.add(PlanReason::rotation_a);
+      if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
+    } else {
+      const double asked = options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
+      out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), std::max(asked, noise())});
+      out_.plan.added = pair_->cso().to_length(out_.plan.added);
+    }
+    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0)) return true;
+    if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) {
+      out_.invalid = Invalid::not_linear;
+    } else if (options_.tier == Tier::exact) {
+      out_.invalid = Invalid::not_exact;
+    }
+    return out_.invalid == Invalid::none;
+  }
+
+  void follow_plan() {
+    const bool provable = options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report;
+    if (wants_proof() && provable && options_.tier != Tier::exact) {
+      // A chain says what was proved of the whole motion, whatever the plan spares.
+      if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+      return run(RotatingMethod::bilateral_advancement);
+    }
+    switch (out_.plan.effects) {
+      case Effects::nothing:
+        out_.outcome = Outcome::miss;
+        out_.toi_lower = out_.toi_upper = kInfinity<S>;
+        return;
+      case Effects::at_rest:
+        return run_at_rest();
+      case Effects::linear:
+        if (out_.plan.added > 0) return run_slow();
+        return take(graze::cast(a_.body, b_.body, linear_options(options_)));
+      case Effects::rotating:
+        return run(RotatingMethod::bilateral_advancement);
+    }
+  }
+
+  void take(const CastResult<S>& linear) {
+    out_.outcome = linear.outcome;
+    out_.invalid = linear.invalid;
+    out_.toi_lower = linear.toi_lower;
+    out_.toi_upper = linear.toi_upper;
+    out_.distance = linear.distance;
+    out_.passed_over = linear.passed_over;
+    out_.normal = linear.normal;
+    out_.point_a = linear.point_a;
+    out_.point_b = linear.point_b;
+    add(linear.counters);
+  }
+  void add(const Counters& counters) {
+    out_.counters.iterations += counters.iterations;
+    out_.counters.supports += counters.supports;
+    out_.counters.gjk_iterations += counters.gjk_iterations;
+    out_.counters.portal_steps += counters.portal_steps;
+    out_.counters.exact_decisions += counters.exact_decisions;
+  }
+
+  // The bodies stand still to each other: contact now, or never.
+  void run_at_rest() {
+    CastOptions<S> options = linear_options(options_);
+    options.t_max = 0;
+    take(graze::cast(a_.body, b_.body, options));
+  }
+
+  // A linear cast with the sway added: a miss stays one, and a hit is not before it.
+  void run_slow() {
+    CastOptions<S> options = linear_options(options_);
+    options.request = Request::verdict;
+    options.target_distance =
+        rounded_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
+    const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
+    if (linear.outcome == Outcome::miss) return take(linear);
+    add(linear.counters);
+    out_.plan.add(PlanReason::linear_left_open);
+    const bool known = linear.outcome == Outcome::hit || linear.outcome == Outcome::not_converged;
+    run_march(Advance::bilateral, known ? static_cast<double>(linear.toi_lower) * (1 - 0x1p-20) : 0.0);
+  }
+
+  void run(RotatingMethod method) {
+    if (!(options_.t_max < kInfinity<S>)) return refuse();
+    switch (method) {
+      case RotatingMethod::time_steps:
+        return run_steps(0);
+      case RotatingMethod::bounding_spheres: {
+        const SphereCast spheres = cast_spheres(*pair_, t_end());
+        if (spheres.meet) return run_steps(spheres.begin);
+        out_.outcome = Outcome::miss;
+        out_.toi_lower = out_.toi_upper = kInfinity<S>;
+        return;
+      }
+      case RotatingMethod::conservative_advancement:
+        return run_march(Advance::conservative, 0);
+      case RotatingMethod::bilateral_advancement:
+        return run_march(Advance::bilateral, 0);
+      case RotatingMethod::bilateral_published: {
+        const double slop = options_.tolerance > 0 ? static_cast<double>(options_.tolerance) : kPublishedSlop;
+        const PublishedLimits limits{t_end(), slop * scale(), slop * scale() / 4, options_.max_iterations};
+        return fill(PublishedBilateral(*pair_, limits, out_.counters)());
+      }
+    }
+  }
+  void refuse() { out_.invalid = Invalid::not_linear; }
+
+  void run_steps(double begin) {
+    StepLimits limits;
+    limits.begin = begin;
+    limits.end = t_end();
+    limits.steps = options_.time_steps;
+    limits.touching = stop();
+    limits.budget = options_.max_iterations;
+    out_.hidden_motion = rounded_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
+    fill(step_through(*pair_, limits, out_.counters));
+  }
+
+  void run_march(Advance advance, double begin) {
+    MarchLimits limits;
+    limits.advance = advance;
+    limits.begin = wants_proof() ? 0.0 : begin;
+    limits.end = t_end();
+    limits.stop = stop();
+    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : 0.0;
+    limits.budget = options_.max_iterations;
+    limits.record = wants_proof();
+    March found = march(*pair_, limits, out_.counters);
+    if (limits.record) out_.proof = proof_of(found);
+    fill(found);
+  }
+
+  void fill(const March& found) {
+    out_.outcome = found.outcome;
+    out_.counters.poses = pair_->poses();
+    if (found.outcome == Outcome::miss) {
+      out_.toi_lower = out_.toi_upper = kInfinity<S>;
+      return;
+    }
+    if (found.outcome == Outcome::initially_overlapping) {
+      out_.toi_lower = out_.toi_upper = 0;
+      return;
+    }
+    out_.toi_lower = rounded_down<S>(found.lower);
+    out_.toi_upper = found.upper < kInfinity<double> ? rounded_up<S>(found.upper) : kInfinity<S>;
+    out_.distance = rounded_up<S>(pair_->cso().to_length(found.apart));
+    if (found.outcome != Outcome::hit) return;
+    if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
+    if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
+  }
+
+  // The closest points at toi_lower, each on its own body.
+  void set_witnesses(const March& found) {
+    pair_->place(found.lower);
+    const Cso<double>& cso = pair_->cso();
+    Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.closest.size); ++i) {
+      const CsoPoint<double>& p = found.closest.point[i];
+      const auto& side_a = cso.side_a();
+      const auto& side_b = cso.side_b();
+      const Vec3<double> d_b = -p.n;
+      x_a += found.closest.lambda[i] * side_a.support(side_a, side_a.to_own(p.n), &p.vertex_a).x;
+      x_b += found.closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+    }
+    const Vec3<double> rel_a = pair_->center_a() + cso.side_a().to_world(x_a) + cso.side_a().radius * found.n;
+    const Vec3<double> rel_b = pair_->center_b() + cso.side_b().to_world(x_b) - cso.side_b().radius * found.n;
+    // From the pivot of A to the world.
+    const TwoDoubles3 turned = posed(near_one(a_.body.orientation), pair_->pivot_a());
+    for (int i = 0; i < 3; ++i) {
+      const TwoDoubles origin = (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
+                                two_product(double(a_.body.displacement[i]), found.lower);
+      const auto world = [&](double rel) {
+        const TwoDoubles sum = origin + TwoDoubles{cso.to_length(rel), 0};
+        return static_cast<S>(sum.hi + sum.lo);
+      };
+      out_.point_a[i] = world(rel_a[i]);
+      out_.point_b[i] = world(rel_b[i]);
+    }
+  }
+
+  // The chain, and the pairs of the contact by name.
+  RotatingProof proof_of(March& found) {
+    RotatingProof proof;
+    proof.toi_lower = found.lower;
+    proof.chain = std::move(found.chain);
+    if (!found.contact.proved) return proof;
+    pair_->place(found.upper);
+    const Cso<double>& cso = pair_->cso();
+    const Vec3<double> none = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.contact.pairs.size); ++i) {
+      const CsoPoint<double>& p = found.contact.pairs.point[i];
+      SupportPair& named = proof.contact[i];
+      if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
+          !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
+        return proof;
+      named.a.offset = named.b.offset = none;
+      proof.weight[i] = found.contact.pairs.lambda[i];
+    }
+    proof.contact_size = found.contact.pairs.size;
+    proof.toi_upper = found.upper;
+    return proof;
+  }
+
+  const RotatingBody<S>&a_, &b_;
+  const RotatingOptions<S>& options_;
+  RotatingResult<S> out_;
+  std::optional<MovingPair> pair_;
+};
+
+}  // namespace detail
+
+template <Scalar S>
+RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+  return detail::RotatingCast<S>(a, b, options)();
+}
+
+// What cast() would simulate without a method; effects of an invalid input are of no meaning.
+template <Scalar S>
+Plan plan(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+  return detail::RotatingCast<S>(a, b, options).plan();
+}
+
+}  // namespace graze
