@@ -56,6 +56,21 @@ inline TwoDoubles operator/(TwoDoubles x, TwoDoubles y) {
 }
 
 using TwoDoubles3 = std::array<TwoDoubles, 3>;
+inline TwoDoubles3 operator+(const TwoDoubles3& x, const TwoDoubles3& y) {
+  return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};
+}
+inline TwoDoubles3 operator-(const TwoDoubles3& x) { return {-x[0], -x[1], -x[2]}; }
+inline TwoDoubles3 exactly(const Vec3<double>& x) {
+  return {TwoDoubles{x[0], 0}, TwoDoubles{x[1], 0}, TwoDoubles{x[2], 0}};
+}
+inline Vec3<double> rounded_once(const TwoDoubles3& x) {
+  return {x[0].hi + x[0].lo, x[1].hi + x[1].lo, x[2].hi + x[2].lo};
+}
+// By a power of two: exact.
+inline TwoDoubles3 scaled_by(TwoDoubles3 x, double power) {
+  for (TwoDoubles& one : x) one = {one.hi * power, one.lo * power};
+  return x;
+}
 
 // R(q) c with relative error below 2^-98 |c|:  c + 2 (w (u x c) + u x (u x c)) / |q|^2,  q = (w, u).
 inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<double>& c) {

@@ -1,9 +1,9 @@
 // cast(A, B) of turning bodies = when do two moving convex shapes first touch, turning included?
 //
-// Inputs: bodies in world axes, the caller's units, radians (rotating/rotating_body.hpp). Everything is computed in
-// double whatever S is; times are rounded outward to S. Without a method the plan decides what is simulated; with
-// one, that method runs whatever moves. No throw, no global state; nothing is allocated but a requested proof.
-// What each method promises: docs/guarantees.md.
+// Inputs: bodies in world axes, the caller's units, radians (rotating/rotating_body.hpp). Everything is
+// computed in double whatever S is; times are rounded outward to S. Without a method the plan decides what is
+// simulated; with one, that method runs whatever moves. No throw, no global state; nothing is allocated but a
+// requested proof. What each method promises: docs/guarantees.md.
 #pragma once
 
 #include <graze/cast.hpp>
@@ -17,8 +17,8 @@ namespace detail {
 
 // kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
 inline constexpr double kRotatingStop = 4;
-// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and the
-// part of it that either end may take.
+// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and
+// the part of it that either end may take.
 inline constexpr double kCertifiedWidth = 1e-9, kWidthPart = 1.0 / 16;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
@@ -26,7 +26,8 @@ inline constexpr double kPublishedSlop = 0.005;
 template <Scalar S>
 Invalid validate(const RotatingBody<S>& body, S t_max) {
   if (const Invalid one = graze::validate(body.body); one != Invalid::none) return one;
-  if (const Invalid one = first_of({check_vector(body.rotation), check_vector(body.pivot)}); one != Invalid::none)
+  if (const Invalid one = first_of({check_vector(body.rotation), check_vector(body.pivot)});
+      one != Invalid::none)
     return one;
   const double turned = wide(body.rotation).norm() * static_cast<double>(t_max);
   return t_max < kInfinity<S> && turned > kMostTurn ? Invalid::out_of_range : Invalid::none;
@@ -38,7 +39,8 @@ CastOptions<S> linear_options(const RotatingOptions<S>& options) {
   out.tier = options.tier;
   out.request = options.request == Request::proof ? Request::verdict : options.request;
   if (asks_for(options.request, Request::proof)) {
-    out.request = static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
+    out.request =
+        static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
   }
   out.t_max = options.t_max;
   out.target_distance = options.target_distance;
@@ -99,7 +101,8 @@ class RotatingCast {
   [[nodiscard]] double stop() const {
     const double rounding = kRotatingStop * pair_->error() + 8 * scale_roundoff() * scale();
     double width = static_cast<double>(options_.tolerance);
-    if (options_.tier == Tier::certified) width = width > 0 ? std::min(width, kCertifiedWidth) : kCertifiedWidth;
+    if (options_.tier == Tier::certified)
+      width = width > 0 ? std::min(width, kCertifiedWidth) : kCertifiedWidth;
     return std::max(rounding, kWidthPart * width * scale());
   }
   // Of the answer's scalar, where it is coarser than what the search computes in.
@@ -126,7 +129,8 @@ class RotatingCast {
       if (pair_->mobility_a().turns()) out_.plan.add(PlanReason::rotation_a);
       if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
     } else {
-      const double asked = options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
+      const double asked =
+          options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
       out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), std::max(asked, noise())});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
@@ -234,7 +238,8 @@ class RotatingCast {
     limits.steps = options_.time_steps;
     limits.touching = stop();
     limits.budget = options_.max_iterations;
-    out_.hidden_motion = rounded_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
+    out_.hidden_motion =
+        rounded_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
     fill(step_through(*pair_, limits, out_.counters));
   }
 
@@ -289,8 +294,9 @@ class RotatingCast {
     // From the pivot of A to the world.
     const TwoDoubles3 turned = posed(near_one(a_.body.orientation), pair_->pivot_a());
     for (int i = 0; i < 3; ++i) {
-      const TwoDoubles origin = (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
-                                two_product(double(a_.body.displacement[i]), found.lower);
+      const TwoDoubles origin =
+          (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
+          two_product(double(a_.body.displacement[i]), found.lower);
       const auto world = [&](double rel) {
         const TwoDoubles sum = origin + TwoDoubles{cso.to_length(rel), 0};
         return static_cast<S>(sum.hi + sum.lo);
@@ -332,7 +338,8 @@ class RotatingCast {
 }  // namespace detail
 
 template <Scalar S>
-RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
+                       const RotatingOptions<S>& options) {
   return detail::RotatingCast<S>(a, b, options)();
 }
 

@@ -1,11 +1,11 @@
 // Bilateral advancement as published: Catto, Continuous Collision, GDC 2013. The baseline that safe bilateral
 // advancement is measured against; it may pass an intermediate contact.
 //
-// From a time t_1 with the bodies apart: the closest features give an axis; the deepest points along it at the end
-// t_2 of what is left of the step are pushed back to the root of their own separation, until no point is nearer
-// than the target at t_2; then t_1 becomes t_2. A step at whose end the bodies are apart along the axis counts as
-// free of contact, whatever they did in between. The axis is fixed in the world for vertices and edges, and turns
-// with the body whose face is the closest feature.
+// From a time t_1 with the bodies apart: the closest features give an axis; the deepest points along it at
+// the end t_2 of what is left of the step are pushed back to the root of their own separation, until no point
+// is nearer than the target at t_2; then t_1 becomes t_2. A step at whose end the bodies are apart along the
+// axis counts as free of contact, whatever they did in between. The axis is fixed in the world for vertices
+// and edges, and turns with the body whose face is the closest feature.
 //
 // The slides stop at a linear slop; here at the tolerance that the caller asks for, over scale.
 #pragma once
@@ -37,7 +37,8 @@ class PublishedBilateral {
       out_.apart = near.apart;
       out_.closest = near.simplex;
       out_.n = near.n;
-      if (near.apart < limits_.target + limits_.tolerance || near.n == Vec3<double>::Zero()) return touching(t);
+      if (near.apart < limits_.target + limits_.tolerance || near.n == Vec3<double>::Zero())
+        return touching(t);
       start = near.n;
       set_axis(near);
       const double next = advance(t);
@@ -95,7 +96,7 @@ class PublishedBilateral {
   // The separation of one pair of points at t.
   double separation(double t, const CsoPoint<double>& pair) {
     pair_.place(t);
-    const Cso<double>&cso = pair_.cso();
+    const Cso<double>& cso = pair_.cso();
     const Vec3<double> n = axis();
     const auto& a = cso.side_a();
     const auto& b = cso.side_b();
@@ -116,8 +117,8 @@ class PublishedBilateral {
       // The root, by turns of the secant and of halving.
       double low = t_1, high = t_2, s_low = s_1, s_high = s_2;
       for (int i = 0; i < limits_.root_steps; ++i) {
-        const double t =
-            i % 2 == 1 ? low + (limits_.target - s_low) * (high - low) / (s_high - s_low) : low + (high - low) / 2;
+        const double t = i % 2 == 1 ? low + (limits_.target - s_low) * (high - low) / (s_high - s_low)
+                                    : low + (high - low) / 2;
         const double s = separation(t, pair);
         if (std::abs(s - limits_.target) < limits_.tolerance) {
           t_2 = t;

@@ -2,16 +2,15 @@
 //
 // Lengths: internal. e bounds how far a support point may be from the point of the true CSO that its feature
 // names. Contact holds if either
-//   |sum l_i w_i| + e <= R, R the radii and the target distance: the closest point of the cores is near enough;
-//   or the ball of radius e about the origin lies inside the tetrahedron of four support points: h(n) > e for
-//   every unit n then, and moving each point by up to e leaves h > 0.
-// How far a face's plane is from the origin is computed from its nearest corner w: the normal's direction is
-// known to a few u over the sine of the face's widest angle, and only |w| of it counts.
+//   |sum l_i w_i| + e <= R, R the radii and the target distance: the closest point of the cores is near
+//   enough; or the ball of radius e about the origin lies inside the tetrahedron of four support points: h(n)
+//   > e for every unit n then, and moving each point by up to e leaves h > 0.
 #pragma once
 
 #include <graze/gjk.hpp>
 #include <graze/prove.hpp>
 #include <graze/rotating/moving_pair.hpp>
+#include <graze/sweep.hpp>
 
 namespace graze::detail {
 
@@ -28,26 +27,32 @@ inline double contact_error(const MovingPair& pair) {
          8 * u * (pair.radius() + cso.offset().norm());
 }
 
+// det(a, b, c), within 2^-96 |a| |b| |c|.
+inline double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+  TwoDoubles sum;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    sum = sum + TwoDoubles{a[i], 0} * (two_product(b[j], c[k]) + -two_product(b[k], c[j]));
+  }
+  return sum.hi + sum.lo;
+}
+
 // The least distance of the origin from the faces of a tetrahedron that holds it, less its rounding; negative
-// where it does not, or cannot be said to.
+// where it does not, or cannot be said to. |det(a, b, c)| / |m| for the face a b c with the normal m, of
+// which the length alone counts: it is within 8 u longest^2 / |m| of itself.
 inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
   constexpr double u = kUnitRoundoff<double>;
-  double least = kInfinity<double>;
+  double least = kInfinity<double>, side = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&a = w[(i + 1) % 4], &b = w[(i + 2) % 4], &c = w[(i + 3) % 4];
-    const Vec3<double> m = face_normal(a, b, c);
-    const double area = m.norm();
-    if (!(area > 0)) return -1;
-    const Vec3<double>& near = a.squaredNorm() <= b.squaredNorm() && a.squaredNorm() <= c.squaredNorm() ? a
-                               : b.squaredNorm() <= c.squaredNorm()                                     ? b
-                                                                                                        : c;
-    const double longest = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
-    const double doubt = 16 * u * near.norm() * (1 + longest * longest / area);
-    // The opposite corner and the origin lie on one side.
-    const double height = m.dot(w[i] - near) / area, from = -m.dot(near) / area;
-    const double inside = height > 0 ? from : -from;
-    if (!(std::abs(height) > doubt)) return -1;
-    least = std::min(least, inside - doubt);
+    const double area = face_normal(a, b, c).norm();
+    const double longest = std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()});
+    if (!(area > 64 * u * longest)) return -1;
+    const double volume = (i % 2 == 0 ? 1 : -1) * determinant(a, b, c);
+    if (!(volume * side >= 0)) return -1;
+    side = volume;
+    const double known = std::abs(volume) - 0x1p-90 * a.norm() * b.norm() * c.norm();
+    least = std::min(least, known / (area + 8 * u * longest) * (1 - 16 * u));
   }
   return least;
 }
@@ -64,38 +69,53 @@ inline void weigh(Simplex<double>& pairs) {
   for (double& l : pairs.lambda) l = sum > 0 ? l / sum : 0.25;
 }
 
-// Points among which four may hold the origin where GJK's do not: a tie (the origin under an edge of a face, or
-// under a diagonal) is not one from every side.
-struct Candidates {
-  std::array<CsoPoint<double>, 20> point;
-  std::size_t size = 0;
-
-  void add(const CsoPoint<double>& p) {
-    for (std::size_t i = 0; i < size; ++i) {
-      if (point[i].w == p.w) return;
-    }
-    if (size < point.size()) point[size++] = p;
+// Of the corners of two portals, one where a line through the origin enters C, one where it leaves, the four
+// that hold the origin deepest. 0: none do.
+inline double surround(const PortalSearch<double>& in, const PortalSearch<double>& out,
+                       Simplex<double>& four) {
+  std::array<const CsoPoint<double>*, 6> all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[i] = &in.portal.p[i].c;
+    all[3 + i] = &out.portal.p[i].c;
   }
-  // The first four that hold the ball of radius e about the origin.
-  [[nodiscard]] bool hold(double e, Simplex<double>& out) const {
-    for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t j = i + 1; j < size; ++j) {
-        for (std::size_t k = j + 1; k < size; ++k) {
-          for (std::size_t l = k + 1; l < size; ++l) {
-            if (!(depth_inside({point[i].w, point[j].w, point[k].w, point[l].w}) > e)) continue;
-            out.size = 0;
-            for (const std::size_t m : {i, j, k, l}) out.add(point[m]);
-            return true;
-          }
-        }
+  double best = 0;
+  for (std::size_t skip = 0; skip < 6; ++skip) {
+    for (std::size_t also = skip + 1; also < 6; ++also) {
+      Simplex<double> tried;
+      for (std::size_t i = 0; i < 6; ++i) {
+        if (i != skip && i != also) tried.add(*all[i]);
       }
+      const auto& p = tried.point;
+      const double depth = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w});
+      if (!(depth > best)) continue;
+      best = depth;
+      four = tried;
     }
-    return false;
   }
-};
+  return best;
+}
 
-// n_hint: a normal at the contact. depth: how deep the origin is in C, about: on a curved C the points around it
-// lie within sqrt(depth) of each other, so their directions differ by that.
+// By portals. Where the line passes under an edge, a tie and the common case on aligned boxes, a tilted one
+// does not. n: a normal at the contact, so the origin is near where the line enters along -n; depth: about
+// how deep.
+inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, double depth, double e, int budget,
+                            Simplex<double>& four, Counters& counters) {
+  using State = PortalSearch<double>::State;
+  const Frame<double> about(n);
+  constexpr std::array<std::array<double, 2>, 4> kTilts = {
+      {{0, 0}, {0.4375, 0.1875}, {-0.375, 0.3125}, {0.0625, -0.5625}}};
+  for (const auto& [x, y] : kTilts) {
+    const Frame<double> frame(Vec3<double>(-(n + x * about.e1 + y * about.e2)));
+    const PortalSearch<double> in = enter_line(cso, frame, kInfinity<double>, depth / 8, budget, counters);
+    if (in.state == State::missed || in.portal.size != 3) continue;
+    const PortalSearch<double> out = leave_line(cso, frame, depth / 8, budget, counters);
+    if (out.state == State::missed || out.state == State::rejected || out.portal.size != 3) continue;
+    if (surround(in, out, four) > e) return true;
+  }
+  return false;
+}
+
+// n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about.
 inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth, int budget,
                               Counters& counters) {
   Contact out;
@@ -113,25 +133,11 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
     const auto& p = simplex.point;
     out.proved = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w}) > e;
   }
-  // The cores themselves are too far apart for a tetrahedron.
-  if (!out.proved && d.upper > std::max(depth, e)) return out;
-  const Vec3<double> axis = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
-  const Frame<double> frame(axis);
-  constexpr std::array<std::array<double, 2>, 5> kRing = {
-      {{1, 0.125}, {0.1875, 1}, {-0.875, 0.5}, {-0.75, -0.6875}, {0.4375, -0.9375}}};
-  for (const double tilt : {1.0, 0x1p-5, std::sqrt(depth)}) {
-    if (out.proved) break;
-    Candidates candidates;
-    const auto look = [&](const Vec3<double>& n) {
-      ++counters.supports;
-      candidates.add(cso.support(n));
-    };
-    for (int i = 0; i < simplex.size; ++i) candidates.add(simplex.point[static_cast<std::size_t>(i)]);
-    look(axis);
-    look(-axis);
-    for (const auto& [x, y] : kRing) look(axis + tilt * (x * frame.e1 + y * frame.e2));
-    for (const auto& [x, y] : kRing) look(-axis + x * frame.e1 + y * frame.e2);
-    out.proved = candidates.hold(e, out.pairs);
+  // The origin is outside the cores' C.
+  if (!out.proved && simplex.size < 4 && d.upper > e) return out;
+  if (!out.proved) {
+    const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
+    out.proved = hold_by_portals(cso, n, depth, e, budget, out.pairs, counters);
   }
   if (out.proved) weigh(out.pairs);
   return out;

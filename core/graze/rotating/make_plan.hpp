@@ -1,9 +1,10 @@
 // What must be simulated for a pair: the least of nothing, a static query, a linear cast, a rotating cast.
 //
-// Internal lengths. A turn counts as unseen where no point of the body, as a set, gets farther than `noise` from
-// where the linear motion has it: C is then the linear cast's C' within the tier's kappa u scale. In tier
-// certified nothing is below noise but 0. A slow turn gets no farther than the tolerance: a linear cast with that
-// much added to the target distance bounds the answer from below, and a rotating cast goes on from there.
+// Internal lengths. A turn counts as unseen where no point of the body, as a set, gets farther than `noise`
+// from where the linear motion has it: C is then the linear cast's C' within the tier's kappa u scale. In
+// tier certified nothing is below noise but 0. A slow turn gets no farther than the tolerance: a linear cast
+// with that much added to the target distance bounds the answer from below, and a rotating cast goes on from
+// there.
 #pragma once
 
 #include <graze/rotating/rotating_result.hpp>

@@ -1,21 +1,21 @@
 // The safe march: from contact-free time to contact-free time, until contact is proved.
 //
-// Lengths: internal; t as the caller's; n unit, world axes, from A to B. The gap along n at time t is s(t) = min
-// over B of n.b - max over A of n.a, less the target distance; positive: apart. At a time t_0 with the bodies
-// apart, GJK gives n, the axis along which s(t_0) is their distance, and then either
+// Lengths: internal; t as the caller's; n unit, world axes, from A to B. The gap along n at time t is s(t) =
+// min over B of n.b - max over A of n.a, less the target distance; positive: apart. At a time t_0 with the
+// bodies apart, GJK gives n, the axis along which s(t_0) is their distance, and then either
 //   conservative:  s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp): the step is s_0 / L;
 //   bilateral:     every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M = sum of the
 //                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
-//                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2). The t_1 looked for is the largest
-//                  such, near the first root of s: where s_1 <= 0 the secant is followed, and a step that is not
-//                  proved after a few tries becomes a conservative one. No root finder can stall, and none is
-//                  believed.
+//                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2). The t_1 looked for is the
+//                  largest such, near the first root of s: where s_1 <= 0 the secant is followed, and a step
+//                  that is not proved after a few tries becomes a conservative one. No root finder can stall,
+//                  and none is believed.
 // [Mirtich 1996; Catto, Continuous Collision, GDC 2013, whose bilateral advancement asks s_1 > 0 only.]
 //
-// Nearer than `stop` a march cannot go by axes. From there it walks forward, at first by what cannot pass through
-// more than `stop`, then by twice as much, never by more than what keeps the unseen depth below `stop`, until
-// contact is proved (contact.hpp) or the bodies are apart again. The time at which it began to do so is the lower
-// end of the bracket, whatever follows.
+// Nearer than `stop` a march cannot go by axes. From there it walks forward, at first by what cannot pass
+// through more than `stop`, then by twice as much, never by more than what keeps the unseen depth below
+// `stop`, until contact is proved (contact.hpp) or the bodies are apart again. The time at which it began to
+// do so is the lower end of the bracket, whatever follows.
 #pragma once
 
 #include <graze/distance.hpp>
@@ -46,22 +46,23 @@ struct March {
 };
 
 struct Nearest {
-  double gap = 0;      // lower bound of the distance, less the target distance
-  double apart = 0;    // upper bound
+  double gap = 0;    // lower bound of the distance, less the target distance
+  double apart = 0;  // upper bound
   Vec3<double> n = Vec3<double>::Zero();
   Simplex<double> simplex;
 };
 
-// Of the bodies as placed. `expected`: a lower bound of the gap that is known; the search may be as much rougher.
-inline Nearest nearest(const MovingPair& pair, const Vec3<double>& start, double expected, double stop, int budget,
-                       Counters& counters) {
+// Of the bodies as placed. `expected`: a lower bound of the gap that is known; the search may be as much
+// rougher.
+inline Nearest nearest(const MovingPair& pair, const Vec3<double>& start, double expected, double stop,
+                       int budget, Counters& counters) {
   Nearest out;
   const Cso<double>& cso = pair.cso();
   const double R = pair.radius(), error = pair.error();
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
   const Vec3<double> zero = Vec3<double>::Zero();
-  Distance<double> d = gjk_distance(support, zero, start == zero ? Vec3<double>(-cso.middle()) : start, out.simplex,
-                                    std::max(stop / 16, expected / 16), R, budget, counters);
+  Distance<double> d = gjk_distance(support, zero, start == zero ? Vec3<double>(-cso.middle()) : start,
+                                    out.simplex, std::max(stop / 16, expected / 16), R, budget, counters);
   if (d.stalled && d.upper - d.lower > stop / 4 && d.upper > R) {
     SweepLimits<double> limits;
     limits.noise = stop / 4;
@@ -165,7 +166,9 @@ class Marcher {
     const double bend = pair_.bend(axis_) * (1 + 0x1p-40);
     const double root = std::sqrt(bend / 2), root_gap = std::sqrt(gap);
     // Proved with margin: of 1 part in 1,024.
-    const auto proves = [&](double h, double s) { return s > 0 && (root_gap + std::sqrt(s)) * kShort > h * root; };
+    const auto proves = [&](double h, double s) {
+      return s > 0 && (root_gap + std::sqrt(s)) * kShort > h * root;
+    };
     const double wished = std::max(gap / 64, limits_.stop / 2);
     double h = root > 0 ? std::min(rest, 2 * root_gap / root * kShort) : rest;
     double good = 0, good_gap = gap;  // the longest step proved so far

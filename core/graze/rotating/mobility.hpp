@@ -10,7 +10,8 @@
 // A solid of revolution is the same set whatever its turn about its own axis a, so its points may be followed
 // in a frame that turns by w less its part along a(t), of length |w x a|, constant. About the foot c of the
 // pivot on the axis, with s = a.w and r the largest |x_0 - c|:
-//   velocity <= |n x w| |c_perp| + |w x a| r,     acceleration <= |w| |n x w| |c_perp| + |w x a|(|w x a| + |s|) r.
+//   velocity <= |n x w| |c_perp| + |w x a| r,     acceleration <= |w| |n x w| |c_perp| + |w x a|(|w x a| +
+//   |s|) r.
 // The lesser of both bounds counts.   [Mirtich 1996, 2.3: the first bound, with |w| rho for |n x w| rho.]
 #pragma once
 
@@ -21,9 +22,9 @@ namespace graze::detail {
 
 struct Mobility {
   Vec3<double> w = Vec3<double>::Zero();
-  double rate = 0;  // |w|
-  double rho = 0;   // largest distance of the core's points from the axis of rotation
-  double reach = 0;  // and from the pivot
+  double rate = 0;            // |w|
+  double rho = 0;             // largest distance of the core's points from the axis of rotation
+  double reach = 0;           // and from the pivot
   bool revolves = false;      // a solid of revolution: the second kind of bound exists
   double tilt_rate = 0;       // |w x a|
   double own_rate = 0;        // |a.w|
@@ -69,8 +70,8 @@ int axis_of_revolution(const Shape<S>& shape) {
   return -1;
 }
 
-// Is w exactly along the body's own axis? Without an orientation, or with one that permutes the axes, that can
-// be read off the numbers.
+// Is w exactly along the body's own axis? Without an orientation, or with one that permutes the axes, that
+// can be read off the numbers.
 template <Scalar S>
 bool is_along_own_axis(const RotatingBody<S>& moving, int own) {
   const Quaternion<double> q = as_double(moving.body.orientation);
@@ -136,12 +137,10 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.own_rate = std::abs(out.w.dot(a)) * raise + noise * out.rate;
     Vec3<double> foot = -pivot;  // of the pivot on the axis, about the pivot
     foot[own] = 0;
-    out.center_rho = foot == Vec3<double>::Zero()
-                         ? 0.0
-                         : unit * (axis.cross(turn * foot).norm() + noise * foot.norm());
+    out.center_rho =
+        foot == Vec3<double>::Zero() ? 0.0 : unit * (axis.cross(turn * foot).norm() + noise * foot.norm());
     const Vec3<double> most = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
-    out.revolved_reach =
-        unit * std::hypot(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
+    out.revolved_reach = unit * std::hypot(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
   }
   return out;
 }

@@ -1,7 +1,8 @@
 // Two turning bodies as a CSO that can be placed at any time.
 //
-// Frame: world axes, origin on the path of A's pivot, c_A + v_A t; internal units of cso.hpp (world lengths times
-// 2^-k, k that of t = 0). With the arms r_X = R(orientation)(center - pivot) at t = 0 and the bodies' turns R_X(t),
+// Frame: world axes, origin on the path of A's pivot, c_A + v_A t; internal units of cso.hpp (world lengths
+// times 2^-k, k that of t = 0). With the arms r_X = R(orientation)(center - pivot) at t = 0 and the bodies'
+// turns R_X(t),
 //   offset(t) = (c_B - c_A) + (v_B - v_A) t + R_B(t) r_B - R_A(t) r_A,
 // summed in two doubles and rounded once: large common positions, and arms of many sizes, cost nothing.
 // The rounding of what the CSO then says is cso.hpp's; `error()` is what it comes to.
@@ -13,28 +14,10 @@
 
 namespace graze::detail {
 
-inline TwoDoubles3 operator+(const TwoDoubles3& l, const TwoDoubles3& r) {
-  return {l[0] + r[0], l[1] + r[1], l[2] + r[2]};
-}
-inline TwoDoubles3 operator-(const TwoDoubles3& l, const TwoDoubles3& r) {
-  return {l[0] + -r[0], l[1] + -r[1], l[2] + -r[2]};
-}
-inline TwoDoubles3 scaled(const TwoDoubles3& x, double power) {
-  TwoDoubles3 out;
-  for (std::size_t i = 0; i < 3; ++i) out[i] = {x[i].hi * power, x[i].lo * power};
-  return out;
-}
-inline TwoDoubles3 two_doubles(const Vec3<double>& x) {
-  return {TwoDoubles{x[0], 0}, TwoDoubles{x[1], 0}, TwoDoubles{x[2], 0}};
-}
-inline Vec3<double> rounded(const TwoDoubles3& x) {
-  return {x[0].hi + x[0].lo, x[1].hi + x[1].lo, x[2].hi + x[2].lo};
-}
-
 // One body's turning: its rotation and its arm at any time.
 struct TurningSide {
   TurnsAbout turns{Vec3<double>::Zero()};
-  Quaternion<double> start;  // scaled by a power of two, so that its components are near 1
+  Quaternion<double> start;                   // scaled by a power of two, so that its components are near 1
   Vec3<double> pivot = Vec3<double>::Zero();  // own frame, world lengths
   TwoDoubles3 arm{};                          // internal units
   bool has_arm = false;
@@ -61,10 +44,11 @@ Quaternion<double> near_one(const Quaternion<S>& given) {
 
 // R(orientation) x, within 2^-98.
 inline TwoDoubles3 posed(const Quaternion<double>& q, const Vec3<double>& x) {
-  return q.is_identity() ? two_doubles(x) : rotate_accurately(q, x);
+  return q.is_identity() ? exactly(x) : rotate_accurately(q, x);
 }
 
-// Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point search.
+// Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point
+// search.
 class MovingPair {
  public:
   template <Scalar S>
@@ -75,7 +59,7 @@ class MovingPair {
     radius_ = cso_.radius() + target_;
     prepare(a, cso_.side_a(), unit, a_);
     prepare(b, cso_.side_b(), unit, b_);
-    pivots_ = scaled(start_of_pivot(b, b_) - start_of_pivot(a, a_), unit);
+    pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
     for (std::size_t i = 0; i < 3; ++i) {
       const int k = static_cast<int>(i);
       const TwoDoubles v = two_sum(double(b.body.displacement[k]), -double(a.body.displacement[k]));
@@ -92,9 +76,9 @@ class MovingPair {
     }
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
     cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
-               rounded(d + (b.arm - a.arm)));
-    arm_a_ = rounded(a.arm);
-    arm_b_ = rounded(d + b.arm);
+               rounded_once(d + (b.arm + -a.arm)));
+    arm_a_ = rounded_once(a.arm);
+    arm_b_ = rounded_once(d + b.arm);
     ++poses_;
   }
 
@@ -106,9 +90,9 @@ class MovingPair {
   [[nodiscard]] int poses() const { return poses_; }
   [[nodiscard]] const Mobility& mobility_a() const { return a_.mobility; }
   [[nodiscard]] const Mobility& mobility_b() const { return b_.mobility; }
-  [[nodiscard]] Vec3<double> velocity() const { return rounded(velocity_); }
+  [[nodiscard]] Vec3<double> velocity() const { return rounded_once(velocity_); }
   // c_B - c_A at t = 0.
-  [[nodiscard]] Vec3<double> pivots() const { return rounded(pivots_); }
+  [[nodiscard]] Vec3<double> pivots() const { return rounded_once(pivots_); }
   // Own frame, world lengths: the given centre of rotation, or a point of a body that does not turn.
   [[nodiscard]] const Vec3<double>& pivot_a() const { return a_.pivot; }
   // From A's pivot to the centres of the sides (cso.hpp) as placed.
@@ -143,7 +127,7 @@ class MovingPair {
  private:
   template <Scalar S>
   static TwoDoubles3 start_of_pivot(const RotatingBody<S>& given, const TurningSide& side) {
-    return two_doubles(wide(given.body.position)) + posed(side.start, side.pivot);
+    return exactly(wide(given.body.position)) + posed(side.start, side.pivot);
   }
   template <Scalar S>
   static void prepare(const RotatingBody<S>& given, const Side<double>& side, double unit, TurningSide& out) {
@@ -153,7 +137,7 @@ class MovingPair {
     // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
     out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
     out.has_arm = side.center != out.pivot;
-    if (out.has_arm) out.arm = scaled(posed(out.start, side.center) - posed(out.start, out.pivot), unit);
+    if (out.has_arm) out.arm = scaled_by(posed(out.start, side.center) + -posed(out.start, out.pivot), unit);
     out.mobility = mobility(given, out.pivot, bounds, unit);
   }
 
