@@ -19,7 +19,7 @@
 #pragma once
 
 #include <graze/distance.hpp>
-#include <graze/rotating/contact.hpp>
+#include <graze/rotating/crossing.hpp>
 #include <graze/rotating/rotating_result.hpp>
 
 namespace graze::detail {
@@ -88,7 +88,15 @@ class Marcher {
       if (pair_.time() != t) pair_.place(t);
       const Nearest near = nearest(pair_, axis_, expected, limits_.stop, limits_.budget, counters_);
       if (near.n != Vec3<double>::Zero()) axis_ = near.n;
-      if (!open) keep(t, near);
+      if (!open) {
+        keep(t, near);
+      } else if (crossed_by(t)) {
+        return out_;
+      }
+      if (near.gap > 0) {
+        facing_ = near.simplex;
+        faced_at_ = t;
+      }
       const bool apart = near.gap > limits_.stop;
       if (apart) {
         stride = 0;
@@ -142,6 +150,14 @@ class Marcher {
     out_.contact = contact;
     out_.upper = t;
     out_.outcome = t > 0 ? Outcome::hit : Outcome::initially_overlapping;
+    return true;
+  }
+
+  // Of flat bodies, since the last time at which they were apart for sure.
+  bool crossed_by(double t) {
+    if (!(faced_at_ < t) || !crosses(pair_, facing_, faced_at_, t)) return false;
+    out_.upper = t;
+    out_.outcome = Outcome::hit;
     return true;
   }
 
@@ -208,6 +224,8 @@ class Marcher {
   Counters& counters_;
   March out_;
   Vec3<double> axis_ = Vec3<double>::Zero();
+  Simplex<double> facing_;  // closest at the last time with a gap above 0
+  double faced_at_ = kInfinity<double>;
 };
 
 inline March march(MovingPair& pair, const MarchLimits& limits, Counters& counters) {
