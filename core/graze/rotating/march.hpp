@@ -162,7 +162,9 @@ class Marcher {
   }
 
   double stride_on(double t, double& stride) {
-    const double fast = std::max(pair_.closing(axis_), pair_.closing(-axis_)), bend = pair_.bend(axis_);
+    const bool known = axis_ != Vec3<double>::Zero();  // not of a start in contact
+    const double fast = known ? std::max(pair_.closing(axis_), pair_.closing(-axis_)) : pair_.top_speed();
+    const double bend = known ? pair_.bend(axis_) : pair_.top_bend();
     const double first = fast > 0 ? limits_.stop / fast : kInfinity<double>;
     const double most = std::max(bend > 0 ? std::sqrt(8 * limits_.stop / bend) : kInfinity<double>, first);
     stride = stride > 0 ? 2 * stride : first;

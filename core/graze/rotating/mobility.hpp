@@ -51,7 +51,14 @@ struct Mobility {
     if (!revolves) return chord * rho;
     return chord * std::min(rho, center_rho + tilt_rate / rate * revolved_reach);
   }
-  // Of any point of the body as a set.
+  // Of any point of the body as a set, along any n.
+  [[nodiscard]] double top_acceleration() const {
+    if (!turns()) return 0;
+    const double plain = rate * rate * rho;
+    return revolves ? std::min(plain,
+                               rate * rate * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach)
+                    : plain;
+  }
   [[nodiscard]] double top_speed() const {
     if (!turns()) return 0;
     return revolves ? std::min(rate * rho, rate * center_rho + tilt_rate * revolved_reach) : rate * rho;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <graze/cso.hpp>
+#include <graze/result.hpp>
 #include <graze/rotating/mobility.hpp>
 #include <graze/rotating/turn.hpp>
 
@@ -117,6 +118,10 @@ class MovingPair {
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
     return a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
+  }
+  // The same for any n.
+  [[nodiscard]] double top_bend() const {
+    return a_.mobility.top_acceleration() + b_.mobility.top_acceleration();
   }
   // Of any point of one body seen from any of the other's.
   [[nodiscard]] double top_speed() const {

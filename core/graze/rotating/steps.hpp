@@ -26,6 +26,9 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
     const Nearest near = nearest(pair, axis, 0, limits.touching / 2, limits.budget, counters);
     if (near.n != Vec3<double>::Zero()) axis = near.n;
     if (near.apart <= limits.touching) return true;
+    // A search that ended inside C, or at its border, knows no distance.
+    if (!(near.gap > 0) && proved_contact(pair, axis, limits.touching, limits.budget, counters).proved)
+      return true;
     out.lower = t;
     out.apart = near.apart;
     out.closest = near.simplex;
