@@ -270,7 +270,9 @@ class RotatingCast {
     }
     out_.toi_lower = rounded_down<S>(found.lower);
     out_.toi_upper = found.upper < kInfinity<double> ? rounded_up<S>(found.upper) : kInfinity<S>;
-    out_.distance = rounded_up<S>(pair_->cso().to_length(found.apart));
+    // Contact is at upper: what is left of the way bounds the distance as well.
+    const double way = pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50);
+    out_.distance = rounded_up<S>(pair_->cso().to_length(std::min(found.apart, way)));
     if (found.outcome != Outcome::hit) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);

@@ -90,7 +90,7 @@ class Marcher {
       if (near.n != Vec3<double>::Zero()) axis_ = near.n;
       if (!open) {
         keep(t, near);
-      } else if (crossed_by(t)) {
+      } else if (near.gap > 0 && crossed_by(t)) {  // apart again, and contact was not seen: C is thin
         return out_;
       }
       if (near.gap > 0) {
