@@ -40,6 +40,36 @@ constexpr Family kFamilies[] = {
      "how deep the combinators are nested", kCombinatorsLevels, fill_combinators},
 };
 
+constexpr double kSpinningGrazeLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+constexpr double kFastSpinLevels[] = {4, 5, 6, 7, 8, 9, 10, 11, 12};
+constexpr double kOffCentreLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 10};
+constexpr double kEntersLevels[] = {2, 4, 6, 8, 10, 12, 14, 16};
+constexpr double kBothTurnLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+constexpr double kSlowSpinLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+constexpr double kRandomRotatingLevels[] = {0, 1, 2, 3};
+
+constexpr Family kRotatingFamilies[] = {
+    {"spinning_graze",
+     "A spinning corner just passes, or just meets, a face, an edge, a corner or a round body.",
+     "k: the clearance is 2^-k, or the depth at most that, for shapes of size 4 to 16", kSpinningGrazeLevels,
+     fill_spinning_graze, true},
+    {"fast_spin", "A body turns many times while another passes.",
+     "k: it turns by up to 2^k radians a unit of time, or by a few turns more", kFastSpinLevels,
+     fill_fast_spin, true},
+    {"off_centre_pivot", "A body turns about a point far outside.",
+     "k: the pivot is 2^k sizes of 4 from the body's origin", kOffCentreLevels, fill_off_centre_pivot, true},
+    {"enters_and_leaves", "Apart at both ends of the step, in contact in between.",
+     "k: the contact lasts about 2^-k of the step, or less", kEntersLevels, fill_enters_and_leaves, true},
+    {"both_turn", "Both bodies turn, nearly as one.",
+     "k: the angular velocities differ by at most 2^-k along each axis", kBothTurnLevels, fill_both_turn,
+     true},
+    {"slow_spin", "A turn too small to matter, unless the path grazes.",
+     "k: the turn is 2^-k radians over the step", kSlowSpinLevels, fill_slow_spin, true},
+    {"random_rotating", "Any two shapes, turning and moving at moderate speed.",
+     "how deep the combinators of one body are nested; 0 for none", kRandomRotatingLevels,
+     fill_random_rotating, true},
+};
+
 }  // namespace
 
 Case Family::generate(double hardness, std::uint64_t seed) const {
@@ -58,9 +88,13 @@ Case Family::generate(double hardness, std::uint64_t seed) const {
 
 std::span<const Family> families() { return kFamilies; }
 
+std::span<const Family> rotating_families() { return kRotatingFamilies; }
+
 const Family* find_family(std::string_view name) {
-  for (const Family& family : kFamilies) {
-    if (family.name == name) return &family;
+  for (const std::span<const Family> list : {families(), rotating_families()}) {
+    for (const Family& family : list) {
+      if (family.name == name) return &family;
+    }
   }
   return nullptr;
 }

@@ -18,6 +18,13 @@ constexpr std::string_view kMotion = "motion";
 constexpr std::string_view kFactorForm =
     "a factor is an array of three numbers, \"motion\", or an object {\"from\", \"to\"} of support pairs";
 constexpr std::string_view kPortalForm = "a portal is an array of at most four pairs {\"a\", \"b\"}";
+constexpr std::string_view kChain = "chain";
+constexpr std::string_view kChainForm =
+    "a chain is an array of slices {\"end\", \"axis\", \"frame\"}, the first from t = 0 on";
+constexpr std::string_view kContactForm =
+    "contact is an array of at most four weighted pairs {\"a\", \"b\", \"weight\"}";
+// Indexed by AxisFrame.
+constexpr std::array<std::string_view, 3> kFrameNames = {"world", "a", "b"};
 
 Feature read_feature(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"vertex", "offset", "curved"});
@@ -109,6 +116,50 @@ Proof read_proof(const JsonValue& value, const std::string& path) {
   return proof;
 }
 
+TimeSlice read_slice(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"end", "axis", "frame"});
+  TimeSlice slice;
+  slice.end = read_number(fields.required("end", "the time at which the slice ends"), fields.path("end"));
+  slice.axis = read_vec3(fields.required("axis", "three numbers"), fields.path("axis"),
+                         "the axis of a slice is an array of three numbers");
+  if (const JsonValue* frame = fields.optional("frame")) {
+    slice.frame = static_cast<AxisFrame>(read_choice(*frame, fields.path("frame"), kFrameNames));
+  }
+  return slice;
+}
+
+RotatingProof read_rotating_proof(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"toi_lower", kChain, "toi_upper", "contact"});
+  RotatingProof proof;
+  proof.toi_lower =
+      read_extended(fields.required("toi_lower", "a time, or \"inf\" for a miss"), fields.path("toi_lower"));
+  const std::string chain = fields.path(kChain);
+  const std::vector<JsonValue>& slices = read_array(fields.required(kChain, kChainForm), chain, kChainForm);
+  proof.chain.reserve(slices.size());
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    proof.chain.push_back(read_slice(slices[i], item_path(chain, i)));
+  }
+  proof.toi_upper = read_extended(fields.required("toi_upper", "a time, or \"inf\" for no claim"),
+                                  fields.path("toi_upper"));
+  const JsonValue* contact = fields.optional("contact");
+  if (contact == nullptr) return proof;
+  const std::string where = fields.path("contact");
+  const std::vector<JsonValue>& pairs = read_array(*contact, where, kContactForm);
+  if (pairs.size() > proof.contact.size()) {
+    throw Malformed{where, describe(*contact) + "; " + std::string(kContactForm)};
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::string item = item_path(where, i);
+    const Fields pair(pairs[i], item, {"a", "b", "weight"});
+    proof.contact[i] = {read_feature(pair.required("a", "a point of body a"), pair.path("a")),
+                        read_feature(pair.required("b", "a point of body b"), pair.path("b"))};
+    proof.weight[i] =
+        read_number(pair.required("weight", "the weight of the pair, 0 or more"), pair.path("weight"));
+    ++proof.contact_size;
+  }
+  return proof;
+}
+
 ProofRecord read_record(const JsonValue& value) {
   const Fields fields(value, "", {"schema", "case", "method", "scalar", "outcome", "proof"});
   const JsonValue& schema = fields.required("schema", "\"graze.proof/1\"");
@@ -122,7 +173,12 @@ ProofRecord read_record(const JsonValue& value) {
   record.scalar = read_string(fields.required("scalar", "\"float\" or \"double\""), "scalar");
   record.outcome = static_cast<Outcome>(
       read_choice(fields.required("outcome", "one of " + joined(kOutcomeNames)), "outcome", kOutcomeNames));
-  record.proof = read_proof(fields.required("proof", "an object with toi_lower and toi_upper"), "proof");
+  const JsonValue& proof = fields.required("proof", "an object with toi_lower and toi_upper");
+  if (proof.find(kChain) != nullptr) {
+    record.rotating = read_rotating_proof(proof, "proof");
+  } else {
+    record.proof = read_proof(proof, "proof");
+  }
   return record;
 }
 
@@ -153,6 +209,36 @@ std::string write_factor(const AxisFactor& factor) {
       break;
   }
   return "{\"from\": " + write_pair(factor.from) + ", \"to\": " + write_pair(factor.to) + "}";
+}
+
+std::string write_linear(const Proof& proof) {
+  std::string text = "{\"toi_lower\": " + json_number(proof.toi_lower);
+  if (proof.has_axis) text += ", \"axis\": " + write_axis(proof);
+  text += ", \"toi_upper\": " + json_number(proof.toi_upper) + ", \"portal\": [";
+  for (int i = 0; i < proof.portal_size; ++i) {
+    text += (i > 0 ? ", " : "") + write_pair(proof.portal[i]);
+  }
+  return text + "]}";
+}
+
+std::string write_rotating(const RotatingProof& proof) {
+  std::string text = "{\"toi_lower\": " + json_number(proof.toi_lower) + ", \"chain\": [";
+  for (std::size_t i = 0; i < proof.chain.size(); ++i) {
+    const TimeSlice& slice = proof.chain[i];
+    text += (i > 0 ? ", " : "") + ("{\"end\": " + json_number(slice.end)) +
+            ", \"axis\": " + write_vec3(slice.axis);
+    if (slice.frame != AxisFrame::world) {
+      text += ", \"frame\": " + json_quote(kFrameNames[static_cast<std::size_t>(slice.frame)]);
+    }
+    text += "}";
+  }
+  text += "], \"toi_upper\": " + json_number(proof.toi_upper) + ", \"contact\": [";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(proof.contact_size); ++i) {
+    text += (i > 0 ? ", " : "") + ("{\"a\": " + write_feature(proof.contact[i].a)) +
+            ", \"b\": " + write_feature(proof.contact[i].b) +
+            ", \"weight\": " + json_number(proof.weight[i]) + "}";
+  }
+  return text + "]}";
 }
 
 }  // namespace
@@ -191,18 +277,11 @@ ProofReadResult read_proofs_file(const std::filesystem::path& path) {
 }
 
 std::string write_proof(const ProofRecord& record) {
-  const Proof& proof = record.proof;
-  std::string text = "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +
-                     ", \"method\": " + json_quote(record.method) +
-                     ", \"scalar\": " + json_quote(record.scalar) +
-                     ", \"outcome\": " + json_quote(name_of(record.outcome)) +
-                     ", \"proof\": {\"toi_lower\": " + json_number(proof.toi_lower);
-  if (proof.has_axis) text += ", \"axis\": " + write_axis(proof);
-  text += ", \"toi_upper\": " + json_number(proof.toi_upper) + ", \"portal\": [";
-  for (int i = 0; i < proof.portal_size; ++i) {
-    text += (i > 0 ? ", " : "") + write_pair(proof.portal[i]);
-  }
-  return text + "]}}";
+  return "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +
+         ", \"method\": " + json_quote(record.method) + ", \"scalar\": " + json_quote(record.scalar) +
+         ", \"outcome\": " + json_quote(name_of(record.outcome)) +
+         ", \"proof\": " + (record.rotating ? write_rotating(*record.rotating) : write_linear(record.proof)) +
+         "}";
 }
 
 }  // namespace graze::corpus

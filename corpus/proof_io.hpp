@@ -13,7 +13,18 @@
 //
 // No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
 // proof claims is not judged here: a reader's proof may be false.
+//
+// The proof of a rotating answer (graze/rotating/rotating_proof.hpp) has a chain instead of an axis, and
+// weighted contact pairs instead of a portal; "frame" is world, a or b, and world where it is left out:
+//
+//   "proof": {"toi_lower": 0.25, "chain": [{"end": 0.125, "axis": [0, 0, 1]},
+//                                          {"end": 0.25, "axis": [0, 1, 0], "frame": "a"}],
+//             "toi_upper": 0.375, "contact": [{"a": {"vertex": 3}, "b": {"vertex": 0}, "weight": 1}]}
+//
+// It is known by its field "chain", which may be empty. The points of its pairs have no offset.
 #pragma once
+
+#include <graze/rotating/rotating_proof.hpp>
 
 #include "corpus/case_io.hpp"
 
@@ -24,8 +35,9 @@ struct ProofRecord {
   std::string method;  // "mpr"
   std::string scalar;  // "float", "double"
   Outcome outcome = Outcome::not_converged;
-  Proof proof;
-  int line = 0;  // where it was read, from 1; not written
+  Proof proof;                            // of a linear answer; without a claim where it is rotating
+  std::optional<RotatingProof> rotating;  // of a rotating answer
+  int line = 0;                           // where it was read, from 1; not written
 };
 
 struct ProofReadResult {

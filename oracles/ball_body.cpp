@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracles/ball_rotation.hpp"
+
 namespace graze::oracle {
 namespace {
 
@@ -26,37 +28,15 @@ BallVec finite(const Vec3<double>& x, const char* what) {
   return {finite(x[0], what), finite(x[1], what), finite(x[2], what)};
 }
 
+const Quaternion<double>& finite(const Quaternion<double>& q, const char* what) {
+  for (const double x : {q.w, q.x, q.y, q.z}) finite(x, what);
+  return q;
+}
+
 double extent(double x, const char* what) {
   if (finite(x, what) < 0) throw std::invalid_argument(std::string(what) + ": negative");
   return x;
 }
-
-// x -> q x conj(q) / |q|^2 as a matrix.
-struct BallRotation {
-  bool identity = true;
-  std::array<BallVec, 3> row;
-
-  explicit BallRotation(const Quaternion<double>& q) : identity(q.is_identity()) {
-    const Ball w = finite(q.w, "orientation"), x = finite(q.x, "orientation");
-    const Ball y = finite(q.y, "orientation"), z = finite(q.z, "orientation");
-    if (identity) {
-      if (w.is_zero()) throw std::invalid_argument("orientation: the zero quaternion is not a rotation");
-      return;
-    }
-    const Ball ww = w * w, xx = x * x, yy = y * y, zz = z * z;
-    const Ball one = Ball(1) / (ww + xx + yy + zz), two = one + one;
-    const Ball xy = x * y, xz = x * z, yz = y * z, wx = w * x, wy = w * y, wz = w * z;
-    row = {BallVec{(ww + xx - yy - zz) * one, (xy - wz) * two, (xz + wy) * two},
-           BallVec{(xy + wz) * two, (ww - xx + yy - zz) * one, (yz - wx) * two},
-           BallVec{(xz - wy) * two, (yz + wx) * two, (ww - xx - yy + zz) * one}};
-  }
-  [[nodiscard]] BallVec apply(const BallVec& x) const {
-    return identity ? x : BallVec{dot(row[0], x), dot(row[1], x), dot(row[2], x)};
-  }
-  [[nodiscard]] BallVec apply_inverse(const BallVec& x) const {
-    return identity ? x : x.x * row[0] + x.y * row[1] + x.z * row[2];
-  }
-};
 
 Ball signed_extent(const Ball& direction, double half) { return direction.mid_sign() < 0 ? -half : half; }
 
@@ -275,7 +255,7 @@ struct BallBody::Builder {
                              const Quaternion<double>& orientation) {
     auto node = make(Kind::posed);
     node->position = finite(position, "position");
-    node->rotation.emplace(orientation);
+    node->rotation.emplace(finite(orientation, "orientation"));
     node->parts.push_back(std::move(child));
     magnitude = 2 * magnitude + position.cwiseAbs().maxCoeff();
     return node;

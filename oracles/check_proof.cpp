@@ -1,25 +1,17 @@
 // The door (is it a proof, of a case in range?), then each claim through the three arithmetics in turn.
 //
-// Where the process does not round to nearest, or flushes subnormals (a library linked with -ffast-math turns
-// that on for everybody), the filters' bounds are void; they are left out, and GMP decides.
+// Where the filters' bounds are void (filters_hold.hpp) they are left out, and GMP decides.
 #include "oracles/check_proof.hpp"
 
 #include <cstdio>
 
 #include "oracles/double_double.hpp"
 #include "oracles/dyadic.hpp"
+#include "oracles/filters_hold.hpp"
 #include "oracles/tree_axis.hpp"
 
 namespace graze::oracle {
 namespace {
-
-[[nodiscard]] bool filters_hold() {
-  volatile double least = std::numeric_limits<double>::min(), half_unit = 0x1p-53, one = 1;
-  const double subnormal = least / 2;
-  volatile double kept = subnormal;
-  return kept * 2 == least && one + half_unit == one && -one - half_unit == -one &&
-         (one + 0x1p-52) + half_unit == one + 0x1p-51;
-}
 
 // ---- the door ---------------------------------------------------------------------------------------------
 

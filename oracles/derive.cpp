@@ -1,8 +1,9 @@
 // Decides: what linear_truth.cpp and penetration_truth.cpp decide, for curved shapes what closed_form.cpp and
-// bracket_truth.cpp do; lengths are rounded to the nearest double.
-// Costs: as there.
+// bracket_truth.cpp do, of casts of bodies that turn what rotating_truth.cpp does; lengths are rounded to the
+// nearest double. Costs: as there.
 #include "oracles/derive.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "oracles/bracket_truth.hpp"
@@ -10,6 +11,7 @@
 #include "oracles/exact_body.hpp"
 #include "oracles/linear_truth.hpp"
 #include "oracles/penetration_truth.hpp"
+#include "oracles/rotating_truth.hpp"
 
 namespace graze::oracle {
 namespace {
@@ -25,6 +27,7 @@ const char* name_of_oracle(int dimension, bool is_polytope) {
 corpus::Case at_rest(corpus::Case problem) {
   problem.a.displacement.setZero();
   problem.b.displacement.setZero();
+  problem.spin_a = problem.spin_b = {};
   problem.start_policy = corpus::StartPolicy::report;
   return problem;
 }
@@ -154,9 +157,50 @@ Expect penetration_expectation(const corpus::Case& problem) {
   return expect;
 }
 
+bool turns(const corpus::Case& problem) {
+  return !problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0);
+}
+
+Expect rotating_expectation(corpus::Case problem) {
+  if (problem.query == Query::line) throw Undecided("a line has no meaning where bodies turn");
+  const bool any_time = problem.query == Query::swept_overlap;
+  if (any_time) problem.start_policy = corpus::StartPolicy::report;
+  if (std::isinf(problem.t_max) || problem.start_policy != corpus::StartPolicy::report) {
+    throw Undecided("a rotating cast with an infinite t_max or the policy pass_over");
+  }
+  const RotatingTruth truth(problem, RotatingTruth::kLeastWidth);
+  if (truth.outcome() == Outcome::not_converged && !(any_time && truth.contact_proved())) {
+    throw Undecided(truth.reason());
+  }
+  Expect expect;
+  expect.by = "time subdivision in balls";
+  if (any_time) {
+    expect.outcome = truth.outcome() == Outcome::miss ? Outcome::miss : Outcome::hit;
+    return expect;
+  }
+  expect.outcome = truth.outcome();
+  expect.toi_lower = truth.toi_lower();
+  expect.toi_upper = truth.toi_upper();
+  return expect;
+}
+
 }  // namespace
 
-Expect derive_expectation(const corpus::Case& problem) {
+Expect derive_expectation(const corpus::Case& given) {
+  corpus::Case problem = given;
+  if (turns(given)) {
+    switch (given.query) {
+      case Query::cast:
+      case Query::line:
+      case Query::swept_overlap:
+        return rotating_expectation(given);
+      case Query::overlap:
+      case Query::distance:
+      case Query::penetration:
+      case Query::penetration_along:
+        problem.spin_a = problem.spin_b = {};  // asked at t = 0
+    }
+  }
   if (!is_exact_body(problem.a.shape) || !is_exact_body(problem.b.shape)) return curved_expectation(problem);
   switch (problem.query) {
     case Query::cast:

@@ -21,9 +21,14 @@ struct Undecided : std::invalid_argument {
 //   penetration_along   depth: the length of the move along `direction`. Apart: distance
 // The last four queries are asked at t = 0, their outcome is initially_overlapping or miss, and penetration
 // does not look at the target distance. start_policy bears on the outcome and time of casts and lines alone.
-// Throws Undecided for what the oracles do not decide: of curved shapes a clearance or depth
-// below 1e-30 of scale, and every penetration. Their TOI is the exact one's neighbours but at a graze, where
-// it is a bracket as wide as 1e-30 of scale makes it.
+//
+// Throws Undecided for what the oracles do not decide:
+//   curved shapes     a clearance or depth below 1e-30 of scale, and every penetration. The TOI is the exact
+//                     one's neighbours but at a graze, where it is a bracket as wide as 1e-30 of scale makes
+//                     it
+//   bodies that turn  in casts and swept_overlap, a clearance or depth below 1e-14 of scale, a search beyond
+//                     the budget of rotating_truth.hpp, an infinite t_max, a cast with the policy pass_over;
+//                     a line. toi_lower and toi_upper are a bracket as wide as 1e-14 of scale makes it
 [[nodiscard]] corpus::Expect derive_expectation(const corpus::Case& problem);
 
 }  // namespace graze::oracle

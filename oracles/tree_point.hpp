@@ -50,6 +50,8 @@ class Way {
   [[nodiscard]] std::size_t curved_count() const { return curved_.size(); }
   [[nodiscard]] const Part& curved(std::size_t k) const { return *curved_[k]; }
   [[nodiscard]] const Feature& feature() const { return feature_; }
+  // Of the spheres, capsules and roundings that it meets.
+  [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
   // |offset| <= the sum of the radii met
   template <class N>

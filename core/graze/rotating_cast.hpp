@@ -131,7 +131,7 @@ class RotatingCast {
     } else {
       const double asked =
           options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
-      out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), std::max(asked, noise())});
+      out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), asked});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
     if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0)) return true;
@@ -212,7 +212,7 @@ class RotatingCast {
       case RotatingMethod::time_steps:
         return run_steps(0);
       case RotatingMethod::bounding_spheres: {
-        const SphereCast spheres = cast_spheres(*pair_, t_end());
+        const SphereCast spheres = cast_spheres(*pair_, t_end(), 0);
         if (spheres.meet) return run_steps(spheres.begin);
         out_.outcome = Outcome::miss;
         out_.toi_lower = out_.toi_upper = kInfinity<S>;
@@ -249,7 +249,7 @@ class RotatingCast {
     limits.begin = wants_proof() ? 0.0 : begin;
     limits.end = t_end();
     limits.stop = stop();
-    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : 0.0;
+    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
     March found = march(*pair_, limits, out_.counters);
@@ -324,8 +324,10 @@ class RotatingCast {
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
         return proof;
       named.a.offset = named.b.offset = none;
-      proof.weight[i] = found.contact.pairs.lambda[i];
+      proof.weight[i] = found.contact.crossing ? 0.0 : found.contact.pairs.lambda[i];
     }
+    proof.crossing = found.contact.crossing;
+    proof.contact_from = found.contact.from;
     proof.contact_size = found.contact.pairs.size;
     proof.toi_upper = found.upper;
     return proof;

@@ -33,14 +33,22 @@ Shape<double> rotated(const Quaternion<double>& cube, const Shape<double>& shape
   return shape;
 }
 
-void turn_body(const Quaternion<double>& q, bool into_shape, Body<double>& body) {
-  if (into_shape && body.orientation.is_identity()) {
+// Those that rotated() turns, or that no rotation changes.
+bool turns_exactly(const Shape<double>& shape) {
+  return std::holds_alternative<Box<double>>(shape) || std::holds_alternative<Hull<double>>(shape) ||
+         std::holds_alternative<Sphere<double>>(shape) || std::holds_alternative<Point<double>>(shape);
+}
+
+void turn_body(const Quaternion<double>& q, bool into_shape, Body<double>& body, Spin& spin) {
+  if (into_shape && body.orientation.is_identity() && turns_exactly(body.shape)) {
     body.shape = rotated(q, body.shape);
+    spin.pivot = rotate(q, spin.pivot);
   } else {
     body.orientation = multiply(q, body.orientation);
   }
   body.position = rotate(q, body.position);
   body.displacement = rotate(q, body.displacement);
+  spin.rotation = rotate(q, spin.rotation);
 }
 
 }  // namespace
@@ -131,6 +139,10 @@ double Draw::on_grid(double reach) {
   const double steps = std::floor(reach / grid_step());
   return (static_cast<double>(random.below(static_cast<std::uint64_t>(2 * steps) + 1)) - steps) * grid_step();
 }
+
+double Draw::real(double x) const { return coordinates == Coordinates::doubles ? x : round_to_float(x); }
+
+Vec3<double> Draw::real(const Vec3<double>& x) const { return {real(x[0]), real(x[1]), real(x[2])}; }
 
 double Draw::positive_on_grid(double reach) {
   const double steps = std::floor(reach / grid_step());
@@ -326,6 +338,46 @@ Capped Draw::capped_below(double reach) {
   return {negated(above.shape), 0 - above.lift};
 }
 
+Shape<double> nested_shape(Draw& draw, int depth) {
+  constexpr double kReach = 2;
+  constexpr int kThinness = 2;
+  Random& random = draw.random;
+  if (depth == 0) return draw.leaf(kReach, random.once_in(4) ? kThinness : 0);
+  Shape<double> child = nested_shape(draw, depth - 1);
+  switch (random.below(5)) {
+    case 0: {
+      Shape<double> other = draw.smooth_leaf(kReach, 0);
+      if (random.once_in(2)) std::swap(child, other);
+      return sum<double>(std::move(child), std::move(other));
+    }
+    case 1:
+      return swept<double>(std::move(child), draw.vector(kReach));
+    case 2: {
+      Shape<double> leaf = draw.leaf(kReach, 0);
+      Shape<double> other = translated<double>(std::move(leaf), draw.vector(kReach));
+      if (random.once_in(2)) std::swap(child, other);
+      return hull_of<double>(std::move(child), std::move(other));
+    }
+    case 3:
+      return rounded<double>(std::move(child), draw.snap(random.uniform(0, kReach)));
+    default: {
+      const Vec3<double> position = draw.vector(kReach);
+      return posed<double>(std::move(child), position, draw.pose());
+    }
+  }
+}
+
+Vec3<double> middle_or_side(Random& random, const Shape<double>& shape) {
+  const Bounds box = bounds(shape);
+  Vec3<double> x;
+  for (int i = 0; i < 3; ++i) x[i] = (box.low[i] + box.high[i]) / 2;
+  if (!random.once_in(4)) {
+    const int side = random.integer(0, 2);
+    x[side] = random.once_in(2) ? box.low[side] : box.high[side];
+  }
+  return x;
+}
+
 void aim(Draw& draw, Case& problem, double miss) {
   Random& random = draw.random;
   Vec3<double> v = draw.vector(16);
@@ -334,18 +386,8 @@ void aim(Draw& draw, Case& problem, double miss) {
   v[axis] = random.once_in(2) ? along : -along;
   constexpr double kTimes[] = {0, 0.25, 0.5, 0.5, 0.75, 1, 2};
   const double t = kTimes[random.below(std::size(kTimes))];
-  const auto point = [&](const Shape<double>& shape) {
-    const Bounds box = bounds(shape);
-    Vec3<double> x;
-    for (int i = 0; i < 3; ++i) x[i] = (box.low[i] + box.high[i]) / 2;
-    if (!random.once_in(4)) {
-      const int side = random.integer(0, 2);
-      x[side] = random.once_in(2) ? box.low[side] : box.high[side];
-    }
-    return x;
-  };
-  const Vec3<double> a = rotate(problem.a.orientation, point(problem.a.shape));
-  const Vec3<double> b = rotate(problem.b.orientation, point(problem.b.shape));
+  const Vec3<double> a = rotate(problem.a.orientation, middle_or_side(random, problem.a.shape));
+  const Vec3<double> b = rotate(problem.b.orientation, middle_or_side(random, problem.b.shape));
   for (int i = 0; i < 3; ++i) {
     const double beside = random.uniform(-miss, miss);
     const double x = ((problem.a.position[i] + (a[i] - b[i])) - t * v[i]) + beside;
@@ -379,8 +421,9 @@ void set_motion(Draw& draw, Case& problem, const Vec3<double>& v) {
 void vary_time_scale(Draw& draw, Case& problem) {
   if (!draw.random.once_in(4)) return;
   const int exponent = draw.random.integer(-8, 8);
-  for (Body<double>* body : {&problem.a, &problem.b}) {
-    for (int i = 0; i < 3; ++i) body->displacement[i] = std::scalbn(body->displacement[i], exponent);
+  for (Vec3<double>* velocity : {&problem.a.displacement, &problem.b.displacement, &problem.spin_a.rotation,
+                                 &problem.spin_b.rotation}) {
+    for (int i = 0; i < 3; ++i) (*velocity)[i] = std::scalbn((*velocity)[i], exponent);
   }
   problem.t_max = std::scalbn(problem.t_max, -exponent);
 }
@@ -388,8 +431,8 @@ void vary_time_scale(Draw& draw, Case& problem) {
 void turn_exactly(Draw& draw, Case& problem) {
   const Quaternion<double> q = draw.cube_rotation();
   const bool into_shape = draw.random.once_in(2);
-  turn_body(q, into_shape, problem.a);
-  turn_body(q, into_shape, problem.b);
+  turn_body(q, into_shape, problem.a, problem.spin_a);
+  turn_body(q, into_shape, problem.b, problem.spin_b);
 }
 
 void turn_rounded(Draw& draw, Case& problem) {
@@ -397,16 +440,21 @@ void turn_rounded(Draw& draw, Case& problem) {
   do {
     q = draw.pose();
   } while (q.is_identity());
-  for (Body<double>* body : {&problem.a, &problem.b}) {
-    turn_body(q, false, *body);
-    if (draw.coordinates != Coordinates::floats) continue;
-    body->position = draw.snap(body->position);
-    body->displacement = draw.snap(body->displacement);
-  }
+  const auto turn = [&](Body<double>& body, Spin& spin) {
+    turn_body(q, false, body, spin);
+    if (draw.coordinates != Coordinates::floats) return;
+    body.position = draw.snap(body.position);
+    body.displacement = draw.snap(body.displacement);
+    spin.rotation = draw.snap(spin.rotation);
+  };
+  turn(problem.a, problem.spin_a);
+  turn(problem.b, problem.spin_b);
 }
 
 void maybe_swap(Draw& draw, Case& problem) {
-  if (draw.random.once_in(2)) std::swap(problem.a, problem.b);
+  if (!draw.random.once_in(2)) return;
+  std::swap(problem.a, problem.b);
+  std::swap(problem.spin_a, problem.spin_b);
 }
 
 }  // namespace graze::corpus

@@ -48,6 +48,9 @@ class Draw {
   // x as this kind of coordinate: rounded to float, kept, or rounded to an integer.
   double snap(double x) const;
   Vec3<double> snap(const Vec3<double>& x) const;
+  // x as a double or as a float: for angles, which no integer would do for.
+  double real(double x) const;
+  Vec3<double> real(const Vec3<double>& x) const;
 
   // Point, sphere, box or hull of `vertices` vertices within |x_i| <= reach.
   Shape<double> shape(double reach, int vertices);
@@ -79,10 +82,15 @@ class Draw {
 // Gives the relative displacement v to B, or shares it: A gets something and B gets v more, where that is
 // exact.
 void set_motion(Draw& draw, Case& problem, const Vec3<double>& v);
+// A tree of sums, sweeps, hulls of two, roundings and poses, so many deep. The parts that are added in are
+// smooth: the vertices of a sum at most double with each level.
+Shape<double> nested_shape(Draw& draw, int depth);
+// A point of the shape's bounding box: its middle, or the middle of a side.
+Vec3<double> middle_or_side(Random& random, const Shape<double>& shape);
 // Speeds the motion up by a power of two and shortens t_max by the same, or the other way: the same path.
 void vary_time_scale(Draw& draw, Case& problem);
 // Turns the whole scene by a cube rotation, exactly: into the poses, or, where they are identities, half of
-// the time into the shapes.
+// the time into boxes, hulls, spheres and points.
 void turn_exactly(Draw& draw, Case& problem);
 // Turns the whole scene by an integer quaternion; positions and displacements are rounded to the kind of
 // coordinate (floats or doubles).

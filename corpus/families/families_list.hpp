@@ -14,4 +14,16 @@ void fill_touching(Draw& draw, double hardness, Case& problem);
 void fill_curved(Draw& draw, double hardness, Case& problem);
 void fill_combinators(Draw& draw, double hardness, Case& problem);
 
+void fill_spinning_graze(Draw& draw, double hardness, Case& problem);
+void fill_fast_spin(Draw& draw, double hardness, Case& problem);
+void fill_off_centre_pivot(Draw& draw, double hardness, Case& problem);
+void fill_enters_and_leaves(Draw& draw, double hardness, Case& problem);
+void fill_both_turn(Draw& draw, double hardness, Case& problem);
+void fill_slow_spin(Draw& draw, double hardness, Case& problem);
+void fill_random_rotating(Draw& draw, double hardness, Case& problem);
+
+// The construction of `grazing`: the path passes a top feature of C at the height delta above it. The horizon
+// may be infinite.
+void pass_top_feature(Draw& draw, Case& problem, double delta);
+
 }  // namespace graze::corpus

@@ -11,13 +11,15 @@
 namespace graze::corpus {
 
 void fill_grazing(Draw& draw, double hardness, Case& problem) {
-  constexpr double kReach = 4;
-  Random& random = draw.random;
-  const bool above = random.once_in(2);
+  const bool above = draw.random.once_in(2);
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const double size = draw.coordinates == Coordinates::floats ? round_to_float(unit) : unit;
-  const double delta = above ? size : -size;
+  pass_top_feature(draw, problem, above ? size : -size);
+}
 
+void pass_top_feature(Draw& draw, Case& problem, double delta) {
+  constexpr double kReach = 4;
+  Random& random = draw.random;
   const Capped a = draw.capped(kReach), b = draw.capped_below(kReach);
   problem.a.shape = a.shape;
   problem.b.shape = b.shape;

@@ -127,7 +127,7 @@ TEST(RotatingCast, NoContactBeforeTheLowerEnd) {
     Counters counters;
     for (int k = 0; k < 50; ++k) {
       pair.place(end * k / 50);
-      EXPECT_GT(detail::nearest(pair, Vec3<double>(Vec3<double>::Zero()), 0, 1e-12, 256, counters).apart,
+      EXPECT_GT(detail::nearest(pair, Simplex<double>{}, 0, 1e-12, 256, counters).apart,
                 2 * pair.error());
     }
     if (r.outcome != Outcome::hit) continue;

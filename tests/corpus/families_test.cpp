@@ -32,10 +32,14 @@ TEST(Families, AreTheSameBitsEverywhere) {
     const char* name;
     std::uint64_t hash;
   } golden[] = {
-      {"random", 0x24c4cb8439c2702bu},          {"aligned_boxes", 0x21721981b372a7e9u},
-      {"grazing", 0x7f71dd8a30967f96u},         {"size_ratio", 0x581c2dd2f08677b0u},
-      {"far_from_origin", 0x9414bd44dc81a2b0u}, {"touching", 0xd5a33e25c95b13c3u},
-      {"curved", 0x6b3213ce15b85f58u},          {"combinators", 0x6e8e1445381b78dbu},
+      {"random", 0x24c4cb8439c2702bu},           {"aligned_boxes", 0x21721981b372a7e9u},
+      {"grazing", 0x7f71dd8a30967f96u},          {"size_ratio", 0x581c2dd2f08677b0u},
+      {"far_from_origin", 0x9414bd44dc81a2b0u},  {"touching", 0xd5a33e25c95b13c3u},
+      {"curved", 0x6b3213ce15b85f58u},           {"combinators", 0x6e8e1445381b78dbu},
+      {"spinning_graze", 0xfd73f8f495788929u},   {"fast_spin", 0x703f147157289fb1u},
+      {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u}, {"enters_and_leaves", 0x5f201819e19bbd09u},
+      {"both_turn", 0xad3a81632eb5ce25u},        {"slow_spin", 0xd5cfe956ed747e62u},
+      {"random_rotating", 0x868939a55416a365u},
   };
   for (const auto& [name, hash] : golden) {
     const Family* family = find_family(name);
@@ -50,17 +54,19 @@ TEST(Families, AreTheSameBitsEverywhere) {
 }
 
 TEST(Families, ReadBackAsTheyAreAndDifferBySeed) {
-  for (const Family& family : families()) {
-    std::set<std::string> bodies;
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
-      const Case problem = family.generate(family.levels.front(), seed);
-      const ReadResult read = read_text(write_case(problem), problem.id, false);
-      ASSERT_TRUE(read.ok()) << read.errors[0].text();
-      EXPECT_TRUE(same_case(read.cases[0], problem)) << problem.id;
-      const std::string text = write_case(problem);
-      bodies.insert(text.substr(text.find("\"a\"")));
+  for (const std::span<const Family> list : {families(), rotating_families()}) {
+    for (const Family& family : list) {
+      std::set<std::string> bodies;
+      for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        const Case problem = family.generate(family.levels.front(), seed);
+        const ReadResult read = read_text(write_case(problem), problem.id, false);
+        ASSERT_TRUE(read.ok()) << read.errors[0].text();
+        EXPECT_TRUE(same_case(read.cases[0], problem)) << problem.id;
+        const std::string text = write_case(problem);
+        bodies.insert(text.substr(text.find("\"a\"")));
+      }
+      EXPECT_EQ(bodies.size(), 100u) << family.name;
     }
-    EXPECT_EQ(bodies.size(), 100u) << family.name;
   }
 }
 

@@ -179,6 +179,94 @@ TEST(ProofIo, RefusesMalformedSymbolicAxes) {
   }
 }
 
+ProofRecord rotating_example() {
+  ProofRecord record = example();
+  record.proof = {};
+  record.problem.spin_a.rotation = Vec3<double>(0, 0, 513);
+  record.problem.spin_b.pivot = Vec3<double>(0.1, -0.0, 0);
+  RotatingProof& proof = record.rotating.emplace();
+  proof.toi_lower = 1.0 / 3;
+  proof.chain = {{0.1, Vec3<double>(-0.0, 5e-324, 1), AxisFrame::world},
+                 {0.2, Vec3<double>(1, 0, 0), AxisFrame::a},
+                 {1.0 / 3, Vec3<double>(0, 1, 0), AxisFrame::b}};
+  proof.toi_upper = 2.0 / 3;
+  proof.contact_size = 2;
+  proof.contact[0].a.vertex = 7;
+  proof.contact[1].b.curved[0] = Vec3<double>(0.1, 0.2, -0.0);
+  proof.weight = {0.3, 0.7, 0, 0};
+  return record;
+}
+
+void expect_same_rotating(const ProofRecord& l, const ProofRecord& r) {
+  expect_same(l, r);
+  ASSERT_TRUE(l.rotating && r.rotating);
+  EXPECT_EQ(l.rotating->toi_lower, r.rotating->toi_lower);
+  EXPECT_EQ(l.rotating->toi_upper, r.rotating->toi_upper);
+  ASSERT_EQ(l.rotating->chain.size(), r.rotating->chain.size());
+  for (std::size_t i = 0; i < l.rotating->chain.size(); ++i) {
+    EXPECT_EQ(l.rotating->chain[i].end, r.rotating->chain[i].end);
+    EXPECT_EQ(l.rotating->chain[i].axis, r.rotating->chain[i].axis);
+    EXPECT_EQ(l.rotating->chain[i].frame, r.rotating->chain[i].frame);
+  }
+  ASSERT_EQ(l.rotating->contact_size, r.rotating->contact_size);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(l.rotating->contact_size); ++i) {
+    expect_same_pair(l.rotating->contact[i], r.rotating->contact[i]);
+    EXPECT_EQ(l.rotating->weight[i], r.rotating->weight[i]);
+  }
+}
+
+TEST(ProofIo, ReadsBackRotatingProofsAmongLinearOnes) {
+  ProofRecord bare = rotating_example();
+  bare.rotating.emplace().toi_lower = kInfinity<double>;
+  const ProofReadResult result = read_proofs_text(
+      write_proof(rotating_example()) + "\n" + write_proof(example()) + "\n" + write_proof(bare) + "\n",
+      "p.jsonl");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  ASSERT_EQ(result.proofs.size(), 3u);
+  expect_same_rotating(result.proofs[0], rotating_example());
+  EXPECT_TRUE(std::signbit(result.proofs[0].rotating->chain[0].axis[0]));
+  EXPECT_FALSE(result.proofs[1].rotating);
+  expect_same_rotating(result.proofs[2], bare);
+}
+
+TEST(ProofIo, RefusesMalformedRotatingProofs) {
+  const std::string sound = write_proof(rotating_example());
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = sound;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+  };
+  const struct {
+    std::string text;
+    const char* message;
+  } malformations[] = {
+      {replaced("\"chain\"", "\"axis\": [0, 0, 1], \"chain\""), "p.jsonl:1: proof: unknown field \"axis\""},
+      {replaced("\"contact\"", "\"portal\""), "p.jsonl:1: proof: unknown field \"portal\""},
+      {replaced("\"end\": 0.1", "\"end\": \"inf\""), "p.jsonl:1: proof.chain[0].end: "},
+      {replaced("\"end\": 0.1, ", ""), "p.jsonl:1: proof.chain[0].end: missing"},
+      {replaced("\"end\": 0.1", "\"begin\": 0, \"end\": 0.1"),
+       "p.jsonl:1: proof.chain[0]: unknown field \"begin\""},
+      {replaced("\"axis\": [1, 0, 0]", "\"axis\": [1, 0]"), "p.jsonl:1: proof.chain[1].axis: an array of 2"},
+      {replaced("\"frame\": \"b\"", "\"frame\": \"c\""),
+       "p.jsonl:1: proof.chain[2].frame: the string \"c\"; one of"},
+      {replaced("\"chain\": [", "\"chain\": [0, "), "p.jsonl:1: proof.chain[0]: the number 0"},
+      {replaced("\"toi_upper\": ", "\"toi_upper\": true, \"other\": "), "p.jsonl:1: proof: unknown field"},
+      {replaced("\"vertex\": 7", "\"vertex\": -7"), "p.jsonl:1: proof.contact[0].a.vertex: the number -7"},
+      {replaced("\"weight\": 0.3", "\"weight\": \"inf\""), "p.jsonl:1: proof.contact[0].weight: "},
+      {replaced(", \"weight\": 0.3", ""), "p.jsonl:1: proof.contact[0].weight: missing"},
+      {replaced("\"contact\": [", "\"contact\": [1, 2, 3, "), "p.jsonl:1: proof.contact: an array of 5"},
+  };
+  for (const auto& malformation : malformations) {
+    const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");
+    EXPECT_EQ(result.proofs.size(), 1u);
+    ASSERT_EQ(result.errors.size(), 1u) << malformation.text;
+    const std::string line = result.errors[0].text();
+    EXPECT_EQ(line.substr(0, std::string(malformation.message).size()), malformation.message) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
 TEST(ProofIo, AnEmptyReadFails) { EXPECT_FALSE(read_proofs_text("\n", "p.jsonl").ok()); }
 
 }  // namespace

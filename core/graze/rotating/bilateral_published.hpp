@@ -28,18 +28,16 @@ class PublishedBilateral {
 
   March operator()() {
     double t = 0;
-    Vec3<double> start = Vec3<double>::Zero();
     for (int i = 0; i < limits_.outer; ++i) {
       ++counters_.iterations;
       pair_.place(t);
-      const Nearest near = nearest(pair_, start, 0, limits_.tolerance / 4, limits_.budget, counters_);
+      const Nearest near = nearest(pair_, out_.closest, 0, limits_.tolerance / 4, limits_.budget, counters_);
       out_.lower = t;
       out_.apart = near.apart;
       out_.closest = near.simplex;
       out_.n = near.n;
       if (near.apart < limits_.target + limits_.tolerance || near.n == Vec3<double>::Zero())
         return touching(t);
-      start = near.n;
       set_axis(near);
       const double next = advance(t);
       if (next >= limits_.end) {

@@ -16,7 +16,10 @@ namespace graze::detail {
 
 struct Contact {
   bool proved = false;
-  Simplex<double> pairs;  // weighted
+  Simplex<double> pairs;  // weighted, but for a crossing
+  bool crossing = false;  // crossing.hpp: between `from` and the time of the contact
+  double from = 0;
+  Vec3<double> n = Vec3<double>::Zero();  // a normal of C near the contact, where portals found one
 };
 
 // Of a named support point.
@@ -99,7 +102,7 @@ inline double surround(const PortalSearch<double>& in, const PortalSearch<double
 // does not. n: a normal at the contact, so the origin is near where the line enters along -n; depth: about
 // how deep.
 inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, double depth, double e, int budget,
-                            Simplex<double>& four, Counters& counters) {
+                            Contact& found, Counters& counters) {
   using State = PortalSearch<double>::State;
   const Frame<double> about(n);
   constexpr std::array<std::array<double, 2>, 4> kTilts = {
@@ -110,7 +113,8 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (in.state == State::missed || in.portal.size != 3) continue;
     const PortalSearch<double> out = leave_line(cso, frame, depth / 8, budget, counters);
     if (out.state == State::missed || out.state == State::rejected || out.portal.size != 3) continue;
-    if (surround(in, out, four) > e) return true;
+    found.n = in.facing;
+    if (surround(in, out, found.pairs) > e) return true;
   }
   return false;
 }
@@ -137,7 +141,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   if (!out.proved && simplex.size < 4 && d.upper > e) return out;
   if (!out.proved) {
     const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
-    out.proved = hold_by_portals(cso, n, depth, e, budget, out.pairs, counters);
+    out.proved = hold_by_portals(cso, n, depth, e, budget, out, counters);
   }
   if (out.proved) weigh(out.pairs);
   return out;

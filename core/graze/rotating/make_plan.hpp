@@ -15,7 +15,7 @@ namespace graze::detail {
 struct PlanLimits {
   double t_end = 1;      // may be infinite
   double noise = 0;      // internal length
-  double tolerance = 0;  // internal length, >= noise
+  double tolerance = 0;  // internal length
 };
 
 // Neither body turns: no bounds of turning points are needed.
@@ -42,7 +42,7 @@ inline double swing_as_one(const MovingPair& pair, double t_end) {
 inline Plan plan_of(const MovingPair& pair, const Economies& economies, const PlanLimits& limits) {
   Plan out;
   const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
-  if (economies.bounds && !cast_spheres(pair, limits.t_end).meet) {
+  if (economies.bounds && !cast_spheres(pair, limits.t_end, limits.noise).meet) {
     out.effects = Effects::nothing;
     out.add(PlanReason::bounds_never_meet);
     return out;

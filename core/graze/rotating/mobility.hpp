@@ -87,6 +87,27 @@ bool is_along_own_axis(const RotatingBody<S>& moving, int own) {
   return a.cross(wide(moving.rotation)) == Vec3<double>::Zero();
 }
 
+// Is the body's point x exactly on the axis of rotation? As above.
+template <Scalar S>
+bool is_on_axis(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Vec3<double>& x) {
+  if (x == pivot) return true;
+  const Quaternion<double> q = as_double(moving.body.orientation);
+  if (!permutes_axes(q)) return false;
+  const Vec3<double> w = rotation_matrix(q).array().round().matrix().transpose() * wide(moving.rotation);
+  Vec3<double> arm;
+  for (int i = 0; i < 3; ++i) {
+    const TwoDoubles difference = two_sum(x[i], -pivot[i]);
+    if (difference.lo != 0) return false;
+    arm[i] = difference.hi;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const TwoDoubles one = two_product(w[j], arm[k]), other = two_product(w[k], arm[j]);
+    if (one.hi != other.hi || one.lo != other.lo) return false;
+  }
+  return true;
+}
+
 // Calls visit(x) for points in the body's own frame whose hull holds the core: its vertices, or the corners
 // of its bounds.
 template <Scalar S, class Visit>
@@ -132,9 +153,8 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   for_each_outer_point(moving.body.shape, bounds, [&](const Vec3<double>& x) {
     const Vec3<double> arm = turn * (x - pivot);
     const double slack = 32 * kUnitRoundoff<double> * (x.cwiseAbs().sum() + pivot.cwiseAbs().sum());
-    const bool at_pivot = x == pivot;
-    out.rho = std::max(out.rho, at_pivot ? 0.0 : unit * (axis.cross(arm).norm() + slack));
-    out.reach = std::max(out.reach, at_pivot ? 0.0 : unit * (arm.norm() + slack));
+    out.rho = std::max(out.rho, is_on_axis(moving, pivot, x) ? 0.0 : unit * (axis.cross(arm).norm() + slack));
+    out.reach = std::max(out.reach, x == pivot ? 0.0 : unit * (arm.norm() + slack));
   });
   if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
     out.revolves = true;

@@ -12,6 +12,9 @@
 // contact is proved if either
 //   |sum l_i c_i| <= sum l_i (r_i + m),
 // or four c_i hold the origin strictly inside their hull; the weights are then not read.
+// A flat A - B holds nothing strictly: there contact is a crossing. Three pairs, and a time contact_from:
+// seen along some direction the triangle of the c_i has the origin inside at every t in [contact_from,
+// toi_upper], and the origin is on one side of it at the beginning, on the other at the end.
 //
 // Every number is a double whatever scalar made the proof, so it says exactly what it says; the checker lives
 // in oracles/check_rotating_proof.hpp and shares no code with the search.
@@ -35,8 +38,11 @@ struct RotatingProof {
   double toi_lower = 0;
   std::vector<TimeSlice> chain;  // the last slice ends at toi_lower or later; of a miss, at t_max or later
 
-  // Claim: contact at toi_upper, so TOI <= toi_upper. Infinity claims nothing and needs no pairs.
+  // Claim: contact at toi_upper, or by it (crossing), so TOI <= toi_upper. Infinity claims nothing and needs
+  // no pairs.
   double toi_upper = kInfinity<double>;
+  bool crossing = false;
+  double contact_from = 0;  // of a crossing
   int contact_size = 0;
   std::array<SupportPair, 4> contact;  // offsets are zero; placed at toi_upper as the body moves
   std::array<double, 4> weight = {0, 0, 0, 0};

@@ -17,12 +17,13 @@ struct SphereCast {
   double begin = 0;  // not later than the first contact
 };
 
-inline SphereCast cast_spheres(const MovingPair& pair, double t_end) {
+// `more`: a length that R is raised by.
+inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more) {
   constexpr double u = kUnitRoundoff<double>;
   const Vec3<double> c = pair.pivots(), v = pair.velocity();
   const double apart = c.norm();
-  const double R =
-      (pair.mobility_a().reach + pair.mobility_b().reach + pair.radius()) * (1 + 32 * u) + 32 * u * apart;
+  const double R = (pair.mobility_a().reach + pair.mobility_b().reach + pair.radius() + more) * (1 + 32 * u) +
+                   32 * u * apart;
   SphereCast out;
   if (apart <= R) return out;
   const double along = c.dot(v), speed_sq = v.squaredNorm();

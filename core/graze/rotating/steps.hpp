@@ -20,11 +20,13 @@ struct StepLimits {
 inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& counters) {
   March out;
   Vec3<double> axis = Vec3<double>::Zero();
+  Simplex<double> closest;
   const auto touches = [&](double t) {
     ++counters.iterations;
     pair.place(t);
-    const Nearest near = nearest(pair, axis, 0, limits.touching / 2, limits.budget, counters);
+    const Nearest near = nearest(pair, closest, 0, limits.touching / 2, limits.budget, counters);
     if (near.n != Vec3<double>::Zero()) axis = near.n;
+    closest = near.simplex;
     if (near.apart <= limits.touching) return true;
     // A search that ended inside C, or at its border, knows no distance.
     if (!(near.gap > 0) && proved_contact(pair, axis, limits.touching, limits.budget, counters).proved)

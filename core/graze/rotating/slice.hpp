@@ -1,0 +1,151 @@
+// A slice of time that one axis proves free of contact: how long can it be?
+//
+// Lengths: internal; n unit, world axes, from A to B. The gap along n at time t is s(t) = min over B of n.b -
+// max over A of n.a, less the target distance; positive: apart. From a time t_0 with the bodies apart, either
+//   conservative   s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp): the slice is s_0 / L
+//   long; bilateral      every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M the sum of
+//   the
+//                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
+//                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2).
+// [Mirtich 1996; Catto, Continuous Collision, GDC 2013, whose bilateral advancement asks for s_1 > 0 only.]
+//
+// Where the bilateral t_1 is looked for, in this order: a little before the root of the distance itself, by
+// the secant of its last two values, with the axis found there (where a face turns, an old axis is good for a
+// part of the way only, the new one for all of it); else along the old axis, as far as M allows or towards
+// the first root of s, by the secant. What no try proves becomes a conservative slice. No root finder can
+// stall, and none is believed.
+#pragma once
+
+#include <graze/rotating/nearest.hpp>
+#include <optional>
+
+namespace graze::detail {
+
+enum class Advance { conservative, bilateral };
+
+struct MarchLimits {
+  Advance advance = Advance::bilateral;
+  double begin = 0, end = 1;  // no contact before `begin` is known
+  double stop = 0;            // a gap that axes cannot close
+  double touching = -1;       // a start with no more distance is in contact; below 0: only what is proved
+  int budget = 0;             // support evaluations
+  bool record = false;        // keep the chain
+};
+
+struct Slice {
+  double end = 0;
+  Vec3<double> axis = Vec3<double>::Zero();
+  double expected = 0;           // the gap at the end is no less
+  std::optional<Nearest> there;  // at the end, where it is known
+};
+
+// A time, and how far apart the bodies are then.
+struct Seen {
+  double t = 0;
+  Nearest near;
+};
+
+// The last double that is not later than t + h. Near contact a step is a few units in the last place of t.
+inline double not_after(double t, double h) {
+  const double end = t + h;
+  return end - t > h ? std::nextafter(end, t) : end;
+}
+
+class SliceSearch {
+ public:
+  SliceSearch(MovingPair& pair, const MarchLimits& limits, Counters& counters)
+      : pair_(pair), limits_(limits), counters_(counters) {}
+
+  // now.near.gap > 0. Leaves the pair placed anywhere.
+  Slice operator()(const Seen& now, const std::optional<Seen>& before) {
+    Slice out;
+    out.axis = now.near.n;
+    const double rest = limits_.end - now.t, safe = conservative(now);
+    out.end = safe >= rest ? limits_.end : not_after(now.t, safe);
+    if (limits_.advance == Advance::conservative || safe >= rest) return out;
+    if (before && towards_contact(now, *before, safe, out)) return out;
+    along_axis(now, safe, out);
+    return out;
+  }
+
+ private:
+  // Leaves the slice's end apart by as much as a proof may round.
+  static constexpr double kShort = 1 - 0x1p-10;
+
+  [[nodiscard]] double conservative(const Seen& now) const {
+    const double closing = pair_.closing(now.near.n);
+    return closing > 0 ? kShort * now.near.gap / closing : kInfinity<double>;
+  }
+  [[nodiscard]] double bend_root(const Vec3<double>& n) const {
+    return std::sqrt(pair_.bend(n) / 2 * (1 + 0x1p-40));
+  }
+  static bool proves(double h, double s_0, double s_1, double bend_root) {
+    return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
+  }
+  // What may be left at the end of a slice towards contact: less and less, so that the search is superlinear.
+  [[nodiscard]] double wished(double gap) const {
+    return std::max(gap * std::min(1.0 / 64, gap), limits_.stop / 2);
+  }
+
+  bool towards_contact(const Seen& now, const Seen& before, double safe, Slice& out) {
+    const double gap = now.near.gap, fallen = before.near.gap - gap;
+    if (!(fallen > 0)) return false;
+    const double to_root = (now.t - before.t) / fallen;              // time per length
+    const double most = 2 * std::sqrt(gap) / bend_root(now.near.n);  // what any axis alike could prove
+    for (const double left : {wished(gap), gap / 8}) {
+      const double h = (gap - left) * to_root;
+      if (!(h > safe && h < most && h < limits_.end - now.t)) return false;
+      const double end = not_after(now.t, h);
+      pair_.place(end);
+      Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
+      if (!(there.gap > 0)) continue;
+      pair_.place(now.t);
+      if (!proves(end - now.t, pair_.gap(there.n, counters_), there.gap, bend_root(there.n))) continue;
+      out.end = end;
+      out.axis = there.n;
+      out.there = there;
+      return true;
+    }
+    return false;
+  }
+
+  void along_axis(const Seen& now, double safe, Slice& out) {
+    const Vec3<double>& n = now.near.n;
+    const double gap = now.near.gap, rest = limits_.end - now.t, root = bend_root(n), left = wished(gap);
+    double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
+    double good = 0, good_gap = gap;  // the longest slice proved so far
+    double bad = kInfinity<double>, bad_gap = 0;
+    constexpr int kTries = 8;
+    for (int i = 0; i < kTries && h > safe; ++i) {
+      h = h >= rest ? rest : not_after(now.t, h) - now.t;
+      pair_.place(h >= rest ? limits_.end : now.t + h);
+      const double s = pair_.gap(n, counters_);
+      if (proves(h, gap, s, root)) {
+        good = h;
+        good_gap = s;
+        // Far enough: the end, all that the bend allows, or near the root.
+        if (h >= rest || s <= 4 * left || !(bad < kInfinity<double>)) break;
+      } else {
+        bad = h;
+        bad_gap = s;
+      }
+      if (bad_gap > 0) {
+        h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
+        if (!(h < bad)) h = bad / 2;
+      } else {
+        // The secant between the last proved and the first failed, towards the gap wished for.
+        h = good + (bad - good) * (good_gap - left) / (good_gap - bad_gap);
+        if (!(h > good && h < bad)) h = good + (bad - good) / 2;
+      }
+    }
+    if (!(good > safe)) return;
+    out.end = good >= rest ? limits_.end : now.t + good;
+    out.expected = good_gap;
+  }
+
+  MovingPair& pair_;
+  const MarchLimits& limits_;
+  Counters& counters_;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,72 @@
+// both_turn: both bodies turn, with angular velocities that differ by 2^-k at most along each axis. Their
+// points are fast and their distance is not: bounds that add the two are loose by 2^k, bounds that subtract
+// them must know the arms. Hardness: k. Half of them move about one point, as one but for that difference,
+// and start within twice that of each other, or within 1/4, on one side or the other; half approach as well.
+#include "corpus/families/families_list.hpp"
+#include "corpus/families/turning.hpp"
+
+namespace graze::corpus {
+namespace {
+
+void turn_nearly_alike(Draw& draw, double hardness, Case& problem) {
+  const double difference = power_of_two(-static_cast<int>(hardness));
+  for (int i = 0; i < 3; ++i) {
+    // Not rounded to a float: that would be none.
+    problem.spin_b.rotation[i] = problem.spin_a.rotation[i] + difference * draw.random.uniform(-1, 1);
+  }
+}
+
+void as_one(Draw& draw, double hardness, Case& problem) {
+  Random& random = draw.random;
+  const Capped below = draw.capped(4), above = draw.capped_below(4);
+  problem.a.shape = below.shape;
+  problem.b.shape = above.shape;
+  const double unit = random.once_in(4) ? 0.25 : power_of_two(-static_cast<int>(hardness));
+  const double gap = draw.real(unit * random.uniform(-1, 2));
+  problem.a.position = Vec3<double>(0, 0, 0 + (below.lift - above.lift));
+  problem.b.position = Vec3<double>(0, 0, gap);
+  // About one point: of A's frame, and so of B's, whose origin is off by a sum that is exact but for the gap.
+  const double x = draw.on_grid(16), y = draw.on_grid(16);
+  problem.spin_a.pivot = Vec3<double>(x, y, 0);
+  problem.spin_b.pivot = problem.spin_a.pivot;
+  problem.spin_b.pivot[2] = problem.a.position[2] - gap;
+  const Vec3<double> axis = direction(draw);
+  const double angle = random.uniform(0.5, 8);
+  problem.spin_a.rotation = draw.real(Vec3<double>(angle * axis[0], angle * axis[1], angle * axis[2]));
+  turn_nearly_alike(draw, hardness, problem);
+  set_motion(draw, problem, Vec3<double>::Zero());
+  turn_exactly(draw, problem);
+}
+
+void approach(Draw& draw, double hardness, Case& problem) {
+  constexpr double kReach = 4;
+  Random& random = draw.random;
+  problem.a.shape = any_shape(draw, kReach);
+  problem.b.shape = any_shape(draw, kReach);
+  problem.a.orientation = draw.pose();
+  problem.b.orientation = draw.pose();
+  problem.a.position = draw.vector(8);
+  if (random.once_in(2)) problem.spin_a.pivot = draw.vector(2 * kReach);
+  if (random.once_in(2)) problem.spin_b.pivot = draw.vector(2 * kReach);
+  Meeting meeting;
+  meeting.t = meeting_time(draw);
+  meeting.turn_a = meeting.turn_b = some_turn(draw);
+  meeting.turns_a = meeting.turns_b = random.integer(0, 2);
+  set_motion(draw, problem, draw.vector(16));
+  meet(draw, problem, meeting, random.once_in(2) ? 0.25 : kReach);
+  turn_nearly_alike(draw, hardness, problem);
+}
+
+}  // namespace
+
+void fill_both_turn(Draw& draw, double hardness, Case& problem) {
+  if (draw.random.once_in(2)) {
+    as_one(draw, hardness, problem);
+  } else {
+    approach(draw, hardness, problem);
+  }
+  vary_horizon(draw, problem);
+  maybe_swap(draw, problem);
+}
+
+}  // namespace graze::corpus

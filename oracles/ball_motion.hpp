@@ -1,0 +1,123 @@
+// A body that moves and turns, in ball arithmetic: its support at any time, named points of it, and how fast
+// and how far from straight its points can move along an axis.
+//
+// Notation   R(t) = R(t w), w the rotation vector;   c = position + R(orientation) pivot;   v the velocity.
+//   A world point x of the body at t = 0 is at R(t) (x - c) + c + t v at time t.
+// Frame: world axes, origin at the `reference` that is given at construction, subtracted exactly; bodies of
+// one pair share it.
+//
+// Points that are followed. Only the set counts, so the body may be covered at every t by any points that
+// stay in it; the bounds below hold for these curves:
+//   - a ball of a sphere, capsule or rounding does not turn: its points are centre(t) + a constant;
+//   - a cylinder, cone or ellipsoid of revolution about its own axis a is followed in a frame that does not
+//     spin about a, where that bounds better (ball_motion.cpp).
+// For the oracles' own .cpp files (it includes Arb).
+#pragma once
+
+#include <memory>
+
+#include "corpus/case.hpp"
+#include "oracles/arithmetic.hpp"
+#include "oracles/ball_body.hpp"
+#include "oracles/ball_rotation.hpp"
+
+namespace graze::oracle {
+
+// A point of the body that a proof names: R(orientation) (x - pivot), world axes of t = 0, without the
+// feature's offset; and the sum of the radii on the way to it.
+struct NamedPoint {
+  BallVec from_pivot;
+  Ball radius;
+  std::size_t curved_parts = 0;  // on the way; a feature holds points for kCurvedParts of them
+  Answer inside = Answer::yes;   // do the feature's curved points lie in their parts, proved?
+};
+
+class BallMotion {
+ public:
+  // Rounded to the working precision at construction. Throws std::invalid_argument as BallBody does, and for
+  // a spin that is not finite.
+  BallMotion(const Body<double>& body, const corpus::Spin& spin,
+             const Vec3<double>& reference = Vec3<double>::Zero());
+  ~BallMotion();
+  BallMotion(BallMotion&&) noexcept;
+  BallMotion& operator=(BallMotion&&) noexcept;
+
+  // The body where it stands at a time.
+  class Pose {
+   public:
+    // h(n) and a point of the set.
+    [[nodiscard]] BallSupport support(const BallVec& n) const;
+    [[nodiscard]] BallVec place(const BallVec& from_pivot) const { return turn(from_pivot) + pivot_; }
+    [[nodiscard]] BallVec place(const NamedPoint& point) const { return place(point.from_pivot); }
+    // R(t) n and R(t)^-1 n: axes that turn with the body.
+    [[nodiscard]] BallVec turn(const BallVec& n) const { return rotation_.apply(n); }
+    [[nodiscard]] BallVec turn_back(const BallVec& n) const { return rotation_.apply_inverse(n); }
+    // The map from the shape's own frame, rounded, and where it takes the frame's origin.
+    [[nodiscard]] Mat3<double> frame() const { return rotation_.mid_double() * body_->orientation_; }
+    [[nodiscard]] BallVec origin() const { return place(-body_->arm_); }
+
+   private:
+    friend class BallMotion;
+    const BallMotion* body_ = nullptr;
+    BallRotation rotation_;
+    BallVec pivot_;  // at that time
+  };
+  // Valid while the body lives. t any ball: the pose then holds those of all its times.
+  [[nodiscard]] Pose at(const Ball& t) const;
+  [[nodiscard]] BallSupport support(const BallVec& n, const Ball& t) const { return at(t).support(n); }
+
+  // Throws std::invalid_argument for a vertex that the shape does not have, and for a shape of more than 64
+  // levels or 4,096 parts.
+  [[nodiscard]] NamedPoint named(const Feature& feature) const;
+  // How many vertices features may name; at least 2^32 is any.
+  [[nodiscard]] std::uint64_t vertex_count() const;
+
+  [[nodiscard]] const BallVec& velocity() const { return velocity_; }  // exact
+  [[nodiscard]] const BallVec& rotation() const { return rotation_; }  // w, exact
+  [[nodiscard]] const BallVec& pivot() const { return pivot_; }        // c at t = 0
+  [[nodiscard]] bool turns() const { return !rotation_.is_zero(); }
+  // An upper bound of the magnitudes of the numbers in it, the velocity and the reference aside.
+  [[nodiscard]] double magnitude() const { return magnitude_; }
+
+  // Upper bounds. Of points without their balls, as above:
+  [[nodiscard]] const Ball& axis_reach() const {
+    return axis_reach_;
+  }  // from the axis of rotation; 0 for w = 0
+  [[nodiscard]] const Ball& pivot_reach() const { return pivot_reach_; }  // from the pivot
+  // For n fixed in the world, of |(n.(x - t v))'| and of |(n.x)''| over the points x(t).
+  [[nodiscard]] Ball first_bound(const BallVec& n) const;
+  [[nodiscard]] Ball second_bound(const BallVec& n) const;
+
+ private:
+  struct Naming;
+  struct OwnAxis {
+    bool exists = false;
+    Ball spin, tilt;      // |w.a|, |w x a|, a a unit vector along the shape's own axis
+    Ball center, around;  // distance of the shape's centre from the axis of rotation; of points from it
+  };
+
+  BallBody body_;
+  std::unique_ptr<Naming> naming_;
+  BallVec velocity_, rotation_, arm_, pivot_;  // arm = R(orientation) pivot
+  Mat3<double> orientation_;                   // rounded
+  double magnitude_ = 0;
+  Ball rate_, axis_reach_, pivot_reach_;  // rate = |w|
+  OwnAxis own_;
+};
+
+// For an axis that turns with X, R_X(t) n: an upper bound over [begin, end] of |(R_X(t) n . (x(t) - p(t)))''|
+// for Y's followed points x and p the path of X's pivot. For X's own points that is 0; their balls, and Y's,
+// add constants.
+[[nodiscard]] Ball second_bound_turning(const BallMotion& x, const BallMotion& y, const BallVec& n,
+                                        const Ball& begin, const Ball& end);
+
+// Of g(x) = chord from s0 at 0 to s1 at d, less bound x (d - x) / 2, over [0, d], d > 0.
+// Where the vertex, at d/2 - (s1 - s0) / (bound d), is inside, g there is positive iff s0, s1 > 0 and
+//   sqrt(s0) + sqrt(s1) > d sqrt(bound / 2);
+// where it is outside, |s1 - s0| >= bound d^2 / 2, and s0, s1 > 0 already give that:
+// (sqrt s0 + sqrt s1)^2 > |s1 - s0|. So the one test says that g is positive; certain where it does.
+[[nodiscard]] bool chord_stays_positive(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d);
+// A lower bound of the least g.
+[[nodiscard]] Ball chord_minimum(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d);
+
+}  // namespace graze::oracle
