@@ -252,6 +252,7 @@ class RotatingCast {
     limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
+    if (limits.record) limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
     March found = march(*pair_, limits, out_.counters);
     if (limits.record) out_.proof = proof_of(found);
     fill(found);

@@ -274,8 +274,9 @@ TEST(RotatingCast, WithoutATurnEveryMethodGivesTheLinearAnswer) {
       ASSERT_EQ(r.outcome, linear.outcome);
       if (linear.outcome != Outcome::hit) continue;
       ++hits;
-      // Near in distance; where the path grazes, times differ by the root of that.
-      EXPECT_LE(r.distance, 1e-11);
+      // Near in distance, by GJK's bound from above, which is the rougher one on a cone's rim; where the path
+      // grazes, times differ by the root of that.
+      EXPECT_LE(r.distance, 1e-10);
       EXPECT_NEAR(r.toi_lower, linear.toi_lower, 1e-6);
     }
   }

@@ -26,7 +26,7 @@ struct March {
 class Marcher {
  public:
   Marcher(MovingPair& pair, const MarchLimits& limits, Counters& counters)
-      : pair_(pair), limits_(limits), counters_(counters) {}
+      : pair_(pair), limits_(limits), counters_(counters), search_(pair, limits, counters) {}
 
   March operator()() {
     look(limits_.begin, 0);
@@ -73,7 +73,7 @@ class Marcher {
 
   // False: the end of the slice is no later double.
   bool slice_on() {
-    Slice slice = SliceSearch(pair_, limits_, counters_)(now_, before_);
+    Slice slice = search_(now_, before_);
     if (!(slice.end > now_.t)) return false;
     if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, AxisFrame::world});
     before_ = now_;
@@ -140,6 +140,7 @@ class Marcher {
   MovingPair& pair_;
   const MarchLimits& limits_;
   Counters& counters_;
+  SliceSearch search_;
   March out_;
   Seen now_;
   std::optional<Seen> before_;  // the slice's beginning

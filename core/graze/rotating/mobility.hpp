@@ -22,9 +22,12 @@ namespace graze::detail {
 
 struct Mobility {
   Vec3<double> w = Vec3<double>::Zero();
-  double rate = 0;            // |w|
-  double rho = 0;             // largest distance of the core's points from the axis of rotation
-  double reach = 0;           // and from the pivot
+  double rate = 0;   // |w|
+  double rho = 0;    // largest distance of the core's points from the axis of rotation
+  double reach = 0;  // and from the pivot
+  // Whatever the turn, the core is in the cylinder of radius rho about the axis of rotation, between these
+  // two heights along w from the pivot.
+  double low = 0, high = 0;
   bool revolves = false;      // a solid of revolution: the second kind of bound exists
   double tilt_rate = 0;       // |w x a|
   double own_rate = 0;        // |a.w|
@@ -150,11 +153,15 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
                                 ? Mat3<double>(Mat3<double>::Identity())
                                 : rotation_matrix(as_double(moving.body.orientation));
   const Vec3<double> axis = graze::unit(out.w);
+  out.low = kInfinity<double>;
+  out.high = -kInfinity<double>;
   for_each_outer_point(moving.body.shape, bounds, [&](const Vec3<double>& x) {
     const Vec3<double> arm = turn * (x - pivot);
     const double slack = 32 * kUnitRoundoff<double> * (x.cwiseAbs().sum() + pivot.cwiseAbs().sum());
     out.rho = std::max(out.rho, is_on_axis(moving, pivot, x) ? 0.0 : unit * (axis.cross(arm).norm() + slack));
     out.reach = std::max(out.reach, x == pivot ? 0.0 : unit * (arm.norm() + slack));
+    out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
+    out.high = std::max(out.high, unit * (axis.dot(arm) + slack));
   });
   if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
     out.revolves = true;

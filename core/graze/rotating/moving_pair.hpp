@@ -80,6 +80,7 @@ class MovingPair {
                rounded_once(d + (b.arm + -a.arm)));
     arm_a_ = rounded_once(a.arm);
     arm_b_ = rounded_once(d + b.arm);
+    pivot_b_ = rounded_once(d);
     ++poses_;
   }
 
@@ -99,6 +100,8 @@ class MovingPair {
   // From A's pivot to the centres of the sides (cso.hpp) as placed.
   [[nodiscard]] const Vec3<double>& center_a() const { return arm_a_; }
   [[nodiscard]] const Vec3<double>& center_b() const { return arm_b_; }
+  // And to B's pivot.
+  [[nodiscard]] const Vec3<double>& pivot_b_now() const { return pivot_b_; }
 
   // A bound of the rounding of the gap along any unit axis.
   [[nodiscard]] double error() const {
@@ -149,7 +152,7 @@ class MovingPair {
   Cso<double> cso_;
   TurningSide a_, b_;
   TwoDoubles3 pivots_{}, velocity_{};
-  Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero();
+  Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero(), pivot_b_ = Vec3<double>::Zero();
   double radius_ = 0, target_ = 0, t_ = 0;
   int poses_ = 0;
 };

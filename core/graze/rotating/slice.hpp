@@ -17,6 +17,7 @@
 #pragma once
 
 #include <graze/rotating/nearest.hpp>
+#include <graze/rotating/whole_turns.hpp>
 #include <optional>
 
 namespace graze::detail {
@@ -30,6 +31,7 @@ struct MarchLimits {
   double touching = -1;       // a start with no more distance is in contact; below 0: only what is proved
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain
+  WholeTurns may_sweep{true, true};  // whole_turns.hpp
 };
 
 struct Slice {
@@ -64,7 +66,8 @@ class SliceSearch {
     out.end = safe >= rest ? limits_.end : not_after(now.t, safe);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (before && towards_contact(now, *before, safe, out)) return out;
-    along_axis(now, safe, out);
+    along_axis(Along{now.t, now.near.n, now.near.gap, {}}, safe, out);
+    by_whole_turns(now, out);
     return out;
   }
 
@@ -109,17 +112,26 @@ class SliceSearch {
     return false;
   }
 
-  void along_axis(const Seen& now, double safe, Slice& out) {
-    const Vec3<double>& n = now.near.n;
-    const double gap = now.near.gap, rest = limits_.end - now.t, root = bend_root(n), left = wished(gap);
+  // What a search along one axis is about: the gap at t, and whose turns do not count.
+  struct Along {
+    double t;
+    Vec3<double> n;
+    double gap;
+    WholeTurns whole;
+  };
+
+  void along_axis(const Along& from, double safe, Slice& out) {
+    const double gap = from.gap, rest = limits_.end - from.t, left = wished(gap);
+    const double root = std::sqrt(swept_bend(pair_, from.whole, from.n) / 2 * (1 + 0x1p-40));
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
     double good = 0, good_gap = gap;  // the longest slice proved so far
     double bad = kInfinity<double>, bad_gap = 0;
     constexpr int kTries = 8;
     for (int i = 0; i < kTries && h > safe; ++i) {
-      h = h >= rest ? rest : not_after(now.t, h) - now.t;
-      pair_.place(h >= rest ? limits_.end : now.t + h);
-      const double s = pair_.gap(n, counters_);
+      h = h >= rest ? rest : not_after(from.t, h) - from.t;
+      pair_.place(h >= rest ? limits_.end : from.t + h);
+      const double s =
+          from.whole.any() ? swept_gap(pair_, from.whole, from.n, counters_) : pair_.gap(from.n, counters_);
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
@@ -139,13 +151,44 @@ class SliceSearch {
       }
     }
     if (!(good > safe)) return;
-    out.end = good >= rest ? limits_.end : now.t + good;
+    out.end = good >= rest ? limits_.end : from.t + good;
+    out.axis = from.n;
     out.expected = good_gap;
+  }
+
+  // A body with more than a turn to go, in a slice of less than a radian of it. The cylinder is seldom clear
+  // where it was not a moment ago: after a failure the next tries wait for as many slices as there were
+  // failures.
+  void by_whole_turns(const Seen& now, Slice& out) {
+    constexpr double kTurn = 6.3, kLittle = 1;
+    const double rest = limits_.end - now.t, h = out.end - now.t;
+    const auto fast = [&](const Mobility& m) { return m.rate * rest > kTurn && m.rate * h < kLittle * 2; };
+    const WholeTurns whole{limits_.may_sweep.a && fast(pair_.mobility_a()),
+                           limits_.may_sweep.b && fast(pair_.mobility_b())};
+    if (!whole.any() || --wait_ > 0) return;
+    pair_.place(now.t);
+    Simplex<double> simplex;
+    const auto support = [&](const Vec3<double>& n) { return swept_support(pair_, whole, n); };
+    const Distance<double> d = gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), now.near.n, simplex,
+                                            now.near.gap / 16, pair_.radius(), limits_.budget, counters_);
+    const double gap = d.n == Vec3<double>::Zero() ? 0.0 : swept_gap(pair_, whole, d.n, counters_);
+    Slice swept;
+    swept.end = now.t;
+    if (gap > 0) along_axis(Along{now.t, d.n, gap, whole}, h, swept);
+    if (swept.end > out.end) {
+      swept.expected = 0;  // of the cylinder, not of the body in it
+      out = swept;
+      failures_ = 0;
+      return;
+    }
+    failures_ = std::min(2 * failures_ + 1, 64);
+    wait_ = failures_;
   }
 
   MovingPair& pair_;
   const MarchLimits& limits_;
   Counters& counters_;
+  int wait_ = 0, failures_ = 0;  // of whole turns
 };
 
 }  // namespace graze::detail
