@@ -44,7 +44,6 @@ CastOptions<S> linear_options(const RotatingOptions<S>& options) {
   }
   out.t_max = options.t_max;
   out.target_distance = options.target_distance;
-  out.tolerance = options.tier == Tier::standard ? options.tolerance : S(0);
   out.start_policy = options.start_policy;
   return out;
 }
@@ -170,7 +169,7 @@ class RotatingCast {
     out_.invalid = linear.invalid;
     out_.toi_lower = linear.toi_lower;
     out_.toi_upper = linear.toi_upper;
-    out_.distance = linear.distance;
+    out_.distance = std::max(linear.distance, S(0));
     out_.passed_over = linear.passed_over;
     out_.normal = linear.normal;
     out_.point_a = linear.point_a;
@@ -252,7 +251,7 @@ class RotatingCast {
     limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
-    if (limits.record) limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
+    limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
     March found = march(*pair_, limits, out_.counters);
     if (limits.record) out_.proof = proof_of(found);
     fill(found);

@@ -119,6 +119,12 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
   return false;
 }
 
+// A direction out of C, where the origin is near its surface and nothing better is known.
+inline Vec3<double> away_from_middle(const MovingPair& pair) {
+  const Vec3<double> middle = pair.cso().middle();
+  return middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : Vec3<double>(-unit(middle));
+}
+
 // n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about.
 inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth, int budget,
                               Counters& counters) {
@@ -137,8 +143,6 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
     const auto& p = simplex.point;
     out.proved = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w}) > e;
   }
-  // The origin is outside the cores' C.
-  if (!out.proved && simplex.size < 4 && d.upper > e) return out;
   if (!out.proved) {
     const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
     out.proved = hold_by_portals(cso, n, depth, e, budget, out, counters);

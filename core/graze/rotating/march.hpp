@@ -108,10 +108,10 @@ class Marcher {
   Vec3<double> entry_normal() {
     if (out_.contact.n != Vec3<double>::Zero()) return out_.contact.n;
     const Cso<double>& cso = pair_.cso();
-    if (cso.middle() == Vec3<double>::Zero()) return Vec3<double>::UnitZ();
+    if (cso.middle() == Vec3<double>::Zero()) return away_from_middle(pair_);
     const PortalSearch<double> in = enter_line(cso, Frame<double>(cso.middle()), kInfinity<double>,
                                                limits_.stop, limits_.budget, counters_);
-    return in.facing != Vec3<double>::Zero() ? in.facing : Vec3<double>(-unit(cso.middle()));
+    return in.facing != Vec3<double>::Zero() ? in.facing : away_from_middle(pair_);
   }
 
   // Apart again, and contact was not seen: C is thin.

@@ -61,6 +61,8 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
   out.outcome = Outcome::hit;
   if (t == limits.begin) {  // the spheres' first contact is the bodies'
     out.lower = t;
+    out.closest = closest;
+    out.n = axis != Vec3<double>::Zero() ? axis : away_from_middle(pair);
     return out;
   }
   // Until the bodies are apart by no more than the noise, or no double is between.
