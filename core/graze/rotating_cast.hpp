@@ -98,15 +98,11 @@ class RotatingCast {
   [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
   // Internal length: what the tier's answer may leave open at either end.
   [[nodiscard]] double stop() const {
-    const double rounding = kRotatingStop * pair_->error() + 8 * scale_roundoff() * scale();
+    const double rounding = kRotatingStop * pair_->error();
     double width = static_cast<double>(options_.tolerance);
     if (options_.tier == Tier::certified)
       width = width > 0 ? std::min(width, kCertifiedWidth) : kCertifiedWidth;
     return std::max(rounding, kWidthPart * width * scale());
-  }
-  // Of the answer's scalar, where it is coarser than what the search computes in.
-  [[nodiscard]] double scale_roundoff() const {
-    return sizeof(S) < sizeof(double) && options_.tier == Tier::standard ? double(kUnitRoundoff<S>) : 0.0;
   }
   [[nodiscard]] double noise() const {
     return options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) * scale() : 0.0;
@@ -270,9 +266,13 @@ class RotatingCast {
     }
     out_.toi_lower = rounded_down<S>(found.lower);
     out_.toi_upper = found.upper < kInfinity<double> ? rounded_up<S>(found.upper) : kInfinity<S>;
-    // Contact is at upper: what is left of the way bounds the distance as well.
-    const double way = pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50);
-    out_.distance = rounded_up<S>(pair_->cso().to_length(std::min(found.apart, way)));
+    double apart = found.apart;
+    if (found.upper < kInfinity<double> && found.upper > found.lower) {
+      // Contact is at upper: what is left of the way bounds the distance as well.
+      apart = std::min(apart, pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50));
+    }
+    apart += pair_->top_speed() * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
+    out_.distance = rounded_up<S>(pair_->cso().to_length(apart));
     if (found.outcome != Outcome::hit) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
@@ -280,7 +280,8 @@ class RotatingCast {
 
   // The closest points at toi_lower, each on its own body.
   void set_witnesses(const March& found) {
-    pair_->place(found.lower);
+    const double t = static_cast<double>(out_.toi_lower);
+    pair_->place(t);
     const Cso<double>& cso = pair_->cso();
     Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(found.closest.size); ++i) {
@@ -298,7 +299,7 @@ class RotatingCast {
     for (int i = 0; i < 3; ++i) {
       const TwoDoubles origin =
           (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
-          two_product(double(a_.body.displacement[i]), found.lower);
+          two_product(double(a_.body.displacement[i]), t);
       const auto world = [&](double rel) {
         const TwoDoubles sum = origin + TwoDoubles{cso.to_length(rel), 0};
         return static_cast<S>(sum.hi + sum.lo);

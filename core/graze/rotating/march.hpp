@@ -75,7 +75,7 @@ class Marcher {
   bool slice_on() {
     Slice slice = search_(now_, before_);
     if (!(slice.end > now_.t)) return false;
-    if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, AxisFrame::world});
+    if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, slice.frame});
     before_ = now_;
     if (slice.there) {
       see(slice.end, *slice.there);

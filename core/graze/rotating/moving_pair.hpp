@@ -11,6 +11,7 @@
 #include <graze/cso.hpp>
 #include <graze/result.hpp>
 #include <graze/rotating/mobility.hpp>
+#include <graze/rotating/rotating_proof.hpp>
 #include <graze/rotating/turn.hpp>
 
 namespace graze::detail {
@@ -78,6 +79,8 @@ class MovingPair {
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
     cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
                rounded_once(d + (b.arm + -a.arm)));
+    rotation_a_ = a.rotation;
+    rotation_b_ = b.rotation;
     arm_a_ = rounded_once(a.arm);
     arm_b_ = rounded_once(d + b.arm);
     pivot_b_ = rounded_once(d);
@@ -118,6 +121,42 @@ class MovingPair {
     return a_.mobility.speed(n) + b_.mobility.speed(n) - n.dot(v) +
            8 * kUnitRoundoff<double> * v.cwiseAbs().sum();
   }
+  // An axis that turns with a body (frame a or b), from the body's own axes to the world as placed, and back;
+  // each within 24 u.
+  [[nodiscard]] Vec3<double> to_world(AxisFrame frame, const Vec3<double>& n) const {
+    return frame == AxisFrame::world ? n
+                                     : Vec3<double>((frame == AxisFrame::a ? rotation_a_ : rotation_b_) * n);
+  }
+  [[nodiscard]] Vec3<double> to_own(AxisFrame frame, const Vec3<double>& n) const {
+    return frame == AxisFrame::world
+               ? n
+               : Vec3<double>((frame == AxisFrame::a ? rotation_a_ : rotation_b_).transpose() * n);
+  }
+  // In world axes at t = 0.
+  [[nodiscard]] Vec3<double> to_start(AxisFrame frame, const Vec3<double>& own) const {
+    return frame == AxisFrame::world
+               ? own
+               : Vec3<double>(rotation_matrix(frame == AxisFrame::a ? a_.start : b_.start) * own);
+  }
+  // What that rounding does to the gap along a turned axis.
+  [[nodiscard]] double frame_error(AxisFrame frame) const {
+    return frame == AxisFrame::world ? 0.0 : 64 * kUnitRoundoff<double> * (cso_.extent() + radius_);
+  }
+  // As bend(), for an axis that turns with a body, n as it stands now, for times up to t_end. With A,
+  // positions are taken from the path of its pivot, in its axes: x = R_A^T (R_B p + c + v t). A's points
+  // stand still, and
+  //   |n.x''| <= |w_B - w_A| (|w_A| + |w_B|) |p| + |w_A x n| (2 |v| + |w_A| |c + v t|),
+  // since (R_A^T R_B)'' = R_A^T ([d][w_B] - [w_A][d]) R_B, d = w_B - w_A, and (R_A^T y)'' = R_A^T (y'' - 2
+  // w_A x y' + w_A x (w_A x y)).
+  [[nodiscard]] double bend(AxisFrame frame, const Vec3<double>& n, double t_end) const {
+    if (frame == AxisFrame::world) return bend(n);
+    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
+                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
+    const double speed = velocity().norm(), apart = pivots().norm() + speed * t_end;
+    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
+            with.w.cross(n).norm() * (2 * speed + with.rate * apart)) *
+           (1 + 64 * kUnitRoundoff<double>);
+  }
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
     return a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
@@ -151,6 +190,7 @@ class MovingPair {
 
   Cso<double> cso_;
   TurningSide a_, b_;
+  Mat3<double> rotation_a_ = Mat3<double>::Identity(), rotation_b_ = Mat3<double>::Identity();
   TwoDoubles3 pivots_{}, velocity_{};
   Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero(), pivot_b_ = Vec3<double>::Zero();
   double radius_ = 0, target_ = 0, t_ = 0;

@@ -36,7 +36,8 @@ struct MarchLimits {
 
 struct Slice {
   double end = 0;
-  Vec3<double> axis = Vec3<double>::Zero();
+  Vec3<double> axis = Vec3<double>::Zero();  // as a proof names it: at t = 0, where it turns
+  AxisFrame frame = AxisFrame::world;
   double expected = 0;           // the gap at the end is no less
   std::optional<Nearest> there;  // at the end, where it is known
 };
@@ -66,7 +67,12 @@ class SliceSearch {
     out.end = safe >= rest ? limits_.end : not_after(now.t, safe);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (before && towards_contact(now, *before, safe, out)) return out;
-    along_axis(Along{now.t, now.near.n, now.near.gap, {}}, safe, out);
+    place(now.t);
+    const Frame frame = steadiest(now.near.n);
+    along_axis(
+        Along{
+            now.t, pair_.to_own(frame.of, now.near.n), now.near.gap - pair_.frame_error(frame.of), frame, {}},
+        safe, out);
     by_whole_turns(now, out);
     return out;
   }
@@ -75,12 +81,26 @@ class SliceSearch {
   // Leaves the slice's end apart by as much as a proof may round.
   static constexpr double kShort = 1 - 0x1p-10;
 
+  void place(double t) {
+    if (pair_.time() != t) pair_.place(t);
+  }
   [[nodiscard]] double conservative(const Seen& now) const {
     const double closing = pair_.closing(now.near.n);
     return closing > 0 ? kShort * now.near.gap / closing : kInfinity<double>;
   }
-  [[nodiscard]] double bend_root(const Vec3<double>& n) const {
-    return std::sqrt(pair_.bend(n) / 2 * (1 + 0x1p-40));
+  // The frame in which an axis n, as it stands now, lets points bend least, and sqrt(M/2).
+  struct Frame {
+    AxisFrame of = AxisFrame::world;
+    double bend_root = 0;
+  };
+  [[nodiscard]] Frame steadiest(const Vec3<double>& n) const {
+    Frame best{AxisFrame::world, pair_.bend(n)};
+    for (const AxisFrame frame : {AxisFrame::a, AxisFrame::b}) {
+      const double bend = pair_.bend(frame, n, limits_.end);
+      if (bend < best.bend_root / 2) best = {frame, bend};
+    }
+    best.bend_root = std::sqrt(best.bend_root / 2 * (1 + 0x1p-40));
+    return best;
   }
   static bool proves(double h, double s_0, double s_1, double bend_root) {
     return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
@@ -93,8 +113,9 @@ class SliceSearch {
   bool towards_contact(const Seen& now, const Seen& before, double safe, Slice& out) {
     const double gap = now.near.gap, fallen = before.near.gap - gap;
     if (!(fallen > 0)) return false;
-    const double to_root = (now.t - before.t) / fallen;              // time per length
-    const double most = 2 * std::sqrt(gap) / bend_root(now.near.n);  // what any axis alike could prove
+    const double to_root = (now.t - before.t) / fallen;  // time per length
+    const double most =
+        2 * std::sqrt(gap) / steadiest(now.near.n).bend_root;  // what any axis alike could prove
     for (const double left : {wished(gap), gap / 8}) {
       const double h = (gap - left) * to_root;
       if (!(h > safe && h < most && h < limits_.end - now.t)) return false;
@@ -102,27 +123,35 @@ class SliceSearch {
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
+      const Frame frame = steadiest(there.n);
+      const double error = pair_.frame_error(frame.of);
+      const Vec3<double> own = pair_.to_own(frame.of, there.n);
       pair_.place(now.t);
-      if (!proves(end - now.t, pair_.gap(there.n, counters_), there.gap, bend_root(there.n))) continue;
+      const double gap_now =
+          pair_.gap(pair_.to_world(frame.of, own), counters_) - pair_.frame_error(frame.of);
+      if (!proves(end - now.t, gap_now, there.gap - error, frame.bend_root)) continue;
       out.end = end;
-      out.axis = there.n;
+      out.axis = pair_.to_start(frame.of, own);
+      out.frame = frame.of;
       out.there = there;
       return true;
     }
     return false;
   }
 
-  // What a search along one axis is about: the gap at t, and whose turns do not count.
+  // What a search along one axis is about: the gap at t, the frame in which the axis stands still, and whose
+  // turns do not count.
   struct Along {
     double t;
-    Vec3<double> n;
+    Vec3<double> own;
     double gap;
+    Frame frame;
     WholeTurns whole;
   };
 
   void along_axis(const Along& from, double safe, Slice& out) {
-    const double gap = from.gap, rest = limits_.end - from.t, left = wished(gap);
-    const double root = std::sqrt(swept_bend(pair_, from.whole, from.n) / 2 * (1 + 0x1p-40));
+    const double gap = from.gap, rest = limits_.end - from.t, left = wished(gap), root = from.frame.bend_root;
+    if (!(gap > 0)) return;
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
     double good = 0, good_gap = gap;  // the longest slice proved so far
     double bad = kInfinity<double>, bad_gap = 0;
@@ -130,8 +159,9 @@ class SliceSearch {
     for (int i = 0; i < kTries && h > safe; ++i) {
       h = h >= rest ? rest : not_after(from.t, h) - from.t;
       pair_.place(h >= rest ? limits_.end : from.t + h);
-      const double s =
-          from.whole.any() ? swept_gap(pair_, from.whole, from.n, counters_) : pair_.gap(from.n, counters_);
+      const Vec3<double> n = pair_.to_world(from.frame.of, from.own);
+      const double s = from.whole.any() ? swept_gap(pair_, from.whole, n, counters_)
+                                        : pair_.gap(n, counters_) - pair_.frame_error(from.frame.of);
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
@@ -152,7 +182,8 @@ class SliceSearch {
     }
     if (!(good > safe)) return;
     out.end = good >= rest ? limits_.end : from.t + good;
-    out.axis = from.n;
+    out.axis = pair_.to_start(from.frame.of, from.own);
+    out.frame = from.frame.of;
     out.expected = good_gap;
   }
 
@@ -174,7 +205,8 @@ class SliceSearch {
     const double gap = d.n == Vec3<double>::Zero() ? 0.0 : swept_gap(pair_, whole, d.n, counters_);
     Slice swept;
     swept.end = now.t;
-    if (gap > 0) along_axis(Along{now.t, d.n, gap, whole}, h, swept);
+    const Frame still{AxisFrame::world, std::sqrt(swept_bend(pair_, whole, d.n) / 2 * (1 + 0x1p-40))};
+    if (gap > 0) along_axis(Along{now.t, d.n, gap, still, whole}, h, swept);
     if (swept.end > out.end) {
       swept.expected = 0;  // of the cylinder, not of the body in it
       out = swept;
