@@ -14,7 +14,7 @@ enum class Query { cast, line, overlap, distance, penetration, penetration_along
 
 // The rotating part of a body's motion; zero for every linear case.
 struct Spin {
-  Vec3<double> rotation = Vec3<double>::Zero();  // rotation vector over the step, radians, world axes
+  Vec3<double> rotation = Vec3<double>::Zero();  // rotation vector per unit of t, radians, world axes
   Vec3<double> pivot = Vec3<double>::Zero();     // centre of the rotation, body's own frame
 };
 

@@ -23,6 +23,7 @@ constexpr std::string_view kChainForm =
     "a chain is an array of slices {\"end\", \"axis\", \"frame\"}, the first from t = 0 on";
 constexpr std::string_view kContactForm =
     "contact is an array of at most four weighted pairs {\"a\", \"b\", \"weight\"}";
+constexpr std::string_view kContactFrom = "contact_from";
 // Indexed by AxisFrame.
 constexpr std::array<std::string_view, 3> kFrameNames = {"world", "a", "b"};
 
@@ -129,7 +130,7 @@ TimeSlice read_slice(const JsonValue& value, const std::string& path) {
 }
 
 RotatingProof read_rotating_proof(const JsonValue& value, const std::string& path) {
-  const Fields fields(value, path, {"toi_lower", kChain, "toi_upper", "contact"});
+  const Fields fields(value, path, {"toi_lower", kChain, "toi_upper", "contact", kContactFrom});
   RotatingProof proof;
   proof.toi_lower =
       read_extended(fields.required("toi_lower", "a time, or \"inf\" for a miss"), fields.path("toi_lower"));
@@ -141,6 +142,10 @@ RotatingProof read_rotating_proof(const JsonValue& value, const std::string& pat
   }
   proof.toi_upper = read_extended(fields.required("toi_upper", "a time, or \"inf\" for no claim"),
                                   fields.path("toi_upper"));
+  if (const JsonValue* from = fields.optional(kContactFrom)) {
+    proof.crossing = true;
+    proof.contact_from = read_number(*from, fields.path(kContactFrom));
+  }
   const JsonValue* contact = fields.optional("contact");
   if (contact == nullptr) return proof;
   const std::string where = fields.path("contact");
@@ -153,8 +158,9 @@ RotatingProof read_rotating_proof(const JsonValue& value, const std::string& pat
     const Fields pair(pairs[i], item, {"a", "b", "weight"});
     proof.contact[i] = {read_feature(pair.required("a", "a point of body a"), pair.path("a")),
                         read_feature(pair.required("b", "a point of body b"), pair.path("b"))};
-    proof.weight[i] =
-        read_number(pair.required("weight", "the weight of the pair, 0 or more"), pair.path("weight"));
+    const JsonValue* weight = proof.crossing ? pair.optional("weight")
+                                             : &pair.required("weight", "the weight of the pair, 0 or more");
+    if (weight != nullptr) proof.weight[i] = read_number(*weight, pair.path("weight"));
     ++proof.contact_size;
   }
   return proof;
@@ -232,11 +238,14 @@ std::string write_rotating(const RotatingProof& proof) {
     }
     text += "}";
   }
-  text += "], \"toi_upper\": " + json_number(proof.toi_upper) + ", \"contact\": [";
+  text += "], \"toi_upper\": " + json_number(proof.toi_upper);
+  if (proof.crossing) text += ", \"contact_from\": " + json_number(proof.contact_from);
+  text += ", \"contact\": [";
   for (std::size_t i = 0; i < static_cast<std::size_t>(proof.contact_size); ++i) {
     text += (i > 0 ? ", " : "") + ("{\"a\": " + write_feature(proof.contact[i].a)) +
-            ", \"b\": " + write_feature(proof.contact[i].b) +
-            ", \"weight\": " + json_number(proof.weight[i]) + "}";
+            ", \"b\": " + write_feature(proof.contact[i].b);
+    if (!proof.crossing || proof.weight[i] != 0) text += ", \"weight\": " + json_number(proof.weight[i]);
+    text += "}";
   }
   return text + "]}";
 }

@@ -21,7 +21,12 @@
 //                                          {"end": 0.25, "axis": [0, 1, 0], "frame": "a"}],
 //             "toi_upper": 0.375, "contact": [{"a": {"vertex": 3}, "b": {"vertex": 0}, "weight": 1}]}
 //
-// It is known by its field "chain", which may be empty. The points of its pairs have no offset.
+// It is known by its field "chain", which may be empty. The points of its pairs have no offset. Contact by
+// crossing has a "contact_from", and may do without weights, which are 0 then:
+//
+//             "toi_upper": 0.375, "contact_from": 0.3125,
+//             "contact": [{"a": {"vertex": 0}, "b": {"vertex": 0}}, {"a": {"vertex": 1}, "b": {"vertex": 0}},
+//                         {"a": {"vertex": 2}, "b": {"vertex": 0}}]}
 #pragma once
 
 #include <graze/rotating/rotating_proof.hpp>

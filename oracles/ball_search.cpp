@@ -216,7 +216,8 @@ Nearest3 nearest(const ConvexSet& set, const BallVec& shift, const NearestGoal& 
   while (result.supports < goal.max_supports) {
     x = corral.nearest();
     const Ball x_sq = dot(x, x);
-    if (x_sq.mid_sign() == 0 || mid_less(x_sq, power_of_two(-40) * shift_sq)) {
+    // A corral of four spans all of space: it holds the shift, and x is rounding.
+    if (corral.y.size() == 4 || x_sq.mid_sign() == 0 || mid_less(x_sq, power_of_two(-40) * shift_sq)) {
       result.around = complete(set, shift, corral, result.supports);
       break;
     }

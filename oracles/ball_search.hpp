@@ -46,7 +46,7 @@ struct NearestGoal {
   int max_supports = 600;
 };
 
-// `shift`: a tiny vector; the search runs about it instead of the origin, so that ties do not arise.
+// `shift`: a tiny vector, or zero; the search runs about it instead of the origin, so that ties do not arise.
 [[nodiscard]] Nearest3 nearest(const ConvexSet& set, const BallVec& shift, const NearestGoal& goal);
 
 // The depth of the origin in K, the distance from the complement of K: lower <= depth <= upper, exact balls;

@@ -14,6 +14,7 @@
 
 #include "oracles/filters_hold.hpp"
 #include "oracles/slice_filter.hpp"
+#include "oracles/whole_turns.hpp"
 
 namespace graze::oracle {
 namespace {
@@ -48,6 +49,15 @@ constexpr std::array<long, 3> kBits = {128, 256, 512};
     begin = slice.end;
   }
   if (proof.contact_size < 0 || proof.contact_size > 4) return malformed("a contact_size outside 0..4");
+  if (proof.crossing) {
+    if (proof.contact_size != 3)
+      return malformed("a crossing of " + std::to_string(proof.contact_size) +
+                       " pairs, where three are needed");
+    if (!(proof.contact_from >= 0)) return malformed("contact_from is NaN or below zero");
+    if (!(proof.contact_from < proof.toi_upper))
+      return malformed("a crossing from " + text(proof.contact_from) + ", not before toi_upper, " +
+                       text(proof.toi_upper));
+  }
   for (int i = 0; i < proof.contact_size; ++i) {
     const SupportPair& pair = proof.contact[static_cast<std::size_t>(i)];
     for (const Feature* f : {&pair.a, &pair.b}) {
@@ -132,11 +142,14 @@ struct Trees {
 
 struct Motion {
   BallMotion a, b;
+  std::optional<SweptBody> swept_a, swept_b;
   Ball target_distance;
 
   explicit Motion(const corpus::Case& problem)
       : a(problem.a, problem.spin_a, problem.a.position),
         b(problem.b, problem.spin_b, problem.a.position),
+        swept_a(SweptBody::of(problem.a.shape, a)),
+        swept_b(SweptBody::of(problem.b.shape, b)),
         target_distance(problem.target_distance) {}
 };
 
@@ -171,6 +184,7 @@ class Slice {
     const Ball first = excess(begin), last = excess(end);
     if (!first.is_positive()) return not_positive(begin.t, first);
     if (!last.is_positive()) return not_positive(end.t, last);
+    if (!holds(begin.t, end.t, first, last) && holds_by_whole_turns(begin, end)) return {};
     struct Piece {
       double begin, end;
       Ball first, last;
@@ -218,6 +232,25 @@ class Slice {
     return chord_stays_positive(first, last, bound_, Ball(end) - Ball(begin));
   }
 
+  // With one body, or both, at all angles at once; the other one's turn alone bends the separation.
+  [[nodiscard]] bool holds_by_whole_turns(const Instant& begin, const Instant& end) const {
+    if (frame_ != AxisFrame::world) return false;
+    for (const auto& [a, b] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+      if ((a && !motion_.swept_a) || (b && !motion_.swept_b)) continue;
+      const auto excess_at = [&](const Instant& now) {
+        const Ball of_a = a ? motion_.swept_a->reach(motion_.a, n_, now.t) : now.a.support(n_).reach;
+        const Ball of_b = b ? motion_.swept_b->reach(motion_.b, -n_, now.t) : now.b.support(-n_).reach;
+        return -(of_a + of_b) - margin_;
+      };
+      const Ball bound = (a ? Ball(0) : motion_.a.second_bound(n_)) + (b ? Ball(0) : motion_.b.second_bound(n_));
+      const Ball first = excess_at(begin), last = excess_at(end);
+      if (first.is_positive() && last.is_positive() &&
+          chord_stays_positive(first, last, bound, Ball(end.t) - Ball(begin.t)))
+        return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] static SliceAnswer not_positive(double t, const Ball& excess) {
     const bool no = certainly_at_most(excess, Ball(0));
     return {no ? SliceFinding::is_false : SliceFinding::open, t, excess.mid_double()};
@@ -242,12 +275,15 @@ class Slice {
   return most > 0;
 }
 
-enum class ContactFinding { holds, unnamed, point_outside, apart, open };
+// The last three of crossings alone.
+enum class ContactFinding { holds, unnamed, point_outside, apart, open, beside, one_side, too_many_pieces };
 
 struct ContactAnswer {
   ContactFinding finding = ContactFinding::holds;
   int pair = 0;                    // unnamed, point_outside
   double distance = 0, reach = 0;  // apart, open: about |sum l_i c_i| and sum l_i (r_i + m), sum l_i = 1
+  double at = 0;                   // beside, too_many_pieces, about
+  double first = 0, last = 0;      // one_side: about the height at contact_from and at toi_upper
 };
 
 [[nodiscard]] Sign sign_of(const Ball& x) {
@@ -273,24 +309,43 @@ struct ContactAnswer {
   return answer;
 }
 
+// The points that the pairs name; finding: holds, unnamed, point_outside, or open where a point of a curved
+// part is too near its boundary.
+struct NamedPairs {
+  std::array<NamedPoint, 4> a, b;
+  ContactAnswer answer;
+
+  NamedPairs(const Motion& motion, const RotatingProof& proof) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(proof.contact_size); ++i) {
+      a[i] = motion.a.named(proof.contact[i].a);
+      b[i] = motion.b.named(proof.contact[i].b);
+      for (const NamedPoint* point : {&a[i], &b[i]}) {
+        const bool unnamed = point->curved_parts > kCurvedParts;
+        if (unnamed || point->inside == Answer::no) {
+          answer.finding = unnamed ? ContactFinding::unnamed : ContactFinding::point_outside;
+          answer.pair = static_cast<int>(i);
+          return;
+        }
+        if (point->inside == Answer::unknown) answer.finding = ContactFinding::open;
+      }
+    }
+  }
+  [[nodiscard]] bool refused() const {
+    return answer.finding == ContactFinding::unnamed || answer.finding == ContactFinding::point_outside;
+  }
+};
+
 [[nodiscard]] ContactAnswer prove_contact(const Motion& motion, const RotatingProof& proof) {
+  const NamedPairs pairs(motion, proof);
+  if (pairs.refused()) return pairs.answer;
   const Instant end(motion, proof.toi_upper);
   const auto size = static_cast<std::size_t>(proof.contact_size);
   std::array<BallVec, 4> c;
   std::array<Ball, 4> reach;
-  ContactAnswer answer;
-  bool all_inside = true;
+  ContactAnswer answer = pairs.answer;
   for (std::size_t i = 0; i < size; ++i) {
-    const NamedPoint a = motion.a.named(proof.contact[i].a), b = motion.b.named(proof.contact[i].b);
-    for (const NamedPoint* point : {&a, &b}) {
-      if (point->curved_parts > kCurvedParts)
-        return {.finding = ContactFinding::unnamed, .pair = static_cast<int>(i)};
-      if (point->inside == Answer::no)
-        return {.finding = ContactFinding::point_outside, .pair = static_cast<int>(i)};
-      all_inside &= point->inside == Answer::yes;
-    }
-    c[i] = end.a.place(a) - end.b.place(b);
-    reach[i] = a.radius + b.radius + motion.target_distance;
+    c[i] = end.a.place(pairs.a[i]) - end.b.place(pairs.b[i]);
+    reach[i] = pairs.a[i].radius + pairs.b[i].radius + motion.target_distance;
   }
 
   const bool weighted = weights_hold(proof);
@@ -312,12 +367,122 @@ struct ContactAnswer {
     answer.reach = (room / whole).mid_double();
   }
   if (found != Answer::yes && size == 4) found = either(found, holds_origin(c));
-  if (found == Answer::yes && !all_inside) found = Answer::unknown;
+  if (found == Answer::yes && answer.finding == ContactFinding::open) found = Answer::unknown;
   answer.finding = found == Answer::yes  ? ContactFinding::holds
                    : found == Answer::no ? ContactFinding::apart
                                          : ContactFinding::open;
   return answer;
 }
+
+// Contact by crossing. Let c_i(t) = a_i - b_i, n a vector, W_k = n.(c_i x c_j) for (i, j, k) cyclic, and
+// d = det(c_0, c_1, c_2). Then
+//   W_0 c_0 + W_1 c_1 + W_2 c_2 = d n:
+// where d != 0 the W_k / d are the coordinates of n in the c_k, by Cramer's rule; both sides are polynomials.
+// So while the three W_k are of one sign, with W their sum, the line {s n} meets the triangle of the c_k, a
+// part of C, at (d / W) n. d / W is continuous in t, since the c_k are; if d is above 0 at one end of the
+// time and below at the other, or 0 at either, then it is 0 at some time between, and the origin is in C.
+// Radii and a target distance only make C larger. Nothing is asked of n but that it is one vector all the
+// time.
+//
+// The checker takes for n the normal of the triangle in the middle of the time, rounded, and shows the signs
+// of the W_k with balls for t that cover the whole of it.
+class Crossing {
+ public:
+  Crossing(const Motion& motion, const RotatingProof& proof)
+      : motion_(motion),
+        pairs_(motion, proof),
+        apart_(motion.a.pivot() - motion.b.pivot()),
+        velocity_(motion.a.velocity() - motion.b.velocity()),
+        from_(proof.contact_from),
+        to_(proof.toi_upper) {}
+
+  [[nodiscard]] ContactAnswer prove() const {
+    if (pairs_.refused()) return pairs_.answer;
+    const Triangle3 middle = triangle(middle_of(from_, to_));
+    const BallVec normal = cross(middle[1] - middle[0], middle[2] - middle[0]);
+    if (normal.is_zero())
+      return {.finding = ContactFinding::beside, .at = middle_of(from_, to_).mid_double()};
+    const Ball length = norm(normal);
+    if (!length.is_positive()) return {.finding = ContactFinding::open};
+    const BallVec n((Ball(1) / length * normal).mid_double());
+
+    const Sign side = sign_of(height_part(n, middle, 0));
+    if (side == Sign::unknown) return {.finding = ContactFinding::open};
+    ContactAnswer answer = pierced(side == Sign::negative ? -n : n);
+    if (answer.finding == ContactFinding::holds) answer = changes_side(n);
+    if (answer.finding == ContactFinding::holds) answer.finding = pairs_.answer.finding;
+    return answer;
+  }
+
+ private:
+  using Triangle3 = std::array<BallVec, 3>;
+
+  // Where the pairs hold at the times in a ball. The bodies' common motion is taken out before t enters.
+  [[nodiscard]] Triangle3 triangle(const Ball& t) const {
+    const BallMotion::Pose a = motion_.a.at(t), b = motion_.b.at(t);
+    const BallVec between = apart_ + t * velocity_;
+    Triangle3 c;
+    for (std::size_t i = 0; i < 3; ++i)
+      c[i] = a.turn(pairs_.a[i].from_pivot) - b.turn(pairs_.b[i].from_pivot) + between;
+    return c;
+  }
+  [[nodiscard]] static Ball middle_of(const Ball& begin, const Ball& end) {
+    return (Ball(0.5) * (begin + end)).mid();
+  }
+  // W_k
+  [[nodiscard]] static Ball height_part(const BallVec& n, const Triangle3& c, std::size_t k) {
+    return dot(n, cross(c[(k + 1) % 3], c[(k + 2) % 3]));
+  }
+  // Are the three W_k above 0?
+  [[nodiscard]] static Answer holds_line(const BallVec& n, const Triangle3& c) {
+    Answer answer = Answer::yes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Ball w = height_part(n, c, k);
+      answer = both(answer, w.is_positive()                 ? Answer::yes
+                            : certainly_at_most(w, Ball(0)) ? Answer::no
+                                                            : Answer::unknown);
+    }
+    return answer;
+  }
+
+  // At every time?
+  [[nodiscard]] ContactAnswer pierced(const BallVec& n) const {
+    std::vector<std::array<Ball, 2>> open;
+    open.push_back({from_, to_});
+    for (int pieces = 1; !open.empty();) {
+      const auto [begin, end] = std::move(open.back());
+      open.pop_back();
+      const Ball middle = middle_of(begin, end);
+      const Answer now = holds_line(n, triangle(middle));
+      if (now == Answer::no) return {.finding = ContactFinding::beside, .at = middle.mid_double()};
+      if (now == Answer::unknown) return {.finding = ContactFinding::open};
+      if (holds_line(n, triangle(hull_of(begin, end))) == Answer::yes) continue;
+      if (++pieces > kMostPieces)
+        return {.finding = ContactFinding::too_many_pieces, .at = middle.mid_double()};
+      open.push_back({middle, end});
+      open.push_back({begin, middle});
+    }
+    return {};
+  }
+
+  [[nodiscard]] ContactAnswer changes_side(const BallVec& n) const {
+    const Triangle3 begin = triangle(from_), end = triangle(to_);
+    const Ball first = dot(begin[0], cross(begin[1], begin[2])), last = dot(end[0], cross(end[1], end[2]));
+    const Sign before = sign_of(first), after = sign_of(last);
+    if (before == Sign::zero || after == Sign::zero) return {};
+    if (before == Sign::unknown || after == Sign::unknown) return {.finding = ContactFinding::open};
+    if (before != after) return {};
+    const auto height = [&](const Triangle3& c, const Ball& det) {
+      return (det / (height_part(n, c, 0) + height_part(n, c, 1) + height_part(n, c, 2))).mid_double();
+    };
+    return {.finding = ContactFinding::one_side, .first = height(begin, first), .last = height(end, last)};
+  }
+
+  const Motion& motion_;
+  NamedPairs pairs_;
+  BallVec apart_, velocity_;  // of A's pivot from B's
+  Ball from_, to_;
+};
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
@@ -367,14 +532,15 @@ class Claims {
     if (proof_.toi_upper > problem_.t_max)
       return {RotatingRefusal::upper_beyond_end,
               "toi_upper " + text(proof_.toi_upper) + " exceeds t_max, " + text(problem_.t_max)};
-    if (proof_.contact_size < 4 && !weights_hold(proof_))
+    if (!proof_.crossing && proof_.contact_size < 4 && !weights_hold(proof_))
       return {RotatingRefusal::weights_missing,
               "fewer than four pairs need finite weights of at least 0, one of them above it"};
     ContactAnswer answer{ContactFinding::open};
     for (std::size_t k = 0; k < kBits.size() && answer.finding == ContactFinding::open; ++k) {
       const WorkingPrecision working(kBits[k]);
       if (k == 1) ++cost_.raised;
-      answer = prove_contact(at_precision(k), proof_);
+      const Motion& motion = at_precision(k);
+      answer = proof_.crossing ? Crossing(motion, proof_).prove() : prove_contact(motion, proof_);
     }
     return refuse(answer);
   }
@@ -415,9 +581,22 @@ class Claims {
   [[nodiscard]] RotatingVerdict refuse(const ContactAnswer& answer) const {
     const std::string values = "at toi_upper " + text(proof_.toi_upper) + " the weighted points are about " +
                                text(answer.distance) + " apart, with a reach of about " + text(answer.reach);
+    const std::string seen =
+        "the crossing from " + text(proof_.contact_from) + " to " + text(proof_.toi_upper) + ": ";
+    const std::string line = "at t = " + text(answer.at) + " the line through the origin along its normal ";
     switch (answer.finding) {
       case ContactFinding::holds:
         return {};
+      case ContactFinding::beside:
+        return {RotatingRefusal::crossing_not_proved, seen + line + "does not pass inside the triangle"};
+      case ContactFinding::one_side:
+        return {RotatingRefusal::crossing_not_proved,
+                seen + "the triangle is on one side of the origin at both ends, at heights of about " +
+                    text(answer.first) + " and " + text(answer.last)};
+      case ContactFinding::too_many_pieces:
+        return {RotatingRefusal::crossing_not_proved,
+                seen + std::to_string(kMostPieces) + " pieces do not show that near t = " + text(answer.at) +
+                    " the line through the origin along its normal stays inside the triangle"};
       case ContactFinding::unnamed:
         return malformed("contact pair " + std::to_string(answer.pair) +
                          " has a point on a way with more than " + std::to_string(kCurvedParts) +
@@ -432,7 +611,8 @@ class Claims {
       case ContactFinding::open:
         break;
     }
-    return {RotatingRefusal::undecided, values + ", too close for " + std::to_string(kBits.back()) + " bits"};
+    return {RotatingRefusal::undecided, (proof_.crossing ? seen : values + ", ") + "too close for " +
+                                            std::to_string(kBits.back()) + " bits"};
   }
 
   const corpus::Case& problem_;
@@ -472,6 +652,8 @@ const char* to_string(RotatingRefusal refusal) {
       return "weights_missing";
     case RotatingRefusal::contact_not_proved:
       return "contact_not_proved";
+    case RotatingRefusal::crossing_not_proved:
+      return "crossing_not_proved";
     case RotatingRefusal::undecided:
       return "undecided";
   }

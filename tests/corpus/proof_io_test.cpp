@@ -213,6 +213,19 @@ void expect_same_rotating(const ProofRecord& l, const ProofRecord& r) {
     expect_same_pair(l.rotating->contact[i], r.rotating->contact[i]);
     EXPECT_EQ(l.rotating->weight[i], r.rotating->weight[i]);
   }
+  EXPECT_EQ(l.rotating->crossing, r.rotating->crossing);
+  EXPECT_EQ(l.rotating->contact_from, r.rotating->contact_from);
+}
+
+ProofRecord crossing_example() {
+  ProofRecord record = rotating_example();
+  RotatingProof& proof = *record.rotating;
+  proof.crossing = true;
+  proof.contact_from = 0.1;
+  proof.contact_size = 3;
+  proof.contact[2].b.vertex = 5;
+  proof.weight = {0, 0, 0, 0};
+  return record;
 }
 
 TEST(ProofIo, ReadsBackRotatingProofsAmongLinearOnes) {
@@ -256,6 +269,56 @@ TEST(ProofIo, RefusesMalformedRotatingProofs) {
       {replaced("\"weight\": 0.3", "\"weight\": \"inf\""), "p.jsonl:1: proof.contact[0].weight: "},
       {replaced(", \"weight\": 0.3", ""), "p.jsonl:1: proof.contact[0].weight: missing"},
       {replaced("\"contact\": [", "\"contact\": [1, 2, 3, "), "p.jsonl:1: proof.contact: an array of 5"},
+  };
+  for (const auto& malformation : malformations) {
+    const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");
+    EXPECT_EQ(result.proofs.size(), 1u);
+    ASSERT_EQ(result.errors.size(), 1u) << malformation.text;
+    const std::string line = result.errors[0].text();
+    EXPECT_EQ(line.substr(0, std::string(malformation.message).size()), malformation.message) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
+TEST(ProofIo, ReadsBackCrossingsWithAndWithoutWeights) {
+  ProofRecord weighted = crossing_example(), at_once = crossing_example();
+  weighted.rotating->weight = {0.25, 0, 0.75, 0};
+  at_once.rotating->contact_from = 0;
+  const ProofRecord given[] = {crossing_example(), weighted, at_once};
+  EXPECT_EQ(write_proof(given[0]).find("\"weight\""), std::string::npos);
+  EXPECT_NE(write_proof(given[2]).find("\"contact_from\": 0,"), std::string::npos);
+  EXPECT_EQ(write_proof(rotating_example()).find("contact_from"), std::string::npos);
+  std::string text;
+  for (const ProofRecord& record : given) text += write_proof(record) + "\n";
+  const ProofReadResult result = read_proofs_text(text, "p.jsonl");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  ASSERT_EQ(result.proofs.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) expect_same_rotating(result.proofs[i], given[i]);
+}
+
+TEST(ProofIo, RefusesMalformedCrossings) {
+  const std::string sound = write_proof(crossing_example());
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = sound;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+  };
+  const std::string from = "\"contact_from\": 0.1";
+  const struct {
+    std::string text;
+    const char* message;
+  } malformations[] = {
+      {replaced(from, "\"contact_from\": \"inf\""), "p.jsonl:1: proof.contact_from: "},
+      {replaced(from, "\"contact_from\": true"), "p.jsonl:1: proof.contact_from: "},
+      {replaced(from, "\"contact_from\": [0.1]"), "p.jsonl:1: proof.contact_from: "},
+      {replaced(from, "\"crossing\": true"), "p.jsonl:1: proof: unknown field \"crossing\""},
+      // Without it, it is no crossing, and the pairs want weights.
+      {replaced(from + ", ", ""), "p.jsonl:1: proof.contact[0].weight: missing"},
+      {replaced("\"contact\": [{", "\"contact\": [{\"weight\": \"inf\", "),
+       "p.jsonl:1: proof.contact[0].weight: "},
+      {replaced("\"chain\": [", "\"chain\": [{\"end\": 0, \"axis\": [0, 0, 1], \"contact_from\": 0}, "),
+       "p.jsonl:1: proof.chain[0]: unknown field \"contact_from\""},
   };
   for (const auto& malformation : malformations) {
     const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");

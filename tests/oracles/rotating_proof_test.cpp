@@ -248,13 +248,18 @@ TEST(RotatingProof, ScrewMotionsAndBothTurningAreCutIntoPieces) {
 }
 
 TEST(RotatingProof, WhatTheBudgetLeavesIsRefused) {
-  // The separation is 1e-8 all the time while the plate's own turn about n could hide a corner: a box that
-  // turns about z, its lower face 1e-8 above the plate, and an axis a little off the normal.
-  Case problem = box_over_plate(1 + 1e-8);
-  problem.spin_b.rotation = V(0, 0, 1e6);
-  EXPECT_ACCEPTED(problem, miss({{1, V(0, 0, 1), AxisFrame::world}}));
-  problem.a.shape = Box<double>{V(1, 1, 1)};
-  EXPECT_REFUSED(slice_not_proved, problem, miss({{1, V(1e-9, 0, 1), AxisFrame::world}}));
+  // Two cubes side by side turn alike, one an eighth of a turn ahead: together they reach 2 (cos + sin)(22.5
+  // degrees) = 2.613, each by itself 1.414. Neither is at all angles while the other is as far as it comes.
+  Case problem;
+  problem.a.shape = problem.b.shape = Box<double>{V(1, 1, 1)};
+  problem.a.orientation = {std::cos(kPi / 8), 0, 0, std::sin(kPi / 8)};
+  problem.b.position = V(2.7, 0, 0);
+  problem.spin_a.rotation = problem.spin_b.rotation = V(0, 0, 100);
+  EXPECT_ACCEPTED(problem, miss({{1, V(1, 0, 0), AxisFrame::world}}));
+  problem.spin_a.rotation = problem.spin_b.rotation = V(0, 0, 1e6);
+  EXPECT_REFUSED(slice_not_proved, problem, miss({{1, V(1, 0, 0), AxisFrame::world}}));
+  problem.b.position = V(2.6, 0, 0);
+  EXPECT_REFUSED(slice_false, problem, miss({{1, V(1, 0, 0), AxisFrame::world}}));
 }
 
 TEST(RotatingProof, LinearMotionIsASpecialCase) {

@@ -68,7 +68,11 @@ struct Mover {
 
  private:
   void read(const Shape<double>& shape, const LongVec& at) {
-    if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
+    if (std::holds_alternative<Point<double>>(shape)) {
+      core = {at};
+    } else if (const auto* triangle = std::get_if<Triangle<double>>(&shape)) {
+      core = {at + wide(triangle->a), at + wide(triangle->b), at + wide(triangle->c)};
+    } else if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
       core = {at};
       radius = sphere->radius;
     } else if (const auto* segment = std::get_if<Segment<double>>(&shape)) {
