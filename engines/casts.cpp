@@ -1,21 +1,22 @@
 // Our casts as engines: a case in, an answer in doubles out.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <graze/cast.hpp>
 
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
+#include "engines/timing.hpp"
 
 namespace graze::engine {
 namespace {
 
+// The tiers above standard have one method each, whatever the name given here.
 template <Scalar S>
-CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Method method) {
+CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Tier tier, Method method) {
   CastOptions<S> options;
-  options.method = method;
-  options.tier = method == Method::exact_portal ? Tier::exact : Tier::standard;
+  if (tier == Tier::standard) options.method = method;
+  options.tier = tier;
   options.request = ask.request;
   options.t_max = static_cast<S>(problem.t_max);
   options.target_distance = static_cast<S>(problem.target_distance);
@@ -40,65 +41,49 @@ Answer widened(const CastResult<S>& result) {
           .counters = result.counters};
 }
 
-template <Scalar S, Method kMethod>
+template <Scalar S, Tier kTier, Method kMethod>
 Answer cast_case(const corpus::Case& problem, const Ask& ask) {
   if (!unsupported(problem).empty()) {
     return {.outcome = Outcome::invalid_input, .toi_lower = std::nan(""), .toi_upper = std::nan("")};
   }
-  return widened(
-      graze::cast(round_to<S>(problem.a), round_to<S>(problem.b), options_for<S>(problem, ask, kMethod)));
+  return widened(graze::cast(round_to<S>(problem.a), round_to<S>(problem.b),
+                             options_for<S>(problem, ask, kTier, kMethod)));
 }
 
-// Keeps the optimiser from dropping a cast whose result nobody reads.
-template <class T>
-void keep(const T& value) {
-  asm volatile("" : : "g"(&value) : "memory");
-}
-
-template <Scalar S, Method kMethod>
+template <Scalar S, Tier kTier, Method kMethod>
 double time_case(const corpus::Case& problem, const Ask& ask, int repeats) {
-  using Clock = std::chrono::steady_clock;
   const Body<S> a = round_to<S>(problem.a), b = round_to<S>(problem.b);
-  const CastOptions<S> options = options_for<S>(problem, ask, kMethod);
-  const auto time_batch = [&](int casts) {
-    const Clock::time_point start = Clock::now();
-    for (int i = 0; i < casts; ++i) keep(graze::cast(a, b, options));
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-  };
-  // A batch of 20 microseconds or more: reading the clock (about 25 ns) stays below 1 part in 500.
-  constexpr double kBatchNs = 20e3;
-  const double first = std::max(time_batch(2) / 2, 1.0);  // also warms the caches
-  const int casts = static_cast<int>(std::clamp(kBatchNs / first, 1.0, 1e4));
-  std::vector<double> times(static_cast<std::size_t>(std::max(repeats, 1)));
-  for (double& t : times) t = time_batch(casts) / casts;
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
+  const CastOptions<S> options = options_for<S>(problem, ask, kTier, kMethod);
+  return median_ns([&] { return graze::cast(a, b, options); }, repeats);
 }
 
-template <Scalar S, Method kMethod>
+template <Scalar S, Tier kTier, Method kMethod>
 EngineMethod engine_of(const char* name) {
   return {.name = name,
           .scalar = std::same_as<S, float> ? "float" : "double",
-          .tier = kMethod == Method::exact_portal ? "exact" : "standard",
+          .tier = kTier == Tier::exact       ? "exact"
+                  : kTier == Tier::certified ? "certified"
+                                             : "standard",
           .unit_roundoff = kUnitRoundoff<S>,
-          .cast = &cast_case<S, kMethod>,
+          .cast = &cast_case<S, kTier, kMethod>,
           .seen = &rounded_case<S>,
-          .time_ns = &time_case<S, kMethod>};
+          .time_ns = &time_case<S, kTier, kMethod>};
 }
 
 }  // namespace
 
 std::span<const EngineMethod> methods() {
-  static const std::array<EngineMethod, 8> kMethods = {
-      engine_of<double, Method::conservative_advancement>("ca"),
-      engine_of<double, Method::gjk_ray_cast>("gjk"),
-      engine_of<double, Method::mpr_sweep>("mpr"),
-      engine_of<double, Method::exact_portal>("exact"),
-      engine_of<float, Method::conservative_advancement>("ca"),
-      engine_of<float, Method::gjk_ray_cast>("gjk"),
-      engine_of<float, Method::mpr_sweep>("mpr"),
-      engine_of<float, Method::exact_portal>("exact"),
+  static const std::array<EngineMethod, 10> kMethods = {
+      engine_of<double, Tier::standard, Method::conservative_advancement>("ca"),
+      engine_of<double, Tier::standard, Method::gjk_ray_cast>("gjk"),
+      engine_of<double, Tier::standard, Method::mpr_sweep>("mpr"),
+      engine_of<double, Tier::certified, Method::mpr_sweep>("certified"),
+      engine_of<double, Tier::exact, Method::exact_portal>("exact"),
+      engine_of<float, Tier::standard, Method::conservative_advancement>("ca"),
+      engine_of<float, Tier::standard, Method::gjk_ray_cast>("gjk"),
+      engine_of<float, Tier::standard, Method::mpr_sweep>("mpr"),
+      engine_of<float, Tier::certified, Method::mpr_sweep>("certified"),
+      engine_of<float, Tier::exact, Method::exact_portal>("exact"),
   };
   return kMethods;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <graze/hull_graph.hpp>
+#include <graze/rotating/rotating_body.hpp>
 #include <vector>
 
 #include "corpus/case.hpp"
@@ -89,6 +90,13 @@ template <Scalar To, Scalar From>
           .displacement = round_to<To>(body.displacement)};
 }
 
+// A body of a case, and how it turns.
+template <Scalar To>
+[[nodiscard]] RotatingBody<To> round_to(const Body<double>& body, const corpus::Spin& spin) {
+  return {
+      .body = round_to<To>(body), .rotation = round_to<To>(spin.rotation), .pivot = round_to<To>(spin.pivot)};
+}
+
 // The case with every number of its question rounded to S and written as a double again. What is expected of
 // the given numbers need not hold for these, so `expect` survives only where nothing changes.
 template <Scalar S>
@@ -99,6 +107,10 @@ template <Scalar S>
     corpus::Case seen = problem;
     seen.a = round_to<double>(round_to<S>(problem.a));
     seen.b = round_to<double>(round_to<S>(problem.b));
+    for (corpus::Spin* spin : {&seen.spin_a, &seen.spin_b}) {
+      spin->rotation = round_to<double>(round_to<S>(spin->rotation));
+      spin->pivot = round_to<double>(round_to<S>(spin->pivot));
+    }
     seen.t_max = static_cast<S>(problem.t_max);
     seen.target_distance = static_cast<S>(problem.target_distance);
     seen.direction = round_to<double>(round_to<S>(problem.direction));

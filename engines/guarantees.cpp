@@ -18,6 +18,8 @@ using Json = nlohmann::json;
 // Beyond these a row must say by which mechanism.
 constexpr double kPlainKappa = 1024, kPlainStallCap = 0.001;
 
+constexpr std::string_view kRotating = "rotating";
+
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw std::runtime_error(where + ": " + what);
 }
@@ -40,35 +42,54 @@ double number_field(const Json& row, const std::string& where, const char* name)
   return value.get<double>();
 }
 
+Unseen unseen_field(const Json& row, const std::string& where, const char* name) {
+  if (!row.contains(name)) return Unseen::nothing;
+  const std::string text = text_field(row, where, name);
+  if (text == "nothing") return Unseen::nothing;
+  if (text == "hidden_motion") return Unseen::hidden_motion;
+  if (text == "anything") return Unseen::anything;
+  refuse(where + "." + name, "must be nothing, hidden_motion or anything");
+}
+
 Guarantee parse_row(const Json& row, const std::string& where) {
-  static const std::set<std::string> kFields = {"query",         "method",         "scalar",
-                                                "tier",          "kappa_polytope", "kappa_rounded",
-                                                "kappa_contact", "stall_cap",      "mechanism"};
+  static const std::set<std::string> kFields = {
+      "query",         "method",    "scalar",    "tier",     "kappa_polytope", "kappa_rounded",
+      "kappa_contact", "stall_cap", "mechanism", "may_miss", "may_be_late",    "width"};
   if (!row.is_object()) refuse(where, "must be an object");
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
   }
   // Without it: a row about casts.
   const std::string query = row.contains("query") ? text_field(row, where, "query") : "cast";
-  if (std::find(corpus::kQueryNames.begin(), corpus::kQueryNames.end(), query) == corpus::kQueryNames.end()) {
-    refuse(where + ".query", "is no query; docs/case-format.md lists them");
+  const bool rotating = query == kRotating;
+  if (!rotating &&
+      std::find(corpus::kQueryNames.begin(), corpus::kQueryNames.end(), query) == corpus::kQueryNames.end()) {
+    refuse(where + ".query", "is no query; it is rotating, or one that docs/case-format.md lists");
   }
-  Guarantee g{.query = query,
-              .method = text_field(row, where, "method"),
-              .scalar = text_field(row, where, "scalar"),
-              .tier = text_field(row, where, "tier"),
-              .kappa_polytope = number_field(row, where, "kappa_polytope"),
-              .kappa_rounded = number_field(row, where, "kappa_rounded"),
-              .kappa_contact = row.contains("kappa_contact")
-                                   ? std::optional(number_field(row, where, "kappa_contact"))
-                                   : std::nullopt,
-              .stall_cap = number_field(row, where, "stall_cap"),
-              .mechanism = text_field(row, where, "mechanism")};
+  Guarantee g{
+      .query = query,
+      .method = text_field(row, where, "method"),
+      .scalar = text_field(row, where, "scalar"),
+      .tier = text_field(row, where, "tier"),
+      .kappa_polytope = number_field(row, where, "kappa_polytope"),
+      .kappa_rounded = number_field(row, where, "kappa_rounded"),
+      .kappa_contact = row.contains("kappa_contact")
+                           ? std::optional(number_field(row, where, "kappa_contact"))
+                           : std::nullopt,
+      .stall_cap = number_field(row, where, "stall_cap"),
+      .mechanism = text_field(row, where, "mechanism"),
+      .may_miss = unseen_field(row, where, "may_miss"),
+      .may_be_late = unseen_field(row, where, "may_be_late"),
+      .width = row.contains("width") ? std::optional(number_field(row, where, "width")) : std::nullopt};
   const bool beyond =
       std::max({g.kappa_polytope, g.kappa_rounded, g.kappa_contact.value_or(0)}) > kPlainKappa ||
-      g.stall_cap > kPlainStallCap;
+      g.stall_cap > kPlainStallCap || g.may_miss != Unseen::nothing || g.may_be_late != Unseen::nothing;
   if (beyond && g.mechanism.empty()) {
-    refuse(where + ".mechanism", "must name what needs a kappa above 1024 or a stall cap above 0.001");
+    refuse(where + ".mechanism",
+           "must name what needs a kappa above 1024, a stall cap above 0.001, or something unseen");
+  }
+  if (!rotating && (g.may_miss != Unseen::nothing || g.may_be_late != Unseen::nothing)) {
+    refuse(where, "may_miss and may_be_late are fields of rows of rotating");
   }
   return g;
 }
@@ -120,6 +141,16 @@ const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMet
   for (const Guarantee& row : table) {
     if (row.query == corpus::name_of(method.query) && row.method == method.name &&
         row.scalar == method.scalar && row.tier == method.tier) {
+      return &row;
+    }
+  }
+  return nullptr;
+}
+
+const Guarantee* find_guarantee(std::span<const Guarantee> table, const RotatingEngineMethod& method) {
+  for (const Guarantee& row : table) {
+    if (row.query == kRotating && row.method == method.name && row.scalar == method.scalar &&
+        row.tier == method.tier) {
       return &row;
     }
   }

@@ -10,20 +10,34 @@
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
 #include "engines/queries.hpp"
+#include "engines/rotating.hpp"
 
 namespace graze::engine {
 
+// What the motion may do unseen by a rotating method.
+enum class Unseen {
+  nothing,        // more than kappa u scale deep
+  hidden_motion,  // what is less deep than the answer's hidden_motion, and kappa u scale
+  anything,
+};
+
 struct Guarantee {
-  std::string query = "cast";  // or one of engines/queries.hpp
+  std::string query = "cast";  // or one of engines/queries.hpp, or "rotating"
   std::string method, scalar, tier;
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
   double kappa_rounded = 0;   // a sphere, or a target distance
-  // Of tier exact kappa is 0, of the verdict and both bounds; its normals and witnesses are doubles, held to
-  // this kappa. Absent from a row: as the kappas above.
+  // Of tiers certified and exact kappa is 0, of the verdict and both bounds; its normals and witnesses are
+  // doubles, held to this kappa. Absent from a row: as the kappas above.
   std::optional<double> kappa_contact = {};
   double stall_cap = 0;   // the largest fraction of a family's cases that may end not_converged
   std::string mechanism;  // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
+
+  // Rows of "rotating": how deep a contact may be that a miss denies, and one that toi_lower has passed.
+  Unseen may_miss = Unseen::nothing, may_be_late = Unseen::nothing;
+  // Over scale: how far either end of a hit's bracket may be from contact, where that is not kappa u. Of tier
+  // certified, whose kappa is 0: what stays undecided has a clearance or depth below it.
+  std::optional<double> width = {};
 
   [[nodiscard]] double kappa(const corpus::Case& problem) const;
   [[nodiscard]] double contact_kappa(const corpus::Case& problem) const {
@@ -43,5 +57,7 @@ struct Guarantee {
 // The row of a method in a table: nullptr if it has none, and then it promises nothing.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method);
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method);
+[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table,
+                                              const RotatingEngineMethod& method);
 
 }  // namespace graze::engine

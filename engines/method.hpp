@@ -28,9 +28,9 @@ struct Ask {
 };
 
 struct EngineMethod {
-  std::string name;    // "ca", "gjk", "mpr", "exact"
+  std::string name;    // "ca", "gjk", "mpr", "certified", "exact"
   std::string scalar;  // "float", "double"
-  std::string tier;    // "standard", "exact"
+  std::string tier;    // "standard", "certified", "exact"
   double unit_roundoff;
   // A case for which unsupported() says something comes back as invalid_input with Invalid::none.
   Answer (*cast)(const corpus::Case&, const Ask&);
@@ -42,6 +42,7 @@ struct EngineMethod {
 
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
   [[nodiscard]] bool is_exact() const { return tier == "exact"; }
+  [[nodiscard]] bool is_certified() const { return tier == "certified"; }
 };
 
 [[nodiscard]] std::span<const EngineMethod> methods();

@@ -21,15 +21,39 @@ double kappa(const EngineMethod& method, const Case& problem) {
   return row ? row->kappa(problem) : std::numeric_limits<double>::infinity();
 }
 
-double bound_of(const EngineMethod& method, const Case& problem) {
+namespace {
+
+// What rounding the times of a hit outward may cost.
+double rounding_of_times(const EngineMethod& method, const Case& problem) {
   const CaseTruth& truth = truth_of(problem);
-  if (!method.is_exact()) return kappa(method, problem) * method.unit_roundoff * truth.scale().high;
-  if (truth.outcome() != Outcome::hit) return 0;
-  const double least = method.scalar == "float" ? std::numeric_limits<float>::denorm_min()
-                                                : std::numeric_limits<double>::denorm_min();
+  if (!(truth.toi_upper() < kInfinity<double>)) return 0;
+  // Below the least normal number a time may become that number, or 0 (a tier may leave subnormal ones out).
+  const double least = method.scalar == "float" ? double(std::numeric_limits<float>::min())
+                                                : std::numeric_limits<double>::min();
   // |v| rounds, too.
   return (2 * method.unit_roundoff * truth.toi_upper() + least) * velocity(problem).stableNorm() *
          (1 + 8 * kUnitRoundoff<double>);
+}
+
+double width(const EngineMethod& method) {
+  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+  return row && row->width ? *row->width : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+double bound_of(const EngineMethod& method, const Case& problem) {
+  const CaseTruth& truth = truth_of(problem);
+  if (method.is_exact()) return rounding_of_times(method, problem);
+  if (method.is_certified()) {
+    return width(method) * truth.scale().high +
+           (method.scalar == "float" ? rounding_of_times(method, problem) : 0);
+  }
+  return kappa(method, problem) * method.unit_roundoff * truth.scale().high;
+}
+
+double proved_bound_of(const EngineMethod& method, const Case& problem) {
+  return method.is_certified() ? 0 : bound_of(method, problem);
 }
 
 double contact_kappa(const EngineMethod& method, const Case& problem) {
@@ -38,7 +62,9 @@ double contact_kappa(const EngineMethod& method, const Case& problem) {
 }
 
 double contact_bound_of(const EngineMethod& method, const Case& problem) {
-  return contact_kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high;
+  // Of tier certified the contact itself is known to its width.
+  return contact_kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high +
+         (method.is_certified() ? bound_of(method, problem) : 0);
 }
 
 namespace {
@@ -217,11 +243,31 @@ std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<d
       hex(n), over(at_truth, truth), at_claim);
 }
 
+std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double bound) {
+  if (answer.outcome != Outcome::not_converged || is_undecided(truth)) return "";
+  const bool contact = truth.outcome() != Outcome::miss;
+  const double margin = contact ? truth.depth().low : truth.clearance().low;
+  if (!(margin > bound)) return "";
+  return fmt::format("undecided, though the {} is {}; true: {}", contact ? "depth" : "clearance",
+                     over(margin, truth), describe(truth));
+}
+
 std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   for (const auto fault : {&verdict_fault, &late_fault, &early_fault, &time_fault}) {
     if (std::string reason = fault(truth, answer, bound); !reason.empty()) return reason;
   }
   return "";
+}
+
+std::string any_fault(const EngineMethod& method, const Case& problem, const Answer& answer) {
+  const CaseTruth& truth = truth_of(problem);
+  const double bound = bound_of(method, problem);
+  std::string reason = any_fault(truth, answer, bound);
+  if (!reason.empty() || !method.is_certified()) return reason;
+  for (const auto fault : {&verdict_fault, &late_fault, &early_fault}) {
+    if (reason = fault(truth, answer, proved_bound_of(method, problem)); !reason.empty()) return reason;
+  }
+  return undecided_fault(truth, answer, bound);
 }
 
 LawResult holds(std::vector<std::string_view> labels) { return {Holding::holds, "", std::move(labels)}; }
@@ -257,7 +303,7 @@ LawResult arbitrate(const EngineMethod& method, std::initializer_list<Asked> ask
     if (const auto open = without_truth(one.problem)) return *open;
   }
   for (const Asked& one : asked) {
-    const std::string fault = any_fault(truth_of(one.problem), one.answer, bound_of(method, one.problem));
+    const std::string fault = any_fault(method, one.problem, one.answer);
     if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, one.name, fault));
     if (one.answer.outcome == Outcome::not_converged) result.labels.push_back("not_converged");
   }

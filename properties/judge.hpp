@@ -17,8 +17,12 @@ namespace graze::law {
 // nothing.
 [[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
 // kappa u scale. Of tier exact, whose kappa is 0: what rounding the times of a hit outward may cost, 2 u TOI
-// |v|; the law exact_equals_oracle leaves it nothing.
+// |v|; the law exact_equals_oracle leaves it nothing. Of tier certified: the width of its row, and for float
+// that rounding besides.
 [[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+// What a verdict, a late lower end and an early upper end are held to: the same, but of tier certified, whose
+// bracket holds without condition, nothing.
+[[nodiscard]] double proved_bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
 // Of normals and witnesses.
 [[nodiscard]] double contact_kappa(const engine::EngineMethod& method, const corpus::Case& problem);
 [[nodiscard]] double contact_bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
@@ -65,9 +69,15 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 // graze the two may be far apart, and each is right for some convex set within the bound of C.
 [[nodiscard]] std::string normal_fault(const corpus::Case& problem, const engine::Answer& answer,
                                        const Vec3<double>& n, double bound);
+// not_converged, though clearance or depth exceeds the bound: what tier certified promises to decide.
+[[nodiscard]] std::string undecided_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
+                                          double bound);
 // The first fault of verdict and times.
 [[nodiscard]] std::string any_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                     double bound);
+// The same by the method's own row.
+[[nodiscard]] std::string any_fault(const engine::EngineMethod& method, const corpus::Case& problem,
+                                    const engine::Answer& answer);
 
 [[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
 [[nodiscard]] LawResult broken(std::string reason);

@@ -188,7 +188,7 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
     // cylinder, mpr/double is 372 u scale early, beyond its row (bracket_holds_toi holds it to it).
     if (const auto open = without_exact_truth(seen)) return *open;
     for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(&other, &two)}) {
-      const std::string fault = any_fault(truth_of(seen), *answer, bound_of(*judged, seen));
+      const std::string fault = any_fault(*judged, seen, *answer);
       if (!fault.empty()) {
         return broken(fmt::format("{} and {} do not meet: {}; at fault is {}: {}", method.full_name(),
                                   other.full_name(), pair_of(one, two), judged->full_name(), fault));

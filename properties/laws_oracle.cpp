@@ -18,13 +18,16 @@ namespace {
 
 using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
-LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method) {
+using Bound = double (*)(const EngineMethod&, const Case&);
+
+LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method,
+                    Bound bound = &proved_bound_of) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {});
   const CaseTruth& truth = truth_of(seen);
-  const std::string reason = fault(truth, answer, bound_of(method, seen));
+  const std::string reason = fault(truth, answer, bound(method, seen));
   if (!reason.empty()) return broken(reason + "; answered: " + describe(answer));
   LawResult result = holds({label_of(truth.outcome())});
   if (answer.outcome == Outcome::not_converged) result.labels.push_back("not_converged");
@@ -51,7 +54,12 @@ LawResult bracket_holds_toi(const Case& problem, const EngineMethod& method) {
 }
 
 LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
-  return judged_by(&time_fault, problem, method);
+  return judged_by(&time_fault, problem, method, &bound_of);
+}
+
+LawResult certified_decides(const Case& problem, const EngineMethod& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
 LawResult normal_supports(const Case& problem, const EngineMethod& method) {

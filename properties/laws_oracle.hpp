@@ -11,6 +11,7 @@ LawResult bracket_holds_toi(const corpus::Case&, const engine::EngineMethod&);
 LawResult time_is_stable(const corpus::Case&, const engine::EngineMethod&);
 LawResult normal_supports(const corpus::Case&, const engine::EngineMethod&);
 LawResult witnesses_touch(const corpus::Case&, const engine::EngineMethod&);
+LawResult certified_decides(const corpus::Case&, const engine::EngineMethod&);
 LawResult proof_is_tight(const corpus::Case&, const engine::EngineMethod&);
 
 }  // namespace graze::law

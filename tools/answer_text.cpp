@@ -26,8 +26,49 @@ std::string json_vector(const Vec3<double>& v) {
 
 std::string vector_text(const Vec3<double>& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
 
-bool has_times(const engine::Answer& answer) {
+template <class Answer>
+bool has_times(const Answer& answer) {
   return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
+}
+
+// What the answers of linear and rotating casts have in common, in JSON without braces.
+template <class Answer>
+std::string cast_fields(const corpus::Case& problem, const Answer& answer) {
+  const bool hit = answer.outcome == Outcome::hit;
+  const std::string toi = has_times(answer)
+                              ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
+                                            json_number(answer.toi_upper))
+                              : "null";
+  return fmt::format(R"("id": {}, "outcome": "{}", "toi": {}, "normal": {}, "point_a": {}, "point_b": {})",
+                     corpus::json_quote(problem.id), corpus::name_of(answer.outcome), toi,
+                     hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
+                     hit ? json_vector(answer.point_b) : "null");
+}
+
+std::string line(const char* name, const std::string& value) {
+  return fmt::format("  {:<10}{}\n", name, value);
+}
+
+// The same as lines of text.
+template <class Answer>
+std::string cast_lines(const Answer& answer) {
+  std::string text = line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (answer.outcome == Outcome::invalid_input) text += line("because", invalid_text(answer.invalid));
+  if (answer.passed_over) {
+    text += line("because", "the motion leaves or slides from its start in contact");
+  }
+  if (has_times(answer)) text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
+  if (answer.outcome == Outcome::hit) {
+    text += line("normal", vector_text(answer.normal));
+    text += line("point_a", vector_text(answer.point_a));
+    text += line("point_b", vector_text(answer.point_b));
+  }
+  return text;
+}
+
+template <class AnyMethod>
+std::string method_line(const AnyMethod& method) {
+  return line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
 }
 
 }  // namespace
@@ -72,37 +113,15 @@ std::string invalid_text(Invalid invalid) {
 
 std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
                          const engine::Answer& answer) {
-  std::string text = fmt::format("{}\n", problem.id);
-  const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("  {:<10}{}\n", name, value);
-  };
-  line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
-  line("outcome", std::string(corpus::name_of(answer.outcome)));
-  if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
-  if (answer.passed_over) line("because", "the motion leaves or slides from its start in contact");
-  if (has_times(answer)) line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
-  if (answer.outcome == Outcome::hit) {
-    line("normal", vector_text(answer.normal));
-    line("point_a", vector_text(answer.point_a));
-    line("point_b", vector_text(answer.point_b));
-  }
-  line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
-                           answer.counters.supports));
-  return text;
+  return fmt::format("{}\n", problem.id) + method_line(method) + cast_lines(answer) +
+         line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                                  answer.counters.supports));
 }
 
 std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
                         const engine::Answer& answer) {
-  const bool hit = answer.outcome == Outcome::hit;
-  const std::string toi = has_times(answer)
-                              ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
-                                            json_number(answer.toi_upper))
-                              : "null";
-  return fmt::format(
-      R"({{"id": {}, "outcome": "{}", "toi": {}, "normal": {}, "point_a": {}, "point_b": {}, "method": "{}", "tier": "{}", "iterations": {}}})",
-      corpus::json_quote(problem.id), corpus::name_of(answer.outcome), toi,
-      hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
-      hit ? json_vector(answer.point_b) : "null", method.name, method.tier, answer.counters.iterations);
+  return fmt::format(R"({{{}, "method": "{}", "tier": "{}", "iterations": {}}})",
+                     cast_fields(problem, answer), method.name, method.tier, answer.counters.iterations);
 }
 
 namespace {
@@ -130,23 +149,19 @@ std::array<NamedVector, 3> vectors(const engine::QueryAnswer& answer) {
 std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
                          const engine::QueryAnswer& answer) {
   std::string text = fmt::format("{}\n", problem.id);
-  const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("  {:<10}{}\n", name, value);
-  };
-  line("query", std::string(corpus::name_of(problem.query)));
-  line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
-  line("outcome", std::string(corpus::name_of(answer.outcome)));
-  if (answer.outcome == Outcome::invalid_input) line("because", invalid_text(answer.invalid));
+  text += line("query", std::string(corpus::name_of(problem.query)));
+  text += method_line(method);
+  text += line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (answer.outcome == Outcome::invalid_input) text += line("because", invalid_text(answer.invalid));
   for (const auto& [name, value] : intervals(answer)) {
-    if (value) line(name, fmt::format("[{}, {}]", value->lower, value->upper));
+    if (value) text += line(name, fmt::format("[{}, {}]", value->lower, value->upper));
   }
-  if (answer.stalled) line("stalled", "the bracket is wider than rounding alone would make it");
+  if (answer.stalled) text += line("stalled", "the bracket is wider than rounding alone would make it");
   for (const auto& [name, value] : vectors(answer)) {
-    if (value) line(name, vector_text(*value));
+    if (value) text += line(name, vector_text(*value));
   }
-  line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
-                           answer.counters.supports));
-  return text;
+  return text + line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                                         answer.counters.supports));
 }
 
 std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
@@ -164,6 +179,67 @@ std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& 
   }
   return text + fmt::format(R"(, "method": "{}", "tier": "{}", "iterations": {}}})", method.name, method.tier,
                             answer.counters.iterations);
+}
+
+namespace {
+
+std::vector<std::string_view> reasons_of(const Plan& plan) {
+  std::vector<std::string_view> reasons;
+  for (int k = 0; k < kPlanReasons; ++k) {
+    const auto reason = static_cast<PlanReason>(k);
+    if (plan.has(reason)) reasons.push_back(to_text(reason));
+  }
+  return reasons;
+}
+
+// "linear: A's turn cannot be seen; ..."
+std::string plan_text(const Plan& plan) {
+  const std::vector<std::string_view> reasons = reasons_of(plan);
+  std::string text(to_text(plan.effects));
+  if (!reasons.empty()) text += fmt::format(": {}", fmt::join(reasons, "; "));
+  if (plan.added > 0) text += fmt::format("; {} of motion added", plan.added);
+  return text;
+}
+
+// The fields, without braces.
+std::string plan_fields(const Plan& plan) {
+  std::vector<std::string> reasons;
+  for (const std::string_view reason : reasons_of(plan)) reasons.push_back(corpus::json_quote(reason));
+  return fmt::format(R"("plan": "{}", "reasons": [{}], "added": {})", to_text(plan.effects),
+                     fmt::join(reasons, ", "), json_number(plan.added));
+}
+
+}  // namespace
+
+std::string answer_block(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
+                         const engine::RotatingAnswer& answer) {
+  std::string text = fmt::format("{}\n", problem.id) + method_line(method);
+  if (answer.outcome != Outcome::invalid_input) text += line("plan", plan_text(answer.plan));
+  text += cast_lines(answer);
+  if (answer.hidden_motion > 0) {
+    text += line("hidden", fmt::format("contacts by motions below {} may be missed", answer.hidden_motion));
+  }
+  return text + line("work", fmt::format("{} iterations, {} support evaluations, {} poses",
+                                         answer.counters.iterations, answer.counters.supports,
+                                         answer.counters.poses));
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
+                        const engine::RotatingAnswer& answer) {
+  return fmt::format(R"({{{}, {}, "hidden_motion": {}, "method": "{}", "tier": "{}", "iterations": {}}})",
+                     cast_fields(problem, answer), plan_fields(answer.plan),
+                     json_number(answer.hidden_motion), method.name, method.tier, answer.counters.iterations);
+}
+
+std::string plan_block(const corpus::Case& problem, const Plan& plan) {
+  std::string text = fmt::format("{}\n", problem.id) + line("plan", std::string(to_text(plan.effects)));
+  for (const std::string_view reason : reasons_of(plan)) text += line("because", std::string(reason));
+  if (plan.added > 0) text += line("added", fmt::format("{}", plan.added));
+  return text;
+}
+
+std::string plan_json(const corpus::Case& problem, const Plan& plan) {
+  return fmt::format(R"({{"id": {}, {}}})", corpus::json_quote(problem.id), plan_fields(plan));
 }
 
 }  // namespace graze::tool

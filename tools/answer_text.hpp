@@ -6,6 +6,7 @@
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
 #include "engines/queries.hpp"
+#include "engines/rotating.hpp"
 
 namespace graze::tool {
 
@@ -24,5 +25,16 @@ namespace graze::tool {
                                        const engine::QueryAnswer& answer);
 [[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
                                       const engine::QueryAnswer& answer);
+
+// As of a linear cast, with "plan", "reasons" and "added" of the plan_json below and "hidden_motion".
+[[nodiscard]] std::string answer_block(const corpus::Case& problem,
+                                       const engine::RotatingEngineMethod& method,
+                                       const engine::RotatingAnswer& answer);
+[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
+                                      const engine::RotatingAnswer& answer);
+
+// What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"], "added": 0.0}
+[[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);
+[[nodiscard]] std::string plan_json(const corpus::Case& problem, const Plan& plan);
 
 }  // namespace graze::tool

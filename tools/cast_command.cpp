@@ -9,6 +9,7 @@
 #include "tools/answer_text.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/judge.hpp"
 
 namespace graze::tool {
 namespace {
@@ -16,28 +17,35 @@ namespace {
 struct Settings {
   std::vector<std::string> files;
   std::string method, scalar = "double", tier = "standard", proofs;
-  bool json = false;
+  bool json = false, plan = false;
 };
 
 void check(const Settings& settings) {
-  if (settings.tier != "standard" && settings.tier != "exact") {
+  if (settings.tier != "standard" && settings.tier != "certified" && settings.tier != "exact") {
     throw std::runtime_error(
-        fmt::format("--tier: {} is {}; use standard or exact", settings.tier,
-                    settings.tier == "certified" ? "not available in this version" : "no tier"));
+        fmt::format("--tier: {} is no tier; it is standard, certified or exact", settings.tier));
   }
-  if (settings.tier == "exact" && !settings.method.empty() && settings.method != "exact") {
-    throw std::runtime_error(fmt::format(
-        "--tier: exact has one method, not {}; leave --method away, or leave the tier", settings.method));
+  if (settings.tier != "standard" && !settings.method.empty() && settings.method != settings.tier) {
+    throw std::runtime_error(
+        fmt::format("--tier: {} has one method, not {}; leave --method away, or leave the tier",
+                    settings.tier, settings.method));
   }
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
         fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
   }
+  if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
+    throw std::runtime_error(
+        fmt::format("--plan: nothing is cast, so {} has no meaning beside it; leave one of them away",
+                    settings.method.empty() ? "--proof" : "--method"));
+  }
 }
 
-// Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside.
+// Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
+// the default is.
 template <class AnyMethod>
-bool selected(const Settings& settings, const AnyMethod& method) {
+bool selected(const Settings& settings, const AnyMethod& method, const char* by_default) {
+  if (settings.method.empty()) return method.scalar == settings.scalar && method.name == by_default;
   if (settings.method == method.full_name()) return true;
   return method.scalar == settings.scalar && (settings.method == "all" || settings.method == method.name);
 }
@@ -55,24 +63,32 @@ class Run {
  public:
   explicit Run(const Settings& given) : settings_(given) {
     check(given);
-    if (given.tier == "exact") settings_.method = "exact";
-    const Settings& settings = settings_;
+    if (given.tier != "standard") settings_.method = given.tier;
     std::set<std::string> names = {"all"};
-    for (const engine::EngineMethod& method : engine::methods()) {
-      names.insert({method.name, method.full_name()});
-      if (settings.method.empty() ? method.name == "gjk" && method.scalar == settings.scalar
-                                  : selected(settings, method)) {
-        casts_.push_back(&method);
+    const auto take = [&](const auto& all, auto& chosen, const char* by_default) {
+      for (const auto& method : all) {
+        names.insert({method.name, method.full_name()});
+        if (selected(settings_, method, by_default)) chosen.push_back(&method);
       }
-    }
+    };
+    take(engine::methods(), linear_, "gjk");
+    take(engine::rotating_methods(), rotating_, "plan");
     for (const engine::QueryMethod& method : engine::query_methods()) {
       names.insert({method.name, method.full_name()});
     }
-    if (!settings.method.empty() && !names.contains(settings.method)) {
-      throw std::runtime_error(
-          fmt::format("--method: {} is no method; it is one of {}", settings.method, fmt::join(names, ", ")));
+    if (!settings_.method.empty() && !names.contains(settings_.method)) {
+      throw std::runtime_error(fmt::format("--method: {} is no method; it is one of {}", settings_.method,
+                                           fmt::join(names, ", ")));
     }
-    if (!settings.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings.proofs);
+    // No rotation that is seen has an exact answer; what the plan makes of the others may.
+    if (given.tier == "exact") {
+      rotating_.assign(1, engine::find_rotating_method("plan/" + given.scalar));
+      ask_.tier = Tier::exact;
+    }
+    if (!settings_.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings_.proofs);
+    const Request request =
+        Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
+    ask_.request = request;
   }
 
   int operator()() {
@@ -80,7 +96,9 @@ class Run {
     bad_ = inputs.bad;
     for (const CaseFile& file : inputs.files) {
       for (const corpus::Case& problem : file.cases) {
-        if (problem.query == corpus::Query::cast) {
+        if (settings_.plan) {
+          plan(file.name, problem);
+        } else if (problem.query == corpus::Query::cast) {
           cast(file.name, problem);
         } else {
           ask(file.name, problem);
@@ -112,29 +130,56 @@ class Run {
     return settings_.method == "all" && invalid == Invalid::not_exact;
   }
 
+  // A body that turns needs a rotating method; a linear cast may have either, the linear one first.
   void cast(const std::string& file, const corpus::Case& problem) {
-    if (const std::string why = engine::unsupported(problem); !why.empty()) {
-      return refuse(file, problem,
-                    fmt::format("has {}, which this version does not cast; give a linear cast", why));
+    const bool turns = engine::turns(problem);
+    if (!turns && !linear_.empty()) {
+      for (const engine::EngineMethod* method : linear_)
+        cast_by(*method, engine::Ask{.request = ask_.request}, file, problem);
+    } else if (!rotating_.empty()) {
+      for (const engine::RotatingEngineMethod* method : rotating_) cast_by(*method, ask_, file, problem);
+    } else if (turns) {
+      refuse(file, problem,
+             fmt::format("has a rotating motion, which --method {} does not cast; {} do", settings_.method,
+                         rotating_names()));
+    } else {
+      refuse(file, problem,
+             fmt::format("--method {} does not cast; {} and {} do", settings_.method, linear_names(),
+                         rotating_names()));
     }
-    if (casts_.empty()) {
-      return refuse(file, problem,
-                    fmt::format("--method {} does not cast; ca, gjk, mpr and exact do", settings_.method));
+  }
+
+  template <class AnyMethod, class AnyAsk>
+  void cast_by(const AnyMethod& method, const AnyAsk& ask, const std::string& file,
+               const corpus::Case& problem) {
+    const auto answer = method.cast(problem, ask);
+    if (is_left_out(answer.invalid)) return;
+    show(file, problem, method, answer);
+    if (!proofs_ || !answer.proof) return;
+    corpus::ProofRecord record;
+    record.problem = method.seen(problem);
+    record.method = method.name;
+    record.scalar = method.scalar;
+    record.outcome = answer.outcome;
+    if constexpr (std::same_as<AnyMethod, engine::RotatingEngineMethod>) {
+      record.rotating = answer.proof;
+    } else {
+      record.proof = *answer.proof;
     }
-    const Request request =
-        Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
-    for (const engine::EngineMethod* method : casts_) {
-      const engine::Answer answer = method->cast(problem, {.request = request});
-      if (is_left_out(answer.invalid)) continue;
-      show(file, problem, *method, answer);
-      if (proofs_ && answer.proof) {
-        proofs_->write_line(corpus::write_proof({.problem = method->seen(problem),
-                                                 .method = method->name,
-                                                 .scalar = method->scalar,
-                                                 .outcome = answer.outcome,
-                                                 .proof = *answer.proof}));
-      }
+    proofs_->write_line(corpus::write_proof(record));
+  }
+
+  // What would be simulated, by the tier asked for.
+  void plan(const std::string& file, const corpus::Case& problem) {
+    if (const std::string why = engine::unsupported_rotating(problem); !why.empty()) {
+      return refuse(file, problem, fmt::format("has {}, which has no plan; give a cast", why));
     }
+    const engine::RotatingEngineMethod& method = *rotating_.front();
+    if (const std::string why = why_invalid(method.seen(problem)); !why.empty()) {
+      return refuse(file, problem, fmt::format("is invalid_input: {}", why));
+    }
+    const Plan plan = method.plan(problem, ask_);
+    fmt::print("{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
   }
 
   void ask(const std::string& file, const corpus::Case& problem) {
@@ -146,7 +191,7 @@ class Run {
     for (const engine::QueryMethod* method : methods) {
       // Without --method the first of the query.
       if (settings_.method.empty() ? answered || method->scalar != settings_.scalar
-                                   : !selected(settings_, *method)) {
+                                   : !selected(settings_, *method, "")) {
         continue;
       }
       answered = true;
@@ -162,7 +207,9 @@ class Run {
   }
 
   Settings settings_;
-  std::vector<const engine::EngineMethod*> casts_;
+  std::vector<const engine::EngineMethod*> linear_;
+  std::vector<const engine::RotatingEngineMethod*> rotating_;
+  engine::RotatingAsk ask_;
   std::unique_ptr<OutputFile> proofs_;
   bool bad_ = false;
 };
@@ -180,20 +227,27 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command
       ->add_option("--method", settings->method,
-                   "For a cast: gjk (GJK ray cast, the default), mpr (MPR sweep), ca (conservative "
-                   "advancement), exact (the tier's); for another query see below; or all")
+                   "For a linear cast: gjk (GJK ray cast, the default), mpr (MPR sweep), ca (conservative "
+                   "advancement), exact (the tier's); for a rotating one and for another query see below; or "
+                   "all")
       ->type_name("NAME");
   command
       ->add_option("--scalar", settings->scalar,
                    "double (the default) or float: rounds the case, then casts it")
       ->type_name("NAME");
   command
-      ->add_option("--tier", settings->tier,
-                   "standard (the default), or exact: polytopes, to the last bit; the same as --method exact")
+      ->add_option(
+          "--tier", settings->tier,
+          "standard (the default); certified: a proved bracket; or exact: polytopes, to the last bit. "
+          "The same as --method certified, --method exact")
       ->type_name("NAME");
   command->add_flag("--json", settings->json,
                     "One JSON object a line, whose numbers read back to the same bits");
-  command->add_option("--proof", settings->proofs, "Also write the proofs to this file, for `graze check`")
+  command->add_flag("--plan", settings->plan,
+                    "Only say what must be simulated, nothing, static, linear or rotating, and why");
+  command
+      ->add_option("--proof,--proofs", settings->proofs,
+                   "Also write the proofs to this file, for `graze check`")
       ->type_name("OUT.jsonl");
   command->footer(
       "The time runs from 0 to the case's t_max (1 by default). A bracket [lower, upper] holds the time of "
@@ -205,6 +259,14 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "and\n"
       "summed, without a target distance; lower and upper are the two doubles next to the time, or both are "
       "it.\n\n"
+      "Of a case in which a body turns:\n"
+      "  plan (default)       simulates what can be seen, and names it; --plan says why\n"
+      "  bilateral            bilateral advancement: never passes the first contact\n"
+      "  ca                   conservative advancement: the same, slower where the bodies graze\n"
+      "  certified            the tier's: a proved bracket\n"
+      "  steps, spheres       overlap at equal steps, and from where bounding spheres meet: either may miss\n"
+      "                       contacts by motions smaller than it says\n"
+      "  bilateral_published  as published: may pass a contact between the ends of a step\n\n"
       "A case may ask another query:\n"
       "  overlap            gjk (default), mpr,      do the bodies touch at t = 0?\n"
       "                     exact\n"
@@ -215,6 +277,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "  swept_overlap      gjk (default), mpr,      do they touch at any t in [0, t_max]? only whether\n"
       "                     before_after, exact\n\n"
       "  graze cast pair.json\n"
+      "  graze cast --plan --json cases.jsonl\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
       "Exit code: 0, or 2 if a file or a case could not be read or answered; the others are answered all the "
       "same.");

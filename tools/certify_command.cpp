@@ -15,6 +15,7 @@
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
 #include "tools/query_certification.hpp"
+#include "tools/rotating_certification.hpp"
 #include "tools/tolerance_study.hpp"
 
 namespace graze::tool {
@@ -23,9 +24,12 @@ namespace {
 // How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
 constexpr std::size_t kStudiedHits = 64;
 
+// Cases of each rotating family. A rotating answer costs its oracle tens of milliseconds.
+constexpr std::size_t kRotatingCases = 60;
+
 struct Arguments {
   std::vector<std::string> files, families, methods = {"all"};
-  std::size_t count = 4000, oracle_every = 20, queries = 100;
+  std::size_t count = 4000, oracle_every = 20, queries = 100, rotating = kRotatingCases;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
   std::string corpus, guarantees, save, plot;
@@ -43,38 +47,42 @@ std::vector<engine::Guarantee> guarantee_rows(const Arguments& arguments) {
   }
 }
 
-// The linear casts among `cases`, as one suite. A question about overlap or distance is judged as the cast of
-// the same bodies, which is the harder question; any other is complained about, or only counted in our own
-// corpus.
+// The suites to judge: linear casts, and those in which a body turns. A question about overlap or distance is
+// judged as the cast of the same bodies, which is the harder question; any other is complained about, or only
+// counted in our own corpus.
 struct Intake {
+  std::vector<Suite> linear, rotating;
   std::size_t recast = 0, skipped = 0;
 
-  Suite suite(std::string name, const std::string& file, const std::vector<corpus::Case>& cases, bool ours) {
-    Suite suite{.family = std::move(name)};
+  void take(const std::string& name, const std::string& file, const std::vector<corpus::Case>& cases,
+            bool ours) {
+    Suite straight{.family = name}, turning{.family = name};
     for (corpus::Case problem : cases) {
-      if (problem.query == corpus::Query::overlap || problem.query == corpus::Query::distance) {
+      const bool turns = engine::turns(problem);
+      if (!turns && (problem.query == corpus::Query::overlap || problem.query == corpus::Query::distance)) {
         problem.query = corpus::Query::cast;
         ++recast;
       }
-      const std::string why = engine::unsupported(problem);
+      const std::string why = turns ? engine::unsupported_rotating(problem) : engine::unsupported(problem);
       if (why.empty()) {
-        suite.cases.push_back(std::move(problem));
+        (turns ? turning : straight).cases.push_back(std::move(problem));
         continue;
       }
       ++skipped;
       if (!ours) {
-        complain(fmt::format("{}: case {}: has {}, which this version does not judge; give a linear cast",
-                             file, problem.id, why));
+        complain(fmt::format("{}: case {}: has {}, which this version does not judge; give a cast", file,
+                             problem.id, why));
       }
     }
-    return suite;
+    if (straight.size() > 0) linear.push_back(std::move(straight));
+    if (turning.size() > 0) rotating.push_back(std::move(turning));
   }
 };
 
 // Level by level: a sample of every k-th case of levels that alternate would miss levels whenever k and their
 // number have a common factor. The seeds are those of cases dealt to the levels in turn.
-Suite generated_suite(const corpus::Family& family, const Arguments& arguments) {
-  const std::size_t levels = family.levels.size(), count = arguments.count;
+Suite generated_suite(const corpus::Family& family, const Arguments& arguments, std::size_t count) {
+  const std::size_t levels = family.levels.size();
   return {.family = std::string(family.name),
           .drawn = count,
           .draw =
@@ -89,7 +97,9 @@ Suite generated_suite(const corpus::Family& family, const Arguments& arguments) 
 std::vector<const corpus::Family*> wanted_families(const Arguments& arguments) {
   std::vector<const corpus::Family*> wanted;
   if (arguments.files.empty() && arguments.families.empty()) {
-    for (const corpus::Family& family : corpus::families()) wanted.push_back(&family);
+    for (const auto list : {corpus::families(), corpus::rotating_families()}) {
+      for (const corpus::Family& family : list) wanted.push_back(&family);
+    }
   }
   for (const std::string& name : arguments.families) {
     const corpus::Family* family = corpus::find_family(name);
@@ -134,7 +144,7 @@ void print_tables(const Certification& certification, const Settings& settings,
       judged, certification.oracle_cases);
   if (intake.recast > 0)
     fmt::print("{} questions about overlap or distance are judged as casts.\n", intake.recast);
-  if (intake.skipped > 0) fmt::print("{} cases are not linear casts, and were left out.\n", intake.skipped);
+  if (intake.skipped > 0) fmt::print("{} cases are no casts, and were left out.\n", intake.skipped);
   fmt::print("\n{}\n", tally_table(certification.tallies));
   fmt::print(
       "wrong, late, off, contact off: by more than kappa u scale of the method's row, in the case as the "
@@ -143,6 +153,12 @@ void print_tables(const Certification& certification, const Settings& settings,
       "end, on the\n"
       "cases by oracle; true in.: the backward error of a float answer against the input before rounding to "
       "float.\n"
+      "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are "
+      "wrong, "
+      "late or\n"
+      "off, by anything at all; off, too, an end farther from contact than the row's width; not converged: "
+      "what was left open\n"
+      "though clearance or depth exceeds that width, excused: what was left open below it.\n"
       "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not "
       "asked: "
       "cases\n"
@@ -163,26 +179,42 @@ void print_tables(const Certification& certification, const Settings& settings,
         "rows\n\n{}\n",
         query_table(queries, settings.guarantees));
   }
-  for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
-  for (const std::string& breach : queries.breaches) fmt::print("broken: {}\n", breach);
-  const bool kept = certification.breaches.empty() && queries.breaches.empty();
-  fmt::print("{}\n", kept ? "Every method keeps its row of the guarantee table."
-                          : "A method breaks its row of the guarantee table.");
+}
+
+void print_rotating(const RotatingCertification& certification, const RotatingSettings& settings) {
+  if (certification.tallies.empty()) return;
+  fmt::print("Rotating casts, judged by brackets of the first contact and by proofs\n\n{}\n",
+             rotating_table(certification));
+  fmt::print(
+      "wrong, late, early (contact claimed where there is none yet), wide: by more than kappa u scale of the "
+      "method's\n"
+      "row; in tier certified wrong, late and early by anything at all, wide and undecided by more than the "
+      "row's width.\n"
+      "excused: decided by less than that. hidden: a contact missed or passed that the row says may be. "
+      "oracle open:\n"
+      "the oracle decides no verdict: clearance and depth below its own width. width: of a hit, the larger "
+      "of the distance at "
+      "toi_lower and\n"
+      "the depth before toi_upper; passed: how deep a contact was that a miss denied or toi_lower had "
+      "passed; over scale.\n\n");
+  fmt::print("{}\n", rotating_guarantee_table(certification, settings));
 }
 
 int run(const Arguments& arguments) {
   const std::vector<engine::Guarantee> rows = guarantee_rows(arguments);
-  const Settings settings{.methods = select_methods(arguments.methods),
+  const SelectedMethods selected = select_methods(arguments.methods);
+  const Settings settings{.methods = selected.linear,
                           .guarantees = rows,
                           .threads = arguments.threads > 0
                                          ? arguments.threads
                                          : std::max(1U, std::thread::hardware_concurrency())};
+  const RotatingSettings turning{
+      .methods = selected.rotating, .guarantees = rows, .threads = settings.threads};
   if (arguments.oracle_every == 0) throw std::runtime_error("--oracle-every: must be 1 or more");
   const std::vector<const corpus::Family*> families = wanted_families(arguments);
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
 
-  std::vector<Suite> suites;
   Intake intake;
   bool bad = false;
   if (arguments.files.empty() && arguments.families.empty()) {
@@ -191,42 +223,62 @@ int run(const Arguments& arguments) {
                                                         : std::filesystem::path(arguments.corpus));
     for (const corpus::ReadError& error : curated.errors) complain(error.text());
     bad = !curated.ok();
-    suites.push_back(intake.suite("curated", "", curated.cases, true));
+    intake.take("curated", "", curated.cases, true);
   }
   const CaseFiles files = read_case_files(arguments.files);
-  for (const CaseFile& file : files.files)
-    suites.push_back(intake.suite(file.name, file.name, file.cases, false));
+  for (const CaseFile& file : files.files) intake.take(file.name, file.name, file.cases, false);
   bad = bad || files.bad || (!arguments.files.empty() && intake.skipped > 0);
-  for (const corpus::Family* family : families) suites.push_back(generated_suite(*family, arguments));
-  std::erase_if(suites, [](const Suite& suite) { return suite.size() == 0; });
-  if (suites.empty()) {
-    if (!bad) complain("there is no case to judge; give a file with one, or a count above 0");
+  for (const corpus::Family* family : families) {
+    const std::size_t count = family->rotating ? arguments.rotating : arguments.count;
+    if (count > 0) {
+      (family->rotating ? intake.rotating : intake.linear)
+          .push_back(generated_suite(*family, arguments, count));
+    }
+  }
+  if (arguments.rotating == 0 || selected.rotating.empty()) intake.rotating.clear();
+  if (selected.linear.empty()) intake.linear.clear();
+  if (intake.linear.empty() && intake.rotating.empty()) {
+    if (!bad) {
+      complain("there is no case to judge; give a file with one, or a count above 0, and a method for it");
+    }
     return 2;
   }
 
-  const Certification certification = certify(suites, settings);
-  // Float cannot follow a tolerance below its own u, and tier exact knows none: the study is of double.
+  const Certification certification = certify(intake.linear, settings);
+  // Float cannot follow a tolerance below its own u, and the proved tiers know none: the study is of double.
   std::vector<const engine::EngineMethod*> studied = settings.methods;
   std::erase_if(studied,
-                [](const engine::EngineMethod* m) { return m->scalar != "double" || m->is_exact(); });
+                [](const engine::EngineMethod* m) { return m->scalar != "double" || m->tier != "standard"; });
   std::vector<ToleranceRow> study;
   if (!certification.hits.empty() && !studied.empty()) {
     study = study_tolerances(studied, studied_hits(certification.hits), settings.threads);
   }
   QueryCertification queries;
   if (arguments.queries > 0) {
-    queries = certify_queries(suites, arguments.queries, settings.guarantees, settings.threads);
+    queries = certify_queries(intake.linear, arguments.queries, settings.guarantees, settings.threads);
   }
+  const RotatingCertification rotating = certify_rotating(intake.rotating, turning);
   if (arguments.files.empty() && arguments.families.empty()) print_known_failures(settings);
-  print_tables(certification, settings, study, queries, intake);
+  if (!intake.linear.empty()) print_tables(certification, settings, study, queries, intake);
+  if (!intake.rotating.empty()) print_rotating(rotating, turning);
+  bool kept = true;
+  for (const std::vector<std::string>& breaches :
+       {certification.breaches, queries.breaches, rotating.breaches}) {
+    for (const std::string& breach : breaches) fmt::print("broken: {}\n", breach);
+    kept = kept && breaches.empty();
+  }
+  fmt::print("{}\n", kept ? "Every method keeps its row of the guarantee table."
+                          : "A method breaks its row of the guarantee table.");
   if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(study, arguments.plot));
   if (save) {
-    for (const corpus::Case& problem : certification.convicted) save->write_line(corpus::write_case(problem));
-    for (const corpus::Case& problem : queries.convicted) save->write_line(corpus::write_case(problem));
+    for (const std::vector<corpus::Case>& convicted :
+         {certification.convicted, queries.convicted, rotating.convicted}) {
+      for (const corpus::Case& problem : convicted) save->write_line(corpus::write_case(problem));
+    }
     save->close();
   }
   if (bad) return 2;
-  return certification.breaches.empty() && queries.breaches.empty() ? 0 : 1;
+  return kept ? 0 : 1;
 }
 
 }  // namespace
@@ -245,7 +297,9 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")->type_name("S");
   command
       ->add_option("--method", arguments->methods,
-                   "ca, gjk, mpr, exact, one with its scalar (mpr/float), or all (may be repeated)")
+                   fmt::format("{}; of rotating casts {}; one with its scalar (mpr/float), or all (may be "
+                               "repeated)",
+                               linear_names(), rotating_names()))
       ->type_name("NAME");
   command
       ->add_option("--oracle-every", arguments->oracle_every,
@@ -254,6 +308,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--queries", arguments->queries,
                    "Cases of each suite whose bodies are asked the other queries, too (100); 0 asks none")
+      ->type_name("N");
+  command
+      ->add_option("--rotating", arguments->rotating,
+                   fmt::format("Generated cases of a rotating family ({}); 0 leaves every rotating cast out",
+                               kRotatingCases))
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
@@ -279,6 +338,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "  graze certify\n"
       "  graze certify --family grazing --count 20000 --method mpr/float --save hard.jsonl\n"
       "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
+      "  graze certify --family fast_spin --rotating 1000   a thousand cases in which a body turns\n"
       "  graze certify my_cases.jsonl\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not, 2 for bad "
       "input.");

@@ -21,10 +21,15 @@ struct Settings {
 
 std::string family_list() {
   std::string text;
-  for (const corpus::Family& family : corpus::families()) {
-    text += fmt::format("  {:<16}{}\n  {:<16}hardness {} to {}: {}\n", family.name, family.sentence, "",
-                        family.levels.front(), family.levels.back(), family.hardness_meaning);
-  }
+  const auto add = [&](std::span<const corpus::Family> families) {
+    for (const corpus::Family& family : families) {
+      text += fmt::format("  {:<18}{}\n  {:<18}hardness {} to {}: {}\n", family.name, family.sentence, "",
+                          family.levels.front(), family.levels.back(), family.hardness_meaning);
+    }
+  };
+  add(corpus::families());
+  text += "\nIn these a body turns:\n";
+  add(corpus::rotating_families());
   return text;
 }
 

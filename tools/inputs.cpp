@@ -58,10 +58,13 @@ void OutputFile::close() {
   if (!stream) throw std::runtime_error(name_ + ": could not be written to its end");
 }
 
-std::vector<const engine::EngineMethod*> select_methods(const std::vector<std::string>& names) {
-  std::vector<const engine::EngineMethod*> selected;
-  std::vector<bool> used(names.size(), false);
-  for (const engine::EngineMethod& method : engine::methods()) {
+namespace {
+
+template <class AnyMethod>
+std::vector<const AnyMethod*> select_from(std::span<const AnyMethod> all,
+                                          const std::vector<std::string>& names, std::vector<bool>& used) {
+  std::vector<const AnyMethod*> selected;
+  for (const AnyMethod& method : all) {
     bool wanted = false;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (names[i] == "all" || names[i] == method.name || names[i] == method.full_name()) {
@@ -70,12 +73,34 @@ std::vector<const engine::EngineMethod*> select_methods(const std::vector<std::s
     }
     if (wanted) selected.push_back(&method);
   }
+  return selected;
+}
+
+// Each once, in the order of the table.
+template <class AnyMethod>
+std::string names_of(std::span<const AnyMethod> all) {
+  std::vector<std::string> names;
+  for (const AnyMethod& method : all) {
+    if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string linear_names() { return names_of(engine::methods()); }
+std::string rotating_names() { return names_of(engine::rotating_methods()); }
+
+SelectedMethods select_methods(const std::vector<std::string>& names) {
+  std::vector<bool> used(names.size(), false);
+  SelectedMethods selected{.linear = select_from(engine::methods(), names, used),
+                           .rotating = select_from(engine::rotating_methods(), names, used)};
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
-    throw std::runtime_error(
-        fmt::format("--method: {} is no method; it is ca, gjk, mpr, exact, one of them with its scalar "
-                    "(mpr/float), or all",
-                    names[static_cast<std::size_t>(unknown - used.begin())]));
+    throw std::runtime_error(fmt::format(
+        "--method: {} is no method; it is {}, of rotating casts {}, one of them with its scalar "
+        "(mpr/float), or all",
+        names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names()));
   }
   return selected;
 }

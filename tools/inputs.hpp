@@ -9,6 +9,7 @@
 #include "corpus/case_io.hpp"
 #include "corpus/proof_io.hpp"
 #include "engines/method.hpp"
+#include "engines/rotating.hpp"
 
 namespace graze::tool {
 
@@ -44,8 +45,17 @@ class OutputFile {
   bool is_stdout_ = false;
 };
 
-// The methods that `names` select: "mpr" all scalars of it, "mpr/float" that one, "all" every one; in the
-// order of the engine table. Throws std::runtime_error for a name that selects nothing.
-[[nodiscard]] std::vector<const engine::EngineMethod*> select_methods(const std::vector<std::string>& names);
+// The casts that `names` select: "mpr" all scalars of it, "mpr/float" that one, "all" every one; in the order
+// of the engine tables. A name may stand for a linear method and a rotating one. Throws std::runtime_error
+// for a name that selects nothing.
+struct SelectedMethods {
+  std::vector<const engine::EngineMethod*> linear;
+  std::vector<const engine::RotatingEngineMethod*> rotating;
+};
+[[nodiscard]] SelectedMethods select_methods(const std::vector<std::string>& names);
+
+// Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.
+[[nodiscard]] std::string linear_names();
+[[nodiscard]] std::string rotating_names();
 
 }  // namespace graze::tool

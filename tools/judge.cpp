@@ -9,6 +9,7 @@
 #include "corpus/names.hpp"
 #include "corpus/support_value.hpp"
 #include "properties/exact_answer.hpp"
+#include "properties/judge.hpp"
 #include "tools/table.hpp"
 
 namespace graze::tool {
@@ -20,38 +21,6 @@ using oracle::Enclosure;
 
 bool claims_contact(Outcome outcome) {
   return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
-}
-
-// Over a scale of 0 an error of 0 is 0 and any other is infinite.
-double over(double length, double scale) {
-  if (length == 0) return 0;
-  return scale > 0 ? length / scale : kInfinity<double>;
-}
-
-// What no answer may look like, whatever is true of the case; empty for a sensible one.
-std::string senseless(const corpus::Case& problem, const Answer& answer) {
-  const double lower = answer.toi_lower, upper = answer.toi_upper;
-  switch (answer.outcome) {
-    case Outcome::initially_overlapping:
-      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
-      return {};
-    case Outcome::miss:
-      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
-      return {};
-    case Outcome::hit:
-      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= problem.t_max)) {
-        return "a hit has a bracket that is no interval of times up to t_max";
-      }
-      return {};
-    case Outcome::not_converged:
-      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
-        return "the bracket of not_converged is no interval";
-      }
-      return {};
-    case Outcome::invalid_input:
-      return {};
-  }
-  return "an outcome that does not exist";
 }
 
 // --- What an accepted proof settles, in double. Every bound is rounded up by kSlack, and the scale down:
@@ -343,12 +312,48 @@ double vertex_count(const Shape<double>& shape) {
 
 }  // namespace
 
+double over(double length, double scale) {
+  if (length == 0) return 0;
+  return scale > 0 ? length / scale : kInfinity<double>;
+}
+
+std::string senseless(Outcome outcome, double lower, double upper, double t_max) {
+  switch (outcome) {
+    case Outcome::initially_overlapping:
+      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
+      return {};
+    case Outcome::miss:
+      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
+      return {};
+    case Outcome::hit:
+      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= t_max)) {
+        return "a hit has a bracket that is no interval of times up to t_max";
+      }
+      return {};
+    case Outcome::not_converged:
+      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
+        return "the bracket of not_converged is no interval";
+      }
+      return {};
+    case Outcome::invalid_input:
+      return {};
+  }
+  return "an outcome that does not exist";
+}
+
 const CaseTruth& Truth::exact() {
   if (!exact_) exact_ = std::make_unique<CaseTruth>(problem_);
   return *exact_;
 }
 
 std::string why_invalid(const corpus::Case& problem) {
+  for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
+    if (!in_range(spin->rotation) || !in_range(spin->pivot))
+      return "a rotation or a pivot outside 1e-60 to 1e60";
+    constexpr double kMostTurn = 0x1p30;  // radians
+    if (problem.t_max < kInfinity<double> && spin->rotation.norm() * problem.t_max > kMostTurn)
+      return "a turn of more than 2^30 radians";
+  }
   for (const Body<double>* body : {&problem.a, &problem.b}) {
     if (!in_range(body->position) || !in_range(body->displacement)) {
       return "a magnitude outside 1e-60 to 1e60";
@@ -369,7 +374,9 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   const CaseTruth& exact = truth.exact();
   const double scale = exact.scale().high;
   const bool contact = exact.outcome() != Outcome::miss;
-  if (answer.outcome == Outcome::invalid_input || !senseless(truth.problem(), answer).empty()) return errors;
+  if (answer.outcome == Outcome::invalid_input ||
+      !senseless(answer.outcome, answer.toi_lower, answer.toi_upper, truth.problem().t_max).empty())
+    return errors;
   if (answer.outcome == Outcome::miss) {
     if (contact) errors.backward = over(exact.depth().high, scale);
     return errors;
@@ -417,7 +424,9 @@ bool is_settled_at_the_door(Judgement& judgement, const corpus::Case& problem, c
 Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle, Request request) {
   Judgement judgement;
   if (is_settled_at_the_door(judgement, truth.problem(), answer)) return judgement;
-  if (const std::string why = senseless(truth.problem(), answer); !why.empty()) {
+  if (const std::string why =
+          senseless(answer.outcome, answer.toi_lower, answer.toi_upper, truth.problem().t_max);
+      !why.empty()) {
     convict(judgement.wrong, why);
     return judgement;
   }
@@ -437,6 +446,76 @@ Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool a
   judgement.by_oracle = true;
   judge_by_oracle(judgement, truth.exact(), answer, truth.problem(), limits, request);
   judgement.errors = errors_of(truth, answer, request);
+  return judgement;
+}
+
+namespace {
+
+// What rounding the times to float costs, a length; nothing in double, whose width counts it.
+double rounding_of_times(const corpus::Case& problem, double time, const Limits& limits) {
+  if (limits.unit_roundoff != kUnitRoundoff<float> || !(time < kInfinity<double>)) return 0;
+  const double speed = (problem.b.displacement - problem.a.displacement).stableNorm();
+  return kSlack * speed * (2 * limits.unit_roundoff * time + double(std::numeric_limits<float>::min()));
+}
+
+// True if the accepted proof shows the verdict, that the bracket holds, and that it is narrow.
+bool certified_by(const Proof& proof, const corpus::Case& problem, const Answer& answer,
+                  const Limits& limits) {
+  if (!proves_verdict(proof, answer.outcome)) return false;
+  if (answer.outcome != Outcome::hit) return true;
+  if (!(answer.toi_lower <= proof.toi_lower && proof.toi_upper <= answer.toi_upper)) return false;
+  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
+                                proved_backward_error(proof, v, answer.toi_upper));
+  return error <=
+         limits.width * scale_from_below(problem) + rounding_of_times(problem, answer.toi_lower, limits);
+}
+
+void judge_certified_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
+                               const corpus::Case& problem, const Limits& limits) {
+  const double width = limits.width * exact.scale().high;
+  const double time = std::min(exact.toi_upper(), answer.toi_upper);  // where the oracle is open, the claim
+  const double bound = width + rounding_of_times(problem, time, limits);
+  convict(judgement.wrong, law::verdict_fault(exact, answer, 0));
+  if (answer.outcome == Outcome::initially_overlapping && exact.outcome() == Outcome::hit)
+    convict(judgement.wrong, "claims contact at t = 0 of bodies that are apart then");
+  convict(judgement.late, law::late_fault(exact, answer, 0));
+  convict(judgement.off, law::early_fault(exact, answer, 0));
+  convict(judgement.off, law::time_fault(exact, answer, bound));
+  if (answer.outcome == Outcome::not_converged) {
+    judgement.stalled = !law::undecided_fault(exact, answer, bound).empty();
+    judgement.excused = !judgement.stalled;
+  }
+  const double limit = limits.contact_kappa * limits.unit_roundoff * exact.scale().high + bound;
+  judge_contact(judgement, exact, answer, problem, limits, limit, Request::everything);
+}
+
+}  // namespace
+
+Judgement judge_certified(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle) {
+  const corpus::Case& problem = truth.problem();
+  Judgement judgement;
+  if (is_settled_at_the_door(judgement, problem, answer)) return judgement;
+  if (std::string why = senseless(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max);
+      !why.empty()) {
+    convict(judgement.wrong, std::move(why));
+    return judgement;
+  }
+  bool settled = false;
+  if (answer.proof) {
+    const oracle::Verdict verdict = oracle::check_proof(problem, *answer.proof);
+    if (!verdict.accepted()) {
+      judgement.proof = ProofState::refused;
+      judgement.false_proof = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
+    } else if (proves_verdict(*answer.proof, answer.outcome)) {
+      judgement.proof = ProofState::accepted;
+      settled = certified_by(*answer.proof, problem, answer, limits);
+    }
+  }
+  if (settled && !ask_oracle) return judgement;
+  judgement.by_oracle = true;
+  judge_certified_by_oracle(judgement, truth.exact(), answer, problem, limits);
+  judgement.errors = errors_of(truth, answer, Request::everything);
   return judgement;
 }
 
@@ -478,7 +557,9 @@ Judgement judge_method(Truth& truth, const corpus::Case& problem, const engine::
                        const Answer& answer, const engine::Guarantee* row, bool ask_oracle) {
   const Limits limits{.kappa = row != nullptr ? row->kappa(problem) : kPlainKappa,
                       .unit_roundoff = method.unit_roundoff,
-                      .contact_kappa = row != nullptr ? row->contact_kappa(problem) : kPlainKappa};
+                      .contact_kappa = row != nullptr ? row->contact_kappa(problem) : kPlainKappa,
+                      .width = row != nullptr ? row->width.value_or(0) : 0};
+  if (method.is_certified()) return judge_certified(truth, answer, limits, ask_oracle);
   return method.is_exact() ? judge_exact(truth, answer, limits, ask_oracle)
                            : judge(truth, answer, limits, ask_oracle, Request::everything);
 }

@@ -38,6 +38,7 @@ struct Limits {
   double kappa = 0;
   double unit_roundoff = 0;
   double contact_kappa = kappa;  // of normals and witnesses
+  double width = 0;              // tier certified: of the bracket, over scale
 };
 
 // Over scale. NaN where the answer or the truth has no such error.
@@ -82,6 +83,13 @@ struct Judgement {
 [[nodiscard]] Judgement judge(Truth& truth, const engine::Answer& answer, const Limits& limits,
                               bool ask_oracle, Request request);
 
+// Tier certified: an answer, asked for everything. Its verdict and its bracket are true of the case or wrong,
+// late or off; off, too, where an end has a backward error above limits.width (and, in float, what rounding
+// the times costs). not_converged is a stall where clearance or depth exceeds that width, and excused below
+// it.
+[[nodiscard]] Judgement judge_certified(Truth& truth, const engine::Answer& answer, const Limits& limits,
+                                        bool ask_oracle);
+
 // Tier exact: an answer, asked for everything, judged to the last bit (properties/exact_answer.hpp); its
 // normal and witnesses, which are doubles, by limits.contact_kappa.
 [[nodiscard]] Judgement judge_exact(Truth& truth, const engine::Answer& answer, const Limits& limits,
@@ -96,6 +104,12 @@ inline constexpr double kPlainKappa = 1024;
 
 // The errors of an answer against any truth: for a float answer, against the input before it was rounded.
 [[nodiscard]] Errors errors_of(Truth& truth, const engine::Answer& answer, Request request);
+
+// What no answer may look like, whatever is true of the case; empty for a sensible one.
+[[nodiscard]] std::string senseless(Outcome outcome, double toi_lower, double toi_upper, double t_max);
+
+// A length over scale: over a scale of 0 an error of 0 is 0 and any other is infinite.
+[[nodiscard]] double over(double length, double scale);
 
 // Why a method must refuse this case ("a number is not finite", ...); empty for a valid one.
 [[nodiscard]] std::string why_invalid(const corpus::Case& problem);

@@ -3,10 +3,12 @@
 //   TOI = the least t in [0, t_max] with  A + t v_A  and  B + t v_B  in contact (touching counts), or none.
 //
 // Inputs: bodies in world axes, the caller's units. Tier standard: the answer is true for some convex set
-// within kappa u scale of C = A - B; kappa per method in docs/guarantees.md. Tier exact: exact_cast.hpp. No
-// throw, no allocation, no global state. A ray cast is the cast of a Point.
+// within kappa u scale of C = A - B; kappa per method in docs/guarantees.md. Tier certified:
+// certified_cast.hpp. Tier exact: exact_cast.hpp. No throw, no allocation, no global state. A ray cast is the
+// cast of a Point.
 #pragma once
 
+#include <graze/certified_cast.hpp>
 #include <graze/exact/exact_cast.hpp>
 #include <graze/gjk_casts.hpp>
 #include <graze/leaving.hpp>
@@ -141,11 +143,13 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   return out;
 }
 
-// By options.tier, and in tier standard by options.method.
+// By options.tier, and in tier standard by options.method, or the one that result.hpp says is best.
 template <Scalar S>
 CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
   if (options.tier == Tier::exact) return cast_exact(a, b, options);
-  switch (options.method) {
+  if (options.tier == Tier::certified) return cast_certified(a, b, options);
+  const bool quick = !(options.target_distance > 0) && detail::is_quick(a.shape) && detail::is_quick(b.shape);
+  switch (options.method.value_or(quick ? Method::mpr_sweep : Method::gjk_ray_cast)) {
     case Method::exact_portal:
       return cast_exact(a, b, options);
     case Method::conservative_advancement:

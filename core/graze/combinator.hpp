@@ -301,8 +301,10 @@ inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
 template <Scalar S>
 class TreeWalk {
  public:
-  // n: unit, in the body's frame.
-  explicit TreeWalk(const Vec3<double>& n, Feature* feature = nullptr) : n_(n), feature_(feature) {}
+  // n: unit, in the body's frame. `drawn`: how far the points of curved parts are drawn in beyond kInside,
+  // as a fraction of the way to a point inside; 0, or well above u.
+  explicit TreeWalk(const Vec3<double>& n, Feature* feature = nullptr, double drawn = 0)
+      : n_(n), feature_(feature), drawn_(drawn) {}
 
   TreePoint operator()(const Shape<S>& shape, const Placement& at, const std::uint32_t* chosen = nullptr) {
     return std::visit([&](const auto& s) { return step(s, at, chosen); }, shape);
@@ -345,23 +347,29 @@ class TreeWalk {
     const Vec3<double> x = power_of_two(s.exponent()) * hull_vertex<double>(s, k);
     return at.moved(wide(s.center())).at(x, k);
   }
-  // `drawn_in` is the point moved towards the shape's middle.
+  // `drawn_in` is the point moved into the shape; a walk that names its points returns these.
   TreePoint curved(const Vec3<double>& x, const Vec3<double>& drawn_in, const Placement& at) {
     if (feature_ && curved_parts_ < kCurvedParts) feature_->curved[curved_parts_] = drawn_in;
     ++curved_parts_;
-    return at.at(x, 0);
+    return at.at(feature_ ? drawn_in : x, 0);
+  }
+  // Beyond kInside, towards a point well inside that no symmetry of the shape keeps in place.
+  [[nodiscard]] Vec3<double> towards(const Vec3<double>& x, const Vec3<double>& inner) const {
+    return drawn_ > 0 ? Vec3<double>(x + drawn_ * (inner - x)) : x;
   }
   TreePoint step(const Ellipsoid<S>& s, const Placement& at, const std::uint32_t*) {
     const Vec3<double> x = ellipsoid_point(wide(s.radii), at.to_own(n_));
-    return curved(x, kInside * x, at);
+    return curved(x, towards(kInside * x, wide(s.radii).cwiseProduct(Vec3<double>(0.2, 0.1, 0.15))), at);
   }
   TreePoint step(const Cylinder<S>& s, const Placement& at, const std::uint32_t*) {
-    const Vec3<double> x = cylinder_point(double(s.radius), double(s.half_height), at.to_own(n_));
-    return curved(x, {kInside * x[0], kInside * x[1], x[2]}, at);
+    const double r = s.radius, h = s.half_height;
+    const Vec3<double> x = cylinder_point(r, h, at.to_own(n_));
+    return curved(x, towards({kInside * x[0], kInside * x[1], x[2]}, {0.2 * r, 0.1 * r, 0.15 * h}), at);
   }
   TreePoint step(const Cone<S>& s, const Placement& at, const std::uint32_t*) {
-    const Vec3<double> x = cone_point(double(s.radius), double(s.half_height), at.to_own(n_));
-    return curved(x, {kInside * x[0], kInside * x[1], x[2]}, at);
+    const double r = s.radius, h = s.half_height;
+    const Vec3<double> x = cone_point(r, h, at.to_own(n_));
+    return curved(x, towards({kInside * x[0], kInside * x[1], x[2]}, {0.2 * r, 0.1 * r, -0.5 * h}), at);
   }
 
   TreePoint step(const Posed<S>& s, const Placement& at, const std::uint32_t* chosen) {
@@ -422,6 +430,7 @@ class TreeWalk {
 
   Vec3<double> n_;
   Feature* feature_;
+  double drawn_;
   std::size_t curved_parts_ = 0;
 };
 

@@ -97,6 +97,23 @@ struct ProofContext {
   }
 };
 
+// cso: of the same bodies and target distance, its turns accurate.
+template <Scalar S>
+ProofContext<S> proof_context(const Body<S>& a, const Body<S>& b, const Cso<double>& cso, double t_max,
+                              double target_distance) {
+  const double radius_a = common_radius(a.shape), radius_b = common_radius(b.shape);
+  return {a,
+          b,
+          cso,
+          cso.direction(),
+          cso.moves() ? cso.to_parameter(t_max) : 0.0,
+          t_max,
+          radius_a + radius_b + target_distance,
+          exact::is_plain(a.shape) && exact::is_plain(b.shape),
+          radius_a,
+          radius_b};
+}
+
 // The lower half, from n as it stands. Returns false if n proves nothing.
 template <Scalar S>
 bool prove_lower(const ProofContext<S>& c, const Vec3<double>& n, bool miss, Proof& proof,
@@ -304,18 +321,8 @@ template <Scalar S>
 Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, S toi_upper,
             const Vec3<S>& n, Counters& counters) {
   const Cso<double> cso(a, b, options.target_distance, detail::Turning::accurate);
-  const double radius_a = detail::common_radius(a.shape), radius_b = detail::common_radius(b.shape);
-  const double t_max = static_cast<double>(options.t_max);
-  const detail::ProofContext<S> context{a,
-                                        b,
-                                        cso,
-                                        cso.direction(),
-                                        cso.moves() ? cso.to_parameter(t_max) : 0.0,
-                                        t_max,
-                                        radius_a + radius_b + static_cast<double>(options.target_distance),
-                                        exact::is_plain(a.shape) && exact::is_plain(b.shape),
-                                        radius_a,
-                                        radius_b};
+  const detail::ProofContext<S> context = detail::proof_context(a, b, cso, static_cast<double>(options.t_max),
+                                                                static_cast<double>(options.target_distance));
   const auto axis = n.template cast<double>().eval();
   Proof proof;
   if (outcome == Outcome::miss) {
@@ -326,7 +333,7 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
     detail::prove_lower(context, axis, false, proof, counters);
     detail::prove_upper(context, proof, counters);
     detail::prove_nearer(context, static_cast<double>(toi_upper), proof, counters);
-    proof.toi_lower = std::min({proof.toi_lower, static_cast<double>(toi_upper), t_max});
+    proof.toi_lower = std::min({proof.toi_lower, static_cast<double>(toi_upper), context.t_max});
   }
   return proof;
 }

@@ -196,16 +196,9 @@ TEST(Cast, what_this_version_lacks_is_said_and_not_answered) {
   const Folder folder;
   folder.write("hit.json", kHit);
   expect_one_complaint(folder.graze("cast hit.json --tier exact --method mpr"), {"--tier", "mpr"});
-  expect_one_complaint(folder.graze("cast hit.json --tier certified"), {"not available in this version"});
   expect_one_complaint(folder.graze("cast hit.json --method epa"), {"epa", "gjk"});
   expect_one_complaint(folder.graze("cast hit.json --scalar half"), {"half", "float"});
   expect_one_complaint(folder.graze("cast hit.json --proof no/such/folder.jsonl"), {"no/such/folder.jsonl"});
-  folder.write("spin.json", R"({"schema": "graze.case/1", "id": "test/spin", "family": "test",
- "a": {"shape": {"type": "point"}},
- "b": {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "position": [0, 0, 2], "rotation": [0, 1, 0]}})");
-  const CommandRun spin = folder.graze("cast spin.json --json");
-  expect_one_complaint(spin, {"spin.json", "test/spin", "rotating"});
-  EXPECT_EQ(spin.out, "");
 }
 
 TEST(Check, accepts_the_proofs_that_cast_writes) {

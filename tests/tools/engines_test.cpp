@@ -29,9 +29,9 @@ corpus::Case falling_cube() {
   return problem;
 }
 
-TEST(Methods, are_ca_gjk_mpr_and_exact_in_both_scalars) {
-  EXPECT_EQ(methods().size(), 8U);
-  for (const char* name : {"ca", "gjk", "mpr", "exact"}) {
+TEST(Methods, are_ca_gjk_mpr_certified_and_exact_in_both_scalars) {
+  EXPECT_EQ(methods().size(), 10U);
+  for (const char* name : {"ca", "gjk", "mpr", "certified", "exact"}) {
     ASSERT_NE(find_method(name), nullptr);
     EXPECT_EQ(find_method(name)->scalar, "double");
     const EngineMethod* in_float = find_method(std::string(name) + "/float");

@@ -60,13 +60,12 @@ inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
   return least;
 }
 
-// Weights of the origin in a tetrahedron, by volumes.
+// Weights of the origin in a tetrahedron, by volumes; in two doubles, as a thin one's are small differences.
 inline void weigh(Simplex<double>& pairs) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3<double>&a = pairs.point[(i + 1) % 4].w, &b = pairs.point[(i + 2) % 4].w,
-          &c = pairs.point[(i + 3) % 4].w;
-    pairs.lambda[i] = std::abs(a.dot(b.cross(c)));
+    pairs.lambda[i] = std::abs(
+        determinant(pairs.point[(i + 1) % 4].w, pairs.point[(i + 2) % 4].w, pairs.point[(i + 3) % 4].w));
     sum += pairs.lambda[i];
   }
   for (double& l : pairs.lambda) l = sum > 0 ? l / sum : 0.25;

@@ -1,0 +1,84 @@
+// Judges one answer to one rotating case: is the verdict right, is the time never late, is contact not
+// claimed before there is any, is the bracket as narrow as its row says, and are the claims of its proof
+// true?
+//
+//   limit = kappa u scale, a length (0 in tier certified: there any proved contradiction is a fault).
+//   The oracle brackets the first contact; an answer is convicted by the end that favours it. Where the
+//   oracle itself is undecided (clearance and depth below its width, or its budget at an end), no verdict is
+//   wrong.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engines/guarantees.hpp"
+#include "engines/rotating.hpp"
+#include "oracles/check_rotating_proof.hpp"
+#include "oracles/rotating_truth.hpp"
+#include "tools/judge.hpp"
+
+namespace graze::tool {
+
+// One case and what is true of it, found out when it is first asked for. One thread at a time.
+class TurningTruth {
+ public:
+  explicit TurningTruth(corpus::Case problem) : problem_(std::move(problem)) {}
+  [[nodiscard]] const corpus::Case& problem() const { return problem_; }
+  [[nodiscard]] const oracle::RotatingTruth& bracket();
+
+ private:
+  corpus::Case problem_;
+  std::unique_ptr<oracle::RotatingTruth> bracket_;
+};
+
+struct RotatingLimits {
+  double kappa = 0;
+  double unit_roundoff = 0;
+  double contact_kappa = kappa;  // of normals and witnesses
+  engine::Unseen may_miss = engine::Unseen::nothing, may_be_late = engine::Unseen::nothing;
+  std::optional<double> width = {};  // over scale
+  bool certified = false;
+};
+
+// Of a row; without one, by kPlainKappa, and held to everything.
+[[nodiscard]] RotatingLimits limits_of(const engine::RotatingEngineMethod& method,
+                                       const engine::Guarantee* row, const corpus::Case& seen);
+
+struct RotatingJudgement {
+  Outcome outcome = Outcome::invalid_input;
+  // Faults: why, or empty.
+  std::string wrong;  // the verdict, by more than the limit; or an answer that says nothing sensible
+  std::string late;   // toi_lower is past the contact, by more than the limit
+  std::string early;  // contact is claimed at toi_upper, and there is none yet, by more than the limit
+  std::string wide;   // the bracket of a hit is wider than the limit, or farther off than it says itself
+  std::string bad_contact;  // the normal or a witness is further off than its limit
+  std::string undecided;    // tier certified: not_converged where clearance or depth exceeds the row's width
+  std::string unproved;     // tier certified: no proof, or one that claims less than the answer
+  std::string false_proof;  // which claim of it is false
+  // No fault by itself.
+  bool stalled = false;    // not_converged, in tier standard
+  bool excused = false;    // a verdict that less than the limit decides
+  bool hidden = false;     // a contact missed or passed that the row says may be
+  bool open = false;       // the oracle is undecided
+  bool not_asked = false;  // an infinite t_max or the policy pass_over: no question for the oracle
+  ProofState proof = ProofState::none;
+  // Over scale, what is proved of each; NaN where the answer or the truth has no such length. width: of a
+  // hit, the larger of the distance at toi_lower and the depth before toi_upper. passed: the depth of a
+  // contact that a miss denies or toi_lower has passed.
+  double width = std::numeric_limits<double>::quiet_NaN();
+  double passed = std::numeric_limits<double>::quiet_NaN();
+  // normal: by how much it fails to separate the bodies at the first contact. witness: the larger distance of
+  // the two from their bodies at toi_lower.
+  double normal = std::numeric_limits<double>::quiet_NaN();
+  double witness = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] const std::string& fault() const;  // the first of the faults; empty if there is none
+  [[nodiscard]] bool faulty() const { return !fault().empty(); }
+};
+
+// `truth` is about the case as the method saw it.
+[[nodiscard]] RotatingJudgement judge_rotating(TurningTruth& truth, const engine::RotatingAnswer& answer,
+                                               const RotatingLimits& limits, Request request);
+
+}  // namespace graze::tool
