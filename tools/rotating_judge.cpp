@@ -174,18 +174,17 @@ class RotatingJudge {
     late(truth);
     early(truth);
     own_distance(truth);
-    if (!certified()) {
-      judgement_.stalled = true;
-      return;
-    }
+    // Where clearance or depth is below the row's length, a flat C's depth of 0 too, nothing decides.
     const Enclosure decides = truth.outcome() == Outcome::miss ? truth.clearance() : truth.depth();
-    if (!judgement_.open && decides.low > wide_) {
+    if (judgement_.open || !(decides.low > (certified() ? wide_ : limit_))) {
+      judgement_.excused = true;
+    } else if (!certified()) {
+      judgement_.stalled = true;
+    } else {
       convict(judgement_.undecided,
               fmt::format("is undecided; {} is {}",
                           truth.outcome() == Outcome::miss ? "the clearance" : "the depth",
                           length_text(decides.low)));
-    } else {
-      judgement_.excused = true;
     }
   }
 

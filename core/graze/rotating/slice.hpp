@@ -16,6 +16,7 @@
 // stall, and none is believed.
 #pragma once
 
+#include <algorithm>
 #include <graze/rotating/nearest.hpp>
 #include <graze/rotating/whole_turns.hpp>
 #include <optional>
@@ -67,12 +68,14 @@ class SliceSearch {
     out.end = safe >= rest ? limits_.end : not_after(now.t, safe);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (before && towards_contact(now, *before, safe, out)) return out;
-    place(now.t);
-    const Frame frame = steadiest(now.near.n);
-    along_axis(
-        Along{
-            now.t, pair_.to_own(frame.of, now.near.n), now.near.gap - pair_.frame_error(frame.of), frame, {}},
-        safe, out);
+    // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
+    for (const Frame& frame : frames(now.near.n)) {
+      const double longest = out.end - now.t;
+      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > 2 * longest)) continue;
+      place(now.t);
+      const Vec3<double> own = pair_.to_own(frame.of, now.near.n);
+      along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
+    }
     by_whole_turns(now, out);
     return out;
   }
@@ -88,19 +91,21 @@ class SliceSearch {
     const double closing = pair_.closing(now.near.n);
     return closing > 0 ? kShort * now.near.gap / closing : kInfinity<double>;
   }
-  // The frame in which an axis n, as it stands now, lets points bend least, and sqrt(M/2).
+  // A frame in which an axis can stand still, and sqrt(M/2).
   struct Frame {
     AxisFrame of = AxisFrame::world;
     double bend_root = 0;
   };
-  [[nodiscard]] Frame steadiest(const Vec3<double>& n) const {
-    Frame best{AxisFrame::world, pair_.bend(n)};
-    for (const AxisFrame frame : {AxisFrame::a, AxisFrame::b}) {
-      const double bend = pair_.bend(frame, n, limits_.end);
-      if (bend < best.bend_root / 2) best = {frame, bend};
+  // For an axis n as it stands now; the one that lets points bend least first.
+  [[nodiscard]] std::array<Frame, 3> frames(const Vec3<double>& n) const {
+    std::array<Frame, 3> out;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto of = static_cast<AxisFrame>(i);
+      out[i] = {of, std::sqrt(pair_.bend(of, n, limits_.end) / 2 * (1 + 0x1p-40))};
     }
-    best.bend_root = std::sqrt(best.bend_root / 2 * (1 + 0x1p-40));
-    return best;
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Frame& l, const Frame& r) { return l.bend_root < r.bend_root; });
+    return out;
   }
   static bool proves(double h, double s_0, double s_1, double bend_root) {
     return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
@@ -113,9 +118,8 @@ class SliceSearch {
   bool towards_contact(const Seen& now, const Seen& before, double safe, Slice& out) {
     const double gap = now.near.gap, fallen = before.near.gap - gap;
     if (!(fallen > 0)) return false;
-    const double to_root = (now.t - before.t) / fallen;  // time per length
-    const double most =
-        2 * std::sqrt(gap) / steadiest(now.near.n).bend_root;  // what any axis alike could prove
+    const double to_root = (now.t - before.t) / fallen;                        // time per length
+    const double most = 2 * std::sqrt(gap) / frames(now.near.n)[0].bend_root;  // of any axis alike
     for (const double left : {wished(gap), gap / 8}) {
       const double h = (gap - left) * to_root;
       if (!(h > safe && h < most && h < limits_.end - now.t)) return false;
@@ -123,18 +127,19 @@ class SliceSearch {
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
-      const Frame frame = steadiest(there.n);
-      const double error = pair_.frame_error(frame.of);
-      const Vec3<double> own = pair_.to_own(frame.of, there.n);
-      pair_.place(now.t);
-      const double gap_now =
-          pair_.gap(pair_.to_world(frame.of, own), counters_) - pair_.frame_error(frame.of);
-      if (!proves(end - now.t, gap_now, there.gap - error, frame.bend_root)) continue;
-      out.end = end;
-      out.axis = pair_.to_start(frame.of, own);
-      out.frame = frame.of;
-      out.there = there;
-      return true;
+      for (const Frame& frame : frames(there.n)) {
+        const double error = pair_.frame_error(frame.of);
+        place(end);
+        const Vec3<double> own = pair_.to_own(frame.of, there.n);
+        place(now.t);
+        const double gap_now = pair_.gap(pair_.to_world(frame.of, own), counters_) - error;
+        if (!proves(end - now.t, gap_now, there.gap - error, frame.bend_root)) continue;
+        out.end = end;
+        out.axis = pair_.to_start(frame.of, own);
+        out.frame = frame.of;
+        out.there = there;
+        return true;
+      }
     }
     return false;
   }
