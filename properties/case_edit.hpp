@@ -1,7 +1,9 @@
 // Exact edits of a case. Each returns a case whose true answer is known from the original's, or nothing where
 // some number of the new case would have to be rounded: a law must not blame a method for our own rounding.
 //
-// Frame: world. Contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A.
+// Frame: world. Linear: contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A. Rotating: a body's
+// point x is at R(w t)(x - c) + c + v t, c = position + R(orientation) pivot
+// (graze/rotating/rotating_body.hpp).
 #pragma once
 
 #include <cstdint>
@@ -24,17 +26,31 @@ void map_body(Body<double>& body, F& f) {
   body.orientation = map.quaternion(body.orientation);
   body.displacement = map.vector(Slot::displacement, body.displacement);
 }
+template <class F>
+void map_spin(corpus::Spin& spin, F& f) {
+  const ShapeMap<F> map{f};
+  spin.rotation = map.vector(Slot::rotation, spin.rotation);
+  spin.pivot = map.vector(Slot::pivot, spin.pivot);
+}
 
 }  // namespace detail
 
+// A rotation or a pivot is given, seen or not.
+[[nodiscard]] bool has_spin(const corpus::Case& problem);
+
 // The case with every scalar x replaced by f(slot, x). The order of the visit is fixed: A's shape, position,
-// orientation and displacement, then B's, then the horizon, then the target distance.
+// orientation and displacement, then B's, then the horizon, then the target distance; then, of a case with a
+// spin, A's rotation and pivot and B's.
 template <class F>
 [[nodiscard]] corpus::Case map_scalars(corpus::Case problem, F&& f) {
   detail::map_body(problem.a, f);
   detail::map_body(problem.b, f);
   problem.t_max = f(Slot::horizon, problem.t_max);
   problem.target_distance = f(Slot::target, problem.target_distance);
+  if (has_spin(problem)) {
+    detail::map_spin(problem.spin_a, f);
+    detail::map_spin(problem.spin_b, f);
+  }
   return problem;
 }
 
@@ -66,15 +82,43 @@ template <class F>
 [[nodiscard]] std::optional<corpus::Case> translated(const corpus::Case& problem, std::uint64_t salt);
 // The shape of A (or B, by `salt`) replaced by a superset (shape_edit.hpp). TOI not later.
 [[nodiscard]] corpus::Case grown(const corpus::Case& problem, std::uint64_t salt);
-// C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed vertices
-// only.
+// Linear: C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed
+// vertices only.
 [[nodiscard]] std::optional<corpus::Case> ray_against_cso(const corpus::Case& problem);
-// [0, s] and [s, T] restarted from where the bodies are at s; s in (0, T) dyadic. TOI = TOI_1, or s + TOI_2.
+// Linear: [0, s] and [s, T] restarted from where the bodies are at s; s in (0, T) dyadic. TOI = TOI_1, or s +
+// TOI_2.
 struct Split {
   double at = 0;
   corpus::Case before, after;
 };
 [[nodiscard]] std::optional<Split> split(const corpus::Case& problem, std::uint64_t salt);
+
+// The edits below are for turning bodies; linear cases are taken as well.
+//
+// Both bodies and their motion turned about the origin by one of the rotations that permute the axes; `salt`
+// chooses. TOI unchanged.
+[[nodiscard]] std::optional<corpus::Case> turned_about(const corpus::Case& problem, std::uint64_t salt);
+// x -> -x: turns change their sense about y and z. TOI unchanged.
+[[nodiscard]] corpus::Case mirrored(const corpus::Case& problem);
+// T times 2^k, velocities of both kinds times 2^-k: TOI times 2^k.
+[[nodiscard]] std::optional<corpus::Case> stretched(const corpus::Case& problem, int k);
+// No body turns; what they do else is kept.
+[[nodiscard]] corpus::Case without_turns(const corpus::Case& problem);
+// The body (A for `first`) given a turn that leaves it where it is, instead of its own: a ball's about any
+// axis through its centre, of a capsule, cylinder, cone or ellipsoid of revolution about its own axis. TOI
+// that of the body without a turn. Nothing for other shapes, or where the axis in the world is no exact one.
+[[nodiscard]] std::optional<corpus::Case> with_unseen_turn(const corpus::Case& problem, bool first,
+                                                           std::uint64_t salt);
+// B's motion replaced by A's, about the same axis: they stand still to each other. Nothing where B's pivot
+// takes rounding.
+[[nodiscard]] std::optional<corpus::Case> moved_as_one(const corpus::Case& problem);
+// The bodies as they are at time s, from where they move on: rounded, and no point of them is off by more
+// than `error`. Differs from the true motion by that much at s, and no more later.
+struct Restart {
+  double at = 0, error = 0;
+  corpus::Case after;
+};
+[[nodiscard]] std::optional<Restart> restarted(const corpus::Case& problem, double fraction);
 
 // A 64-bit hash of the numbers of a case: the same on every machine; it salts the choices above.
 [[nodiscard]] std::uint64_t hash_of(const corpus::Case& problem);

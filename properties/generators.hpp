@@ -5,6 +5,7 @@
 
 #include "corpus/case_io.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_rotating.hpp"
 #include "properties/shrink.hpp"
 
 namespace graze::law {
@@ -16,11 +17,13 @@ struct Drawn {
 
 inline void showValue(const Drawn& drawn, std::ostream& out) { out << corpus::write_case(drawn.problem); }
 
-[[nodiscard]] inline rc::Gen<Drawn> cases() {
-  return [](const rc::Random& random, int size) {
+// draw: a case from (corpus::Random&, size).
+template <class Draw>
+[[nodiscard]] rc::Gen<Drawn> cases_by(Draw draw) {
+  return [draw](const rc::Random& random, int size) {
     rc::Random source = random;
     corpus::Random own(source.next());
-    Drawn drawn{draw_case(own, size)};
+    Drawn drawn{draw(own, size)};
     drawn.problem.id = "drawn/one";
     return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& one) {
       std::vector<Drawn> all;
@@ -29,5 +32,8 @@ inline void showValue(const Drawn& drawn, std::ostream& out) { out << corpus::wr
     });
   };
 }
+
+[[nodiscard]] inline rc::Gen<Drawn> cases() { return cases_by(&draw_case); }
+[[nodiscard]] inline rc::Gen<Drawn> rotating_cases() { return cases_by(&draw_rotating); }
 
 }  // namespace graze::law

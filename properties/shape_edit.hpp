@@ -11,10 +11,20 @@
 namespace graze::law {
 
 // What a scalar of a case means.
-enum class Slot : std::uint8_t { vertex, extent, position, orientation, displacement, horizon, target };
+enum class Slot : std::uint8_t {
+  vertex,
+  extent,
+  position,
+  orientation,
+  displacement,
+  horizon,
+  target,
+  rotation,
+  pivot,
+};
 
 [[nodiscard]] constexpr bool is_length(Slot slot) {
-  return slot != Slot::orientation && slot != Slot::horizon;
+  return slot != Slot::orientation && slot != Slot::horizon && slot != Slot::rotation;
 }
 
 // The shape with every scalar x replaced by f(slot, x), in the order of its fields; parts in their order. A

@@ -112,6 +112,10 @@ std::vector<Case> simpler(const Case& problem) {
     if (!plain(problem.*body)) with([&](Case& c) { (c.*body).orientation = {}; });
     if (!(problem.*body).displacement.isZero(0)) with([&](Case& c) { (c.*body).displacement.setZero(); });
   }
+  for (const auto spin : {&Case::spin_a, &Case::spin_b}) {
+    if (!(problem.*spin).rotation.isZero(0)) with([&](Case& c) { (c.*spin).rotation.setZero(); });
+    if (!(problem.*spin).pivot.isZero(0)) with([&](Case& c) { (c.*spin).pivot.setZero(); });
+  }
   // A brought to the origin, and to rest: B keeps what it is relative to A.
   if (!problem.a.position.isZero(0)) {
     with([](Case& c) {

@@ -142,8 +142,11 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
     const auto& p = simplex.point;
     out.proved = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w}) > e;
   }
+  const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
   if (!out.proved) {
-    const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
+    // Along any axis the origin is no deeper than C reaches.
+    ++counters.supports;
+    if (!(n.dot(cso.support(n).w) > e)) return out;
     out.proved = hold_by_portals(cso, n, depth, e, budget, out, counters);
   }
   if (out.proved) weigh(out.pairs);

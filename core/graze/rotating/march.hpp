@@ -130,7 +130,7 @@ class Marcher {
     const bool known = axis_ != Vec3<double>::Zero();  // not of a start in contact
     const double fast = known ? std::max(pair_.closing(axis_), pair_.closing(-axis_)) : pair_.top_speed();
     const double bend = known ? pair_.bend(axis_) : pair_.top_bend();
-    const double first = fast > 0 ? limits_.stop / fast : kInfinity<double>;
+    const double first = fast > 0 ? 2 * limits_.stop / fast : kInfinity<double>;
     const double most = std::max(bend > 0 ? std::sqrt(8 * limits_.stop / bend) : kInfinity<double>, first);
     stride_ = stride_ > 0 ? 2 * stride_ : first;
     const double t = now_.t, next = t + std::min({stride_, most, limits_.end - t});

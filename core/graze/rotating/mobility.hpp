@@ -134,7 +134,10 @@ void for_each_outer_point(const Shape<S>& shape, const Bounds& bounds, const Vis
   }
 }
 
-// unit: what one world length is. Errors: each number is raised by 32 u of the lengths in it. pivot: the
+inline constexpr double kMobilityRounding = 8;
+
+// unit: what one world length is. Errors: a rotated vector is within 0.6 sqrt(3) u and a product's 3 u, a
+// cross product adds 3 u, so each number is raised by kMobilityRounding u of the lengths in it. pivot: the
 // centre of the rotation, or any point for a body that does not turn.
 template <Scalar S>
 Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Bounds& bounds,
@@ -144,20 +147,22 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   out.rate = out.w.norm();
   if (!out.turns()) {
     const Vec3<double> middle = bounds.center + bounds.middle;
-    out.reach = unit * (bounds.half + (middle - pivot).cwiseAbs()).norm() * (1 + 32 * kUnitRoundoff<double>);
+    out.reach = unit * (bounds.half + (middle - pivot).cwiseAbs()).norm() *
+                (1 + kMobilityRounding * kUnitRoundoff<double>);
     return out;
   }
-  const double raise = 1 + 32 * kUnitRoundoff<double>;
+  const double raise = 1 + kMobilityRounding * kUnitRoundoff<double>;
   out.rate *= raise;
   const Mat3<double> turn = moving.body.orientation.is_identity()
                                 ? Mat3<double>(Mat3<double>::Identity())
-                                : rotation_matrix(as_double(moving.body.orientation));
+                                : accurate_rotation_matrix(as_double(moving.body.orientation));
   const Vec3<double> axis = graze::unit(out.w);
   out.low = kInfinity<double>;
   out.high = -kInfinity<double>;
   for_each_outer_point(moving.body.shape, bounds, [&](const Vec3<double>& x) {
     const Vec3<double> arm = turn * (x - pivot);
-    const double slack = 32 * kUnitRoundoff<double> * (x.cwiseAbs().sum() + pivot.cwiseAbs().sum());
+    const double slack =
+        kMobilityRounding * kUnitRoundoff<double> * (x.cwiseAbs().sum() + pivot.cwiseAbs().sum());
     out.rho = std::max(out.rho, is_on_axis(moving, pivot, x) ? 0.0 : unit * (axis.cross(arm).norm() + slack));
     out.reach = std::max(out.reach, x == pivot ? 0.0 : unit * (arm.norm() + slack));
     out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
@@ -166,7 +171,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
     out.revolves = true;
     const Vec3<double> a = turn.col(own);
-    const double noise = 32 * kUnitRoundoff<double>;
+    const double noise = kMobilityRounding * kUnitRoundoff<double>;
     out.tilt_rate = is_along_own_axis(moving, own) ? 0.0 : out.w.cross(a).norm() + noise * out.rate;
     out.own_rate = std::abs(out.w.dot(a)) * raise + noise * out.rate;
     Vec3<double> foot = -pivot;  // of the pivot on the axis, about the pivot
