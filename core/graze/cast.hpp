@@ -28,7 +28,7 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
   if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
     // Contact is at upper: what is left of the path bounds the distance as well.
     const S path = (sweep.upper - sweep.lower) * cso.direction().norm();
-    out.distance = cso.to_length(std::min(sweep.apart, path));
+    out.distance = cso.to_length(std::max(std::min(sweep.apart, path), S(0)));
   }
   switch (sweep.outcome) {
     case Outcome::initially_overlapping:

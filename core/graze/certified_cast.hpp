@@ -386,7 +386,10 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
                       ? kInfinity<S>
                       : std::min(detail::time_up<S>(cast.upper), options.t_max);
   if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
-    out.distance = static_cast<S>(cast.apart);
+    // At the time as rounded down, v within 8 u of itself.
+    const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+    const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
+    out.distance = exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
   }
   if (out.outcome == Outcome::hit) {
     if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();

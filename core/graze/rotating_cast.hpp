@@ -129,13 +129,23 @@ class RotatingCast {
       out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), asked});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
-    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0)) return true;
+    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
     if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) {
       out_.invalid = Invalid::not_linear;
     } else if (options_.tier == Tier::exact) {
       out_.invalid = Invalid::not_exact;
     }
     return out_.invalid == Invalid::none;
+  }
+
+  // Without an end, or with a policy of linear motions, a turn that is seen has no meaning even where the
+  // bounds never meet.
+  [[nodiscard]] bool sees_turn_unended() const {
+    if (out_.plan.effects != Effects::nothing) return false;
+    if (options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report) return false;
+    Economies without = options_.economies;
+    without.bounds = false;
+    return plan_of(*pair_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
   }
 
   void follow_plan() {

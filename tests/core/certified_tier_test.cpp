@@ -4,17 +4,13 @@
 
 #include <graze/cast.hpp>
 
-#if defined(GRAZE_TEST_FLUSH) && defined(__SSE2__)
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-#endif
-
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
 #include "oracles/case_truth.hpp"
 #include "oracles/check_proof.hpp"
+#include "tests/core/flushed.hpp"
 
 namespace {
 
@@ -32,20 +28,6 @@ CastOptions<S> certified(const corpus::Case& problem) {
   options.start_policy = problem.start_policy;
   return options;
 }
-
-// While it lives, and the test is built for that, subnormals are flushed; the oracles never see it.
-struct Flushed {
-#if defined(GRAZE_TEST_FLUSH) && defined(__SSE2__)
-  unsigned before = _mm_getcsr();
-  Flushed() {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~Flushed() { _mm_setcsr(before); }
-#else
-  Flushed() {}
-#endif
-};
 
 struct Count {
   int hits = 0, misses = 0, starts = 0, open = 0;

@@ -127,8 +127,7 @@ TEST(RotatingCast, NoContactBeforeTheLowerEnd) {
     Counters counters;
     for (int k = 0; k < 50; ++k) {
       pair.place(end * k / 50);
-      EXPECT_GT(detail::nearest(pair, Simplex<double>{}, 0, 1e-12, 256, counters).apart,
-                2 * pair.error());
+      EXPECT_GT(detail::nearest(pair, Simplex<double>{}, 0, 1e-12, 256, counters).apart, 2 * pair.error());
     }
     if (r.outcome != Outcome::hit) continue;
     EXPECT_LE(r.distance, 1e-11);
@@ -183,6 +182,63 @@ TEST(RotatingCast, BilateralGoesOverGrazes) {
   EXPECT_EQ(slow.outcome, Outcome::miss);
   EXPECT_EQ(quick.outcome, Outcome::miss);
   EXPECT_GT(slow.counters.supports, 20 * quick.counters.supports);
+}
+
+// A fan that turns fast beside what it never reaches is clear by the cylinder that it sweeps, whatever its
+// angle; a face that two bodies turn with is clear by an axis that turns as well. Few slices, however many
+// radians.
+TEST(RotatingCast, ManyRadiansInFewSlices) {
+  const RotatingBody<double> fan{.body = {.shape = Box<double>{{0.0625, 1, 0.125}}},
+                                 .rotation = {0, 0, 5000}};
+  RotatingBody<double> wall{.body = {.shape = Box<double>{{1, 4, 4}}, .position = {2.015625, 0, 0}}};
+  const auto beside = cast(fan, wall, with<double>({}));
+  EXPECT_EQ(beside.outcome, Outcome::miss);
+  ASSERT_TRUE(beside.proof);
+  EXPECT_LE(beside.proof->chain.size(), 4u);
+  wall.body.position[0] = 1.99;
+  EXPECT_EQ(cast(fan, wall, with<double>({})).outcome, Outcome::hit);
+
+  RotatingBody<double> left{.body = {.shape = Box<double>{{1, 1, 1}}}, .rotation = {0, 0, 500}};
+  RotatingBody<double> right{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {2.0001, 0, 0}},
+                             .rotation = {0, 0, 500},
+                             .pivot = {-2.0001, 0, 0}};
+  right.body.displacement = {0, 0, 1e-6};  // as one, but for a slow slide along the axis
+  const auto slide = cast(left, right, with<double>({}));
+  EXPECT_EQ(slide.outcome, Outcome::miss);
+  ASSERT_TRUE(slide.proof);
+  EXPECT_LE(slide.proof->chain.size(), 32u);
+}
+
+// The cylinder that stands for all angles reaches no less far than the body, along its axis as well, where
+// the direction across is rounding alone.
+TEST(RotatingCast, SweptCylindersHoldTheirBodies) {
+  Draw draw{84};
+  for (int round = 0; round < 200; ++round) {
+    auto a = test::turning_body(draw), b = test::turning_body(draw);
+    detail::MovingPair pair(a, b, 0.0);
+    Counters counters;
+    for (int k = 0; k < 20; ++k) {
+      pair.place(draw.between(0, 1));
+      Vec3<double> n = unit(draw.vector<double>(1));
+      if (k % 4 == 0) n = unit(Vec3<double>(k % 8 == 0 ? a.rotation : b.rotation));
+      const double gap = pair.gap(n, counters);
+      for (const detail::WholeTurns whole : {detail::WholeTurns{true, false}, {false, true}, {true, true}})
+        EXPECT_LE(detail::swept_gap(pair, whole, n, counters), gap + 4 * pair.error());
+    }
+  }
+}
+
+// The spheres are about the pivots: a body far off its pivot is in them at every angle.
+TEST(RotatingCast, SpheresAboutOffCentrePivots) {
+  const RotatingBody<double> arm{.body = {.shape = Box<double>{{0.25, 0.25, 0.25}}, .position = {4, 0, 0}},
+                                 .rotation = {0, 0, 3},
+                                 .pivot = {-4, 0, 0}};
+  const RotatingBody<double> post{.body = {.shape = Capsule<double>{0.25, 1}, .position = {0, 4, 0}}};
+  const auto spheres = cast(arm, post, with<double>(RotatingMethod::bounding_spheres));
+  const auto march = cast(arm, post, with<double>(RotatingMethod::bilateral_advancement));
+  ASSERT_EQ(spheres.outcome, Outcome::hit);
+  ASSERT_EQ(march.outcome, Outcome::hit);
+  EXPECT_NEAR(spheres.toi_lower, march.toi_lower, 1e-11);
 }
 
 TEST(RotatingCast, FlatBodiesByCrossing) {

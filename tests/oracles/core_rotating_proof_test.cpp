@@ -7,6 +7,7 @@
 #include "corpus/proof_io.hpp"
 #include "engines/convert.hpp"
 #include "oracles/check_rotating_proof.hpp"
+#include "tests/core/flushed.hpp"
 #include "tests/core/turning_bodies.hpp"
 
 namespace graze::test {
@@ -97,7 +98,10 @@ template <Scalar S>
 void cast_and_check(const Pair& pair, RotatingOptions<S> options, Tally& tally) {
   const RotatingBody<S> a = converted<S>(pair.a), b = converted<S>(pair.b);
   options.request = Request::proof;
-  const RotatingResult<S> result = cast(a, b, options);
+  const RotatingResult<S> result = [&] {
+    const Flushed flushed;
+    return cast(a, b, options);
+  }();
   ASSERT_NE(result.outcome, Outcome::invalid_input);
   ASSERT_TRUE(result.proof.has_value());
   const RotatingProof& proof = *result.proof;
