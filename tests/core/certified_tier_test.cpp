@@ -38,7 +38,7 @@ struct Count {
 template <Scalar S>
 std::string judged(const corpus::Case& seen, Count& count) {
   const CastResult<S> result = [&] {
-    const Flushed flushed;
+    const graze::test::Flushed flushed;
     return cast(engine::round_to<S>(seen.a), engine::round_to<S>(seen.b), certified<S>(seen));
   }();
   const oracle::CaseTruth truth(seen);
