@@ -242,7 +242,8 @@ class Slice {
         const Ball of_b = b ? motion_.swept_b->reach(motion_.b, -n_, now.t) : now.b.support(-n_).reach;
         return -(of_a + of_b) - margin_;
       };
-      const Ball bound = (a ? Ball(0) : motion_.a.second_bound(n_)) + (b ? Ball(0) : motion_.b.second_bound(n_));
+      const Ball bound =
+          (a ? Ball(0) : motion_.a.second_bound(n_)) + (b ? Ball(0) : motion_.b.second_bound(n_));
       const Ball first = excess_at(begin), last = excess_at(end);
       if (first.is_positive() && last.is_positive() &&
           chord_stays_positive(first, last, bound, Ball(end.t) - Ball(begin.t)))

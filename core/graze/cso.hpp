@@ -68,8 +68,8 @@ class Cso {
     r_ = (power_of_two(-j_) * v).template cast<S>();
   }
 
-  // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those that
-  // turn, each entry within 11 u, and the offset, internal units, within 2 u.
+  // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those
+  // that turn, each entry within 11 u, and the offset, internal units, within 2 u.
   void place(const Mat3<S>* rotation_a, const Mat3<S>* rotation_b, const Vec3<S>& offset) {
     if (rotation_a) a_.turn_to(*rotation_a);
     if (rotation_b) b_.turn_to(*rotation_b);
