@@ -85,10 +85,14 @@ class CertifiedCast {
     const Vec3<double> x = s * context_.r;
     const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
     reduce(simplex, closest_to_origin(simplex, x));
+    const Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
       const CsoPoint<double>& p = simplex.point[i];
-      const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : d.n != Vec3<double>::Zero() ? d.n : n;
+      const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;
       out.add(simplex.lambda[i], points_.named(p, e));
+      // A curved core's points are found along directions of their own; the balls about them look one way.
+      out.on_a += simplex.lambda[i] * context_.radius_a * (towards - e);
+      out.on_b -= simplex.lambda[i] * context_.radius_b * (towards - e);
     }
     return out;
   }
@@ -306,6 +310,18 @@ class CertifiedCast {
         const double t = proof.toi_lower;
         const Near proved = near(cso_.to_parameter(t));
         if (proved.distance <= width_allowed_) return proved.distance;
+      }
+    }
+    // Where the path meets the rim of a flat end, the axes from C to it are tilted as far as it is off the
+    // rim; the end's own normal is along one of the body's axes.
+    for (const Side<double>* side : {&cso_.side_a(), &cso_.side_b()}) {
+      for (int i = 0; i < 3; ++i) {
+        const Vec3<double> own = side->to_world(Vec3<double>(Vec3<double>::Unit(i)));
+        for (const Vec3<double>& axis : {own, Vec3<double>(-own)}) {
+          const double before_it = proof.toi_lower;
+          prove_lower(context_, axis, false, proof, counters_);
+          if (proof.toi_lower > before_it) steep = axis;
+        }
       }
     }
     return near(cso_.to_parameter(proof.toi_lower)).distance;

@@ -73,7 +73,7 @@ TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::vector<std::string> lines = lines_of(run.out);
     // Of a case with a ball there is no exact answer.
-    ASSERT_EQ(lines.size(), 3U);
+    ASSERT_EQ(lines.size(), 4U);
     for (const std::string& line : lines) {
       const Json json = Json::parse(line);
       std::set<std::string> keys;
@@ -172,7 +172,7 @@ TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
     EXPECT_EQ(json["toi"]["lower"], 1.0 / 3);
     EXPECT_EQ(folder.graze("check proof.jsonl").exit_code, 0);
   }
-  EXPECT_EQ(lines_of(folder.graze("cast cube.json --json --method all").out).size(), 4U);
+  EXPECT_EQ(lines_of(folder.graze("cast cube.json --json --method all").out).size(), 5U);
   std::string line = cube;
   line.insert(line.rfind('}'), R"(, "query": "line")");
   folder.write("line.json", line);
@@ -211,7 +211,7 @@ TEST(Check, accepts_the_proofs_that_cast_writes) {
               0);
     const CommandRun check = folder.graze("check proofs.jsonl");
     EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-    EXPECT_EQ(check.out, "6 accepted, 0 refused\n");
+    EXPECT_EQ(check.out, "8 accepted, 0 refused\n");
   }
 }
 

@@ -57,7 +57,7 @@ TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
     falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_lower -= kOff; });
     falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_upper += kOff; });
     falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) {
-      a.toi_lower -= 1e-12;  // within the row, but nearer than it says
+      a.toi_lower -= 4e-12;  // within the row, but nearer than it says
       a.distance = 0;
     });
   }

@@ -19,7 +19,6 @@ struct Contact {
   Simplex<double> pairs;  // weighted, but for a crossing
   bool crossing = false;  // crossing.hpp: between `from` and the time of the contact
   double from = 0;
-  Vec3<double> n = Vec3<double>::Zero();  // a normal of C near the contact, where portals found one
 };
 
 // Of a named support point.
@@ -112,7 +111,6 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (in.state == State::missed || in.portal.size != 3) continue;
     const PortalSearch<double> out = leave_line(cso, frame, depth / 8, budget, counters);
     if (out.state == State::missed || out.state == State::rejected || out.portal.size != 3) continue;
-    found.n = in.facing;
     if (surround(in, out, found.pairs) > e) return true;
   }
   return false;

@@ -104,13 +104,13 @@ class Marcher {
     return true;
   }
 
-  // Of a start in contact: where the way out of C, away from its middle, is short.
+  // Of a start in contact, at `lower`: where the line from the origin to C's middle enters C.
   Vec3<double> entry_normal() {
-    if (out_.contact.n != Vec3<double>::Zero()) return out_.contact.n;
+    pair_.place(out_.lower);
     const Cso<double>& cso = pair_.cso();
     if (cso.middle() == Vec3<double>::Zero()) return away_from_middle(pair_);
     const PortalSearch<double> in = enter_line(cso, Frame<double>(cso.middle()), kInfinity<double>,
-                                               limits_.stop, limits_.budget, counters_);
+                                               pair_.error(), limits_.budget, counters_);
     return in.facing != Vec3<double>::Zero() ? in.facing : away_from_middle(pair_);
   }
 

@@ -80,6 +80,13 @@ int axis_of_revolution(const Shape<S>& shape) {
   return -1;
 }
 
+// Every axis is one of revolution.
+template <Scalar S>
+bool is_ball(const Shape<S>& shape) {
+  const auto* e = std::get_if<Ellipsoid<S>>(&shape);
+  return e && e->radii[0] == e->radii[1] && e->radii[1] == e->radii[2];
+}
+
 // Is w exactly along the body's own axis? Without an orientation, or with one that permutes the axes, that
 // can be read off the numbers.
 template <Scalar S>
@@ -168,7 +175,17 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
     out.high = std::max(out.high, unit * (axis.dot(arm) + slack));
   });
-  if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
+  if (is_ball(moving.body.shape)) {
+    // About an axis along w: it turns with its centre.
+    const Vec3<double> center = Vec3<double>::Zero();
+    out.revolves = true;
+    out.own_rate = out.rate;
+    out.revolved_reach = unit * bounds.half.norm() * raise;
+    out.center_rho = is_on_axis(moving, pivot, center)
+                         ? 0.0
+                         : unit * (axis.cross(turn * pivot).norm() +
+                                   kMobilityRounding * kUnitRoundoff<double> * pivot.cwiseAbs().sum());
+  } else if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
     out.revolves = true;
     const Vec3<double> a = turn.col(own);
     const double noise = kMobilityRounding * kUnitRoundoff<double>;
