@@ -18,6 +18,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source "$config"
 cases=2000
 turning_cases=240
+extra=()
 
 law_of() { sed -n 's/^Law: //p' "$1"; }
 # The laws of rotating casts stand in one file, by name.
@@ -30,14 +31,16 @@ compile() {
   shift 2
   for file in "$@"; do
     # Not through a compiler cache: the copy has a new path in every run.
-    "$GRAZE_CXX" "${GRAZE_FLAGS[@]}" -I"$core" "${GRAZE_INCLUDES[@]}" -c "$file" \
+    "$GRAZE_CXX" "${GRAZE_FLAGS[@]}" "${extra[@]}" -I"$core" "${GRAZE_INCLUDES[@]}" -c "$file" \
       -o "$to/$(basename "$file" .cpp).o"
   done
   "$GRAZE_CXX" "$to"/*.o "${GRAZE_LINK[@]}" -o "$to/driver"
 }
 
-# build PATCH DIR: a driver whose methods carry the defect.
+# build PATCH DIR: a driver whose methods carry the defect; in double alone, unless the patch speaks of float.
 build() {
+  extra=()
+  grep -q float "$1" || extra=(-DGRAZE_DOUBLE_ALONE)
   mkdir -p "$2/core"
   cp -r "$GRAZE_CORE/graze" "$2/core/graze"
   if ! patch --quiet --strip=2 --fuzz=3 --directory="$2/core" <"$1" >"$2/patch.log" 2>&1; then
