@@ -88,6 +88,15 @@ LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMeth
     if (off > limit + row_of(method, seen).rounding_at(answer.toi_lower))
       return broken(fmt::format("witness {} is {} off its body: {}", body, off, describe(answer)));
   }
+  // At each other, by no more than the distance that is stated; each is near its body by the above, and the
+  // pair may be the rougher half of a closest-point search: 1e-9 of the scale, the certified width, is
+  // granted.
+  const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
+  const double near_enough = answer.distance + 1e-9 * scale_of(seen) +
+                             row_of(method, seen).rounding_at(answer.toi_lower) +
+                             4 * u * (answer.point_a.norm() + answer.point_b.norm());
+  if (between_points > near_enough)
+    return broken(fmt::format("the witnesses are {} apart: {}", between_points, describe(answer)));
   if (truth->outcome() != Outcome::hit) return holds({label_of(answer.outcome), "no true normal"});
   const double between = std::max(std::abs(answer.toi_lower - truth->toi_lower()),
                                   std::abs(answer.toi_lower - truth->toi_upper()));

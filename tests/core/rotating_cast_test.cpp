@@ -228,6 +228,18 @@ TEST(RotatingCast, SweptCylindersHoldTheirBodies) {
   }
 }
 
+// A slice ends at a double, and not later than what was proved, where steps are a few units in the last place
+// of t.
+TEST(RotatingCast, SlicesEndNoLaterThanProved) {
+  Draw draw{85};
+  for (int round = 0; round < 2000; ++round) {
+    const double t = draw.between(0, 2), h = std::exp2(draw.between(-53, -1));
+    const double end = detail::not_after(t, h);
+    EXPECT_LE(end - t, h);
+    EXPECT_GT(std::nextafter(end, 4) - t, h);
+  }
+}
+
 // The spheres are about the pivots: a body far off its pivot is in them at every angle.
 TEST(RotatingCast, SpheresAboutOffCentrePivots) {
   const RotatingBody<double> arm{.body = {.shape = Box<double>{{0.25, 0.25, 0.25}}, .position = {4, 0, 0}},
