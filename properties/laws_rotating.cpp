@@ -92,7 +92,7 @@ LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMeth
   // pair may be the rougher half of a closest-point search: 1e-9 of the scale, the certified width, is
   // granted.
   const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
-  const double near_enough = answer.distance + 1e-9 * scale_of(seen) +
+  const double near_enough = answer.distance + 1e-9 * scale_of(seen) + 2 * limit +
                              row_of(method, seen).rounding_at(answer.toi_lower) +
                              4 * u * (answer.point_a.norm() + answer.point_b.norm());
   if (between_points > near_enough)

@@ -290,8 +290,9 @@ class RotatingCast {
 
   // The closest points at toi_lower, each on its own body.
   void set_witnesses(const March& found) {
-    const double t = static_cast<double>(out_.toi_lower);
-    pair_->place(t);
+    // Which points they are is asked where they were found, as a flat end answers by the last bit of a
+    // direction.
+    pair_->place(found.lower);
     const Cso<double>& cso = pair_->cso();
     Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(found.closest.size); ++i) {
@@ -302,6 +303,8 @@ class RotatingCast {
       x_a += found.closest.lambda[i] * side_a.support(side_a, side_a.to_own(p.n), &p.vertex_a).x;
       x_b += found.closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
     }
+    const double t = static_cast<double>(out_.toi_lower);
+    pair_->place(t);
     const Vec3<double> rel_a = pair_->center_a() + cso.side_a().to_world(x_a) + cso.side_a().radius * found.n;
     const Vec3<double> rel_b = pair_->center_b() + cso.side_b().to_world(x_b) - cso.side_b().radius * found.n;
     // From the pivot of A to the world.

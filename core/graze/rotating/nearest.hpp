@@ -40,8 +40,16 @@ inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, do
   const Cso<double>& cso = pair.cso();
   const double R = pair.radius(), error = pair.error();
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
-  Distance<double> d = gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()),
-                                    out.simplex, std::max(stop / 16, expected / 16), R, budget, counters);
+  const auto search = [&] {
+    return gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()), out.simplex,
+                        std::max(stop / 16, expected / 16), R, budget, counters);
+  };
+  Distance<double> d = search();
+  // A simplex that was closest at another time may be a sliver now, which leads nowhere.
+  if (d.stalled && d.upper - d.lower > std::max(stop / 4, expected / 4) && before.size > 0) {
+    out.simplex = {};
+    d = search();
+  }
   if (d.stalled && d.upper - d.lower > stop / 4 && d.upper > R) {
     SweepLimits<double> limits;
     limits.noise = stop / 4;
