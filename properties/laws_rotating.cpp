@@ -88,11 +88,11 @@ LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMeth
     if (off > limit + row_of(method, seen).rounding_at(answer.toi_lower))
       return broken(fmt::format("witness {} is {} off its body: {}", body, off, describe(answer)));
   }
-  // At each other, by no more than the distance that is stated; each is near its body by the above, and the
-  // pair may be the rougher half of a closest-point search: 1e-9 of the scale, the certified width, is
-  // granted.
+  // At each other, by no more than the distance that is stated. A normal that misses support by g is known to
+  // the root of 2 g over a ball's radius, so the ball's point to sqrt(2 g R) <= 2e-5 of the scale for g <=
+  // 2e-10 of it, which is above what any row's bracket leaves.
   const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
-  const double near_enough = answer.distance + 1e-9 * scale_of(seen) + 2 * limit +
+  const double near_enough = answer.distance + 2e-5 * scale_of(seen) + 2 * limit +
                              row_of(method, seen).rounding_at(answer.toi_lower) +
                              4 * u * (answer.point_a.norm() + answer.point_b.norm());
   if (between_points > near_enough)
