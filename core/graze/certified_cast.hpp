@@ -288,7 +288,7 @@ class CertifiedCast {
       try_axis(steep);
     }
     // From C to a point of the line before contact, the path's or one behind its start.
-    for (double before = width_allowed_ / context_.r.norm(); !(deep <= width_allowed_) && before < 1e-6;
+    for (double before = width_allowed_ / context_.r.norm(); !(deep <= width_allowed_) && before < kFarBefore;
          before *= 32) {
       try_axis(near(cso_.to_parameter(upper) - before).n);
     }
@@ -335,6 +335,10 @@ class CertifiedCast {
     proof.portal_size = 3;
     proof.toi_upper = upper;
   }
+
+  // Of the path's parameter: the root of the width, from where an axis is tilted by more than the width
+  // allows.
+  static constexpr double kFarBefore = 1e-6;
 
   const Body<S>&a_, &b_;
   Cso<double> cso_;

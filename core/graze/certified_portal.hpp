@@ -74,7 +74,10 @@ class ProvedView {
 
  private:
   static constexpr int kSteps = 96;  // of discovery, and of refinement: 20 are typical
-  static constexpr int kTilts = 8;   // directions of a tilt
+  // Radians: a tilt costs a curved point its square in depth, a flat end the tilt itself; the middle one
+  // first.
+  static constexpr std::array<double, 3> kTiltSizes = {1e-9, 1e-12, 1e-7};
+  static constexpr int kTilts = 8;  // directions of a tilt
 
   static double value(const TwoDoubles& x) { return x.hi + x.lo; }
 
@@ -191,7 +194,7 @@ class ProvedView {
   bool with_tilts(const Vec3<double>& n, const Try& try_one) const {
     if (try_one(placed(points_.along(n)), false)) return true;
     const Frame<double> frame(n);
-    for (const double tilt : {1e-9, 1e-12, 1e-7}) {
+    for (const double tilt : kTiltSizes) {
       for (int k = 0; k < kTilts; ++k) {
         // Away from the symmetries of anything.
         const double angle = 0.3 + k * 0.785398;

@@ -37,11 +37,8 @@ template <Scalar S>
 CastOptions<S> linear_options(const RotatingOptions<S>& options) {
   CastOptions<S> out;
   out.tier = options.tier;
-  out.request = options.request == Request::proof ? Request::verdict : options.request;
-  if (asks_for(options.request, Request::proof)) {
-    out.request =
-        static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
-  }
+  out.request =
+      static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
   out.t_max = options.t_max;
   out.target_distance = options.target_distance;
   out.start_policy = options.start_policy;
@@ -57,18 +54,6 @@ Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const Rotat
     return Invalid::bad_tolerance;
   if (const Invalid one = validate(a, options.t_max); one != Invalid::none) return one;
   return validate(b, options.t_max);
-}
-
-// x as an S that is not above, not below.
-template <Scalar S>
-S rounded_down(double x) {
-  S out = static_cast<S>(x);
-  if (static_cast<double>(out) > x) out = std::nextafter(out, -kInfinity<S>);
-  return out;
-}
-template <Scalar S>
-S rounded_up(double x) {
-  return -rounded_down<S>(-x);
 }
 
 template <Scalar S>
@@ -202,7 +187,7 @@ class RotatingCast {
     CastOptions<S> options = linear_options(options_);
     options.request = Request::verdict;
     options.target_distance =
-        rounded_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
+        exact::round_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
     const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
     if (linear.outcome == Outcome::miss) return take(linear);
     add(linear.counters);
@@ -244,7 +229,7 @@ class RotatingCast {
     limits.touching = stop();
     limits.budget = options_.max_iterations;
     out_.hidden_motion =
-        rounded_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
+        exact::round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
     fill(step_through(*pair_, limits, out_.counters));
   }
 
@@ -274,15 +259,15 @@ class RotatingCast {
       out_.toi_lower = out_.toi_upper = 0;
       return;
     }
-    out_.toi_lower = rounded_down<S>(found.lower);
-    out_.toi_upper = found.upper < kInfinity<double> ? rounded_up<S>(found.upper) : kInfinity<S>;
+    out_.toi_lower = exact::round_down<S>(found.lower);
+    out_.toi_upper = found.upper < kInfinity<double> ? exact::round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;
     if (found.upper < kInfinity<double> && found.upper > found.lower) {
       // Contact is at upper: what is left of the way bounds the distance as well.
       apart = std::min(apart, pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50));
     }
     apart += pair_->top_speed() * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
-    out_.distance = rounded_up<S>(pair_->cso().to_length(apart));
+    out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
     if (found.outcome != Outcome::hit) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);

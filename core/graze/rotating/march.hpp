@@ -2,9 +2,9 @@
 //
 // Internal lengths; t as the caller's. While the bodies are farther apart than `stop`, slices that an axis
 // proves free of contact (slice.hpp). Nearer than that axes do not lead. From there the march walks forward,
-// at first by what cannot pass through more than `stop`, then by twice as much, never by more than what keeps
-// the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp) or the bodies are apart
-// again. The time at which it began to walk is the lower end of the bracket, whatever follows.
+// at first by what cannot pass through more than twice `stop`, then by twice as much, never by more than what
+// keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp) or the bodies are
+// apart again. The time at which it began to walk is the lower end of the bracket, whatever follows.
 #pragma once
 
 #include <graze/rotating/crossing.hpp>

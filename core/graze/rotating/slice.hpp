@@ -2,9 +2,9 @@
 //
 // Lengths: internal; n unit, world axes, from A to B. The gap along n at time t is s(t) = min over B of n.b -
 // max over A of n.a, less the target distance; positive: apart. From a time t_0 with the bodies apart, either
-//   conservative   s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp): the slice is s_0 / L
-//   long; bilateral      every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M the sum of
-//   the
+//   conservative:  s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp), so the slice is
+//                  s_0 / L long;
+//   bilateral:     every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M the sum of the
 //                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
 //                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2).
 // [Mirtich 1996; Catto, Continuous Collision, GDC 2013, whose bilateral advancement asks for s_1 > 0 only.]
@@ -12,8 +12,9 @@
 // Where the bilateral t_1 is looked for, in this order: a little before the root of the distance itself, by
 // the secant of its last two values, with the axis found there (where a face turns, an old axis is good for a
 // part of the way only, the new one for all of it); else along the old axis, as far as M allows or towards
-// the first root of s, by the secant. What no try proves becomes a conservative slice. No root finder can
-// stall, and none is believed.
+// the first root of s, by the secant, in the frame that lets points bend least, or in another; else the same
+// with the cylinder that a body sweeps in a whole turn (whole_turns.hpp). What no try proves becomes a
+// conservative slice. No root finder can stall, and none is believed.
 #pragma once
 
 #include <algorithm>

@@ -66,10 +66,6 @@ inline double swept_gap(const MovingPair& pair, const WholeTurns& whole, const V
   ++counters.supports;
   return -n.dot(swept_support(pair, whole, n).w) - pair.radius() - swept_error(pair);
 }
-inline double swept_closing(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n) {
-  return pair.closing(n) - (whole.a ? pair.mobility_a().speed(n) : 0.0) -
-         (whole.b ? pair.mobility_b().speed(n) : 0.0) + 0x1p-50 * pair.top_speed();
-}
 inline double swept_bend(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n) {
   return (whole.a ? 0.0 : pair.mobility_a().acceleration(n)) +
          (whole.b ? 0.0 : pair.mobility_b().acceleration(n));
