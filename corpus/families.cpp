@@ -12,11 +12,22 @@ namespace {
 constexpr double kRandomLevels[] = {4, 6, 8, 12, 16, 24};
 constexpr double kAlignedLevels[] = {0, 1, 2, 3};
 constexpr double kGrazingLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+constexpr double kSmoothGrazeLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
+constexpr double kNoiseLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 constexpr double kRatioLevels[] = {0, 1, 2, 3, 4, 5, 6};
 constexpr double kFarLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr double kTouchingLevels[] = {-1024, -64, -8, -4, -2, -1, 0};
 constexpr double kCurvedLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr double kCombinatorsLevels[] = {1, 2, 3, 4, 5};
+constexpr double kHullsLevels[] = {8, 10, 12, 14, 16};
+constexpr double kTenthsLevels[] = {1, 2, 4, 6, 8, 10, 12, 14, 16, 17};  // 17: none at all
+constexpr double kRedundantLevels[] = {0, 1, 2, 3, 4, 5};
+constexpr double kLatticeLevels[] = {0, 1, 2, 3, 4, 5, 6};
+constexpr double kSlidingLevels[] = {0, 1, 2, 4, 6, 8, 10, 12, 14, 16, 17};
+constexpr double kSpeedsLevels[] = {0, 1, 2, 3, 5, 8, 12, 16, 20, 25, 30, 40, 50};
+constexpr double kMarginLevels[] = {-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4};
+constexpr double kScaledLevels[] = {0, 10, 20, 30, 40, 50, 75, 100};
+constexpr double kManyLevels[] = {5, 6, 7, 8, 9};
 
 constexpr Family kFamilies[] = {
     {"random", "Two random bodies, one aimed near the other.", "the number of vertices of a hull",
@@ -24,9 +35,15 @@ constexpr Family kFamilies[] = {
     {"aligned_boxes", "Boxes on a grid: support ties along the whole path.",
      "the number of axes along which the boxes' faces lie in one plane at t = 0", kAlignedLevels,
      fill_aligned_boxes},
-    {"grazing", "The path just touches, or just misses, a vertex, an edge or a face.",
+    {"grazing_vertex", "The path just touches, or just misses, a vertex.",
      "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4", kGrazingLevels,
-     fill_grazing},
+     fill_grazing_vertex},
+    {"grazing_edge", "The path just touches, or just misses, an edge.",
+     "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4", kGrazingLevels,
+     fill_grazing_edge},
+    {"grazing_face", "The path just touches, or just misses, a face.",
+     "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4", kGrazingLevels,
+     fill_grazing_face},
     {"size_ratio", "A small body falls anywhere on a large one.", "k: the large body is 10^k times as large",
      kRatioLevels, fill_size_ratio},
     {"far_from_origin", "A random pair far from the origin.",
@@ -38,6 +55,49 @@ constexpr Family kFamilies[] = {
      "k: the thin extents are 10^-k of the others, for shapes of size 4", kCurvedLevels, fill_curved},
     {"combinators", "Sums, sweeps, hulls of two, roundings and poses, nested.",
      "how deep the combinators are nested", kCombinatorsLevels, fill_combinators},
+    {"hulls", "Two hulls of few random vertices, not turned, one aimed near the other.",
+     "the number of vertices of each hull", kHullsLevels, fill_hulls},
+    {"hulls_rotated", "Two hulls of few random vertices, turned, one aimed near the other.",
+     "the number of vertices of each hull", kHullsLevels, fill_hulls_rotated},
+    {"flat_shapes", "Plates, needles and specks, in one plane, on one line, or anyhow.",
+     "k: the flattest body's least extent is 10^-k of its largest; 17 is exactly flat", kTenthsLevels,
+     fill_flat_shapes},
+    {"redundant_vertices", "Hulls that list more than their corners: copies, midpoints, inner points.",
+     "k: 2^k redundant vertices for each corner", kRedundantLevels, fill_redundant_vertices},
+    {"lattice", "Shapes, positions and motion on a coarse lattice.",
+     "k: the shapes' coordinates are integers of -2^(6-k) .. 2^(6-k)", kLatticeLevels, fill_lattice},
+    {"contained", "One body within the other, or on its way to the other's middle.",
+     "k: the centres meet but for 10^-k of a size of 4 along an axis; 17 is concentric", kTenthsLevels,
+     fill_contained},
+    {"sliding", "Bodies in touch that slide off, along, or into each other.",
+     "k: |n.v| is 10^-k of the largest component of v; 17 is exactly along the face", kSlidingLevels,
+     fill_sliding},
+    {"speeds", "Very slow and very fast motion over very long and very short times.",
+     "k: |v| is 10^k or 10^-k of what arrives within a unit of time", kSpeedsLevels, fill_speeds},
+    {"target_margin", "Casts to a target distance, from far below the shapes' size to far above.",
+     "k: the target distance is 10^k sizes of 4", kMarginLevels, fill_target_margin},
+    {"scaled_scene", "A scene that is tiny or huge, with gaps near the usual absolute tolerances.",
+     "j: the scene is 2^j or 2^-j as large as shapes of size 4", kScaledLevels, fill_scaled_scene},
+    {"many_vertices", "Dense hulls: spheres, caps, prisms, rings of nearly coplanar triangles.",
+     "k: one hull has 2^k corners", kManyLevels, fill_many_vertices},
+    {"needles", "Long thin bodies that meet near their ends.", "k: the length is 10^k times the width",
+     kRatioLevels, fill_needles},
+    {"plates", "Flat bodies that meet flat on flat, edge on edge or edge on flat, near their rims.",
+     "k: the width is 10^k times the thickness", kRatioLevels, fill_plates},
+    {"parallel_faces", "A small body falls face on face, the two nearly parallel.",
+     "k: the angle between the faces is 10^-k radians", kGrazingLevels, fill_parallel_faces},
+    {"parallel_edges", "Two edges meet that are nearly parallel.",
+     "k: the angle between the edges is 10^-k radians", kGrazingLevels, fill_parallel_edges},
+    {"perpendicular", "The motion lies nearly in the face that would be hit.",
+     "k: the angle between motion and face is 10^-k radians; one case in 16 has 0", kGrazingLevels,
+     fill_perpendicular},
+    {"noisy_copy", "A hull and a copy of it with noise.",
+     "k: the noise is 10^-k a coordinate, for shapes of size 4", kNoiseLevels, fill_noisy_copy},
+    {"smooth_graze", "Round shapes that pass at a small gap, or meet to a small depth.",
+     "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4", kSmoothGrazeLevels,
+     fill_smooth_graze},
+    {"slivers", "Triangles and hulls with nearly collinear corners.",
+     "k: a corner is within 10^-k of an edge, for shapes of size 4", kNoiseLevels, fill_slivers},
 };
 
 constexpr double kSpinningGrazeLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
@@ -68,6 +128,9 @@ constexpr Family kRotatingFamilies[] = {
     {"random_rotating", "Any two shapes, turning and moving at moderate speed.",
      "how deep the combinators of one body are nested; 0 for none", kRandomRotatingLevels,
      fill_random_rotating, true},
+    {"pure_spin", "No linear motion: a body meets the other by turning alone.",
+     "k: the clearance is 2^-k, or the depth at most that, for an arm of 5 to 160", kSpinningGrazeLevels,
+     fill_pure_spin, true},
 };
 
 }  // namespace
@@ -75,8 +138,9 @@ constexpr Family kRotatingFamilies[] = {
 Case Family::generate(double hardness, std::uint64_t seed) const {
   const double level = std::clamp(std::floor(hardness + 0.5), levels.front(), levels.back());
   Case problem;
-  problem.id =
-      std::string(name) + "/h" + std::to_string(static_cast<long long>(level)) + "/s" + std::to_string(seed);
+  problem.id.reserve(name.size() + 32);
+  problem.id.append(name).append("/h").append(std::to_string(static_cast<long long>(level)));
+  problem.id.append("/s").append(std::to_string(seed));
   problem.family = name;
   problem.hardness = level;
   problem.comment = sentence;

@@ -96,12 +96,15 @@ Guarantee parse_row(const Json& row, const std::string& where) {
 
 }  // namespace
 
-double Guarantee::kappa(const corpus::Case& problem) const {
-  const auto is_rounded = [](const Body<double>& body) {
+bool is_rounded(const corpus::Case& problem) {
+  const auto is_round = [](const Body<double>& body) {
     return detail::is_curved(body.shape) || detail::common_radius(body.shape) > 0;
   };
-  const bool rounded = is_rounded(problem.a) || is_rounded(problem.b) || problem.target_distance > 0;
-  return rounded ? kappa_rounded : kappa_polytope;
+  return is_round(problem.a) || is_round(problem.b) || problem.target_distance > 0;
+}
+
+double Guarantee::kappa(const corpus::Case& problem) const {
+  return is_rounded(problem) ? kappa_rounded : kappa_polytope;
 }
 
 std::vector<Guarantee> parse_guarantees(std::string_view text) {

@@ -48,6 +48,9 @@ struct Guarantee {
   }
 };
 
+// Has a case a ball in it, a curved shape or a target distance? kappa_rounded is about those.
+[[nodiscard]] bool is_rounded(const corpus::Case& problem);
+
 // The table built into the library (engines/guarantees.json).
 [[nodiscard]] std::span<const Guarantee> guarantees();
 

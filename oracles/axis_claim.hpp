@@ -8,6 +8,7 @@
 #pragma once
 
 #include <graze/proof.hpp>
+#include <optional>
 
 #include "oracles/symbolic_axis.hpp"
 
@@ -92,14 +93,37 @@ struct LowerClaim {
   }
 };
 
+// A claim, and whether the axis proves a second bound too, if one is asked about.
+struct LowerClaims {
+  LowerClaim claim;
+  std::optional<double> raised = {};
+};
+
+struct AxisFindings {
+  AxisFinding claim, raised = AxisFinding::fails;
+
+  [[nodiscard]] friend bool is_open(const AxisFindings& found) {
+    return found.claim == AxisFinding::unknown || found.raised == AxisFinding::unknown;
+  }
+};
+
+template <class N, class Below>
+[[nodiscard]] AxisFindings decide(const LowerClaims& claims, Answer zero, const Approach<N>& approach,
+                                  const Below& below) {
+  AxisFindings found{claims.claim.decide(zero, approach, below)};
+  if (claims.raised)
+    found.raised = LowerClaim{*claims.raised, claims.claim.horizon}.decide(zero, approach, below);
+  return found;
+}
+
 template <class N>
-[[nodiscard]] AxisFinding axis_claim(const AxisQuestion& ask, const LowerClaim& claim, Scans& scans) {
+[[nodiscard]] AxisFindings axis_claims(const AxisQuestion& ask, const LowerClaims& claims, Scans& scans) {
   const Pair<N> pair(ask.a, ask.b);
   const Triple<N> n = axis_vector(ask.a, ask.b, pair, ask.proof);
   const N high = weighted_support(ask, pair, n, scans);
-  return claim.decide(is_zero(n), approach_along(ask.proof, n, pair.velocity), [&](const N& x, bool strict) {
-    return below_zero(ask, pair, n, high - pair.weigh(x), strict);
-  });
+  return decide(
+      claims, is_zero(n), approach_along(ask.proof, n, pair.velocity),
+      [&](const N& x, bool strict) { return below_zero(ask, pair, n, high - pair.weigh(x), strict); });
 }
 
 }  // namespace graze::oracle

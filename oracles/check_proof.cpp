@@ -112,20 +112,34 @@ struct VertexCounts {
 
 // ---- the cascade ------------------------------------------------------------------------------------------
 
+[[nodiscard]] constexpr bool is_open(Answer found) { return found == Answer::unknown; }
+
 class Cascade {
  public:
   explicit Cascade(CheckCost* cost) : cost_(cost), filters_(filters_hold()) {}
 
-  // decide.operator()<N>() tells the finding over N; `unknown` sends it on to the next arithmetic.
+  // decide.operator()<N>() tells the finding over N; one that is open goes on to the next arithmetic.
   template <class Decide>
   [[nodiscard]] auto run(const Decide& decide) const {
-    using Finding = decltype(decide.template operator()<Dyadic>());
     if (filters_) {
-      if (const auto found = decide.template operator()<Filtered>(); found != Finding::unknown) {
+      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
         if (cost_ != nullptr) ++cost_->double_decisions;
         return found;
       }
-      if (const auto found = decide.template operator()<Extended>(); found != Finding::unknown) {
+      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
+        if (cost_ != nullptr) ++cost_->extended_decisions;
+        return found;
+      }
+    }
+    if (cost_ != nullptr) ++cost_->exact_decisions;
+    return decide.template operator()<Dyadic>();
+  }
+
+  // The same for two claims about neighbouring doubles at once, which plain doubles hardly ever tell apart.
+  template <class Decide>
+  [[nodiscard]] auto run_close(const Decide& decide) const {
+    if (filters_) {
+      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
         if (cost_ != nullptr) ++cost_->extended_decisions;
         return found;
       }
@@ -137,21 +151,21 @@ class Cascade {
   // The same for what may have square roots; it may stay unknown.
   template <class Decide>
   [[nodiscard]] auto run_with_roots(bool has_roots, const Decide& decide) const {
-    using Finding = decltype(decide.template operator()<Ball>());
     if (filters_) {
-      if (const auto found = decide.template operator()<Filtered>(); found != Finding::unknown) {
+      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
         if (cost_ != nullptr) ++cost_->double_decisions;
         return found;
       }
-      if (const auto found = has_roots ? Finding::unknown : decide.template operator()<Extended>();
-          found != Finding::unknown) {
-        if (cost_ != nullptr) ++cost_->extended_decisions;
-        return found;
+      if (!has_roots) {
+        if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
+          if (cost_ != nullptr) ++cost_->extended_decisions;
+          return found;
+        }
       }
     }
     for (long bits = kFirstBits; bits <= kMostBits; bits *= 2) {
       const WorkingPrecision working(bits);
-      if (const auto found = decide.template operator()<Ball>(); found != Finding::unknown) {
+      if (const auto found = decide.template operator()<Ball>(); !is_open(found)) {
         if (cost_ != nullptr) ++cost_->ball_decisions;
         return found;
       }
@@ -238,11 +252,11 @@ class SolidBodies {
     return {};
   }
 
-  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Proof& proof, double target_distance,
-                                 const LowerClaim& claim) const {
+  [[nodiscard]] AxisFindings axis(const Cascade& cascade, const Proof& proof, double target_distance,
+                                  const LowerClaims& claims) const {
     const AxisQuestion ask{a_, b_, proof, target_distance};
     Scans scans;
-    return cascade.run([&]<class N>() { return axis_claim<N>(ask, claim, scans); });
+    return cascade.run([&]<class N>() { return axis_claims<N>(ask, claims, scans); });
   }
   [[nodiscard]] AxisValues axis_values(const Proof& proof, double target_distance) const {
     const AxisQuestion ask{a_, b_, proof, target_distance};
@@ -301,11 +315,12 @@ class TreeBodies {
     return {};
   }
 
-  [[nodiscard]] AxisFinding axis(const Cascade& cascade, const Proof&, double target_distance,
-                                 const LowerClaim& claim) const {
+  [[nodiscard]] AxisFindings axis(const Cascade& cascade, const Proof&, double target_distance,
+                                  const LowerClaims& claims) const {
     TreeScans scans(pair_);
-    return cascade.run_with_roots(target_distance > 0 || pair_.has_roots(),
-                                  [&]<class N>() { return axis_.decide<N>(target_distance, claim, scans); });
+    return cascade.run_with_roots(target_distance > 0 || pair_.has_roots(), [&]<class N>() {
+      return axis_.findings<N>(target_distance, claims, scans);
+    });
   }
   [[nodiscard]] AxisValues axis_values(const Proof& proof, double target_distance) const {
     const WorkingPrecision working(kFirstBits);
@@ -327,36 +342,45 @@ class TreeBodies {
   std::vector<Way> ways_a_, ways_b_;
 };
 
-// The claims in their order. The case and the form of the proof are sound.
+// The claims in their order, and, if `moved` is not null, what would be accepted with either bound moved to
+// the other: for 0 < toi_lower < toi_upper < infinity and no target distance. The case and the form of the
+// proof are sound.
 template <class Bodies>
 [[nodiscard]] Verdict check_claims(const corpus::Case& problem, const Proof& proof, const Bodies& bodies,
-                                   CheckCost* cost) {
+                                   CheckCost* cost, MovedBounds* moved) {
   const Cascade cascade(cost);
   if (Verdict points = bodies.points_fit(cascade, proof); !points.accepted()) return points;
 
   if (proof.toi_lower > 0) {
     if (!proof.has_axis || (!proof.symbolic && proof.axis.isZero(0)))
       return {Refusal::axis_missing, "toi_lower " + text(proof.toi_lower) + " needs a non-zero axis"};
-    const LowerClaim claim{proof.toi_lower, problem.t_max};
-    const AxisFinding found = bodies.axis(cascade, proof, problem.target_distance, claim);
-    if (found != AxisFinding::holds)
-      return refuse_axis(found, claim, bodies.axis_values(proof, problem.target_distance));
+    LowerClaims claims{{proof.toi_lower, problem.t_max}};
+    if (moved != nullptr) claims.raised = proof.toi_upper;
+    const AxisFindings found = bodies.axis(cascade, proof, problem.target_distance, claims);
+    if (found.claim != AxisFinding::holds)
+      return refuse_axis(found.claim, claims.claim, bodies.axis_values(proof, problem.target_distance));
+    if (moved != nullptr) moved->lower_accepted = found.raised == AxisFinding::holds;
   }
 
   if (proof.toi_upper < kInfinity<double>) {
     if (proof.portal_size == 0)
       return {Refusal::portal_missing, "toi_upper " + text(proof.toi_upper) + " needs a portal"};
-    const double end = std::min(problem.t_max, proof.toi_upper);
-    const PathQuestion ask{problem.a.displacement, problem.b.displacement, end, problem.target_distance};
-    const PortalFinding found = cascade.run(
-        [&]<class N>() { return PortalClaim<N>(ask, bodies.template points<N>(proof)).decide(); });
-    if (found != PortalFinding::holds) return refuse_portal(found, end);
+    PathQuestion ask{problem.a.displacement, problem.b.displacement, std::min(problem.t_max, proof.toi_upper),
+                     problem.target_distance};
+    if (moved != nullptr) ask.lowered = std::min(problem.t_max, proof.toi_lower);
+    const auto decide = [&]<class N>() {
+      return PortalClaim<N>(ask, bodies.template points<N>(proof)).decide();
+    };
+    const PortalFindings found = moved != nullptr ? cascade.run_close(decide) : cascade.run(decide);
+    if (found.claim != PortalFinding::holds) return refuse_portal(found.claim, ask.horizon);
+    if (moved != nullptr) moved->upper_accepted = found.lowered == PortalFinding::holds;
   }
   return {};
 }
 
 // Apart, so that the polytopes' way stays small.
-[[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
+[[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, CheckCost* cost,
+                                      MovedBounds* moved) {
   Door of_a, of_b;
   of_a.vector(problem.a.displacement);
   of_a.vector(problem.a.position);
@@ -367,7 +391,19 @@ template <class Bodies>
       entry.refusal != Refusal::none)
     return {entry.refusal, entry.reason};
   const TreePair pair{a, b, problem.a, problem.b};
-  return check_claims(problem, proof, TreeBodies(pair, proof), cost);
+  return check_claims(problem, proof, TreeBodies(pair, proof), cost, moved);
+}
+
+[[nodiscard]] Verdict check(const corpus::Case& problem, const Proof& proof, CheckCost* cost,
+                            MovedBounds* moved) {
+  Solid a, b;
+  Door of_a, of_b;
+  if (!read_solid(problem.a, a, of_a) || !read_solid(problem.b, b, of_b))
+    return check_trees(problem, proof, cost, moved);
+  if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.core.count(), b.core.count()});
+      entry.refusal != Refusal::none)
+    return {entry.refusal, entry.reason};
+  return check_claims(problem, proof, SolidBodies(a, b), cost, moved);
 }
 
 }  // namespace
@@ -407,14 +443,23 @@ const char* to_string(Refusal refusal) {
 }
 
 Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
-  Solid a, b;
-  Door of_a, of_b;
-  if (!read_solid(problem.a, a, of_a) || !read_solid(problem.b, b, of_b))
-    return check_trees(problem, proof, cost);
-  if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.core.count(), b.core.count()});
-      entry.refusal != Refusal::none)
-    return {entry.refusal, entry.reason};
-  return check_claims(problem, proof, SolidBodies(a, b), cost);
+  return check(problem, proof, cost, nullptr);
+}
+
+Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBounds& moved, CheckCost* cost) {
+  moved = {};
+  if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
+    return check(problem, proof, cost, nullptr);
+  // The door and the points ask nothing that a moved bound would change, once the lower one is above 0.
+  if (proof.toi_lower > 0 && problem.target_distance == 0) return check(problem, proof, cost, &moved);
+  Verdict verdict = check(problem, proof, cost, nullptr);
+  if (!verdict.accepted()) return verdict;
+  Proof raised = proof, lowered = proof;
+  raised.toi_lower = proof.toi_upper;
+  lowered.toi_upper = proof.toi_lower;
+  moved.lower_accepted = check(problem, raised, cost, nullptr).accepted();
+  moved.upper_accepted = check(problem, lowered, cost, nullptr).accepted();
+  return verdict;
 }
 
 }  // namespace graze::oracle

@@ -64,4 +64,15 @@ struct CheckCost {
 
 [[nodiscard]] Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost = nullptr);
 
+// Of an accepted proof with toi_lower < toi_upper < infinity: would it be accepted with either bound moved to
+// the other? Tight bounds would not. False of any other proof.
+struct MovedBounds {
+  bool lower_accepted = false;  // toi_lower raised to toi_upper
+  bool upper_accepted = false;  // toi_upper lowered to toi_lower
+};
+
+// What check_proof says of the proof and of these two, for hardly more than it costs alone.
+[[nodiscard]] Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBounds& moved,
+                                    CheckCost* cost = nullptr);
+
 }  // namespace graze::oracle

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <graze/proof.hpp>
+#include <optional>
 
 #include "oracles/posed_exact.hpp"
 
@@ -38,9 +39,19 @@ struct PathQuestion {
   const Vec3<double>& displacement_b;
   double horizon;          // U
   double target_distance;  // m
+  // Does the claim hold for this U as well? Only for m = 0.
+  std::optional<double> lowered = {};
 };
 
 enum class PortalFinding { holds, off_path, beyond, unknown };
+
+struct PortalFindings {
+  PortalFinding claim, lowered = PortalFinding::beyond;
+
+  [[nodiscard]] friend bool is_open(const PortalFindings& found) {
+    return found.claim == PortalFinding::unknown || found.lowered == PortalFinding::unknown;
+  }
+};
 
 template <class N>
 class PortalClaim {
@@ -48,6 +59,7 @@ class PortalClaim {
   PortalClaim(const PathQuestion& ask, PortalPoints<N> points)
       : portal_(std::move(points)),
         horizon_(ask.horizon),
+        lowered_(ask.lowered),
         target_distance_(ask.target_distance),
         velocity_(difference<N>(ask.displacement_b, ask.displacement_a)) {
     // The largest component of v; its sign is exact, being that of one rounded difference.
@@ -60,17 +72,32 @@ class PortalClaim {
       axis_ = 0;
       velocity_ = {N(1), N(0), N(0)};
       horizon_ = 0;
+      if (lowered_) lowered_ = 0;
     }
   }
 
-  [[nodiscard]] PortalFinding decide() const {
+  [[nodiscard]] PortalFindings decide() const {
     const Crossing crossing = cross_path();
+    PortalFindings found{finding(crossing)};
+    if (lowered_) found.lowered = exact_finding(crossing, crossing.before_lowered);
+    return found;
+  }
+
+ private:
+  struct Crossing {
+    Answer found = Answer::no, before_end = Answer::no, before_lowered = Answer::no, after_start = Answer::no;
+  };
+
+  // m = 0
+  [[nodiscard]] PortalFinding exact_finding(const Crossing& crossing, Answer before_end) const {
+    const Answer on_time = both(before_end, crossing.after_start);
+    if (on_time == Answer::yes) return PortalFinding::holds;
+    if (crossing.found == Answer::unknown || on_time == Answer::unknown) return PortalFinding::unknown;
+    return crossing.found == Answer::yes && moving_ ? PortalFinding::beyond : PortalFinding::off_path;
+  }
+  [[nodiscard]] PortalFinding finding(const Crossing& crossing) const {
+    if (target_distance_ == 0) return exact_finding(crossing, crossing.before_end);
     const Answer on_time = both(crossing.before_end, crossing.after_start);
-    if (target_distance_ == 0) {
-      if (on_time == Answer::yes) return PortalFinding::holds;
-      if (crossing.found == Answer::unknown || on_time == Answer::unknown) return PortalFinding::unknown;
-      return crossing.found == Answer::yes && moving_ ? PortalFinding::beyond : PortalFinding::off_path;
-    }
     if (on_time == Answer::yes) return PortalFinding::holds;
     const Answer near = either(on_time, near_path(true));
     if (near == Answer::yes) return PortalFinding::holds;
@@ -79,25 +106,23 @@ class PortalClaim {
     return near_line == Answer::yes ? PortalFinding::beyond : PortalFinding::off_path;
   }
 
- private:
-  struct Crossing {
-    Answer found = Answer::no, before_end = Answer::no, after_start = Answer::no;
-  };
-
   // One subset that holds 0, at s = numerator / (denominator v_c w), denominator of the given sign.
   void add(Crossing& crossing, const N& numerator, const N& denominator, bool negative) const {
     const bool flip = negative != backward_;
-    const N end = denominator * portal_.weigh(velocity_[axis_] * horizon_);
-    const Sign start_sign = sign(numerator), end_sign = sign(numerator - end);
+    const Sign start_sign = sign(numerator);
     crossing.found = Answer::yes;
     crossing.after_start =
         either(crossing.after_start, flip ? at_most_zero(start_sign) : at_least_zero(start_sign));
-    crossing.before_end =
-        either(crossing.before_end, flip ? at_least_zero(end_sign) : at_most_zero(end_sign));
+    const auto before = [&](double horizon) {
+      const Sign s = sign(numerator - denominator * portal_.weigh(velocity_[axis_] * horizon));
+      return flip ? at_least_zero(s) : at_most_zero(s);
+    };
+    crossing.before_end = either(crossing.before_end, before(horizon_));
+    if (lowered_) crossing.before_lowered = either(crossing.before_lowered, before(*lowered_));
   }
 
   [[nodiscard]] Crossing cross_path() const {
-    constexpr Crossing undecided{Answer::unknown, Answer::unknown, Answer::unknown};
+    constexpr Crossing undecided{Answer::unknown, Answer::unknown, Answer::unknown, Answer::unknown};
     Crossing crossing;
     Triple<N> arm[4];  // v x p_i
     for (int i = 0; i < portal_.size; ++i) arm[i] = cross(velocity_, portal_.at[i]);
@@ -224,7 +249,9 @@ class PortalClaim {
   }
 
   PortalPoints<N> portal_;
-  double horizon_, target_distance_;
+  double horizon_;
+  std::optional<double> lowered_;
+  double target_distance_;
   Triple<N> velocity_;
   int axis_ = 0;
   bool moving_ = true, backward_ = false;

@@ -41,10 +41,11 @@ class TreeAxis {
   }
 
   template <class N>
-  [[nodiscard]] AxisFinding decide(double target_distance, const LowerClaim& claim, TreeScans& scans) const {
+  [[nodiscard]] AxisFindings findings(double target_distance, const LowerClaims& claims,
+                                      TreeScans& scans) const {
     const Triple<N> n = vector<N>();
     const Fraction<N> h = tree_support<N>(pair_, n, target_distance, scans);
-    return claim.decide(is_zero(n), approach_along(proof_, n, velocity<N>()), [&](const N& x, bool strict) {
+    return decide(claims, is_zero(n), approach_along(proof_, n, velocity<N>()), [&](const N& x, bool strict) {
       const Sign s = sign(h.value - weigh(h, x));
       return strict ? is_negative(s) : at_most_zero(s);
     });

@@ -67,7 +67,8 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
   }
   if (!answer.proof) return fault("no proof");
   const Proof& proof = *answer.proof;
-  const oracle::Verdict verdict = oracle::check_proof(seen, proof);
+  oracle::MovedBounds moved;
+  const oracle::Verdict verdict = oracle::check_bracket(seen, proof, moved);
   if (!verdict.accepted()) {
     return {.fault = std::string(to_string(verdict.refusal)) + ": " + verdict.detail, .false_proof = true};
   }
@@ -89,11 +90,8 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
   if (lower == upper) return {.settled = true};
   if (std::nextafter(lower, kInfinity<double>) != upper)
     return fault("the bracket's ends are not neighbours");
-  Proof raised = proof, lowered = proof;
-  raised.toi_lower = upper;
-  lowered.toi_upper = lower;
-  if (oracle::check_proof(seen, raised).accepted()) return fault("toi_lower is below the TOI by a double");
-  if (oracle::check_proof(seen, lowered).accepted()) return fault("toi_upper is above the TOI by a double");
+  if (moved.lower_accepted) return fault("toi_lower is below the TOI by a double");
+  if (moved.upper_accepted) return fault("toi_upper is above the TOI by a double");
   return {.settled = lower > 0};
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -16,6 +17,7 @@
 #include "tools/inputs.hpp"
 #include "tools/query_certification.hpp"
 #include "tools/rotating_certification.hpp"
+#include "tools/stability_command.hpp"
 #include "tools/tolerance_study.hpp"
 
 namespace graze::tool {
@@ -26,10 +28,17 @@ constexpr std::size_t kStudiedHits = 64;
 
 // Cases of each rotating family. A rotating answer costs its oracle tens of milliseconds.
 constexpr std::size_t kRotatingCases = 60;
+constexpr std::size_t kLinearCases = 4000;
+
+// Cases of each level of a family, for curves of error against hardness: the oracle measures every one, of
+// curved shapes in tens of milliseconds.
+constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 
 struct Arguments {
   std::vector<std::string> files, families, methods = {"all"};
-  std::size_t count = 4000, oracle_every = 20, queries = 100, rotating = kRotatingCases;
+  std::optional<std::size_t> count, rotating;  // defaults: see above
+  std::size_t oracle_every = 20, queries = 100;
+  bool stability = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
   std::string corpus, guarantees, save, plot;
@@ -200,6 +209,24 @@ void print_rotating(const RotatingCertification& certification, const RotatingSe
   fmt::print("{}\n", rotating_guarantee_table(certification, settings));
 }
 
+// --stability: curves of error against hardness instead.
+int show_stability(const Arguments& arguments, const Settings& settings, const RotatingSettings& turning) {
+  if (!arguments.files.empty()) {
+    throw std::runtime_error("--stability: takes families, not files: a file has no levels of hardness");
+  }
+  return run_stability({.settings = {.linear = settings.methods,
+                                     .rotating = turning.methods,
+                                     .guarantees = settings.guarantees,
+                                     .count = arguments.count.value_or(kLevelCases),
+                                     .rotating_count = arguments.rotating.value_or(kRotatingLevelCases),
+                                     .seed = arguments.seed,
+                                     .threads = settings.threads},
+                        .families = wanted_families(arguments),
+                        .by_level = !arguments.families.empty(),
+                        .plot = arguments.plot,
+                        .save = arguments.save});
+}
+
 int run(const Arguments& arguments) {
   const std::vector<engine::Guarantee> rows = guarantee_rows(arguments);
   const SelectedMethods selected = select_methods(arguments.methods);
@@ -210,6 +237,9 @@ int run(const Arguments& arguments) {
                                          : std::max(1U, std::thread::hardware_concurrency())};
   const RotatingSettings turning{
       .methods = selected.rotating, .guarantees = rows, .threads = settings.threads};
+  if (arguments.stability) return show_stability(arguments, settings, turning);
+  const std::size_t linear_count = arguments.count.value_or(kLinearCases);
+  const std::size_t rotating_count = arguments.rotating.value_or(kRotatingCases);
   if (arguments.oracle_every == 0) throw std::runtime_error("--oracle-every: must be 1 or more");
   const std::vector<const corpus::Family*> families = wanted_families(arguments);
   std::unique_ptr<OutputFile> save;
@@ -229,13 +259,13 @@ int run(const Arguments& arguments) {
   for (const CaseFile& file : files.files) intake.take(file.name, file.name, file.cases, false);
   bad = bad || files.bad || (!arguments.files.empty() && intake.skipped > 0);
   for (const corpus::Family* family : families) {
-    const std::size_t count = family->rotating ? arguments.rotating : arguments.count;
+    const std::size_t count = family->rotating ? rotating_count : linear_count;
     if (count > 0) {
       (family->rotating ? intake.rotating : intake.linear)
           .push_back(generated_suite(*family, arguments, count));
     }
   }
-  if (arguments.rotating == 0 || selected.rotating.empty()) intake.rotating.clear();
+  if (rotating_count == 0 || selected.rotating.empty()) intake.rotating.clear();
   if (selected.linear.empty()) intake.linear.clear();
   if (intake.linear.empty() && intake.rotating.empty()) {
     if (!bad) {
@@ -293,7 +323,12 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command->add_option("--family", arguments->families, "Judge cases of this family (may be repeated)")
       ->type_name("NAME");
-  command->add_option("--count", arguments->count, "Generated cases a family (4000)")->type_name("N");
+  command
+      ->add_option(
+          "--count", arguments->count,
+          fmt::format("Generated cases a family ({}); with --stability, of each level of hardness ({})",
+                      kLinearCases, kLevelCases))
+      ->type_name("N");
   command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")->type_name("S");
   command
       ->add_option("--method", arguments->methods,
@@ -310,21 +345,28 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                    "Cases of each suite whose bodies are asked the other queries, too (100); 0 asks none")
       ->type_name("N");
   command
-      ->add_option("--rotating", arguments->rotating,
-                   fmt::format("Generated cases of a rotating family ({}); 0 leaves every rotating cast out",
-                               kRotatingCases))
+      ->add_option(
+          "--rotating", arguments->rotating,
+          fmt::format("Generated cases of a rotating family ({}; with --stability, of each level, {}); 0 "
+                      "leaves every rotating cast out",
+                      kRotatingCases, kRotatingLevelCases))
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
       ->type_name("N");
   command
-      ->add_option("--plot", arguments->plot,
-                   "Write the data and the picture of error against time into this folder")
+      ->add_option(
+          "--plot", arguments->plot,
+          "Write the data and the picture of error against time into this folder; with --stability, of "
+          "error against hardness")
       ->type_name("DIR");
   command
       ->add_option("--save", arguments->save,
                    "Write the cases that a method got wrong or stalled on to this file")
       ->type_name("OUT.jsonl");
+  command->add_flag("--stability", arguments->stability,
+                    "Instead: curves of error against hardness, every case measured by the oracle "
+                    "(docs/stability.md)");
   command->add_option("--corpus", arguments->corpus, "The folder of curated cases")->type_name("DIR");
   command
       ->add_option("--guarantees", arguments->guarantees,
@@ -336,10 +378,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "first; the exact oracle decides what is refused or unproved, and measures the errors on a sample.\n"
       "docs/guarantees.md says what each column means.\n\n"
       "  graze certify\n"
-      "  graze certify --family grazing --count 20000 --method mpr/float --save hard.jsonl\n"
+      "  graze certify --family grazing_face --count 20000 --method mpr/float --save hard.jsonl\n"
       "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
       "  graze certify --family fast_spin --rotating 1000   a thousand cases in which a body turns\n"
-      "  graze certify my_cases.jsonl\n\n"
+      "  graze certify my_cases.jsonl\n"
+      "  graze certify --stability --plot curves   how error grows with hardness, and where methods break\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not, 2 for bad "
       "input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -71,7 +71,7 @@ void add_generate_command(CLI::App& app, int& exit_code) {
       ->type_name("S");
   command->footer(
       "A case is a pure function of family, hardness and seed: the same bits on every machine.\n\n" +
-      family_list() + "\n  graze generate grazing --hardness 12 --count 5 | graze cast - --json");
+      family_list() + "\n  graze generate grazing_edge --hardness 12 --count 5 | graze cast - --json");
   command->callback([settings, &exit_code] { exit_code = run(*settings); });
 }
 

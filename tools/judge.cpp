@@ -317,6 +317,12 @@ double over(double length, double scale) {
   return scale > 0 ? length / scale : kInfinity<double>;
 }
 
+bool is_beyond_range(double lower, double upper, double unit_roundoff) {
+  const double largest = unit_roundoff == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
+                                                               : std::numeric_limits<double>::max();
+  return lower == largest && upper == kInfinity<double>;
+}
+
 std::string senseless(Outcome outcome, double lower, double upper, double t_max) {
   switch (outcome) {
     case Outcome::initially_overlapping:
@@ -419,11 +425,25 @@ bool is_settled_at_the_door(Judgement& judgement, const corpus::Case& problem, c
   return refused || !invalid.empty();
 }
 
+// A hit at a time that the scalar cannot hold. True if there is nothing more to judge.
+bool is_settled_beyond_range(Judgement& judgement, Truth& truth, const Answer& answer, const Limits& limits) {
+  if (answer.outcome != Outcome::hit || truth.problem().t_max < kInfinity<double> ||
+      !is_beyond_range(answer.toi_lower, answer.toi_upper, limits.unit_roundoff)) {
+    return false;
+  }
+  judgement.by_oracle = true;
+  if (truth.exact().outcome() != Outcome::hit || truth.exact().compare(answer.toi_lower) > 0) {
+    convict(judgement.wrong, "a time beyond the scalar's range, where there is contact before that, or none");
+  }
+  return true;
+}
+
 }  // namespace
 
 Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool ask_oracle, Request request) {
   Judgement judgement;
   if (is_settled_at_the_door(judgement, truth.problem(), answer)) return judgement;
+  if (is_settled_beyond_range(judgement, truth, answer, limits)) return judgement;
   if (const std::string why =
           senseless(answer.outcome, answer.toi_lower, answer.toi_upper, truth.problem().t_max);
       !why.empty()) {
@@ -496,6 +516,7 @@ Judgement judge_certified(Truth& truth, const Answer& answer, const Limits& limi
   const corpus::Case& problem = truth.problem();
   Judgement judgement;
   if (is_settled_at_the_door(judgement, problem, answer)) return judgement;
+  if (is_settled_beyond_range(judgement, truth, answer, limits)) return judgement;
   if (std::string why = senseless(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max);
       !why.empty()) {
     convict(judgement.wrong, std::move(why));

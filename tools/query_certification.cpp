@@ -72,7 +72,9 @@ std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t
     const Case question = asked(problem, method.query, index);
     const Case seen = seen_by(method, question);
     if (!truth || !corpus::same_case(truth->problem(), seen)) truth = std::make_unique<QueryTruth>(seen);
-    if (!why_invalid(seen).empty()) {
+    const bool no_direction =
+        method.query == Query::penetration_along && seen.direction == Vec3<double>::Zero();
+    if (no_direction || !why_invalid(seen).empty()) {
       out.emplace_back();
       continue;
     }

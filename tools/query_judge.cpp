@@ -197,10 +197,22 @@ class QueryJudge {
         answer_.outcome == Outcome::hit, meets, [&] { return exact.line_clearance(); },
         [&] { return exact.line_depth(); });
     if (answer_.outcome != Outcome::hit || !meets || !answer_.t_in || !answer_.t_out) return;
-    for (const double t : {answer_.t_in->lower, answer_.t_in->upper})
-      measure("t_in", exact.entry_error(t).low);
-    for (const double t : {answer_.t_out->lower, answer_.t_out->upper})
-      measure("t_out", exact.exit_error(t).low);
+    const oracle::ContactInterval ends = *exact.contact_interval();
+    end_of_line("t_in", *answer_.t_in, ends.in, [&](double t) { return exact.entry_error(t).low; });
+    end_of_line("t_out", *answer_.t_out, ends.out, [&](double t) { return exact.exit_error(t).low; });
+  }
+
+  template <class Error>
+  void end_of_line(const char* what, const Interval& bracket, const Enclosure& end, const Error& error) {
+    // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
+    if (is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
+        is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) {
+      if (!(bracket.lower <= end.high && end.low <= bracket.upper)) {
+        convict(judgement_.off, fmt::format("{} is within the scalar's range", what));
+      }
+      return;
+    }
+    for (const double t : {bracket.lower, bracket.upper}) measure(what, error(t));
   }
 
   void swept_overlap() {

@@ -66,7 +66,7 @@ class RotatingJudge {
     scale_ = truth.scale().high;
     limit_ = limits_.kappa * limits_.unit_roundoff * scale_;
     wide_ = std::max(limit_, limits_.width.value_or(0) * scale_);
-    speed_ = fastest(problem.a, problem.spin_a) + fastest(problem.b, problem.spin_b);
+    speed_ = greatest_speed(problem);
     judgement_.open = truth.outcome() == Outcome::not_converged;
     switch (answer_.outcome) {
       case Outcome::miss:
@@ -291,6 +291,10 @@ class RotatingJudge {
 };
 
 }  // namespace
+
+double greatest_speed(const corpus::Case& problem) {
+  return fastest(problem.a, problem.spin_a) + fastest(problem.b, problem.spin_b);
+}
 
 const RotatingTruth& TurningTruth::bracket() {
   if (!bracket_) bracket_ = std::make_unique<RotatingTruth>(problem_);

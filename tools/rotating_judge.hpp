@@ -41,6 +41,9 @@ struct RotatingLimits {
   bool certified = false;
 };
 
+// No point of one body moves faster past one of the other (length per unit of t).
+[[nodiscard]] double greatest_speed(const corpus::Case& problem);
+
 // Of a row; without one, by kPlainKappa, and held to everything.
 [[nodiscard]] RotatingLimits limits_of(const engine::RotatingEngineMethod& method,
                                        const engine::Guarantee* row, const corpus::Case& seen);

@@ -38,7 +38,8 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
       out.toi_lower = out.toi_upper = kInfinity<S>;
       break;
     default:
-      out.toi_lower = std::min(cso.to_time(sweep.lower), options.t_max);
+      // A time too large for S lies between its largest number and infinity.
+      out.toi_lower = std::min({cso.to_time(sweep.lower), options.t_max, std::numeric_limits<S>::max()});
       out.toi_upper =
           sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
   }

@@ -31,6 +31,7 @@
 #include <graze/certified_flat.hpp>
 #include <graze/certified_start.hpp>
 #include <graze/leaving.hpp>
+#include <graze/prove.hpp>
 
 namespace graze {
 
@@ -257,7 +258,20 @@ class CertifiedCast {
     const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
     const double rounding =
         16 * kUnitRoundoff<double> * (cso_.extent() + cso_.radius()) + 4 * cso_.point_error();
-    return {std::max(d.upper - cso_.radius(), 0.0) + rounding, d.n};
+    return {std::min(std::max(d.upper - cso_.radius(), 0.0), from_portal(x)) + rounding, d.n};
+  }
+  // The distance of x from the portal's triangle, all of it in C. On thin curved shapes GJK's is worse: so
+  // near to C the direction to it is rounding, and the support point along it is off by the thin radius times
+  // the angle's square.
+  [[nodiscard]] double from_portal(const Vec3<double>& x) const {
+    if (!portal.found) return kInfinity<double>;
+    Simplex<double> triangle;
+    for (const ProvedPoint& p : portal.p) {
+      CsoPoint<double> corner;
+      corner.w = rounded_once(p.point.w);
+      triangle.add(corner);
+    }
+    return std::sqrt(closest_to_origin(triangle, x).dist_sq);
   }
 
   // A hit is proved. What is the width of its bracket, and can it be made narrow?
@@ -423,7 +437,9 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     }
   }
   out.counters.iterations = out.counters.portal_steps + out.counters.gjk_iterations;
-  if (asks_for(options.request, Request::proof) && !out.passed_over) out.proof = cast.proof;
+  if (asks_for(options.request, Request::proof) && !out.passed_over) {
+    out.proof = under_policy(cast.proof, options.start_policy);
+  }
   return out;
 }
 

@@ -69,6 +69,7 @@ class Guide {
     }
     turned_ = !body.orientation.is_identity() && (size_ > 0 || largest(center_) > 0);
     if (turned_) set_rotation();
+    far_out_ = turned_ && largest(center_) > size_;
   }
   // k: the internal length is 2^-k of the caller's.
   void prepare(int k) {
@@ -117,6 +118,12 @@ class Guide {
       z = n.x * row_[0].z + n.y * row_[1].z + n.z * row_[2].z;
     }
     return {x, y, z};
+  }
+  // Where the centre is at t = 0: position + R centre, caller's unit.
+  [[nodiscard]] Triple placed_center() const {
+    const Triple p = triple(body_.position);
+    if (!far_out_) return p + to_world(center_);
+    return triple(detail::placed_center(p.vector(), detail::as_double(body_.orientation), center_.vector()));
   }
   [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
   [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
@@ -266,7 +273,7 @@ class Guide {
   const float* guess_ = nullptr;       // its guess scan, by axis, each padded_ long
   std::size_t padded_ = 0;
   Kind kind_ = Kind::few;
-  bool turned_ = false;
+  bool turned_ = false, far_out_ = false;
   std::uint32_t count_ = 1;
   mutable std::uint32_t last_ = kNoStart;
   double unit_ = 1, reach_ = 0, size_ = 0, blur_ = 0;

@@ -122,16 +122,20 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   S reach = 0;
   for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
   exponent = reach > 0 ? std::ilogb(reach) : 0;
+  // x 2^-exponent, rounded once if at all: by a product, where the power is a normal number.
+  const bool normal = std::abs(exponent) < std::numeric_limits<S>::max_exponent - 2;
+  const S power = normal ? static_cast<S>(power_of_two(-exponent)) : S(1);
+  const auto scaled = [&](S x) { return normal ? x * power : std::scalbn(x, -exponent); };
   padded = (vertices.size() + kBlock - 1) / kBlock * kBlock;
   scan.resize(3 * padded);
   for (std::size_t k = 0; k < padded; ++k) {
     const Vec3<S>& v = vertices[k < vertices.size() ? k : 0];
     for (std::size_t i = 0; i < 3; ++i) {
-      scan[i * padded + k] = std::scalbn(v[static_cast<int>(i)] - center[static_cast<int>(i)], -exponent);
+      scan[i * padded + k] = scaled(v[static_cast<int>(i)] - center[static_cast<int>(i)]);
     }
   }
   for (int i = 0; i < 3; ++i) {
-    const S l = std::scalbn(low[i] - center[i], -exponent), h = std::scalbn(high[i] - center[i], -exponent);
+    const S l = scaled(low[i] - center[i]), h = scaled(high[i] - center[i]);
     half[i] = (h - l) / 2;
     middle[i] = l + half[i];
   }
@@ -144,8 +148,8 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   }
   if constexpr (std::same_as<S, double>) {
     const std::vector<S>& from = choice.empty() ? scan : choice;
-    guess.reserve(from.size());
-    for (const S x : from) guess.push_back(static_cast<float>(x));
+    guess.resize(from.size());
+    for (std::size_t k = 0; k < from.size(); ++k) guess[k] = static_cast<float>(from[k]);
   }
 }
 

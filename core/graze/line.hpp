@@ -83,10 +83,12 @@ void fill_line(LineResult<S>& out, const Cso<S>& cso, const Frame<S>& frame, con
     in_lower = std::min(in_lower, in_upper);
     out_upper = std::max(out_upper, out_lower);
   }
-  out.in_lower = cso.to_time(in_lower / frame.length);
-  out.in_upper = cso.to_time(in_upper / frame.length);
-  out.out_lower = cso.to_time(out_lower / frame.length);
-  out.out_upper = cso.to_time(out_upper / frame.length);
+  // A time too large for S lies between its largest number and infinity, of either sign.
+  constexpr S largest = std::numeric_limits<S>::max();
+  out.in_lower = std::min(cso.to_time(in_lower / frame.length), largest);
+  out.in_upper = std::max(cso.to_time(in_upper / frame.length), -largest);
+  out.out_lower = std::min(cso.to_time(out_lower / frame.length), largest);
+  out.out_upper = std::max(cso.to_time(out_upper / frame.length), -largest);
   if (out.outcome == Outcome::hit && asks_for(request, Request::normal)) {
     out.normal_in = in.n;
     out.normal_out = leave.n;

@@ -166,4 +166,11 @@ inline Vec3<double> accurate_offset(const Vec3<double>& p_a, const Quaternion<do
   return out;
 }
 
+// p + R(q) c, within 4 u of itself and 2^-98 of |p| + |c|. For a body whose centre is farther from its origin
+// than it is large: its position may cancel what the rotation makes of the centre.
+inline Vec3<double> placed_center(const Vec3<double>& p, const Quaternion<double>& q, const Vec3<double>& c) {
+  const Vec3<double> zero = Vec3<double>::Zero();
+  return accurate_offset(zero, Quaternion<double>{}, zero, p, q, c);
+}
+
 }  // namespace graze::detail

@@ -142,13 +142,14 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   return l;
 }
 
-// Does the projected triangle have more area than rounding makes? Without it, it is seen edge on: its n_z has
-// no sign.
+// Is the projected triangle higher above its longest edge than rounding makes it? If not, it is seen edge on:
+// its n_z has no sign.
 template <Scalar S>
 bool has_area(const PortalPoint<S>& a, const PortalPoint<S>& b, const PortalPoint<S>& c, S rounding) {
-  const Vec3<S> e = b.q - a.q, f = c.q - a.q;
-  return std::abs(cross2(e, f)) >
-         rounding * (std::abs(e[0]) + std::abs(e[1]) + std::abs(f[0]) + std::abs(f[1]));
+  const Vec3<S> e = b.q - a.q, f = c.q - a.q, g = c.q - b.q;
+  const S longest_sq = std::max({e.template head<2>().squaredNorm(), f.template head<2>().squaredNorm(),
+                                 g.template head<2>().squaredNorm()});
+  return std::abs(cross2(e, f)) > rounding * std::sqrt(longest_sq);
 }
 
 // Unit, n_z <= 0.
@@ -206,16 +207,19 @@ S length_across(S x, S y) {
   return static_cast<S>(std::sqrt(a * a + b * b));
 }
 
-// How far the origin lies outside the projected triangle a b c, counter-clockwise, by its worst edge; 0
-// inside.
+// The distance of the origin from the projected triangle a b c, counter-clockwise; 0 inside. Beyond the tip
+// of a sliver the lines of its edges pass the origin closer than rounding can tell, so that signs alone may
+// put it inside: there, within `noise` of a line, the distance of the nearest edge decides.
 template <Scalar S>
-S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
-  S worst = 0;
+S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
+  S nearest = kInfinity<S>;
+  bool inside = true;
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &c), std::pair(&c, &a)}) {
-    const S length = length_across((*to)[0] - (*from)[0], (*to)[1] - (*from)[1]);
-    if (length > 0) worst = std::max(worst, -cross2(*from, *to) / length);
+    const S ex = (*to)[0] - (*from)[0], ey = (*to)[1] - (*from)[1], along = weight_along(*from, *to);
+    inside = inside && cross2(*from, *to) > noise * length_across(ex, ey);
+    nearest = std::min(nearest, length_across((*from)[0] + along * ex, (*from)[1] + along * ey));
   }
-  return worst;
+  return inside ? S(0) : nearest;
 }
 
 // The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
@@ -227,7 +231,7 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   std::array<S, 3> off, area;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<S>&b = p[(i + 1) % 3].q, &c = p[(i + 2) % 3].q;
-    off[i] = outside(w.q, b, c);
+    off[i] = outside(w.q, b, c, noise / 8);
     area[i] = cross2(Vec3<S>(b - w.q), Vec3<S>(c - w.q));
   }
   const S least = std::min({off[0], off[1], off[2]});
@@ -238,23 +242,29 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   if (out < 3) p[out] = w;
 }
 
-// An edge-on triangle becomes that of its edges which the line meets first, of those that have the origin
-// between their ends: so the height of the portal never rises, and no two portals alternate.
+// An edge-on triangle becomes one of its edges: of those that pass the origin nearest, up to the height that
+// such a triangle may have (`height_lost`), the one that the line meets first, with the origin between its
+// ends. So the height of the portal never rises, and no two portals alternate. The edge across a thin
+// triangle has the origin between its ends, too, as a line may that passes far away.
 template <Scalar S>
-void flatten(Portal<S>& portal) {
-  std::size_t best = 0;
-  S lowest = kInfinity<S>;
+void flatten(Portal<S>& portal, S height_lost) {
+  std::array<S, 3> off, height;
+  std::array<bool, 3> between;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<S>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
-    const S from_a = -(a[0] * (b[0] - a[0]) + a[1] * (b[1] - a[1]));
-    const S from_b = b[0] * (b[0] - a[0]) + b[1] * (b[1] - a[1]);
-    if (!(from_a >= 0 && from_b >= 0 && from_a + from_b > 0)) continue;
-    const S height = (a[2] * from_b + b[2] * from_a) / (from_a + from_b);
-    if (height < lowest) {
-      lowest = height;
-      best = i;
-    }
+    const S ex = b[0] - a[0], ey = b[1] - a[1];
+    const S from_a = -(a[0] * ex + a[1] * ey), from_b = b[0] * ex + b[1] * ey;
+    between[i] = from_a >= 0 && from_b >= 0 && from_a + from_b > 0;
+    const S along = weight_along(a, b);
+    off[i] = length_across(a[0] + along * ex, a[1] + along * ey);
+    height[i] = a[2] + along * (b[2] - a[2]);
   }
+  const S least = std::min({off[0], off[1], off[2]});
+  std::size_t best = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (between[i] && off[i] <= least + height_lost && (best == 3 || height[i] < height[best])) best = i;
+  }
+  if (best == 3) best = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
   portal.p = {portal.p[(best + 1) % 3], portal.p[(best + 2) % 3], portal.p[best]};
   portal.size = 2;
 }
@@ -349,7 +359,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   const S noise = view.noise();
   search.state = State::exhausted;
   while (true) {
-    if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal);
+    if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal, 2 * noise);
     const Vec3<S> n = portal_normal(search.portal);
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
     search.upper = portal_height(search.portal, n);
@@ -383,12 +393,12 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     if (size == 2) {
       const Vec3<S> e = p[1].q - p[0].q;
       p[2] = w;
-      if (has_area(p[0], p[1], w, 4 * noise)) {
+      if (has_area(p[0], p[1], w, 2 * noise)) {
         // The edge was on the silhouette: beside it C goes on.
         if (cross2(e, Vec3<S>(w.q - p[0].q)) < 0) std::swap(p[0], p[1]);
         size = 3;
       } else {
-        flatten(search.portal);
+        flatten(search.portal, 2 * noise);
       }
     } else {
       replace_corner(search.portal, w, noise);

@@ -210,6 +210,11 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
 // corner i by d moves it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however
 // thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
 // of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
+//
+// g rounds, too. L the longest edge, h the least altitude, G = 1 + |g|_1, u L / h <= 1/512 by the above.
+// face_normal() leaves 6 u |n| along the longest edge and 2 u |n| L / h across it, that is 6 u G^2 and
+// 2 u G^2 L / h of g; rho is within 6 u L^2 / h along and, 0 being inside, 6 u L across. The products come to
+// 48 u^2 L^2 G^2 / h < u L G^2 / 10, with e >= 8 u L less than (1.25 e + 4 u L) G * G / 64.
 inline double filtered_upper(const Cso<double>& cso, const Portal<double>& portal, double length,
                              double z_max, double slack) {
   constexpr double u = kUnitRoundoff<double>;
@@ -236,7 +241,8 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
     rho_y += l[i] / area * q[1];
   }
   z -= gx * rho_x + gy * rho_y;
-  const double z_error = (1.25 * e + 4 * u * extent) * (1 + std::abs(gx) + std::abs(gy));
+  const double steep = 1 + std::abs(gx) + std::abs(gy);
+  const double z_error = (1.25 * e + 4 * u * extent) * steep * (1 + steep / 64);
   if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * u))) return kInfinity<double>;
   return cso.to_time((z + z_error) / length * (1 + 8 * u));
 }
@@ -315,6 +321,16 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
 
 }  // namespace detail
 
+// Under pass_over a start in contact that leaves voids every contact, and no proof can say that a start does
+// not leave: without a lower bound above 0 nothing is claimed from above.
+[[nodiscard]] inline Proof under_policy(Proof proof, StartPolicy policy) {
+  if (policy == StartPolicy::pass_over && !(proof.toi_lower > 0)) {
+    proof.toi_upper = kInfinity<double>;
+    proof.portal_size = 0;
+  }
+  return proof;
+}
+
 // n: the axis that the method found (world axes, from A to B), or zero. toi_upper: its answer; an axis that
 // proves more is not used to: a hit that is a miss by less than the rounding stays one answer.
 template <Scalar S>
@@ -335,7 +351,7 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
     detail::prove_nearer(context, static_cast<double>(toi_upper), proof, counters);
     proof.toi_lower = std::min({proof.toi_lower, static_cast<double>(toi_upper), context.t_max});
   }
-  return proof;
+  return under_policy(proof, options.start_policy);
 }
 
 }  // namespace graze

@@ -37,8 +37,8 @@ template <Scalar S>
                                     const std::array<double, 3>& lambda, int k, double t) {
   Triple own{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) own = own + lambda[i] * guide.own(vertex[i]);
-  const Triple turned = guide.to_world(guide.center() + power_of_two(k) * own);
-  return (triple(body.position) + (t * triple(body.displacement) + turned)).vector().template cast<S>();
+  const Triple turned = guide.to_world(power_of_two(k) * own);
+  return (guide.placed_center() + (t * triple(body.displacement) + turned)).vector().template cast<S>();
 }
 
 // False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().

@@ -34,13 +34,17 @@ struct Simplex {
 
 // (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in
 // every direction, also along them, where the face reaches far; the short edge keeps the error relative to
-// the area.
+// the area. Where the corners are nearly in a line even that is not short: what the product has along the
+// longest edge is rounding, u |edge|^2 / height of the normal, and is taken off.
 template <Scalar S>
 Vec3<S> face_normal(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
   const Vec3<S> ab = b - a, bc = c - b, ca = a - c;
   const S ab_sq = ab.squaredNorm(), bc_sq = bc.squaredNorm(), ca_sq = ca.squaredNorm();
-  if (ab_sq >= bc_sq && ab_sq >= ca_sq) return bc.cross(ca);
-  return bc_sq >= ca_sq ? ca.cross(ab) : ab.cross(bc);
+  const auto across = [](const Vec3<S>& m, const Vec3<S>& longest, S length_sq) -> Vec3<S> {
+    return length_sq > 0 ? Vec3<S>(m - (m.dot(longest) / length_sq) * longest) : m;
+  };
+  if (ab_sq >= bc_sq && ab_sq >= ca_sq) return across(bc.cross(ca), ab, ab_sq);
+  return bc_sq >= ca_sq ? across(ca.cross(ab), bc, bc_sq) : across(ab.cross(bc), ca, ca_sq);
 }
 
 template <Scalar S>
@@ -57,6 +61,11 @@ namespace detail {
 
 template <Scalar S>
 using Points4 = std::array<Vec3<S>, 4>;
+
+// Square of the sine of a corner's angle below which a face is a sliver: from there its weights lose ten
+// bits.
+template <Scalar S>
+inline constexpr S kSliver = S(0x1p-20);
 
 template <Scalar S>
 void keep_nearer(Closest<S>& best, const Closest<S>& one) {
@@ -113,10 +122,23 @@ Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
   const S area_sq = m.squaredNorm();
   Closest<S> out;
   if (!(area_sq > 0)) return out;
-  const S lambda1 = -m.dot(a.cross(e2)) / area_sq, lambda2 = -m.dot(e1.cross(a)) / area_sq;
-  const S lambda0 = 1 - lambda1 - lambda2;
+  S lambda1 = -m.dot(a.cross(e2)) / area_sq, lambda2 = -m.dot(e1.cross(a)) / area_sq;
+  S lambda0 = 1 - lambda1 - lambda2;
   if (!(lambda0 > 0 && lambda1 > 0 && lambda2 > 0)) return out;
   out.v = a + lambda1 * e1 + lambda2 * e2;
+  // On a sliver of height h the weights round by u |a| / h, and v by that along its length: what v has in the
+  // plane is taken off once, v being short.
+  if (area_sq < kSliver<S> * e1.squaredNorm() * e2.squaredNorm()) {
+    const S again1 = lambda1 - m.dot(out.v.cross(e2)) / area_sq,
+            again2 = lambda2 - m.dot(e1.cross(out.v)) / area_sq, again0 = 1 - again1 - again2;
+    const Vec3<S> nearer = a + again1 * e1 + again2 * e2;
+    if (again0 > 0 && again1 > 0 && again2 > 0 && nearer.squaredNorm() < out.v.squaredNorm()) {
+      lambda0 = again0;
+      lambda1 = again1;
+      lambda2 = again2;
+      out.v = nearer;
+    }
+  }
   out.dist_sq = out.v.squaredNorm();
   out.n = unit(m.dot(a) > 0 ? Vec3<S>(-m) : m);
   out.size = 3;

@@ -18,8 +18,13 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
     const Vec3<S>& e = p.e == Vec3<S>::Zero() ? n : p.e;
     out += contact.lambda[k] * (of_a ? side.radius : -side.radius) * e;
   }
-  Vec3<S> shift =
-      body.position + t * body.displacement + side.to_world(Vec3<S>(side.center.template cast<S>()));
+  Vec3<S> shift = t * body.displacement;
+  if (side.rotated && side.center.cwiseAbs().maxCoeff() > cso.to_length(side.reach())) {
+    shift += placed_center(body.position.template cast<double>(), as_double(body.orientation), side.center)
+                 .template cast<S>();
+  } else {
+    shift += body.position + side.to_world(Vec3<S>(side.center.template cast<S>()));
+  }
   out += side.to_world(own);
   for (int i = 0; i < 3; ++i) shift[i] += cso.to_length(out[i]);
   return shift;

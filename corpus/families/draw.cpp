@@ -262,6 +262,14 @@ Quaternion<double> Draw::pose() {
   return q;
 }
 
+Quaternion<double> Draw::turned_pose() {
+  Quaternion<double> q;
+  do {
+    q = pose();
+  } while (q.is_identity());
+  return q;
+}
+
 Quaternion<double> Draw::pose_about_z() {
   Quaternion<double> q;
   q.w = random.integer(1, 5);
@@ -418,6 +426,49 @@ void set_motion(Draw& draw, Case& problem, const Vec3<double>& v) {
   problem.b.displacement = exact ? sum : v;
 }
 
+void approach(Draw& draw, Case& problem) {
+  Random& random = draw.random;
+  problem.a.position = draw.vector(8);
+
+  Vec3<double> start = draw.vector(6);
+  if (random.once_in(10)) {
+    // Near enough to be in contact at the start, or nearly.
+  } else {
+    const int axis = random.integer(0, 2);
+    const double away = draw.snap(random.uniform(8, 24));
+    start[axis] = random.once_in(2) ? away : -away;
+  }
+  // Aimed at a point near A's middle; far enough off to miss now and then, and not always far enough to
+  // arrive.
+  const Vec3<double> target = draw.vector(5);
+  const double reach = random.uniform(0.5, 2);
+  Vec3<double> position, v;
+  for (int i = 0; i < 3; ++i) {
+    position[i] = draw.snap(problem.a.position[i] + start[i]);
+    v[i] = draw.snap((target[i] - start[i]) * reach);
+  }
+  problem.b.position = position;
+  set_motion(draw, problem, v);
+  switch (random.below(16)) {
+    case 0:
+      problem.t_max = kInfinity<double>;
+      break;
+    case 1:
+      problem.t_max = 0.5;
+      break;
+    case 2:
+      problem.t_max = 2;
+      break;
+    case 3:
+      problem.t_max = 100;
+      break;
+    default:
+      break;
+  }
+  vary_time_scale(draw, problem);
+  maybe_swap(draw, problem);
+}
+
 void vary_time_scale(Draw& draw, Case& problem) {
   if (!draw.random.once_in(4)) return;
   const int exponent = draw.random.integer(-8, 8);
@@ -436,10 +487,7 @@ void turn_exactly(Draw& draw, Case& problem) {
 }
 
 void turn_rounded(Draw& draw, Case& problem) {
-  Quaternion<double> q;
-  do {
-    q = draw.pose();
-  } while (q.is_identity());
+  const Quaternion<double> q = draw.turned_pose();
   const auto turn = [&](Body<double>& body, Spin& spin) {
     turn_body(q, false, body, spin);
     if (draw.coordinates != Coordinates::floats) return;

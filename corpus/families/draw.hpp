@@ -62,6 +62,8 @@ class Draw {
   Shape<double> smooth_leaf(double reach, int thinness);
   // Identity half of the time, else four integers of -3..3.
   Quaternion<double> pose();
+  // The same, never the identity.
+  Quaternion<double> turned_pose();
   // A turn about z by an integer quaternion (w, 0, 0, z): it leaves every z-coordinate as it is, exactly.
   Quaternion<double> pose_about_z();
   // One of the 24 rotations of the cube, as (w, x, y, z) of -1, 0, 1: exact on every double.
@@ -99,6 +101,10 @@ void turn_rounded(Draw& draw, Case& problem);
 // at a time in 0 .. 2, or beside it by `miss` at most along each axis. A has its pose; B gets its
 // position, v is of length 8 to 40, and the horizon is drawn.
 void aim(Draw& draw, Case& problem, double miss);
+// Places A near the origin and B 8 to 24 along an axis away, one time in ten nearer, and sends B to a point
+// near A's middle, far enough off to miss now and then, and not always far enough to arrive. Draws the
+// horizon, the scale of time and which body is which. The shapes are 4 in size, and have their poses.
+void approach(Draw& draw, Case& problem);
 // Swaps A and B once in two.
 void maybe_swap(Draw& draw, Case& problem);
 

@@ -1,51 +1,80 @@
-// grazing: the path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at a distance of
-// 10^-k, above (a miss whose clearance it is) or below (a hit whose depth is at most that). Hardness: k.
+// grazing_vertex, grazing_edge, grazing_face: the path passes a vertex, an edge or a face of C at a distance
+// of 10^-k, above (a miss whose clearance it is) or below (a hit whose depth is at most that; now and then a
+// miss by less, where C is flat and the path lies in a plane beside it). Hardness: k.
 //
-// Frame of the construction: C's top plane is z = 0, its top feature holds the origin, v is horizontal. At t0
-// the path is at (0, 0, delta). B's own z-coordinate is delta and nothing else, so it is exact however small.
-// With floats and integers the scene is then turned by a rotation of the cube: clearance and depth stay
-// exact. With full doubles it is turned by any integer quaternion, and positions are rounded: delta is then
-// known to within 4 u times the coordinates (about 16), and from k = 15 on the side is the rounding's.
+// Frame and construction: pass_over in topped.hpp. C's top feature is the sum of A's and of B's mirrored
+// bottom: a vertex of two vertices; an edge of an edge and a vertex, or of two parallel edges; a face of a
+// face and anything, or of two edges that cross. The path lies over it: over an edge across or along it; over
+// a face it is support ties all the way. Clearance and depth stay exact unless full doubles are turned: delta
+// is then known to within 4 u times the coordinates (about 32), and from k = 15 on the side is the
+// rounding's.
+//
+// What breaks: a method that stops when "near" turns the miss into a hit; one whose normal is off by an angle
+// e reports a time that is off by 10^-k / e; a ray cast that clips against a plane of its simplex loses the
+// sign of a height of the size of its rounding.
 #include "corpus/families/families_list.hpp"
+#include "corpus/families/topped.hpp"
 
 namespace graze::corpus {
+namespace {
 
-void fill_grazing(Draw& draw, double hardness, Case& problem) {
+constexpr double kReach = 4;  // size of a shape (length)
+
+// 10^-k, either sign.
+double height(Draw& draw, double hardness) {
   const bool above = draw.random.once_in(2);
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const double size = draw.coordinates == Coordinates::floats ? round_to_float(unit) : unit;
-  pass_top_feature(draw, problem, above ? size : -size);
+  return above ? size : -size;
 }
 
-void pass_top_feature(Draw& draw, Case& problem, double delta) {
-  constexpr double kReach = 4;
-  Random& random = draw.random;
-  const Capped a = draw.capped(kReach), b = draw.capped_below(kReach);
-  problem.a.shape = a.shape;
-  problem.b.shape = b.shape;
-  if (random.once_in(3)) problem.a.orientation = draw.pose_about_z();
-  if (random.once_in(3)) problem.b.orientation = draw.pose_about_z();
-
-  // Far enough to start and end apart, if it misses the plane's feature: 16 exceeds the sum of the reaches.
-  const double t0 = 0.25 * random.integer(1, 3);
-  Vec3<double> v(draw.on_grid(32), 0, 0);
-  v[1] = draw.on_grid(32);
-  const int axis = random.integer(0, 1);
-  const double along = 64 + draw.positive_on_grid(32);
-  v[axis] = random.once_in(2) ? along : -along;
-  if (random.once_in(4)) v[1 - axis] = 0;
-
-  problem.a.position = Vec3<double>(0, 0, 0 + (a.lift - b.lift));
-  problem.b.position = Vec3<double>(0 - t0 * v[0], 0 - t0 * v[1], delta);
-  set_motion(draw, problem, v);
-  if (random.once_in(16)) problem.t_max = kInfinity<double>;
-  vary_time_scale(draw, problem);
-  if (draw.coordinates == Coordinates::doubles) {
-    turn_rounded(draw, problem);
-  } else {
-    turn_exactly(draw, problem);
+Topped any_top(Draw& draw) {
+  switch (draw.random.below(3)) {
+    case 0:
+      return topped_vertex(draw, kReach);
+    case 1:
+      return topped_edge(draw, kReach, edge_vector(draw));
+    default:
+      return topped_face(draw, kReach);
   }
-  maybe_swap(draw, problem);
+}
+
+}  // namespace
+
+void fill_grazing_vertex(Draw& draw, double hardness, Case& problem) {
+  const double delta = height(draw, hardness);
+  Topped a = topped_vertex(draw, kReach), b = topped_vertex(draw, kReach);
+  if (draw.random.once_in(3)) turn_about_z(draw, a);
+  if (draw.random.once_in(3)) turn_about_z(draw, b);
+  pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);
+}
+
+void fill_grazing_edge(Draw& draw, double hardness, Case& problem) {
+  const double delta = height(draw, hardness);
+  const Vec3<double> edge = edge_vector(draw);
+  Topped a = topped_edge(draw, kReach, edge), b;
+  if (draw.random.once_in(2)) {
+    b = topped_edge(draw, kReach, edge);
+  } else {
+    b = topped_vertex(draw, kReach);
+    if (draw.random.once_in(3)) turn_about_z(draw, b);
+  }
+  pass_over(draw, problem, a, b, draw.random.once_in(3) ? edge : Vec3<double>::Zero(), delta);
+}
+
+void fill_grazing_face(Draw& draw, double hardness, Case& problem) {
+  const double delta = height(draw, hardness);
+  if (draw.random.once_in(3)) {
+    const Vec3<double> edge = edge_vector(draw);
+    const Topped a = topped_edge(draw, kReach, edge);
+    pass_over(draw, problem, a, topped_edge(draw, kReach, Vec3<double>(0 - edge[1], edge[0], 0)),
+              Vec3<double>::Zero(), delta);
+    return;
+  }
+  Topped a = topped_face(draw, kReach), b = any_top(draw);
+  if (draw.random.once_in(3)) turn_about_z(draw, a);
+  if (draw.random.once_in(3)) turn_about_z(draw, b);
+  pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);
 }
 
 }  // namespace graze::corpus

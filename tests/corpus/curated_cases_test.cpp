@@ -1,15 +1,17 @@
-// The curated cases: all read, all answered, flags and notes in both directions, and the answers derived
-// again.
+// The curated cases: all read, flags and notes in both directions, what every case must have, and the reports
+// that they come from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
 #include <set>
-#include <stdexcept>
 
 #include "corpus/case_io.hpp"
+#include "corpus/curation.hpp"
 #include "corpus/flags.hpp"
 #include "corpus/location.hpp"
-#include "oracles/derive.hpp"
 
 namespace graze::corpus {
 namespace {
@@ -21,99 +23,96 @@ const ReadResult& curated() {
 
 TEST(CuratedCases, AllRead) {
   for (const ReadError& error : curated().errors) ADD_FAILURE() << error.text();
-  EXPECT_GE(curated().cases.size(), 370u);
+  EXPECT_GE(curated().cases.size(), 420u);
 }
 
-TEST(CuratedCases, IdsAreUniqueAndBeginWithTheirFamily) {
+TEST(CuratedCases, IdsAreUnique) {
   std::set<std::string> ids;
-  for (const Case& problem : curated().cases) {
-    EXPECT_TRUE(ids.insert(problem.id).second) << problem.id;
-    EXPECT_EQ(problem.id.substr(0, problem.id.find('/')), problem.family);
-  }
+  for (const Case& problem : curated().cases) EXPECT_TRUE(ids.insert(problem.id).second) << problem.id;
 }
 
 TEST(CuratedCases, SayWhyTheyAreHard) {
   for (const Case& problem : curated().cases) {
-    EXPECT_GE(problem.comment.size(), 20u) << problem.id;
-    EXPECT_FALSE(problem.flags.empty()) << problem.id;
-    if (problem.family == "reported") {
-      EXPECT_EQ(problem.source.substr(0, 8), "https://") << problem.id;
+    for (const std::string& fault : curation_faults(problem, Shelf::cases)) {
+      ADD_FAILURE() << problem.id << ": " << fault;
     }
   }
 }
 
-TEST(CuratedCases, CiteEveryReportOfTheseShapesWithFullNumbers) {
-  // Casts, ray casts, rotating casts, distances, overlaps and penetrations in the trackers surveyed.
-  const char* const reports[] = {"jolt-383",
-                                 "jolt-511",
-                                 "jolt-886",
-                                 "jolt-1787",
-                                 "jolt-217",
-                                 "jolt-2103",
-                                 "jolt-1008",
-                                 "jolt-940",
-                                 "jolt-293",
-                                 "jolt-417",
-                                 "jolt-1379a",
-                                 "jolt-longcapsule",
-                                 "parry-180",
-                                 "parry-19",
-                                 "parry-70",
-                                 "parry-205",
-                                 "parry-raycastfuzz",
-                                 "bevy_rapier-119",
-                                 "ncollide-123",
-                                 "ncollide-214",
-                                 "ncollide-157",
-                                 "collision-rs-111",
-                                 "cute-256",
-                                 "cute-lundmark",
-                                 "cute-133",
-                                 "box2d-625",
-                                 "box2d-shortedge",
-                                 "libccd-25",
-                                 "fcl-293",
-                                 "fcl-508",
-                                 "fcl-275",
-                                 "fcl-408",
-                                 "fcl-319",
-                                 "fcl-390",
-                                 "fcl-388",
-                                 "fcl-395",
-                                 "fcl-415",
-                                 "fcl-398",
-                                 "fcl-493",
-                                 "fcl-391",
-                                 "drake-21673-convex1",
-                                 "drake-21673-convex2",
-                                 "drake-21673-convex4",
-                                 "drake-21673-convex5",
-                                 "drake-21234-convex8",
-                                 "drake-21234-cyl",
-                                 "openGJK-52",
-                                 "distance3d-27",
-                                 "mujoco-3383",
-                                 "mujoco-thin-gap",
-                                 "mujoco-boxdepth2",
-                                 "mujoco-boxdepth3",
-                                 "mujoco_warp-1527",
-                                 "mujoco_warp-1430",
-                                 "mujoco_warp-max",
-                                 "physx-600",
-                                 "physx-610",
-                                 "bepu-101",
-                                 "parry-317",
-                                 "box2d-115",
-                                 "box2d-preset-toi",
-                                 "ncollide-369",
-                                 "fcl-505"};
-  for (const std::string report : reports) {
-    const std::string id = "reported/" + report;
-    const bool found = std::any_of(curated().cases.begin(), curated().cases.end(), [&](const Case& problem) {
-      return problem.id == id || problem.id.substr(0, id.size() + 1) == id + "-";
-    });
-    EXPECT_TRUE(found) << report;
+TEST(CuratedCases, WhatIsMissingIsNoticed) {
+  const Case sound = curated().cases.front();
+  const auto faults = [](Case problem, const auto& edit) {
+    edit(problem);
+    return curation_faults(problem, Shelf::cases).size();
+  };
+  EXPECT_EQ(faults(sound, [](Case&) {}), 0u);
+  EXPECT_EQ(faults(sound, [](Case& c) { c.id = "noslash"; }), 1u);
+  EXPECT_EQ(faults(sound, [](Case& c) { c.family += "x"; }), 1u);
+  EXPECT_EQ(faults(sound, [](Case& c) { c.comment = "A short one."; }), 1u);
+  EXPECT_EQ(faults(sound, [](Case& c) { c.flags.clear(); }), 1u);
+  EXPECT_EQ(faults(sound,
+                   [](Case& c) {
+                     c.id = "reported/x";
+                     c.family = "reported";
+                     c.source = "a forum";
+                   }),
+            1u);
+  Case bare = sound;
+  bare.flags.clear();
+  EXPECT_TRUE(curation_faults(bare, Shelf::known).empty());
+}
+
+TEST(CuratedCases, AskNoQuestionTwice) {
+  std::map<std::string, std::string> asked;
+  for (const Case& problem : curated().cases) {
+    const auto [first, is_new] = asked.emplace(question_of(problem), problem.id);
+    EXPECT_TRUE(is_new) << problem.id << " asks what " << first->second << " asks";
   }
+}
+
+// A row of corpus/reported.md.
+struct Report {
+  std::string name, numbers;
+  std::size_t cases = 0;
+};
+
+std::vector<Report> reports() {
+  std::vector<Report> rows;
+  std::ifstream page(corpus_directory() / "reported.md");
+  const std::regex row(R"(\| \[([^\]]+)\]\(https://[^)]+\) \| [A-L] \| (all|some) \| (\d+) \| [^|]+ \|)");
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| [")) continue;
+    std::smatch parts;
+    if (!std::regex_match(line, parts, row)) {
+      ADD_FAILURE() << "no row of the table: " << line;
+      continue;
+    }
+    rows.push_back({parts[1], parts[2], std::stoul(parts[3])});
+  }
+  return rows;
+}
+
+TEST(CuratedCases, HoldEveryReportThatThePageNamesAndNoOther) {
+  const std::vector<Report> rows = reports();
+  std::set<std::string> claimed;
+  for (const Report& report : rows) {
+    const std::string id = "reported/" + report.name;
+    std::size_t count = 0;
+    for (const Case& problem : curated().cases) {
+      if (problem.id != id && !problem.id.starts_with(id + "-")) continue;
+      EXPECT_TRUE(claimed.insert(problem.id).second) << problem.id << " is of two reports";
+      ++count;
+    }
+    EXPECT_EQ(count, report.cases) << report.name;
+    EXPECT_GT(count, 0u) << report.name;
+  }
+  for (const Case& problem : curated().cases) {
+    EXPECT_EQ(claimed.contains(problem.id), problem.family == "reported") << problem.id;
+  }
+  // The trackers surveyed hold 61 reports with every number on these shapes, and a preset without a report.
+  const auto full =
+      std::count_if(rows.begin(), rows.end(), [](const Report& r) { return r.numbers == "all"; });
+  EXPECT_EQ(full, 62);
 }
 
 TEST(CuratedCases, EveryFlagHasANoteAndEveryNoteIsUsed) {
@@ -146,35 +145,21 @@ TEST(CuratedCases, ReadBackAsTheyWereWritten) {
   }
 }
 
-TEST(CuratedCases, TheOracleGivesTheStoredAnswersAgain) {
-  std::size_t hits = 0, misses = 0, starts = 0, unanswered = 0;
+// That the answers are the oracles' is what `graze corpus verify` says, a test of its own.
+TEST(CuratedCases, ReachEveryOutcomeAndAreMostlyAnswered) {
+  std::map<Outcome, std::size_t> outcomes;
+  std::size_t unanswered = 0;
   for (const Case& problem : curated().cases) {
-    if (!problem.expect) {
-      // No answer is stored where no oracle gives one, and nowhere else.
-      EXPECT_THROW((void)oracle::derive_expectation(problem), std::invalid_argument) << problem.id;
+    if (problem.expect) {
+      ++outcomes[problem.expect->outcome.value()];
+    } else {
       ++unanswered;
-      continue;
     }
-    const Expect derived = oracle::derive_expectation(problem);
-    EXPECT_EQ(problem.expect->outcome, derived.outcome) << problem.id;
-    EXPECT_EQ(problem.expect->by, derived.by) << problem.id;
-    EXPECT_EQ(problem.expect->distance, derived.distance) << problem.id;
-    EXPECT_EQ(problem.expect->depth, derived.depth) << problem.id;
-    EXPECT_EQ(problem.expect->normal, derived.normal) << problem.id;
-    EXPECT_EQ(problem.expect->t_in, derived.t_in) << problem.id;
-    EXPECT_EQ(problem.expect->t_out, derived.t_out) << problem.id;
-    hits += derived.outcome == Outcome::hit;
-    misses += derived.outcome == Outcome::miss;
-    starts += derived.outcome == Outcome::initially_overlapping;
-    if (derived.outcome == Outcome::miss) continue;
-    EXPECT_EQ(problem.expect->toi_lower, derived.toi_lower) << problem.id;
-    EXPECT_EQ(problem.expect->toi_upper, derived.toi_upper) << problem.id;
-    EXPECT_EQ(problem.expect->toi_exact, derived.toi_exact) << problem.id;
   }
-  EXPECT_GT(hits, 40u);
-  EXPECT_GT(misses, 20u);
-  EXPECT_GT(starts, 20u);
-  EXPECT_LT(unanswered, curated().cases.size() / 4);
+  EXPECT_GT(outcomes[Outcome::hit], 150u);
+  EXPECT_GT(outcomes[Outcome::miss], 100u);
+  EXPECT_GT(outcomes[Outcome::initially_overlapping], 80u);
+  EXPECT_LT(unanswered, curated().cases.size() / 20);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <graze/cast.hpp>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "corpus/case_io.hpp"
 #include "corpus/random.hpp"
@@ -20,7 +21,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 24;
 
 TEST(Families, AreFoundByName) {
-  EXPECT_EQ(families().size(), 8u);
+  EXPECT_EQ(families().size(), 29u);
   for (const Family& family : families()) EXPECT_EQ(find_family(family.name), &family);
   EXPECT_EQ(find_family("no such family"), nullptr);
 }
@@ -32,14 +33,43 @@ TEST(Families, AreTheSameBitsEverywhere) {
     const char* name;
     std::uint64_t hash;
   } golden[] = {
-      {"random", 0x24c4cb8439c2702bu},           {"aligned_boxes", 0x21721981b372a7e9u},
-      {"grazing", 0x7f71dd8a30967f96u},          {"size_ratio", 0x581c2dd2f08677b0u},
-      {"far_from_origin", 0x9414bd44dc81a2b0u},  {"touching", 0xd5a33e25c95b13c3u},
-      {"curved", 0x6b3213ce15b85f58u},           {"combinators", 0x6e8e1445381b78dbu},
-      {"spinning_graze", 0xfd73f8f495788929u},   {"fast_spin", 0x703f147157289fb1u},
-      {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u}, {"enters_and_leaves", 0x5f201819e19bbd09u},
-      {"both_turn", 0xad3a81632eb5ce25u},        {"slow_spin", 0xd5cfe956ed747e62u},
+      {"random", 0x24c4cb8439c2702bu},
+      {"aligned_boxes", 0x21721981b372a7e9u},
+      {"grazing_vertex", 0x25c803b14876c3e3u},
+      {"grazing_edge", 0xa21da478cca01aau},
+      {"grazing_face", 0x6adab1f2d829cc81u},
+      {"size_ratio", 0x581c2dd2f08677b0u},
+      {"far_from_origin", 0x9414bd44dc81a2b0u},
+      {"touching", 0xd5a33e25c95b13c3u},
+      {"curved", 0x6b3213ce15b85f58u},
+      {"combinators", 0x6e8e1445381b78dbu},
+      {"hulls", 0xea9f755b2847a9ffu},
+      {"hulls_rotated", 0x1364d35715d2d561u},
+      {"flat_shapes", 0x0e462526459be696u},
+      {"redundant_vertices", 0x379629fc4e77df9du},
+      {"lattice", 0xc90284b130a08c2eu},
+      {"contained", 0x5c06caaec09a7663u},
+      {"sliding", 0xe59888b6c36e7af3u},
+      {"speeds", 0xad7ea1b5a5ca025au},
+      {"target_margin", 0x143fffbd8e0faecau},
+      {"scaled_scene", 0x22f9d75f6f3cd6a5u},
+      {"many_vertices", 0x13d85df93dc368a5u},
+      {"needles", 0xc40e2211373a362au},
+      {"plates", 0xbe56d3cc3b499f13u},
+      {"parallel_faces", 0x6a4702cd24c6c892u},
+      {"parallel_edges", 0x230779c956fb102eu},
+      {"perpendicular", 0xb9a0233f3d1ef4f1u},
+      {"noisy_copy", 0x43e28cd2cc216e3au},
+      {"smooth_graze", 0xca2099e953b80247u},
+      {"slivers", 0xda5a98689399c239u},
+      {"spinning_graze", 0xfd73f8f495788929u},
+      {"fast_spin", 0x703f147157289fb1u},
+      {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u},
+      {"enters_and_leaves", 0x5f201819e19bbd09u},
+      {"both_turn", 0xad3a81632eb5ce25u},
+      {"slow_spin", 0xd5cfe956ed747e62u},
       {"random_rotating", 0x868939a55416a365u},
+      {"pure_spin", 0xd61b5a2f8ab3d4edu},
   };
   for (const auto& [name, hash] : golden) {
     const Family* family = find_family(name);
@@ -71,15 +101,17 @@ TEST(Families, ReadBackAsTheyAreAndDifferBySeed) {
 }
 
 TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
-  const Family& grazing = *find_family("grazing");
-  EXPECT_EQ(grazing.generate(8, 42).id, "grazing/h8/s42");
-  EXPECT_EQ(grazing.generate(1000, 1).id, "grazing/h16/s1");
-  EXPECT_EQ(grazing.generate(-5, 1).id, "grazing/h1/s1");
+  const Family& grazing = *find_family("grazing_edge");
+  EXPECT_EQ(grazing.generate(8, 42).id, "grazing_edge/h8/s42");
+  EXPECT_EQ(grazing.generate(1000, 1).id, "grazing_edge/h16/s1");
+  EXPECT_EQ(grazing.generate(-5, 1).id, "grazing_edge/h1/s1");
   EXPECT_EQ(grazing.generate(7.6, 1).hardness, 8);
 }
 
 // The families whose shapes the exact oracle decides.
-bool is_exact(const Family& family) { return family.name != "curved" && family.name != "combinators"; }
+bool is_exact(const Family& family) {
+  return family.name != "curved" && family.name != "combinators" && family.name != "smooth_graze";
+}
 
 void add_kinds(const Shape<double>& shape, std::set<std::size_t>& kinds) {
   kinds.insert(shape.index());
@@ -170,7 +202,9 @@ TEST(Families, CurvedAndCombinatorsMixOutcomes) {
     const std::size_t total = family.levels.size() * kSeeds;
     EXPECT_GE(outcomes[Outcome::hit], total / 8) << family.name;
     EXPECT_GE(outcomes[Outcome::miss], total / 8) << family.name;
-    EXPECT_GE(outcomes[Outcome::initially_overlapping], total / 20) << family.name;
+    if (family.name != "smooth_graze") {
+      EXPECT_GE(outcomes[Outcome::initially_overlapping], total / 20) << family.name;
+    }
     EXPECT_EQ(outcomes[Outcome::invalid_input], 0u) << family.name;
   }
 }
@@ -181,8 +215,10 @@ TEST(Families, MixShapesPosesOutcomesAndHorizons) {
   for (const Family& family : families()) {
     if (!is_exact(family)) continue;
     std::size_t hits = 0, misses = 0, starts = 0, rotated = 0, infinite = 0;
+    // Dense hulls cost the oracle most.
+    const std::uint64_t seeds = family.name == "many_vertices" ? kSeeds / 4 : kSeeds;
     for (const double level : family.levels) {
-      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         const Case problem = family.generate(level, seed);
         kinds.insert("shape " + std::to_string(problem.a.shape.index()));
         kinds.insert("shape " + std::to_string(problem.b.shape.index()));
@@ -194,50 +230,30 @@ TEST(Families, MixShapesPosesOutcomesAndHorizons) {
         starts += outcome == Outcome::initially_overlapping;
       }
     }
-    const std::size_t total = family.levels.size() * kSeeds;
-    EXPECT_GE(hits, total / 8) << family.name;
+    const std::size_t total = family.levels.size() * seeds;
+    // What slides starts in touch: passed over or not.
+    if (family.name != "sliding") {
+      EXPECT_GE(hits, total / 8) << family.name;
+    }
     EXPECT_GE(misses, total / 8) << family.name;
-    EXPECT_GE(rotated, total / 4) << family.name;
-    EXPECT_LE(rotated, total * 19 / 20) << family.name;
-    // The three that are about paths from a start apart hold no start in contact.
-    const bool apart = family.name == "grazing" || family.name == "size_ratio";
+    // Two families differ in that alone.
+    if (family.name == "hulls") {
+      EXPECT_EQ(rotated, 0u);
+    } else if (family.name == "hulls_rotated") {
+      EXPECT_EQ(rotated, total);
+    } else {
+      EXPECT_GE(rotated, total / 4) << family.name;
+      EXPECT_LE(rotated, total * 19 / 20) << family.name;
+    }
+    // Those that are about paths from a start apart hold no start in contact (dense hulls, none in so few).
+    const std::set<std::string_view> apart_by_construction = {
+        "grazing_vertex", "grazing_edge",   "grazing_face",  "size_ratio",
+        "parallel_faces", "parallel_edges", "perpendicular", "many_vertices"};
+    const bool apart = apart_by_construction.count(family.name) != 0;
     EXPECT_EQ(starts == 0, apart) << family.name;
     EXPECT_EQ(infinite > 0, family.name != "touching") << family.name;
   }
-  EXPECT_EQ(kinds.size(), 4u);
-}
-
-TEST(Grazing, MissesByExactlyItsHardness) {
-  const Family& family = *find_family("grazing");
-  for (const double level : {1.0, 4.0, 8.0, 12.0}) {
-    const double wanted = std::pow(10, -level);
-    std::size_t misses = 0;
-    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      const Case problem = family.generate(level, seed);
-      const oracle::LinearTruth truth(problem);
-      if (truth.outcome() != Outcome::miss) continue;
-      ++misses;
-      // Full doubles are turned and rounded: 16 u times coordinates of up to 128. Floats are 2^-24 off 10^-k.
-      EXPECT_NEAR(truth.clearance().high, wanted, wanted * 0x1p-23 + 16 * 128 * 0x1p-53) << problem.id;
-    }
-    EXPECT_GE(misses, kSeeds / 8);
-  }
-}
-
-TEST(Grazing, IsMetNoDeeperThanItsHardness) {
-  const Family& family = *find_family("grazing");
-  for (const double level : {1.0, 4.0, 8.0, 12.0}) {
-    const double wanted = std::pow(10, -level);
-    std::size_t hits = 0;
-    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      const Case problem = family.generate(level, seed);
-      const oracle::LinearTruth truth(problem);
-      if (truth.outcome() != Outcome::hit) continue;
-      ++hits;
-      EXPECT_LE(truth.depth().low, wanted * (1 + 0x1p-23) + 16 * 128 * 0x1p-53) << problem.id;
-    }
-    EXPECT_GE(hits, kSeeds / 8);
-  }
+  EXPECT_GE(kinds.size(), 6u);
 }
 
 TEST(Touching, StartsInContactExactlyAtHardnessZeroAndMoreRarelyBefore) {

@@ -113,7 +113,9 @@ TEST(ExactTier, equals_the_oracle_on_every_family_at_every_hardness) {
   }
   judging.print();
   for (const char* name :
-       {"random", "aligned_boxes", "grazing", "size_ratio", "far_from_origin", "touching", "combinators"}) {
+       {"random", "aligned_boxes", "grazing_vertex", "grazing_edge", "grazing_face", "size_ratio",
+        "far_from_origin", "touching", "combinators", "needles", "plates", "parallel_faces", "parallel_edges",
+        "perpendicular", "noisy_copy", "slivers"}) {
     EXPECT_GT(by_family[name], judging.casts() / 1000) << name;
   }
   for (const char* label : {"hit", "miss", "initially_overlapping", "floats", "doubles", "turned"})

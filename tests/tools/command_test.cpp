@@ -186,7 +186,7 @@ TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
 TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
   const Folder folder;
   const CommandRun run =
-      folder.graze("certify --family grazing --family curved --count 300 --method exact --queries 20");
+      folder.graze("certify --family grazing_edge --family curved --count 300 --method exact --queries 20");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("0 wrong, 0 stalled"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("below 3/n"), std::string::npos) << run.out;
@@ -302,8 +302,8 @@ std::string without_times(const std::string& text) {
 
 TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
   const Folder folder;
-  const CommandRun one = folder.graze("certify --family grazing --count 60 --threads 1");
-  const CommandRun three = folder.graze("certify --family grazing --count 60 --threads 3");
+  const CommandRun one = folder.graze("certify --family grazing_edge --count 60 --threads 1");
+  const CommandRun three = folder.graze("certify --family grazing_edge --count 60 --threads 3");
   EXPECT_EQ(one.exit_code, three.exit_code);
   EXPECT_NE(one.out.find("grazing"), std::string::npos);
   EXPECT_EQ(without_times(one.out), without_times(three.out));
@@ -321,15 +321,15 @@ TEST(Certify, draws_error_against_time) {
 
 TEST(Generate, repeats_itself_and_refuses_what_the_family_has_not) {
   const Folder folder;
-  const CommandRun once = folder.graze("generate grazing --hardness 12 --count 4 --seed 9");
+  const CommandRun once = folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9");
   ASSERT_EQ(once.exit_code, 0);
   const corpus::ReadResult read = corpus::read_text(once.out, "generated", true);
   ASSERT_TRUE(read.ok());
   ASSERT_EQ(read.cases.size(), 4U);
   for (const corpus::Case& problem : read.cases) EXPECT_EQ(problem.hardness, 12);
-  EXPECT_EQ(once.out, folder.graze("generate grazing --hardness 12 --count 4 --seed 9").out);
+  EXPECT_EQ(once.out, folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9").out);
   expect_one_complaint(folder.graze("generate nonsense"), {"nonsense"});
-  expect_one_complaint(folder.graze("generate grazing --hardness 1e9"), {"--hardness"});
+  expect_one_complaint(folder.graze("generate grazing_vertex --hardness 1e9"), {"--hardness"});
 }
 
 }  // namespace

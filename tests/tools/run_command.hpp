@@ -18,6 +18,8 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // Makes the folders on the way to it.
   void write(const std::string& name, const std::string& text) const;
   [[nodiscard]] std::string read(const std::string& name) const;
   // `graze arguments < input`, in this folder.

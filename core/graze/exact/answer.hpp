@@ -78,7 +78,7 @@ Vec3<double> facet_point(const Body<S>& body, const Guide<S>& guide, int length_
   for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) {
     own = own + weight[i] * guide.own(of_a ? facet.corner[i].a : facet.corner[i].b);
   }
-  const Triple shift = triple(body.position) + t * triple(body.displacement) + guide.to_world(guide.center());
+  const Triple shift = guide.placed_center() + t * triple(body.displacement);
   return (shift + power_of_two(length_exponent) * guide.to_world(own)).vector();
 }
 

@@ -1,0 +1,190 @@
+// What a judged cast costs, the unit of a campaign: a case of the families `hulls` and `hulls_rotated`, 8 to
+// 16 vertices, is generated, cast by tier exact asked for everything, and judged by its proof to the last
+// bit. One thread.
+//
+//   judged      the three together: casts per second of CPU time, and the share of each, by the clock; `open`
+//               is the share of casts that the proof leaves to the oracle, which is not asked here;
+//   campaign    a block of `graze campaign`, which does the same and keeps count;
+//   generate, cast, judge      each alone;   hulls, convert, search, accept   parts of them: the two hulls
+//               from their vertices, the case in the method's scalar, core's cast, the first proof check.
+//
+// Each alone runs over the same cases again and again, so what it needs has been used before; the shares are
+// of cases met once.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <graze/cast.hpp>
+#include <iostream>
+#include <vector>
+
+#include "corpus/families.hpp"
+#include "engines/convert.hpp"
+#include "engines/method.hpp"
+#include "properties/exact_answer.hpp"
+#include "tools/campaign_run.hpp"
+
+namespace graze::bench {
+namespace {
+
+using corpus::Case;
+using corpus::Family;
+using engine::Answer;
+
+constexpr std::size_t kCases = 256;  // of the benchmarks of one stage: about what the second cache holds
+
+constexpr engine::Ask kEverything{.request = Request::everything};
+
+const Family& family_of(const benchmark::State& state) {
+  return *corpus::find_family(state.range(0) == 0 ? "hulls" : "hulls_rotated");
+}
+Case generated(const Family& family, std::uint64_t seed) {
+  return family.generate(static_cast<double>(8 + seed % 9), seed);
+}
+const engine::EngineMethod& method() {
+  static const engine::EngineMethod& exact = *engine::find_method("exact/double");
+  return exact;
+}
+
+struct Job {
+  Case problem;
+  Answer answer;
+};
+std::vector<Job> jobs_of(const Family& family) {
+  std::vector<Job> jobs(kCases);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    jobs[i].problem = generated(family, i);
+    jobs[i].answer = method().cast(jobs[i].problem, kEverything);
+  }
+  return jobs;
+}
+
+// A wrong answer is no measurement.
+[[noreturn]] void give_up(const std::string& why) {
+  std::cerr << why << "\n";
+  std::exit(1);
+}
+// True where nothing is left to the oracle.
+bool judge(const Case& problem, const Answer& answer) {
+  const law::ExactFinding finding = law::judge_exact_by_proof(problem, answer, false);
+  if (!finding.fault.empty()) give_up(problem.id + ": " + finding.fault);
+  return finding.settled;
+}
+
+void set_rate(benchmark::State& state, std::size_t each = 1) {
+  state.counters["casts_per_second"] = benchmark::Counter(
+      static_cast<double>(state.iterations()) * static_cast<double>(each), benchmark::Counter::kIsRate);
+}
+
+void judged(benchmark::State& state) {
+  const Family& family = family_of(state);
+  std::uint64_t seed = 0, open = 0;
+  for (auto _ : state) {
+    const Case problem = generated(family, seed++);
+    open += !judge(problem, method().cast(problem, kEverything));
+  }
+  set_rate(state);
+  state.counters["open"] = static_cast<double>(open) / static_cast<double>(seed);
+  // The shares, on as many cases more: reading the clock four times costs a tenth of a microsecond.
+  using Clock = std::chrono::steady_clock;
+  std::array<double, 3> spent{};
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    const Clock::time_point start = Clock::now();
+    const Case problem = generated(family, seed++);
+    const Clock::time_point made = Clock::now();
+    const Answer answer = method().cast(problem, kEverything);
+    const Clock::time_point cast = Clock::now();
+    benchmark::DoNotOptimize(judge(problem, answer));
+    const Clock::time_point end = Clock::now();
+    const std::array stages{made - start, cast - made, end - cast};
+    for (std::size_t k = 0; k < spent.size(); ++k)
+      spent[k] += std::chrono::duration<double>(stages[k]).count();
+  }
+  const double all = spent[0] + spent[1] + spent[2];
+  state.counters["share_generate"] = spent[0] / all;
+  state.counters["share_cast"] = spent[1] / all;
+  state.counters["share_judge"] = spent[2] / all;
+}
+
+void campaign(benchmark::State& state) {
+  const tool::CampaignCases cases({&family_of(state)}, method(), 1, 0);
+  tool::CampaignJob job;
+  job.cases = &cases;
+  job.method = &method();
+  job.row = engine::find_guarantee(engine::guarantees(), method());
+  tool::CampaignSettings settings;
+  settings.block = 1000;
+  settings.casts = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t block = 0;
+  for (auto _ : state) {
+    tool::CampaignTally tally(cases.slots().size());
+    tool::run_block(job, settings, block++, tally);
+    if (!tally.faults.empty()) give_up(tally.faults[0].id() + ": " + tally.faults[0].reason);
+  }
+  set_rate(state, settings.block);
+}
+
+void generate(benchmark::State& state) {
+  const Family& family = family_of(state);
+  std::uint64_t seed = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(generated(family, seed++));
+  set_rate(state);
+}
+
+// One stage of every case.
+template <class Stage>
+void measure(benchmark::State& state, const Stage& stage) {
+  const std::vector<Job> jobs = jobs_of(family_of(state));
+  for (auto _ : state) {
+    for (const Job& job : jobs) stage(job);
+  }
+  set_rate(state, jobs.size());
+}
+void hulls(benchmark::State& state) {
+  measure(state, [](const Job& job) {
+    for (const Body<double>* body : {&job.problem.a, &job.problem.b})
+      benchmark::DoNotOptimize(Hull<double>(std::get<Hull<double>>(body->shape).vertices()));
+  });
+}
+void convert(benchmark::State& state) {
+  measure(state, [](const Job& job) {
+    benchmark::DoNotOptimize(engine::round_to<double>(job.problem.a));
+    benchmark::DoNotOptimize(engine::round_to<double>(job.problem.b));
+  });
+}
+void cast(benchmark::State& state) {
+  measure(state, [](const Job& job) { benchmark::DoNotOptimize(method().cast(job.problem, kEverything)); });
+}
+void search(benchmark::State& state) {
+  measure(state, [](const Job& job) {
+    CastOptions<double> options;
+    options.tier = Tier::exact;
+    options.request = Request::everything;
+    options.t_max = job.problem.t_max;
+    benchmark::DoNotOptimize(cast_exact(job.problem.a, job.problem.b, options));
+  });
+}
+void accept(benchmark::State& state) {
+  measure(state, [](const Job& job) {
+    if (job.answer.proof)
+      benchmark::DoNotOptimize(oracle::check_proof(job.problem, *job.answer.proof).refusal);
+  });
+}
+void judge_alone(benchmark::State& state) {
+  measure(state, [](const Job& job) { benchmark::DoNotOptimize(judge(job.problem, job.answer)); });
+}
+
+void both(benchmark::internal::Benchmark* rows) { rows->ArgName("rotated")->Arg(0)->Arg(1); }
+BENCHMARK(judged)->Apply(both);
+BENCHMARK(campaign)->Apply(both);
+BENCHMARK(generate)->Apply(both);
+BENCHMARK(hulls)->Apply(both);
+BENCHMARK(cast)->Apply(both);
+BENCHMARK(convert)->Apply(both);
+BENCHMARK(search)->Apply(both);
+BENCHMARK(judge_alone)->Name("judge")->Apply(both);
+BENCHMARK(accept)->Apply(both);
+
+}  // namespace
+}  // namespace graze::bench

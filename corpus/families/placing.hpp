@@ -1,0 +1,25 @@
+// Where bodies meet: what the families of needles, slivers, near-parallel and near-equal bodies are placed
+// by.
+#pragma once
+
+#include "corpus/families/draw.hpp"
+
+namespace graze::corpus {
+
+// The corners of a point, segment, triangle, box or hull, in its own frame.
+[[nodiscard]] std::vector<Vec3<double>> corners(const Shape<double>& shape);
+
+// B's position is such that at the time t, moving by v, its point b stands on A's point a and `beside` it
+// (a and b from the bodies' positions, in world axes). Rounded to a float unless coordinates are doubles.
+void meet(Draw& draw, Case& problem, const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& beside,
+          const Vec3<double>& v, double t);
+// A time in 0 .. 2 of the meeting: in most cases within the horizon of 1.
+[[nodiscard]] double meeting_time(Random& random);
+// 1 mostly; 1/2, 4 or infinity.
+void draw_horizon(Random& random, Case& problem);
+// 10^-k as this kind of coordinate; to a double of integers.
+[[nodiscard]] double small_unit(const Draw& draw, double k);
+// Half a turn of the scene about one of the axes, or none: exact whatever the orientations are.
+void turn_by_half_turn(Draw& draw, Case& problem);
+
+}  // namespace graze::corpus

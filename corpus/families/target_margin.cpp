@@ -1,0 +1,83 @@
+// target_margin: casts to a target distance m. Hardness: k, m is 10^k of a size of 4, k from -6 to 4. C is
+// rounded by m: the farther that reaches, the smaller is the share of the shapes in the answer, which is
+// still theirs.
+//
+// m is 4 times 10^k, rounded to float with floats and integers. A quarter of the cases pass a top feature of
+// C at the height m (1 + 2^-10) or m (1 - 2^-10), as in `grazing`; a quarter are boxes on a grid whose faces
+// are m and a few lengths more apart. What breaks: a margin that is folded into a radius and subtracted
+// again, a constant shape margin, an offset of the time by |margin| / |v|.
+#include <cmath>
+
+#include "corpus/families/families_list.hpp"
+
+namespace graze::corpus {
+namespace {
+
+// From beyond the margin towards A, on either side of what it covers.
+void approach_margin(Draw& draw, Case& problem, double m) {
+  Random& random = draw.random;
+  problem.a.shape = draw.shape(4, random.integer(4, 16));
+  problem.b.shape = draw.shape(4, random.integer(4, 16));
+  problem.a.orientation = draw.pose();
+  problem.b.orientation = draw.pose();
+  problem.a.position = draw.vector(8);
+  const double reach = m + 12;  // beyond it no two such shapes are within m
+  Vec3<double> start = draw.vector(reach), target;
+  const int axis = random.integer(0, 2);
+  const double away = draw.snap(reach * random.uniform(1.01, 2));
+  start[axis] = random.once_in(2) ? away : -away;
+  if (random.once_in(12)) start = draw.vector(0.5 * reach);
+  for (int i = 0; i < 3; ++i) target[i] = draw.coordinate(0.75 * reach);
+  const double far = random.uniform(0.5, 2);
+  Vec3<double> v;
+  for (int i = 0; i < 3; ++i) {
+    problem.b.position[i] = draw.snap(problem.a.position[i] + start[i]);
+    v[i] = draw.snap((target[i] - start[i]) * far);
+  }
+  set_motion(draw, problem, v);
+  if (random.once_in(12)) problem.t_max = kInfinity<double>;
+  vary_time_scale(draw, problem);
+}
+
+// Box onto box, down one axis: the faces reach m after a gap that is drawn.
+void drop_box(Draw& draw, Case& problem, double m) {
+  Random& random = draw.random;
+  Vec3<double> half_a, half_b, start, v = Vec3<double>::Zero();
+  for (int i = 0; i < 3; ++i) {
+    half_a[i] = draw.positive_on_grid(4);
+    half_b[i] = draw.positive_on_grid(4);
+    start[i] = draw.on_grid(half_a[i] + half_b[i]);
+  }
+  const double gap = draw.positive_on_grid(8);
+  start[2] = draw.real(half_a[2] + half_b[2] + gap + m);
+  v[2] = 0 - gap * random.integer(1, 4) / 2;
+  if (random.once_in(4)) v[0] = draw.on_grid(4);
+  problem.a.shape = Box<double>{half_a};
+  problem.b.shape = Box<double>{half_b};
+  problem.b.position = start;
+  set_motion(draw, problem, v);
+  vary_time_scale(draw, problem);
+  turn_exactly(draw, problem);
+}
+
+}  // namespace
+
+void fill_target_margin(Draw& draw, double hardness, Case& problem) {
+  Random& random = draw.random;
+  const double m = draw.real(4 * power_of_ten(static_cast<int>(hardness)));
+  problem.target_distance = m;
+  switch (random.below(4)) {
+    case 0:
+      drop_box(draw, problem, m);
+      break;
+    case 1:
+      pass_top_feature(draw, problem, draw.real(m * (random.once_in(2) ? 1 + 0x1p-10 : 1 - 0x1p-10)));
+      return;  // which has swapped already
+    default:
+      approach_margin(draw, problem, m);
+      break;
+  }
+  maybe_swap(draw, problem);
+}
+
+}  // namespace graze::corpus

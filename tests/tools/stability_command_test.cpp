@@ -1,0 +1,59 @@
+// graze certify --stability, as a user runs it.
+#include <gtest/gtest.h>
+
+#include "run_command.hpp"
+
+namespace graze {
+namespace {
+
+using test::CommandRun;
+using test::Folder;
+
+constexpr const char* kSmall = "certify --stability --family aligned_boxes --count 2 --method gjk ";
+
+TEST(StabilityCommand, prints_the_curves_and_writes_what_draws_them) {
+  const Folder folder;
+  const CommandRun run = folder.graze(std::string(kSmall) + "--family touching --plot curves");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  for (const char* part :
+       {"aligned_boxes: 8 cases", "aligned_boxes, by hardness (the number of axes",
+        "Each method on each family", "Summary", "gjk/float", "Every method is as stable"}) {
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
+  }
+  EXPECT_NE(folder.read("curves/stability_aligned_boxes.dat").find("# gjk/float"), std::string::npos);
+  EXPECT_NE(folder.read("curves/stability_aligned_boxes.gp").find("plot"), std::string::npos);
+  EXPECT_NE(folder.read("curves/stability_overview.dat").find("0 aligned_boxes"), std::string::npos);
+}
+
+TEST(StabilityCommand, the_threads_and_a_second_run_change_nothing) {
+  const Folder folder;
+  const std::string arguments = std::string(kSmall) + "--seed 7 --threads ";
+  EXPECT_EQ(folder.graze(arguments + "1").out, folder.graze(arguments + "3").out);
+}
+
+TEST(StabilityCommand, exits_with_1_where_a_method_is_less_stable_than_its_row) {
+  const Folder folder;
+  folder.write(
+      "strict.json",
+      R"({"schema": "graze.guarantees/1", "rows": [{"method": "gjk", "scalar": "double", "tier": "standard",
+  "kappa_polytope": 0.001, "kappa_rounded": 0.001, "stall_cap": 0, "mechanism": ""}]})");
+  const CommandRun run = folder.graze(
+      "certify --stability --family random --count 2 --method gjk --guarantees strict.json --save bad.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(run.out.find("broken: gjk/double standard in random"), std::string::npos) << run.out;
+  EXPECT_NE(folder.read("bad.jsonl").find("random/h"), std::string::npos);
+}
+
+TEST(StabilityCommand, refuses_files_and_empty_runs_in_one_line) {
+  const Folder folder;
+  const CommandRun file = folder.graze("certify --stability some.jsonl");
+  EXPECT_EQ(file.exit_code, 2);
+  EXPECT_EQ(file.err, "graze: --stability: takes families, not files: a file has no levels of hardness\n");
+  const CommandRun none = folder.graze("certify --stability --family aligned_boxes --count 0");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.err,
+            "graze: there is nothing to measure; give a count above 0, and a method for the family\n");
+}
+
+}  // namespace
+}  // namespace graze

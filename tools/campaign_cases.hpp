@@ -1,0 +1,58 @@
+// The cases of a campaign: number i is a pure function of the seed, i and the families that are asked.
+//
+// Families in turn, and the levels of each in turn. A method is asked only what is a question for its tier:
+// of tier exact, pairs of polytopes without a target distance; of the others, every case. A level is left out
+// if fewer than 1 in kRareQuestion of a sample of it are questions; elsewhere case i is the first question
+// among the cases that the generator of i draws.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "corpus/families.hpp"
+#include "engines/method.hpp"
+
+namespace graze::tool {
+
+// One level of one family.
+struct Slot {
+  const corpus::Family* family = nullptr;
+  double level = 0;
+};
+
+struct DrawnCase {
+  corpus::Case problem = {};
+  std::size_t slot = 0;     // index into CampaignCases::slots()
+  std::uint64_t seed = 0;   // of the generator: problem = family->generate(level, seed)
+  bool sampled = false;     // the oracle measures it, whatever its proof says
+  bool is_question = true;  // false if kAttempts cases were none; never seen
+};
+
+class CampaignCases {
+ public:
+  static constexpr int kSample = 64;         // cases of a level that decide whether it is asked
+  static constexpr int kRareQuestion = 4;    // asked if 1 in so many is a question
+  static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
+
+  // oracle_every: one case in so many is sampled; 0 for none.
+  CampaignCases(const std::vector<const corpus::Family*>& families, const engine::EngineMethod& method,
+                std::uint64_t seed, std::uint64_t oracle_every);
+
+  [[nodiscard]] DrawnCase draw(std::uint64_t index) const;
+  [[nodiscard]] const std::vector<Slot>& slots() const { return slots_; }
+  // The levels left out, a family each: "curved", if it is all of them, or "combinators h4 h5".
+  [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
+
+ private:
+  [[nodiscard]] bool is_question(const corpus::Case& problem) const;
+  [[nodiscard]] bool is_asked(const Slot& slot) const;
+
+  const engine::EngineMethod* method_;
+  std::uint64_t key_, oracle_every_;
+  std::vector<Slot> slots_;         // by family, then by level
+  std::vector<std::size_t> first_;  // of each family asked, its first slot; and the end
+  std::vector<std::string> left_out_;
+};
+
+}  // namespace graze::tool

@@ -1,0 +1,195 @@
+#include "tools/campaign_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <csignal>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "tools/inputs.hpp"
+
+namespace graze::tool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::atomic<int> g_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals may only use such");
+
+void note_signal(int number) { g_signal = number; }
+
+void handle(int number, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  sigaction(number, &action, nullptr);
+}
+
+// 3 h 12 min, 4 min, 20 s.
+std::string duration_text(double seconds) {
+  const long long whole = std::llround(seconds);
+  if (whole < 100) return fmt::format("{} s", whole);
+  const long long minutes = (whole + 30) / 60;
+  return minutes < 100 ? fmt::format("{} min", minutes)
+                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+// The line on a terminal, at the pace of a reader.
+class ProgressLine {
+ public:
+  ProgressLine(std::uint64_t before, std::uint64_t total)
+      : before_(before), total_(total), visible_(isatty(STDERR_FILENO) != 0) {}
+  ~ProgressLine() { wipe(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::uint64_t done, std::uint64_t failures) const {
+    if (!visible_) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double rate = static_cast<double>(done - before_) / seconds;
+    const std::string left =
+        rate > 0 ? duration_text(static_cast<double>(total_ - done) / rate) + " left" : "";
+    fmt::print(stderr, "\r\033[Kcampaign: {} of {} casts, {:.0f} a second, {} failures, {}", done, total_,
+               rate, failures, left);
+    std::fflush(stderr);
+  }
+  void wipe() const {
+    if (visible_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  std::uint64_t before_, total_;
+  bool visible_;
+  Clock::time_point start_ = Clock::now();
+};
+
+// What the threads share. They meet here once a block.
+class Run {
+ public:
+  Run(const CampaignJob& job, CampaignState& state)
+      : job_(job),
+        state_(state),
+        next_(state.share().lower()),
+        end_(state.share().upper()),
+        progress_(state.casts_done(), casts_of_share(state)) {}
+
+  void go() {
+    std::vector<std::jthread> threads;
+    running_ = std::max(1U, job_.threads);
+    for (unsigned t = 0, count = running_; t < count; ++t) {
+      threads.emplace_back([this] { work(); });
+    }
+    watch();
+    threads.clear();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  static std::uint64_t casts_of_share(const CampaignState& state) {
+    CampaignState all;
+    all.settings = state.settings;
+    all.done += state.share();
+    return all.casts_done();
+  }
+
+  // The next block to do, or end_.
+  std::uint64_t take() {
+    const bool stops = job_.stop();
+    const std::lock_guard lock(mutex_);
+    if (stops || failure_) next_ = end_;
+    while (next_ < end_ && boost::icl::contains(state_.done, next_)) ++next_;
+    return next_ < end_ ? next_++ : end_;
+  }
+
+  void work() {
+    try {
+      CampaignTally tally(state_.levels.size());
+      for (std::uint64_t block = take(); block < end_; block = take()) {
+        tally = CampaignTally(state_.levels.size());
+        run_block(job_, state_.settings, block, tally);
+        const std::lock_guard lock(mutex_);
+        state_.tally.merge(tally);
+        state_.done += BlockRange(block, block + 1);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    --running_;
+    changed_.notify_one();
+  }
+
+  // Until the last thread is done: shows the progress, and saves.
+  void watch() {
+    constexpr auto kPace = std::chrono::milliseconds(250);
+    Clock::time_point saved = Clock::now();
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, kPace, [this] { return running_ == 0; })) {
+      const CampaignCounts total = state_.tally.total();
+      progress_.show(state_.casts_done(), total.faults + total.stalls);
+      if (job_.state_file.empty() || Clock::now() - saved < job_.save_every) continue;
+      const CampaignState copy = state_;
+      lock.unlock();
+      save(copy);
+      saved = Clock::now();
+      lock.lock();
+    }
+  }
+
+  // A disk that is full for a while does not end a run of hours; the last write is the caller's.
+  void save(const CampaignState& copy) const {
+    try {
+      write_state(copy, job_.state_file);
+    } catch (const std::exception& error) {
+      progress_.wipe();
+      complain(error.what());
+    }
+  }
+
+  const CampaignJob& job_;
+  CampaignState& state_;
+  std::uint64_t next_, end_;
+  ProgressLine progress_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::exception_ptr failure_;
+  unsigned running_ = 0;
+};
+
+}  // namespace
+
+void run_block(const CampaignJob& job, const CampaignSettings& settings, std::uint64_t block,
+               CampaignTally& tally) {
+  const std::uint64_t first = block * settings.block;
+  const std::uint64_t count = std::min(settings.block, settings.casts - first);
+  for (std::uint64_t index = first; index < first + count; ++index) {
+    const DrawnCase drawn = job.cases->draw(index);
+    if (drawn.is_question) {
+      tally.add(index, drawn, campaign_cast(drawn.problem, *job.method, job.row, drawn.sampled));
+    } else {
+      tally.add_not_asked(drawn);
+    }
+  }
+}
+
+void run_campaign(const CampaignJob& job, CampaignState& state) { Run(job, state).go(); }
+
+StopBySignal::StopBySignal() {
+  g_signal = 0;
+  for (const int number : {SIGINT, SIGTERM}) handle(number, &note_signal);
+}
+
+StopBySignal::~StopBySignal() {
+  for (const int number : {SIGINT, SIGTERM}) handle(number, SIG_DFL);
+}
+
+int StopBySignal::received() { return g_signal; }
+
+}  // namespace graze::tool
