@@ -214,10 +214,15 @@ std::string early_fault(const CaseTruth& truth, const Answer& answer, double bou
                      over(early, truth), describe(truth));
 }
 
+bool is_beyond_range(double lower, double upper, double unit_roundoff) {
+  const double largest = unit_roundoff == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
+                                                               : std::numeric_limits<double>::max();
+  return lower == largest && upper == kInfinity<double>;
+}
+
 std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   if (!claims_contact(answer)) return "";
-  // A time that float cannot hold lies between its largest number and infinity.
-  if (answer.toi_lower == double(std::numeric_limits<float>::max()) && std::isinf(answer.toi_upper) &&
+  if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>) &&
       truth.compare(answer.toi_lower) <= 0) {
     return "";
   }

@@ -72,6 +72,10 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 // not_converged, though clearance or depth exceeds the bound: what tier certified promises to decide.
 [[nodiscard]] std::string undecided_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                           double bound);
+// The bracket of a hit whose time is too large for the scalar: from the largest number of it to infinity.
+// Only float has such, of motion below 1e-38 or so over lengths of 1: nothing but that the TOI is no sooner
+// can be asked of it.
+[[nodiscard]] bool is_beyond_range(double lower, double upper, double unit_roundoff);
 // The first fault of verdict and times.
 [[nodiscard]] std::string any_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                     double bound);

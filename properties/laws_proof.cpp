@@ -23,6 +23,7 @@ std::string bracket_fault(const Case& seen, const Answer& answer) {
     case Outcome::initially_overlapping:
       return lower == 0 && upper == 0 ? "" : "a start in contact not at time 0";
     case Outcome::hit:
+      if (is_beyond_range(lower, upper, kUnitRoundoff<float>) && std::isinf(seen.t_max)) return "";
       if (!(lower >= 0 && lower <= upper && upper > 0 && std::isfinite(upper)))
         return "a hit without a bracket";
       return lower <= seen.t_max ? "" : "a hit beyond t_max";

@@ -2,7 +2,9 @@
 // that no law has to know the kinds of shapes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <graze/hull_graph.hpp>
 #include <optional>
 #include <vector>
 
@@ -74,6 +76,9 @@ struct ShapeMap {
   Shape<double> operator()(const Hull<double>& h) const {
     std::vector<Vec3<double>> vertices(h.vertices().begin(), h.vertices().end());
     for (Vec3<double>& v : vertices) v = vector(Slot::vertex, v);
+    const bool sound =
+        std::all_of(vertices.begin(), vertices.end(), [](const Vec3<double>& v) { return v.allFinite(); });
+    if (h.has_adjacency() && sound) return with_adjacency<double>(vertices);
     return Hull<double>(std::span<const Vec3<double>>(vertices));
   }
   Shape<double> operator()(Posed<double> p) const {

@@ -317,12 +317,6 @@ double over(double length, double scale) {
   return scale > 0 ? length / scale : kInfinity<double>;
 }
 
-bool is_beyond_range(double lower, double upper, double unit_roundoff) {
-  const double largest = unit_roundoff == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
-                                                               : std::numeric_limits<double>::max();
-  return lower == largest && upper == kInfinity<double>;
-}
-
 std::string senseless(Outcome outcome, double lower, double upper, double t_max) {
   switch (outcome) {
     case Outcome::initially_overlapping:
@@ -428,7 +422,7 @@ bool is_settled_at_the_door(Judgement& judgement, const corpus::Case& problem, c
 // A hit at a time that the scalar cannot hold. True if there is nothing more to judge.
 bool is_settled_beyond_range(Judgement& judgement, Truth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome != Outcome::hit || truth.problem().t_max < kInfinity<double> ||
-      !is_beyond_range(answer.toi_lower, answer.toi_upper, limits.unit_roundoff)) {
+      !law::is_beyond_range(answer.toi_lower, answer.toi_upper, limits.unit_roundoff)) {
     return false;
   }
   judgement.by_oracle = true;

@@ -105,11 +105,6 @@ inline constexpr double kPlainKappa = 1024;
 // The errors of an answer against any truth: for a float answer, against the input before it was rounded.
 [[nodiscard]] Errors errors_of(Truth& truth, const engine::Answer& answer, Request request);
 
-// The bracket of a hit whose time is too large for the scalar: from the largest number of it to infinity. Only
-// float has such, of motion below 1e-38 or so over lengths of 1: nothing but that the TOI is no sooner can be
-// asked of it.
-[[nodiscard]] bool is_beyond_range(double lower, double upper, double unit_roundoff);
-
 // What no answer may look like, whatever is true of the case; empty for a sensible one.
 [[nodiscard]] std::string senseless(Outcome outcome, double toi_lower, double toi_upper, double t_max);
 

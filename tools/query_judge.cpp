@@ -7,6 +7,7 @@
 
 #include "corpus/names.hpp"
 #include "properties/exact_answer.hpp"
+#include "properties/judge.hpp"
 
 namespace graze::tool {
 namespace {
@@ -205,8 +206,8 @@ class QueryJudge {
   template <class Error>
   void end_of_line(const char* what, const Interval& bracket, const Enclosure& end, const Error& error) {
     // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
-    if (is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
-        is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) {
+    if (law::is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
+        law::is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) {
       if (!(bracket.lower <= end.high && end.low <= bracket.upper)) {
         convict(judgement_.off, fmt::format("{} is within the scalar's range", what));
       }

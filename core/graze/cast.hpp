@@ -127,8 +127,18 @@ void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
                        CastResult<S>& out) {
   search_with(
       a, b, options,
-      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>&, Counters& counters) {
-        return mpr_sweep(cso, limits, counters);
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        Sweep<S> sweep = mpr_sweep(cso, limits, counters);
+        if (sweep.outcome == Outcome::not_converged) {
+          // Portals that alternate, as far as rounding can tell: another method has another way in.
+          Counters again;  // its budget is its own
+          sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
+          counters.iterations += again.iterations;
+          counters.supports += again.supports;
+          counters.gjk_iterations += again.gjk_iterations;
+          counters.portal_steps += again.portal_steps;
+        }
+        return sweep;
       },
       out);
 }

@@ -85,8 +85,11 @@ class CertifiedCast {
     Simplex<double> simplex;
     const Vec3<double> x = s * context_.r;
     const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
-    reduce(simplex, closest_to_origin(simplex, x));
-    const Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
+    const Closest<double> closest = closest_to_origin(simplex, x);
+    reduce(simplex, closest);
+    Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
+    // The balls touch along what is between the cores, which is known better than the normal of the search.
+    if (cso_.radius() > 0 && closest.v.norm() > cso_.radius() / 2) towards = -unit(closest.v);
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
       const CsoPoint<double>& p = simplex.point[i];
       const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;

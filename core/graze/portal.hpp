@@ -107,7 +107,25 @@ std::size_t corner_beyond(const Portal<S>& portal) {
   return out;
 }
 
-// The weights of the origin in the portal's projection, all >= 0.
+// |(x, y)|, of internal lengths: 0, or no smaller than the least ratio of two lengths within range, 1e-120,
+// so that no square vanishes in double.
+template <Scalar S>
+S length_across(S x, S y) {
+  const double a = static_cast<double>(x), b = static_cast<double>(y);
+  return static_cast<S>(std::sqrt(a * a + b * b));
+}
+
+// sum lambda q: the portal's own point.
+template <Scalar S>
+Vec3<S> portal_point(const Portal<S>& portal, const std::array<S, 3>& lambda) {
+  Vec3<S> out = lambda[0] * portal.p[0].q;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(portal.size); ++i) out += lambda[i] * portal.p[i].q;
+  return out;
+}
+
+// The weights of the origin in the portal's projection, all >= 0. Of a triangle: its areas', or those on one
+// of its edges, whichever come nearer to the line; on a sliver, and where the line passes beside it by
+// rounding, an edge's are the better known.
 template <Scalar S>
 std::array<S, 3> portal_weights(const Portal<S>& portal) {
   const auto& p = portal.p;
@@ -115,28 +133,43 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   if (portal.size == 2) {
     l[1] = weight_along(p[0].q, p[1].q);
     l[0] = 1 - l[1];
-  } else if (portal.size == 3) {
-    if (const std::size_t i = corner_beyond(portal); i < 3) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      l[i] = 0;
-      l[k] = weight_along(p[j].q, p[k].q);
-      l[j] = 1 - l[k];
-      return l;
-    }
-    for (std::size_t i = 0; i < 3; ++i) l[i] = cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q);
-    const S area = l[0] + l[1] + l[2];
-    if (!(area > 0)) return {1, 0, 0};
-    for (S& weight : l) weight /= area;
-    // On a sliver these are the rounding of small areas. Twice: take back the combination's distance from the
-    // line, and what the sum lacks of 1, from the largest.
-    const std::size_t largest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
+  }
+  if (portal.size < 3) return l;
+  const auto off = [&](const std::array<S, 3>& lambda) {
+    const Vec3<S> rho = portal_point(portal, lambda);
+    return length_across(rho[0], rho[1]);
+  };
+  S area = 0, nearest = kInfinity<S>;
+  std::array<S, 3> inner;
+  for (std::size_t i = 0; i < 3; ++i) {
+    inner[i] = std::max(cross2(p[(i + 1) % 3].q, p[(i + 2) % 3].q), S(0));
+    area += inner[i];
+  }
+  if (area > 0) {
+    for (S& weight : inner) weight /= area;
+    // Twice: take back the combination's distance from the line, and what the sum lacks of 1, from the
+    // largest.
+    const std::size_t largest =
+        static_cast<std::size_t>(std::max_element(inner.begin(), inner.end()) - inner.begin());
     for (int round = 0; round < 2; ++round) {
-      const Vec3<S> rho = l[0] * p[0].q + l[1] * p[1].q + l[2] * p[2].q;
+      const Vec3<S> rho = portal_point(portal, inner);
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<S> e = p[(i + 2) % 3].q - p[(i + 1) % 3].q;
-        l[i] = std::max(l[i] - cross2(e, rho) / area, S(0));
+        inner[i] = std::max(inner[i] - cross2(e, rho) / area, S(0));
       }
-      l[largest] = std::max(1 - l[(largest + 1) % 3] - l[(largest + 2) % 3], S(0));
+      inner[largest] = std::max(1 - inner[(largest + 1) % 3] - inner[(largest + 2) % 3], S(0));
+    }
+    l = inner;
+    nearest = off(l);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    std::array<S, 3> edge{};
+    edge[k] = weight_along(p[j].q, p[k].q);
+    edge[j] = 1 - edge[k];
+    if (const S distance = off(edge); distance < nearest) {
+      nearest = distance;
+      l = edge;
     }
   }
   return l;
@@ -197,14 +230,6 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
     k = (beyond + 2) % 3;
   }
   return p[j].q[2] + weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]);
-}
-
-// |(x, y)|, of internal lengths: 0, or no smaller than the least ratio of two lengths within range, 1e-120,
-// so that no square vanishes in double.
-template <Scalar S>
-S length_across(S x, S y) {
-  const double a = static_cast<double>(x), b = static_cast<double>(y);
-  return static_cast<S>(std::sqrt(a * a + b * b));
 }
 
 // The distance of the origin from the projected triangle a b c, counter-clockwise; 0 inside. Beyond the tip
@@ -386,6 +411,12 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     if (!(reach - face > limits.gap)) {
       search.state = State::entered;
       search.lambda = portal_weights(search.portal);
+      // Where the plane is steep its height is rounding over n_z. The portal's own point, which the witnesses
+      // are made of, is not, while it is on the line.
+      if (const Vec3<S> own = portal_point(search.portal, search.lambda);
+          length_across(own[0], own[1]) <= 2 * noise) {
+        search.upper = own[2];
+      }
       search.facing = view.world(n);
       return;
     }

@@ -37,17 +37,21 @@ struct ProofContext {
   double radius_a, radius_b;
 
   [[nodiscard]] double slack() const { return std::max(inside_slack(a), inside_slack(b)); }
-  // n.x for the vertex of a body in the world, as a sum of two doubles: within 2^-95 of |n| times the lengths
-  // in it.
+  // n.(R x) for the vertex x of a body, as a sum of two doubles: within 2^-95 of |n| times the lengths in it.
   [[nodiscard]] static TwoDoubles along(const Vec3<double>& n, const Body<S>& body, std::uint32_t vertex) {
     const Vec3<double> x = exact::given_vertex(body, vertex);
     const Quaternion<S>& q = body.orientation;
     TwoDoubles3 turned = {TwoDoubles{x[0], 0}, TwoDoubles{x[1], 0}, TwoDoubles{x[2], 0}};
     if (!q.is_identity()) turned = rotate_accurately({double(q.w), double(q.x), double(q.y), double(q.z)}, x);
     TwoDoubles sum;
+    for (int i = 0; i < 3; ++i) sum = sum + turned[static_cast<std::size_t>(i)] * TwoDoubles{n[i], 0};
+    return sum;
+  }
+  // n.(p_A - p_B): the difference is exact, so a common offset costs nothing.
+  [[nodiscard]] TwoDoubles apart(const Vec3<double>& n) const {
+    TwoDoubles sum;
     for (int i = 0; i < 3; ++i) {
-      const TwoDoubles at = turned[static_cast<std::size_t>(i)] + TwoDoubles{double(body.position[i]), 0};
-      sum = sum + at * TwoDoubles{n[i], 0};
+      sum = sum + two_sum(double(a.position[i]), -double(b.position[i])) * TwoDoubles{n[i], 0};
     }
     return sum;
   }
@@ -79,7 +83,7 @@ struct ProofContext {
       const double ball = cso.radius() * (1 + 2 * kInsideTree * u);
       return cso.to_length(n.dot(p.w) + n.norm() * (1 + 8 * u) * (cso.reach_error() + ball));
     }
-    const TwoDoubles h = along(n, a, p.vertex_a) + -along(n, b, p.vertex_b);
+    const TwoDoubles h = (along(n, a, p.vertex_a) + -along(n, b, p.vertex_b)) + apart(n);
     const double passed_over = cso.choice_error() + 4 * u * cso.radius() + 0x1p-90 * lengths();
     const double rounded = n.norm() * (1 + 4 * u);
     return h.hi + (std::abs(h.lo) + rounded * (cso.to_length(passed_over) + radius)) * (1 + 8 * u) +
@@ -89,8 +93,8 @@ struct ProofContext {
  private:
   // What was cancelled before it became small, internal units.
   [[nodiscard]] double lengths() const {
-    return std::ldexp(double(a.position.cwiseAbs().maxCoeff()) + double(b.position.cwiseAbs().maxCoeff()) +
-                          cso.side_a().center.cwiseAbs().maxCoeff() +
+    const Vec3<double> between = a.position.template cast<double>() - b.position.template cast<double>();
+    return std::ldexp(between.cwiseAbs().maxCoeff() + cso.side_a().center.cwiseAbs().maxCoeff() +
                           cso.side_b().center.cwiseAbs().maxCoeff(),
                       -cso.length_exponent()) +
            cso.extent();
@@ -211,10 +215,10 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
 // thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
 // of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
 //
-// g rounds, too. L the longest edge, h the least altitude, G = 1 + |g|_1, u L / h <= 1/512 by the above.
-// face_normal() leaves 6 u |n| along the longest edge and 2 u |n| L / h across it, that is 6 u G^2 and
-// 2 u G^2 L / h of g; rho is within 6 u L^2 / h along and, 0 being inside, 6 u L across. The products come to
-// 48 u^2 L^2 G^2 / h < u L G^2 / 10, with e >= 8 u L less than (1.25 e + 4 u L) G * G / 64.
+// g rounds, too. L the longest edge, l its projection's length, h the least altitude, G = 1 + |g|_1.
+// face_normal() leaves 6 u |n| along the longest edge and 2 u L^2 across it, that is 6 u G L / l and
+// 2 u G L^2 / (l h) of g; rho is within 6 u l^2 / h along and, 0 being inside, 6 u l across: 48 u^2 G L^2 / h
+// in all, and as L <= 2 extent and h > 64 e >= 512 u extent, less than u extent G / 2.
 inline double filtered_upper(const Cso<double>& cso, const Portal<double>& portal, double length,
                              double z_max, double slack) {
   constexpr double u = kUnitRoundoff<double>;
@@ -242,7 +246,7 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
   }
   z -= gx * rho_x + gy * rho_y;
   const double steep = 1 + std::abs(gx) + std::abs(gy);
-  const double z_error = (1.25 * e + 4 * u * extent) * steep * (1 + steep / 64);
+  const double z_error = (1.25 * e + 5 * u * extent) * steep;
   if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * u))) return kInfinity<double>;
   return cso.to_time((z + z_error) / length * (1 + 8 * u));
 }

@@ -61,7 +61,7 @@ struct CastOptions {
   // Of tier standard; the others have one each. None: mpr_sweep for points, segments, triangles, boxes and
   // hulls without a target distance, gjk_ray_cast for every other pair. Measured, time of gjk over mpr: 1.2
   // to 3.8 on such polytopes (3.5 random and grazing); 0.1 to 0.6 on spheres, capsules and rounded shapes;
-  // 0.5 to 1.1 on curved ones, where mpr also stalls at plates edge on (corpus/known_failures.jsonl).
+  // 0.5 to 1.1 on curved ones.
   std::optional<Method> method = {};
   Request request = Request::normal | Request::witnesses;
   S t_max = 1;            // T; infinity makes it a ray

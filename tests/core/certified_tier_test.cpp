@@ -2,7 +2,10 @@
 // hardness, judged by the oracles.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <graze/cast.hpp>
+#include <limits>
+#include <optional>
 
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
@@ -34,11 +37,23 @@ struct Count {
   [[nodiscard]] int all() const { return hits + misses + starts + open; }
 };
 
+template <Scalar S>
+bool moves_in_subnormals(const corpus::Case& seen) {
+  for (const Body<double>* body : {&seen.a, &seen.b}) {
+    for (const double x : body->displacement) {
+      if (x != 0 && std::abs(x) < double(std::numeric_limits<S>::min())) return true;
+    }
+  }
+  return false;
+}
+
 // A fault of the answer to `seen`, which holds what S holds; or nothing.
 template <Scalar S>
 std::string judged(const corpus::Case& seen, Count& count) {
   const CastResult<S> result = [&] {
-    const graze::test::Flushed flushed;
+    // A flushed subnormal is read as 0, which is another case.
+    [[maybe_unused]] const std::optional<graze::test::Flushed> flushed =
+        moves_in_subnormals<S>(seen) ? std::nullopt : std::optional<graze::test::Flushed>(std::in_place);
     return cast(engine::round_to<S>(seen.a), engine::round_to<S>(seen.b), certified<S>(seen));
   }();
   const oracle::CaseTruth truth(seen);

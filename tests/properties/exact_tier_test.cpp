@@ -106,16 +106,19 @@ TEST(ExactTier, equals_the_oracle_on_every_family_at_every_hardness) {
     for (const corpus::Family& family : corpus::families()) {
       for (const double hardness : family.levels) {
         const int before = judging.casts();
-        sound = sound && judging.judge(family.generate(hardness, seed));
+        // Few of its cases are polytopes.
+        const std::uint64_t draws = family.name == "combinators" ? 16 : 1;
+        for (std::uint64_t i = 0; i < draws; ++i) {
+          sound = sound && judging.judge(family.generate(hardness, draws * seed + i));
+        }
         by_family[std::string(family.name)] += judging.casts() - before;
       }
     }
   }
   judging.print();
-  for (const char* name :
-       {"random", "aligned_boxes", "grazing_vertex", "grazing_edge", "grazing_face", "size_ratio",
-        "far_from_origin", "touching", "combinators", "needles", "plates", "parallel_faces", "parallel_edges",
-        "perpendicular", "noisy_copy", "slivers"}) {
+  for (const char* name : {"random", "aligned_boxes", "grazing_vertex", "grazing_edge", "grazing_face",
+                           "size_ratio", "far_from_origin", "touching", "combinators", "needles", "plates",
+                           "parallel_faces", "parallel_edges", "perpendicular", "noisy_copy", "slivers"}) {
     EXPECT_GT(by_family[name], judging.casts() / 1000) << name;
   }
   for (const char* label : {"hit", "miss", "initially_overlapping", "floats", "doubles", "turned"})

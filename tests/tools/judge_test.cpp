@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "corpus/case_io.hpp"
 #include "engines/guarantees.hpp"
@@ -311,7 +312,9 @@ namespace {
 
 // One that is right has been mended: it belongs to corpus/cases, where it must stay right.
 TEST(KnownFailures, still_fail) {
-  const corpus::ReadResult known = corpus::read_file(GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl");
+  const std::string file = GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no failure is known";
+  const corpus::ReadResult known = corpus::read_file(file);
   ASSERT_TRUE(known.ok());
   for (const corpus::Case& problem : known.cases) {
     bool fails = false;
