@@ -82,6 +82,9 @@ LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
   if (const auto open = without_truth(seen)) return *open;
   const Answer answer = method.cast(seen, {.request = Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
+  // At the largest float the bodies may still be apart.
+  if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>))
+    return holds({label_of(answer.outcome), "beyond range"});
   const CaseTruth& truth = truth_of(seen);
   const double bound = std::max(contact_bound_of(method, seen), bound_of(method, seen));
   // A coordinate of a witness, position + t displacement + ..., is rounded at the size of its largest term.
