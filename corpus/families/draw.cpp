@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "corpus/families/placing.hpp"
 #include "corpus/support_value.hpp"
 
 namespace graze::corpus {
@@ -402,19 +403,7 @@ void aim(Draw& draw, Case& problem, double miss) {
     problem.b.position[i] = draw.coordinates == Coordinates::doubles ? x : round_to_float(x);
   }
   set_motion(draw, problem, v);
-  switch (random.below(16)) {
-    case 0:
-      problem.t_max = kInfinity<double>;
-      break;
-    case 1:
-      problem.t_max = 0.5;
-      break;
-    case 2:
-      problem.t_max = 4;
-      break;
-    default:
-      break;
-  }
+  draw_horizon(random, problem);
 }
 
 void set_motion(Draw& draw, Case& problem, const Vec3<double>& v) {

@@ -13,6 +13,7 @@
 // e reports a time that is off by 10^-k / e; a ray cast that clips against a plane of its simplex loses the
 // sign of a height of the size of its rounding.
 #include "corpus/families/families_list.hpp"
+#include "corpus/families/placing.hpp"
 #include "corpus/families/topped.hpp"
 
 namespace graze::corpus {
@@ -23,20 +24,8 @@ constexpr double kReach = 4;  // size of a shape (length)
 // 10^-k, either sign.
 double height(Draw& draw, double hardness) {
   const bool above = draw.random.once_in(2);
-  const double unit = power_of_ten(-static_cast<int>(hardness));
-  const double size = draw.coordinates == Coordinates::floats ? round_to_float(unit) : unit;
+  const double size = small_unit(draw, hardness);
   return above ? size : -size;
-}
-
-Topped any_top(Draw& draw) {
-  switch (draw.random.below(3)) {
-    case 0:
-      return topped_vertex(draw, kReach);
-    case 1:
-      return topped_edge(draw, kReach, edge_vector(draw));
-    default:
-      return topped_face(draw, kReach);
-  }
 }
 
 }  // namespace
@@ -71,7 +60,7 @@ void fill_grazing_face(Draw& draw, double hardness, Case& problem) {
               Vec3<double>::Zero(), delta);
     return;
   }
-  Topped a = topped_face(draw, kReach), b = any_top(draw);
+  Topped a = topped_face(draw, kReach), b = topped_any(draw, kReach);
   if (draw.random.once_in(3)) turn_about_z(draw, a);
   if (draw.random.once_in(3)) turn_about_z(draw, b);
   pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);

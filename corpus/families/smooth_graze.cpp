@@ -101,17 +101,6 @@ Topped cone(Draw& draw) {
   }
 }
 
-Topped polytope(Draw& draw) {
-  switch (draw.random.below(3)) {
-    case 0:
-      return topped_vertex(draw, kReach);
-    case 1:
-      return topped_edge(draw, kReach, edge_vector(draw));
-    default:
-      return topped_face(draw, kReach);
-  }
-}
-
 Topped smooth(Draw& draw) {
   switch (draw.random.below(6)) {
     case 0: {
@@ -127,7 +116,7 @@ Topped smooth(Draw& draw) {
     case 4:
       return cone(draw);
     default: {
-      Topped body = polytope(draw);
+      Topped body = topped_any(draw, kReach);
       const double r = extent(draw, kReach);
       body.shape = rounded<double>(std::move(body.shape), r);
       body.position[2] -= r;
@@ -143,7 +132,7 @@ void fill_smooth_graze(Draw& draw, double hardness, Case& problem) {
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const double size = draw.coordinates == Coordinates::floats ? round_to_float(unit) : unit;
   const double delta = random.once_in(2) ? size : -size;
-  Topped a = smooth(draw), b = random.once_in(3) ? polytope(draw) : smooth(draw);
+  Topped a = smooth(draw), b = random.once_in(3) ? topped_any(draw, kReach) : smooth(draw);
   if (random.once_in(3)) turn_about_z(draw, a);
   if (random.once_in(3)) turn_about_z(draw, b);
   pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);

@@ -193,6 +193,17 @@ void finish_exactly(Draw& draw, Case& problem) {
   maybe_swap(draw, problem);
 }
 
+Topped topped_any(Draw& draw, double reach) {
+  switch (draw.random.below(3)) {
+    case 0:
+      return topped_vertex(draw, reach);
+    case 1:
+      return topped_edge(draw, reach, edge_vector(draw));
+    default:
+      return topped_face(draw, reach);
+  }
+}
+
 void pass_over(Draw& draw, Case& problem, const Topped& a, const Topped& b, const Vec3<double>& direction,
                double delta) {
   Random& random = draw.random;

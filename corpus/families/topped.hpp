@@ -23,6 +23,8 @@ Topped topped_vertex(Draw& draw, double reach);
 // way.
 Topped topped_edge(Draw& draw, double reach, const Vec3<double>& edge);
 Topped topped_face(Draw& draw, double reach);
+// One of the three, the edge any.
+Topped topped_any(Draw& draw, double reach);
 // Horizontal: an axis, half of the time; else any.
 Vec3<double> edge_vector(Draw& draw);
 // The hull of `top` and of points below it, 4 to 24 together, in any order, moved by -shift.

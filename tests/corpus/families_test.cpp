@@ -14,6 +14,7 @@
 #include "corpus/random.hpp"
 #include "corpus/support_value.hpp"
 #include "oracles/linear_truth.hpp"
+#include "tests/corpus/depth_of.hpp"
 
 namespace graze::corpus {
 namespace {
@@ -139,20 +140,6 @@ TEST(Families, CurvedDrawsTheTenShapesAndCombinatorsAllOfThem) {
     }
     EXPECT_EQ(kinds.size(), count) << name;
   }
-}
-
-int depth_of(const Shape<double>& shape) {
-  return std::visit(
-      [](const auto& one) {
-        int most = -1;
-        if constexpr (requires { one.shapes; }) {
-          for (const auto& part : one.shapes) most = std::max(most, depth_of(part->shape));
-        } else if constexpr (requires { one.shape; }) {
-          most = depth_of(one.shape->shape);
-        }
-        return most + 1;
-      },
-      shape);
 }
 
 TEST(Combinators, AreNestedAsDeepAsTheHardnessSays) {
