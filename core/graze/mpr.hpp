@@ -39,6 +39,10 @@ Sweep<S> mpr_overlap(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& 
     case State::entered:
       out.outcome = Outcome::initially_overlapping;
       out.contact = contact_of(search);
+      if (search.state == State::entered && !holds_origin(search, limits.noise)) {
+        out.outcome = Outcome::miss;
+        out.n = search.facing;
+      }
       break;
     case State::rejected:
     case State::missed:
@@ -96,6 +100,10 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   if (leave.state == State::missed || leave.state == State::rejected) {
     out.outcome = Outcome::miss;
     out.n = leave.n;
+  } else if (leave.state == State::entered && in.upper <= limits.noise &&
+             !holds_origin(leave, limits.noise)) {
+    out.outcome = Outcome::miss;
+    out.n = leave.facing;
   } else if (leave.state != State::exhausted) {
     out.outcome = in.upper > limits.noise ? Outcome::hit : Outcome::initially_overlapping;
     if (out.outcome == Outcome::initially_overlapping) out.upper = 0;

@@ -181,6 +181,9 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
     refine_portal(view, begin, PortalLimits<S>{S(0), limits.noise, limits.noise / 2}, limits.budget);
   }
   out.counters.iterations = out.counters.portal_steps;
+  const bool undecided =
+      begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
+  if (undecided && !holds_origin(begin, limits.noise)) return detail::apart(out, begin.facing);
   const bool in_contact =
       begin.state == State::accepted ||
       (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);

@@ -77,6 +77,11 @@ struct PortalView {
     out.c = plain ? cso.support(along) : cso.rounded_support(unit(along));
     out.q = frame.to_frame(out.c.w);
     out.q[2] *= mirror;
+    // Far below what rounding makes of it a coordinate is 0: products of two such would vanish, and a sign
+    // with them.
+    for (int i = 0; i < 2; ++i) {
+      if (std::abs(out.q[i]) < kUnitRoundoff<S> * noise()) out.q[i] = 0;
+    }
     return out;
   }
 };
@@ -270,9 +275,11 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
 // An edge-on triangle becomes one of its edges: of those that pass the origin nearest, up to the height that
 // such a triangle may have (`height_lost`), the one that the line meets first, with the origin between its
 // ends. So the height of the portal never rises, and no two portals alternate. The edge across a thin
-// triangle has the origin between its ends, too, as a line may that passes far away.
+// triangle has the origin between its ends, too, as a line may that passes far away. `grown`: the last corner
+// has just been found beyond the edge of the other two, which is kept only if no edge to that corner will do:
+// near an end of it, where the heights agree as rounded, it would be found again for ever.
 template <Scalar S>
-void flatten(Portal<S>& portal, S height_lost) {
+void flatten(Portal<S>& portal, S height_lost, bool grown) {
   std::array<S, 3> off, height;
   std::array<bool, 3> between;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -287,6 +294,7 @@ void flatten(Portal<S>& portal, S height_lost) {
   const S least = std::min({off[0], off[1], off[2]});
   std::size_t best = 3;
   for (std::size_t i = 0; i < 3; ++i) {
+    if (grown && i == 2 && best < 3) break;
     if (between[i] && off[i] <= least + height_lost && (best == 3 || height[i] < height[best])) best = i;
   }
   if (best == 3) best = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
@@ -384,7 +392,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   const S noise = view.noise();
   search.state = State::exhausted;
   while (true) {
-    if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal, 2 * noise);
+    if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal, 2 * noise, false);
     const Vec3<S> n = portal_normal(search.portal);
     if (!(n[2] < 0)) return;  // NaN, or a portal along the line
     search.upper = portal_height(search.portal, n);
@@ -429,7 +437,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
         if (cross2(e, Vec3<S>(w.q - p[0].q)) < 0) std::swap(p[0], p[1]);
         size = 3;
       } else {
-        flatten(search.portal, 2 * noise);
+        flatten(search.portal, 2 * noise, true);
       }
     } else {
       replace_corner(search.portal, w, noise);

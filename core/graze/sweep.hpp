@@ -136,4 +136,12 @@ Simplex<S> contact_of(const PortalSearch<S>& search) {
   return out;
 }
 
+// Whether the origin is in C, where a refinement closed its gap before that was known (state entered): the
+// portal lies so nearly along the line that neither its height nor its plane says on which side of the origin
+// the line enters. By the plane the origin is no deeper in C than the gap; C is as near as the portal.
+template <Scalar S>
+bool holds_origin(const PortalSearch<S>& search, S noise) {
+  return closest_to_origin(contact_of(search), Vec3<S>(Vec3<S>::Zero())).v.norm() <= noise;
+}
+
 }  // namespace graze
