@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <graze/distance.hpp>
 #include <graze/mpr.hpp>
 
 #include "tests/core/draw.hpp"
@@ -8,10 +9,11 @@ namespace {
 
 using test::Draw;
 
-Outcome overlap(const Body<double>& a, const Body<double>& b) {
-  const Cso<double> cso(a, b);
+template <Scalar S>
+Outcome overlap(const Body<S>& a, const Body<S>& b) {
+  const Cso<S> cso(a, b);
   Counters counters;
-  CastOptions<double> options;
+  CastOptions<S> options;
   return mpr_overlap(cso, sweep_limits(cso, options), counters).outcome;
 }
 
@@ -59,6 +61,41 @@ TEST(MprOverlap, FlatShapesInOnePlane) {
   EXPECT_EQ(overlap(square, triangle), Outcome::miss);
   triangle.position = {0.5, 0.5, 0.125};
   EXPECT_EQ(overlap(square, triangle), Outcome::miss);
+}
+
+// The line from C's inside runs in the plate's own plane, as far as float can tell: no face of the portal
+// says where along it the plate ends. They are 0.07 of their size apart.
+TEST(MprOverlap, APlateSeenEdgeOnEnds) {
+  const Body<float> plate{.shape = Box<float>{{2.1763108F, 3.2389083F, 2.5e-6F}},
+                          .position = {-1.3451121F, -3.8941395F, 2.2300808F},
+                          .orientation = {-5, 0, 0, -3}};
+  const Body<float> triangle{.shape = Triangle<float>{{-1.4610823F, -1.7616553F, -2.5e-6F},
+                                                      {3.3998308F, -0.7946014F, 2.5e-6F},
+                                                      {-2.5321021F, 0.1704859F, 0}},
+                             .position = {2.5335650F, 0.4296701F, 2.2300808F},
+                             .orientation = {-3, 0, 0, -3}};
+  const DistanceResult<float> d = distance(plate, triangle);
+  EXPECT_GT(d.lower, 0.1F);
+  EXPECT_EQ(overlap(plate, triangle), Outcome::miss);
+}
+
+// What projects to 1e-23 of the scale has products that vanish in float: it lies on the line.
+TEST(MprOverlap, APointAlmostOnTheLineIsOnIt) {
+  const Body<float> high{.shape = Point<float>{},
+                         .position = {3.8461538e-13F, 9.2307692e-13F, 3.4512241e10F}};
+  const Body<float> turned{.shape = Point<float>{}, .orientation = {2, 3, 2, -3}};
+  EXPECT_EQ(overlap(high, turned), Outcome::miss);
+  EXPECT_EQ(overlap(turned, high), Outcome::miss);
+}
+
+// Near an end of an edge that is seen along a plate two edges are equally high, as rounded. The one with the
+// new corner is steeper: it is the one to go on with.
+TEST(MprOverlap, TheRimOfAPlateIsReached) {
+  const Body<float> point{.shape = Point<float>{}, .position = {-1e-14F, 2.3528196F, 0}};
+  const Body<float> plate{.shape = Cylinder<float>{2.9940009F, 9.3132257e-10F},
+                          .position = {-2.9940009F, 0, 0},
+                          .orientation = {8, 0, 0, -8}};
+  EXPECT_EQ(overlap(point, plate), Outcome::miss);
 }
 
 // The entry of the line {s r} into a box has a closed form: the slabs.
