@@ -30,6 +30,14 @@ QueryAnswer begun(const Result& result, Outcome outcome) {
   return answer;
 }
 
+// Unasked for they are zero; where they are not, it shows.
+template <class Result>
+void add_points(QueryAnswer& answer, const Result& result, Request request) {
+  if (!asks_for(request, Request::witnesses) && result.point_a.isZero(0) && result.point_b.isZero(0)) return;
+  answer.point_a = result.point_a.template cast<double>();
+  answer.point_b = result.point_b.template cast<double>();
+}
+
 template <Scalar S>
 QueryAnswer of_overlap(const OverlapResult<S>& result) {
   QueryAnswer answer = begun(result, result.outcome);
@@ -37,17 +45,18 @@ QueryAnswer of_overlap(const OverlapResult<S>& result) {
   return answer;
 }
 template <Scalar S>
-QueryAnswer overlap_by_gjk(const Case& c) {
+QueryAnswer overlap_by_gjk(const Case& c, Request) {
   return of_overlap(overlap_gjk(round_to<S>(c.a), round_to<S>(c.b)));
 }
 template <Scalar S>
-QueryAnswer overlap_by_mpr(const Case& c) {
+QueryAnswer overlap_by_mpr(const Case& c, Request) {
   return of_overlap(overlap_mpr(round_to<S>(c.a), round_to<S>(c.b)));
 }
 
 template <Scalar S>
-QueryAnswer distance_by_gjk(const Case& c) {
-  const DistanceResult<S> result = distance(round_to<S>(c.a), round_to<S>(c.b));
+QueryAnswer distance_by_gjk(const Case& c, Request request) {
+  const DistanceResult<S> result =
+      distance(round_to<S>(c.a), round_to<S>(c.b), DistanceOptions<S>{.request = request});
   const bool apart = result.lower > 0;
   QueryAnswer answer = begun(result, apart               ? Outcome::miss
                                      : result.upper == 0 ? Outcome::initially_overlapping
@@ -57,42 +66,44 @@ QueryAnswer distance_by_gjk(const Case& c) {
   answer.stalled = result.stalled;
   if (apart) {
     answer.normal = widened(result.normal);
-    answer.point_a = result.point_a.template cast<double>();
-    answer.point_b = result.point_b.template cast<double>();
+    add_points(answer, result, request);
   }
   return answer;
 }
 
 template <Scalar S>
-QueryAnswer of_penetration(const PenetrationResult<S>& result) {
+QueryAnswer of_penetration(const PenetrationResult<S>& result, Request request) {
   QueryAnswer answer = begun(result, result.outcome);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.normal = widened(result.normal);
   answer.stalled = result.stalled;
   if (answer.outcome == Outcome::initially_overlapping) {
     answer.depth = Interval{result.lower, result.upper};
-    answer.point_a = result.point_a.template cast<double>();
-    answer.point_b = result.point_b.template cast<double>();
+    add_points(answer, result, request);
   }
   return answer;
 }
 template <Scalar S>
-QueryAnswer penetration_by_epa(const Case& c) {
-  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b)));
+QueryAnswer penetration_by_epa(const Case& c, Request request) {
+  const PenetrationOptions<S> options{.request = request};
+  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b), options), request);
 }
 template <Scalar S>
-QueryAnswer penetration_along_by_mpr(const Case& c) {
-  return of_penetration(penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction)));
+QueryAnswer penetration_along_by_mpr(const Case& c, Request request) {
+  const PenetrationOptions<S> options{.request = request};
+  return of_penetration(
+      penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction), options), request);
 }
 
 template <Scalar S>
-QueryAnswer overlap_exactly(const Case& c) {
+QueryAnswer overlap_exactly(const Case& c, Request) {
   return of_overlap(overlap_exact(round_to<S>(c.a), round_to<S>(c.b)));
 }
 
 template <Scalar S>
-LineOptions<S> line_options(const Case& c) {
+LineOptions<S> line_options(const Case& c, Request request) {
   LineOptions<S> options;
+  options.request = request;
   options.target_distance = static_cast<S>(c.target_distance);
   return options;
 }
@@ -101,6 +112,7 @@ QueryAnswer of_line(const LineResult<S>& result) {
   QueryAnswer answer = begun(result, result.outcome);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.normal = widened(result.normal_in);
+  answer.normal_out = widened(result.normal_out);
   if (answer.outcome != Outcome::miss) {
     answer.t_in = Interval{result.in_lower, result.in_upper};
     answer.t_out = Interval{result.out_lower, result.out_upper};
@@ -109,12 +121,12 @@ QueryAnswer of_line(const LineResult<S>& result) {
 }
 
 template <Scalar S>
-QueryAnswer line_by_mpr(const Case& c) {
-  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c)));
+QueryAnswer line_by_mpr(const Case& c, Request request) {
+  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, request)));
 }
 template <Scalar S>
-QueryAnswer line_exactly(const Case& c) {
-  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c)));
+QueryAnswer line_exactly(const Case& c, Request request) {
+  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, request)));
 }
 
 template <Scalar S>
@@ -132,13 +144,13 @@ QueryAnswer of_swept(const SweptOverlapResult<S>& result) {
 }
 
 template <Scalar S, SweptMethod kMethod>
-QueryAnswer swept_overlap_by(const Case& c) {
+QueryAnswer swept_overlap_by(const Case& c, Request) {
   SweptOverlapOptions<S> options = swept_options<S>(c);
   options.method = kMethod;
   return of_swept(swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options));
 }
 template <Scalar S>
-QueryAnswer swept_overlap_exactly(const Case& c) {
+QueryAnswer swept_overlap_exactly(const Case& c, Request) {
   return of_swept(swept_overlap_exact(round_to<S>(c.a), round_to<S>(c.b), swept_options<S>(c)));
 }
 
@@ -166,7 +178,9 @@ std::span<const QueryMethod> query_methods() {
   static const std::vector<QueryMethod> kMethods = [] {
     std::vector<QueryMethod> out;
     add_methods<double>(out);
+#ifndef GRAZE_DOUBLE_ALONE  // half the compilation, for the trial of the laws
     add_methods<float>(out);
+#endif
     return out;
   }();
   return kMethods;

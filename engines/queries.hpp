@@ -20,7 +20,8 @@ struct QueryAnswer {
   std::optional<Interval> distance, depth;  // length
   std::optional<Interval> t_in, t_out;      // brackets of the ends of {t : the bodies touch at t}
   std::optional<Vec3<double>> normal, point_a, point_b;
-  bool stalled = false;  // the bracket is wider than was asked for
+  std::optional<Vec3<double>> normal_out;  // of a line: where it leaves; `normal` is where it enters
+  bool stalled = false;                    // the bracket is wider than was asked for
   Counters counters;
 };
 
@@ -29,8 +30,12 @@ struct QueryMethod {
   std::string name;    // "gjk", "mpr", "epa", ..., "exact"
   std::string scalar;  // "float", "double"
   std::string tier;    // "standard", "exact"
-  QueryAnswer (*answer)(const corpus::Case&);
+  // An overlap and a swept overlap have nothing to ask for: their axis comes with the verdict.
+  QueryAnswer (*ask)(const corpus::Case&, Request);
 
+  [[nodiscard]] QueryAnswer answer(const corpus::Case& problem) const {
+    return ask(problem, Request::normal | Request::witnesses);
+  }
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
   [[nodiscard]] bool is_exact() const { return tier == "exact"; }
 };

@@ -1,14 +1,20 @@
 // Bytes to a case, for every sequence of bytes, and a case to bytes.
 //
-//   byte 0       one bit each: A turned (bit 0), B turned, t_max given, target distance given
+//   byte 0       one bit each: A turned (bit 0), B turned, t_max given, target distance given, more given
+//   more         if given, a byte, one bit each: A's rotation (bit 0), A's pivot, B's rotation, B's pivot,
+//   the
+//                policy pass_over, a query, a direction
 //   body         A, then B: shape; position; orientation (w, x, y, z) if turned; displacement
 //   shape        a byte, its low four bits the kind, in the order of graze::Shape; then the kind's numbers,
-//   in the
-//                order of its fields. Of a hull first its vertex count modulo 65; of a sum or a hull of
-//                several first a byte, its low two bits the number of parts; parts are shapes. Kinds 14 and
-//                15 are a missing part, or a body's point. Three combinators deep there are leaves alone:
-//                kinds 10 to 13 are 0 to 3 there.
+//                in the order of its fields. Of a hull first a byte: its low seven bits are the vertex count
+//                less 1, the high one asks for adjacency. Of a sum or a hull of several first a byte: the
+//                number of parts less 1, modulo 3; parts are shapes. Kinds 14 and 15 are a point and a
+//                sphere. Four high bits that are all set make it invalid: a hull of no vertex, a combinator
+//                without parts, a missing part for any other kind of part. Three combinators deep there are
+//                leaves alone: kinds 10 to 13 are 0 to 3 there.
 //   t_max, target distance, if given (else 1 and 0)
+//   rotations, pivots, query (a byte, modulo 7), direction, if given
+//   tail         what is left over: the target's own choices (target.hpp)
 //
 // A scalar is a tag and what follows it; bytes beyond the end are 0. Tags are chosen so that a mutation of
 // one byte is a small step, a copy, or a neighbour of an earlier number: ties and near-ties, which raw
@@ -16,9 +22,13 @@
 //   00-7f  tag - 64
 //   80-8f  the scalar that came (tag & 15) + 1 before        90-9f, a0-af  its next double up, down
 //   b0-bf  the next byte as a signed integer, times 2^-(tag & 15)
-//   c0-cf  float, 4 bytes, little-endian
-//   d0-df  double, 8 bytes, little-endian
+//   c0-cf  float, 4 bytes, little-endian; the exponent of infinities and NaNs lowered by one
+//   d0-de  double, 8 bytes, little-endian, its exponent field f brought to f modulo 384, less 192
+//   df ff  double, 8 bytes, as it is: the only way to a NaN, an infinity, or a magnitude outside of 2^-192 to
+//          2^192, so that nearly every input is a question that the library answers
+//   df     followed by any other byte: as d0
 //   e0-ff  as d0, its exponent brought to -16..15
+// An extent, a distance and t_max lose their sign, but by df ff.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +40,19 @@
 
 namespace graze::fuzz {
 
-// Total: NaN, infinities, negative extents, empty hulls, missing parts and q = 0 come out too.
+using Bytes = std::vector<std::uint8_t>;
+
+// Total: NaN, infinities, negative extents, empty hulls, missing parts and q = 0 come out too, but seldom.
 [[nodiscard]] corpus::Case decode(std::span<const std::uint8_t> bytes);
-// decode(encode(c)) has c's numbers, bit for bit. Nothing for a hull of more than 64 vertices, a combinator
-// of more than three parts or more than three deep, or a case that is more than its two bodies, t_max and
-// target distance.
-[[nodiscard]] std::optional<std::vector<std::uint8_t>> encode(const corpus::Case& problem);
+
+struct Decoded {
+  corpus::Case problem;
+  std::span<const std::uint8_t> tail;  // of the bytes given
+};
+[[nodiscard]] Decoded decode_with_tail(std::span<const std::uint8_t> bytes);
+
+// decode(encode(c)) has c's numbers, bit for bit. Nothing for a hull of more than 128 vertices, a combinator
+// of more than three parts or more than three deep. A hull's adjacency is derived anew.
+[[nodiscard]] std::optional<Bytes> encode(const corpus::Case& problem);
 
 }  // namespace graze::fuzz

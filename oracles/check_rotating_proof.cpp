@@ -237,7 +237,7 @@ class Slice {
     if (frame_ != AxisFrame::world) return false;
     for (const auto& [a, b] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
       if ((a && !motion_.swept_a) || (b && !motion_.swept_b)) continue;
-      const auto excess_at = [&](const Instant& now) {
+      const auto excess_at = [&, a = a, b = b](const Instant& now) {
         const Ball of_a = a ? motion_.swept_a->reach(motion_.a, n_, now.t) : now.a.support(n_).reach;
         const Ball of_b = b ? motion_.swept_b->reach(motion_.b, -n_, now.t) : now.b.support(-n_).reach;
         return -(of_a + of_b) - margin_;

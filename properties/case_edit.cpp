@@ -36,6 +36,7 @@ std::vector<double> scalars(const Case& problem) {
 }
 
 bool same_input(const Case& left, const Case& right) {
+  if (left.start_policy != right.start_policy) return false;
   if (outline(left.a.shape) != outline(right.a.shape) || outline(left.b.shape) != outline(right.b.shape)) {
     return false;
   }

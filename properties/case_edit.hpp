@@ -56,7 +56,7 @@ template <class F>
 
 // Every scalar, in the order of the visit.
 [[nodiscard]] std::vector<double> scalars(const corpus::Case& problem);
-// Equal shapes (outline) and equal bits in every scalar; zeros of either sign are equal.
+// Equal shapes (outline), equal bits in every scalar, and one start policy; zeros of either sign are equal.
 [[nodiscard]] bool same_input(const corpus::Case& left, const corpus::Case& right);
 // The domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q
 // != 0, t_max >= 0 (infinity allowed), target_distance >= 0. Written from the documentation of the library,

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
+#include "properties/ask_twice.hpp"
 
 namespace graze::law {
 
@@ -34,7 +33,7 @@ LawResult swapping(const Case& problem, const EngineMethod& method) {
   const engine::Ask ask{.request = Request::normal};
   const Answer one = method.cast(seen, ask), two = method.cast(other, ask);
   LawResult result = holds();
-  if (!agree(one, two, method.unit_roundoff)) {
+  if (!agree_within_rows(method, seen, one, two)) {
     result = arbitrate(method, {{"the original", seen, one}, {"the swapped", other, two}},
                        "swapping changes the answer");
     if (result.holding == Holding::broken) return result;
@@ -101,7 +100,7 @@ LawResult translating(const Case& problem, const EngineMethod& method) {
     const std::optional<Case> other = translated(seen, salt);
     if (!other || !fits(*other, method)) continue;
     const Answer one = method.cast(seen, {}), two = method.cast(*other, {});
-    LawResult result = agree(one, two, method.unit_roundoff)
+    LawResult result = agree_within_rows(method, seen, one, two)
                            ? holds()
                            : arbitrate(method, {{"the original", seen, one}, {"the translated", *other, two}},
                                        "translating both changes the answer");
@@ -119,7 +118,8 @@ LawResult superset(const Case& problem, const EngineMethod& method) {
     if (!is_question_for(method, other) || !fits(other, method)) continue;
     const Answer one = method.cast(seen, {}), two = method.cast(other, {});
     const bool ordered = one.outcome == Outcome::miss ||
-                         (claims_contact(one) && claims_contact(two) && two.toi_lower <= one.toi_upper);
+                         (claims_contact(one) && claims_contact(two) && two.toi_lower <= one.toi_upper) ||
+                         agree_within_rows(method, seen, one, two);
     LawResult result = ordered
                            ? holds()
                            : arbitrate(method, {{"the original", seen, one}, {"the superset", other, two}},
@@ -136,7 +136,7 @@ LawResult ray_is_point_cast(const Case& problem, const EngineMethod& method) {
   const std::optional<Case> ray = ray_against_cso(seen);
   if (!ray || !fits(*ray, method)) return not_applicable("no exact hull of differences");
   const Answer one = method.cast(seen, {}), two = method.cast(*ray, {});
-  LawResult result = agree(one, two, method.unit_roundoff)
+  LawResult result = agree_within_rows(method, seen, one, two)
                          ? holds()
                          : arbitrate(method, {{"the cast", seen, one}, {"the ray", *ray, two}},
                                      "the ray against the CSO answers otherwise");
@@ -157,7 +157,7 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
   LawResult result = holds();
   if (before.outcome != Outcome::miss) {
     // Contact in the first part is the contact of the whole.
-    if (!agree(whole, before, method.unit_roundoff)) {
+    if (!agree_within_rows(method, seen, whole, before)) {
       if (const auto open = without_exact_truth(seen)) return *open;
       result = arbitrate(method, {{"the whole", seen, whole}, {"the first part", parts->before, before}},
                          kDiffers);
@@ -171,7 +171,7 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
       joined.toi_lower += parts->at;
       joined.toi_upper += parts->at;
     }
-    if (!agree(whole, joined, method.unit_roundoff)) {
+    if (!agree_within_rows(method, seen, whole, joined)) {
       if (const auto open = without_exact_truth(seen)) return *open;
       result = arbitrate(method,
                          {{"the whole", seen, whole},
@@ -193,7 +193,7 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
   for (const EngineMethod& other : engine::methods()) {
     if (other.scalar != method.scalar || other.name == method.name || !is_question_for(other, seen)) continue;
     const Answer two = other.cast(seen, {});
-    if (agree(one, two, method.unit_roundoff)) continue;
+    if (agree_within_rows(method.tier == "standard" ? method : other, seen, one, two)) continue;
     // Each within its own row. Of curved shapes nobody is blamed: where the edge of a plate grazes a
     // cylinder, mpr/double is 372 u scale early, beyond its row (bracket_holds_toi holds it to it).
     if (const auto open = without_exact_truth(seen)) return *open;

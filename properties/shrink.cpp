@@ -13,7 +13,16 @@ using corpus::Case;
 
 namespace {
 
-// The measure of a number: 0 for 0, then significant bits and exponent; smaller reads better.
+// How many bits stand behind the point: 0 of an integer.
+int fraction_bits(double x) {
+  if (x == 0 || !std::isfinite(x)) return 0;
+  int exponent = 0;
+  const auto bits = static_cast<std::uint64_t>(std::scalbn(std::frexp(std::abs(x), &exponent), 53));
+  return std::max(0, 53 - std::countr_zero(bits) - exponent);
+}
+
+// The measure of a number: 0 for 0, then significant bits, exponent, and what keeps it from being an integer;
+// smaller reads better.
 int complexity(double x) {
   if (x == 0) return 0;
   if (!std::isfinite(x)) return 1;  // an infinite horizon; nothing else infinite is drawn
@@ -21,7 +30,7 @@ int complexity(double x) {
   const double mantissa = std::frexp(std::abs(x), &exponent);
   const auto bits = static_cast<std::uint64_t>(std::scalbn(mantissa, 53));
   const int significant = 53 - std::countr_zero(bits);
-  return 1 + 2 * significant + std::abs(exponent - 1) + (x < 0 ? 1 : 0);
+  return 1 + 2 * significant + std::abs(exponent - 1) + 3 * std::min(fraction_bits(x), 8) + (x < 0 ? 1 : 0);
 }
 
 double keep_bits(double x, int bits) {
@@ -29,6 +38,9 @@ double keep_bits(double x, int bits) {
   const double mantissa = std::frexp(x, &exponent);
   return std::scalbn(std::nearbyint(std::scalbn(mantissa, bits)), exponent - bits);
 }
+
+// To the nearest multiple of 2^grid; no -0.
+double on_grid(double x, int grid) { return std::scalbn(std::nearbyint(std::scalbn(x, -grid)), grid) + 0.0; }
 
 std::vector<double> simpler_numbers(double x) {
   std::vector<double> all;
@@ -91,9 +103,106 @@ void simpler_shapes(const Shape<double>& shape, std::vector<Shape<double>>& all)
   }
 }
 
-bool plain(const Body<double>& body) {
+bool plain(const Quaternion<double>& q) { return q.is_identity() && q.w == 1; }
+bool plain(const Body<double>& body) { return plain(body.orientation); }
+
+// Simpler bodies that stand where a part of this one stood, of a body that is not turned: what is posed, by
+// itself, in that pose; a vertex, or the middle between two or of a box's face.
+void pieces_in_place(const Body<double>& body, std::vector<Body<double>>& all) {
+  if (!plain(body)) return;
+  const auto add = [&](Shape<double> shape, const Vec3<double>& offset, const Quaternion<double>& turn) {
+    Body<double> piece = body;
+    piece.shape = std::move(shape);
+    piece.position += offset;
+    piece.orientation = turn;
+    all.push_back(std::move(piece));
+  };
+  if (const auto* posed = std::get_if<Posed<double>>(&body.shape); posed != nullptr && posed->shape) {
+    add(posed->shape->shape, posed->position, posed->orientation);
+  }
+  std::vector<Vec3<double>> vertices;
+  if (const auto* segment = std::get_if<Segment<double>>(&body.shape)) {
+    vertices = {segment->a, segment->b};
+  } else if (const auto* triangle = std::get_if<Triangle<double>>(&body.shape)) {
+    vertices = {triangle->a, triangle->b, triangle->c};
+  } else if (const auto* hull = std::get_if<Hull<double>>(&body.shape)) {
+    for (std::size_t i = 0; i < hull->size(); ++i) vertices.push_back(hull->vertex(i));
+  }
+  if (const auto* box = std::get_if<Box<double>>(&body.shape)) {
+    for (int i = 0; i < 6; ++i) {
+      add(Point<double>{}, (i < 3 ? 1 : -1) * box->half_extents[i % 3] * Vec3<double>::Unit(i % 3), {});
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3<double> signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      add(Point<double>{}, box->half_extents.cwiseProduct(signs), {});
+    }
+  }
+  for (const Vec3<double>& vertex : vertices) add(Point<double>{}, vertex, {});
+  constexpr std::size_t kFew = 4;  // pairs of more would take the whole budget
+  for (std::size_t i = 0; vertices.size() <= kFew && i < vertices.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) add(Point<double>{}, (vertices[i] + vertices[j]) / 2, {});
+  }
+}
+
+// Of the lengths of a case: the exponent of the largest, by frexp, and the most bits behind the point.
+struct Lengths {
+  int exponent = 0, fraction = 0;
+};
+Lengths lengths_of(const Case& problem) {
+  double largest = 0;
+  Lengths lengths;
+  (void)map_scalars(problem, [&](Slot slot, double x) {
+    if (!is_length(slot)) return x;
+    largest = std::max(largest, std::abs(x));
+    lengths.fraction = std::max(lengths.fraction, fraction_bits(x));
+    return x;
+  });
+  (void)std::frexp(largest, &lengths.exponent);
+  return lengths;
+}
+
+// All lengths at once, where no number can change by itself: brought near 1 by a power of two, or made
+// integers by one, or rounded to one grid, from 1/2 to 1/256 of the largest.
+void simpler_scenes(const Case& problem, std::vector<Case>& all) {
+  const auto [exponent, fraction] = lengths_of(problem);
+  for (const int k : {1 - exponent, 2 - exponent, 3 - exponent, fraction}) {
+    if (std::optional<Case> other = k == 0 ? std::nullopt : scaled(problem, k))
+      all.push_back(std::move(*other));
+  }
+  for (const int bits : {1, 2, 3, 4, 6, 8}) {
+    const int grid = exponent - bits;
+    all.push_back(
+        map_scalars(problem, [&](Slot slot, double x) { return is_length(slot) ? on_grid(x, grid) : x; }));
+  }
+}
+
+// The vertices where the turn has them, rounded to a grid of 1/16 or 1/4096 of the largest, instead of the
+// turn.
+void turned_vertices(const Body<double>& body, std::vector<Body<double>>& all) {
+  const auto* hull = std::get_if<Hull<double>>(&body.shape);
+  if (hull == nullptr || hull->size() == 0 || plain(body)) return;
   const Quaternion<double>& q = body.orientation;
-  return q.is_identity() && q.w == 1;
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  double largest = 0;
+  for (std::size_t i = 0; i < hull->size(); ++i) {
+    largest = std::max(largest, hull->vertex(i).cwiseAbs().maxCoeff());
+  }
+  int exponent = 0;
+  (void)std::frexp(largest, &exponent);
+  for (const int bits : {4, 12}) {
+    std::vector<Vec3<double>> vertices;
+    for (std::size_t i = 0; i < hull->size(); ++i) {
+      Vec3<double> x = turn * hull->vertex(i);
+      for (double& one : x) {
+        one = on_grid(one, exponent - bits);
+      }
+      vertices.push_back(x);
+    }
+    Body<double> other = body;
+    other.shape = Hull<double>(std::span<const Vec3<double>>(vertices));
+    other.orientation = {};
+    all.push_back(std::move(other));
+  }
 }
 
 }  // namespace
@@ -109,6 +218,10 @@ std::vector<Case> simpler(const Case& problem) {
     std::vector<Shape<double>> shapes;
     simpler_shapes((problem.*body).shape, shapes);
     for (Shape<double>& shape : shapes) with([&](Case& c) { (c.*body).shape = std::move(shape); });
+    std::vector<Body<double>> pieces;
+    pieces_in_place(problem.*body, pieces);
+    turned_vertices(problem.*body, pieces);
+    for (Body<double>& piece : pieces) with([&](Case& c) { c.*body = std::move(piece); });
     if (!plain(problem.*body)) with([&](Case& c) { (c.*body).orientation = {}; });
     if (!(problem.*body).displacement.isZero(0)) with([&](Case& c) { (c.*body).displacement.setZero(); });
   }
@@ -130,6 +243,7 @@ std::vector<Case> simpler(const Case& problem) {
     });
   }
   if (problem.t_max != 1) with([](Case& c) { c.t_max = 1; });
+  simpler_scenes(problem, all);
   // Every number by itself; a quaternion may not vanish.
   const std::vector<double> numbers = scalars(problem);
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -15,9 +15,11 @@
 #include "tools/certification.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/law_command.hpp"
 #include "tools/query_certification.hpp"
 #include "tools/rotating_certification.hpp"
 #include "tools/stability_command.hpp"
+#include "tools/suites.hpp"
 #include "tools/tolerance_study.hpp"
 
 namespace graze::tool {
@@ -35,10 +37,10 @@ constexpr std::size_t kLinearCases = 4000;
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 
 struct Arguments {
-  std::vector<std::string> files, families, methods = {"all"};
+  std::vector<std::string> files, families, methods = {"all"}, law_names;
   std::optional<std::size_t> count, rotating;  // defaults: see above
   std::size_t oracle_every = 20, queries = 100;
-  bool stability = false;
+  bool stability = false, laws = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
   std::string corpus, guarantees, save, plot;
@@ -88,37 +90,10 @@ struct Intake {
   }
 };
 
-// Level by level: a sample of every k-th case of levels that alternate would miss levels whenever k and their
-// number have a common factor. The seeds are those of cases dealt to the levels in turn.
 Suite generated_suite(const corpus::Family& family, const Arguments& arguments, std::size_t count) {
-  const std::size_t levels = family.levels.size();
-  return {.family = std::string(family.name),
-          .drawn = count,
-          .draw =
-              [&family, levels, count, seed = arguments.seed](std::size_t i) {
-                std::size_t level = 0, share = 0;
-                for (; i >= (share = (count + levels - 1 - level) / levels); ++level) i -= share;
-                return family.generate(family.levels[level], seed + level + i * levels);
-              },
-          .oracle_every = arguments.oracle_every};
-}
-
-std::vector<const corpus::Family*> wanted_families(const Arguments& arguments) {
-  std::vector<const corpus::Family*> wanted;
-  if (arguments.files.empty() && arguments.families.empty()) {
-    for (const auto list : {corpus::families(), corpus::rotating_families()}) {
-      for (const corpus::Family& family : list) wanted.push_back(&family);
-    }
-  }
-  for (const std::string& name : arguments.families) {
-    const corpus::Family* family = corpus::find_family(name);
-    if (family == nullptr) {
-      throw std::runtime_error(
-          fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
-    }
-    wanted.push_back(family);
-  }
-  return wanted;
+  Suite suite = drawn_suite(family, family.levels, count, arguments.seed);
+  suite.oracle_every = arguments.oracle_every;
+  return suite;
 }
 
 std::vector<Truth*> studied_hits(const std::vector<std::unique_ptr<Truth>>& hits) {
@@ -221,13 +196,28 @@ int show_stability(const Arguments& arguments, const Settings& settings, const R
                                      .rotating_count = arguments.rotating.value_or(kRotatingLevelCases),
                                      .seed = arguments.seed,
                                      .threads = settings.threads},
-                        .families = wanted_families(arguments),
+                        .families = wanted_families(arguments.families, false),
                         .by_level = !arguments.families.empty(),
                         .plot = arguments.plot,
                         .save = arguments.save});
 }
 
+// --laws: every law instead.
+int show_laws(const Arguments& arguments) {
+  return run_laws({.files = arguments.files,
+                   .families = arguments.families,
+                   .methods = arguments.methods,
+                   .laws = arguments.law_names,
+                   .count = arguments.count,
+                   .rotating = arguments.rotating,
+                   .seed = arguments.seed,
+                   .threads = arguments.threads,
+                   .corpus = arguments.corpus,
+                   .save = arguments.save});
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.laws) return show_laws(arguments);
   const std::vector<engine::Guarantee> rows = guarantee_rows(arguments);
   const SelectedMethods selected = select_methods(arguments.methods);
   const Settings settings{.methods = selected.linear,
@@ -241,7 +231,8 @@ int run(const Arguments& arguments) {
   const std::size_t linear_count = arguments.count.value_or(kLinearCases);
   const std::size_t rotating_count = arguments.rotating.value_or(kRotatingCases);
   if (arguments.oracle_every == 0) throw std::runtime_error("--oracle-every: must be 1 or more");
-  const std::vector<const corpus::Family*> families = wanted_families(arguments);
+  const std::vector<const corpus::Family*> families =
+      wanted_families(arguments.families, !arguments.files.empty());
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
 
@@ -328,8 +319,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
           "--count", arguments->count,
           fmt::format("Generated cases a family ({}); with --stability, of each level of hardness ({})",
                       kLinearCases, kLevelCases))
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
-  command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")->type_name("S");
+  command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
   command
       ->add_option("--method", arguments->methods,
                    fmt::format("{}; of rotating casts {}; one with its scalar (mpr/float), or all (may be "
@@ -339,10 +333,12 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--oracle-every", arguments->oracle_every,
                    "Also measure every N-th generated case by the exact oracle (20); of files, all are")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
       ->add_option("--queries", arguments->queries,
                    "Cases of each suite whose bodies are asked the other queries, too (100); 0 asks none")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
       ->add_option(
@@ -350,9 +346,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
           fmt::format("Generated cases of a rotating family ({}; with --stability, of each level, {}); 0 "
                       "leaves every rotating cast out",
                       kRotatingCases, kRotatingLevelCases))
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
       ->add_option(
@@ -372,6 +370,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->add_option("--guarantees", arguments->guarantees,
                    "Hold the methods to this table instead of the built-in one")
       ->type_name("FILE");
+  add_laws_options(*command, arguments->laws, arguments->law_names);
   command->footer(
       "Without files or families: the curated corpus and every generated family. An answer is judged by its "
       "proof\n"
@@ -382,9 +381,10 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
       "  graze certify --family fast_spin --rotating 1000   a thousand cases in which a body turns\n"
       "  graze certify my_cases.jsonl\n"
-      "  graze certify --stability --plot curves   how error grows with hardness, and where methods break\n\n"
-      "Exit code: 0 if every method keeps its row of the guarantee table, 1 if one does not, 2 for bad "
-      "input.");
+      "  graze certify --stability --plot curves   how error grows with hardness, and where methods break\n"
+      "  graze certify --laws --family grazing_edge --count 500   every law instead, for every method\n\n"
+      "Exit code: 0 if every method keeps its row of the guarantee table (--laws: every law holds), 1 if one "
+      "does not,\n2 for bad input.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -2,148 +2,52 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 #include "corpus/names.hpp"
-#include "corpus/support_value.hpp"
 #include "properties/exact_answer.hpp"
 #include "properties/judge.hpp"
+#include "tools/judge_contact.hpp"
+#include "tools/judge_proof.hpp"
 #include "tools/table.hpp"
 
 namespace graze::tool {
-namespace {
 
 using engine::Answer;
 using oracle::CaseTruth;
 using oracle::Enclosure;
 
+const CaseTruth& Truth::exact() {
+  if (!exact_) exact_ = std::make_unique<CaseTruth>(problem_);
+  return *exact_;
+}
+
+std::string senseless(Outcome outcome, double lower, double upper, double t_max) {
+  switch (outcome) {
+    case Outcome::initially_overlapping:
+      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
+      return {};
+    case Outcome::miss:
+      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
+      return {};
+    case Outcome::hit:
+      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= t_max)) {
+        return "a hit has a bracket that is no interval of times up to t_max";
+      }
+      return {};
+    case Outcome::not_converged:
+      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
+        return "the bracket of not_converged is no interval";
+      }
+      return {};
+    case Outcome::invalid_input:
+      return {};
+  }
+  return "an outcome that does not exist";
+}
+
+namespace {
+
 bool claims_contact(Outcome outcome) {
   return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
-}
-
-// --- What an accepted proof settles, in double. Every bound is rounded up by kSlack, and the scale down:
-// what is then still within the limit is so without doubt; the rest is the oracle's.
-constexpr double kSlack = 1 + 1e-6;
-
-struct Box3 {
-  Vec3<double> low, high;
-  [[nodiscard]] Vec3<double> center() const { return low / 2 + high / 2; }
-  [[nodiscard]] double diagonal() const { return (high - low).norm(); }
-};
-
-// Of the rotated shape, relative to the body's position.
-Box3 bounds_of(const Body<double>& body) {
-  const corpus::Bounds box = corpus::bounds(body.shape, body.orientation);
-  return {box.low, box.high};
-}
-
-// Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
-// origin); then the error of the coordinates is subtracted.
-double scale_from_below(const corpus::Case& problem) {
-  const Box3 a = bounds_of(problem.a), b = bounds_of(problem.b);
-  const double centers = (problem.b.position - problem.a.position + b.center() - a.center()).norm();
-  const auto magnitude = [](const Box3& box) {
-    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  };
-  const double coordinates =
-      magnitude(a) + magnitude(b) + problem.a.position.norm() + problem.b.position.norm();
-  const double scale = std::max({a.diagonal(), b.diagonal(), centers});
-  return std::max(0.0, 0.99 * scale - 64 * kUnitRoundoff<double> * coordinates);
-}
-
-// An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
-//   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
-//   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
-//   the axis proves that the path up to t misses it. Of a symbolic axis |n.v| / |n| is taken as its bound
-//   |v|.
-double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
-  const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
-  const double slope = proof.symbolic ? v.norm() : std::abs(proof.axis.normalized().dot(v));
-  const double before =
-      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * slope : kInfinity<double>) : 0;
-  return kSlack * std::max(apart, before);
-}
-
-bool proves_verdict(const Proof& proof, Outcome outcome) {
-  switch (outcome) {
-    case Outcome::miss:
-      return proof.toi_lower == kInfinity<double>;
-    case Outcome::hit:
-      return proof.toi_upper < kInfinity<double>;
-    case Outcome::initially_overlapping:
-      return proof.toi_upper == 0;
-    default:
-      return false;
-  }
-}
-
-// True if nothing about the answer is left open by its accepted proof.
-bool settled_by(const Proof& proof, const corpus::Case& problem, const Answer& answer, const Limits& limits) {
-  if (!proves_verdict(proof, answer.outcome)) return false;
-  if (answer.outcome != Outcome::hit) return true;
-  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-  const double rounding = 8 * kUnitRoundoff<double> *
-                          (problem.a.displacement.norm() + problem.b.displacement.norm()) * answer.toi_upper;
-  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
-                                proved_backward_error(proof, v, answer.toi_upper));
-  return error + rounding <= limits.kappa * limits.unit_roundoff * scale_from_below(problem);
-}
-
-// --- What the exact oracle says.
-
-// How far the normal is from supporting C where the path is at contact:  (h(n) - n.(t v)) / |n|.
-// The answer is true of a convex set near C, whose time of impact may be far from C's own at a graze, and its
-// normal is a normal there: so t is the TOI or either end of the bracket, whichever is best.
-double normal_error(const CaseTruth& exact, const Answer& answer, const Vec3<double>& v) {
-  const double at_toi = exact.normal_error(answer.normal).low, slope = answer.normal.normalized().dot(v);
-  const double toi = exact.toi_lower();
-  return std::min(
-      {at_toi, at_toi + (toi - answer.toi_lower) * slope, at_toi + (toi - answer.toi_upper) * slope});
-}
-
-double witness_error(const CaseTruth& exact, const Answer& answer, const Limits& limits) {
-  double worst = 0;
-  for (const char body : {'a', 'b'}) {
-    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
-    // The coordinates are rounded too, allowed beside the limit: a witness is the sum of position, motion and
-    // offset, and both additions round each coordinate by u of its size.
-    const double rounding = 2 * limits.unit_roundoff * point.norm();
-    worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding);
-  }
-  return worst;
-}
-
-// Keeps the first reason.
-void convict(std::string& fault, std::string why) {
-  if (fault.empty()) fault = std::move(why);
-}
-
-void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
-                   const corpus::Case& problem, const Limits& limits, double limit, Request request) {
-  if (answer.outcome != Outcome::hit || exact.outcome() == Outcome::miss) return;
-  const double scale = exact.scale().low;
-  if (asks_for(request, Request::normal)) {
-    const double length = answer.normal.norm();
-    const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-    if (!(std::abs(length - 1) <= 16 * limits.unit_roundoff)) {
-      convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
-    } else if (!(answer.normal.dot(v) <= limits.contact_kappa * limits.unit_roundoff * v.norm())) {
-      convict(judgement.bad_contact, "the normal points along the motion");
-    } else if (const double error = normal_error(exact, answer, v); error > limit) {
-      convict(judgement.bad_contact,
-              fmt::format("the normal supports C {:.2e} of scale beyond the contact", over(error, scale)));
-    }
-  }
-  if (asks_for(request, Request::witnesses)) {
-    if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) {
-      convict(judgement.bad_contact, "a witness is not finite");
-    } else if (const double error = witness_error(exact, answer, limits); error > limit) {
-      convict(judgement.bad_contact,
-              fmt::format("a witness is {:.2e} of scale off its body", over(error, scale)));
-    }
-  }
 }
 
 void judge_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
@@ -203,210 +107,6 @@ void judge_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer&
   }
 }
 
-// The range that every method accepts: 0, and magnitudes of 1e-60 to 1e60.
-bool in_range(double x) {
-  const double magnitude = std::abs(x);
-  return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
-}
-bool in_range(const Vec3<double>& x) { return in_range(x.x()) && in_range(x.y()) && in_range(x.z()); }
-
-std::string orientation_fault(const Quaternion<double>& q) {
-  if (!in_range({q.x, q.y, q.z}) || !in_range(q.w)) return "a quaternion outside 1e-60 to 1e60";
-  return q.w == 0 && q.is_identity() ? "a zero quaternion" : "";
-}
-
-// Why a shape must be refused; empty for a sound one.
-struct ShapeFault {
-  int* parts_seen;
-  int nested = 0;  // combinators around it
-
-  [[nodiscard]] static std::string length(double x, const char* what) {
-    if (!in_range(x)) return fmt::format("a {} outside 1e-60 to 1e60", what);
-    return x < 0 ? fmt::format("a negative {}", what) : "";
-  }
-  [[nodiscard]] static std::string lengths(const Vec3<double>& x, const char* what) {
-    for (int i = 0; i < 3; ++i) {
-      if (std::string why = length(x[i], what); !why.empty()) return why;
-    }
-    return "";
-  }
-  [[nodiscard]] static std::string vertices(std::initializer_list<Vec3<double>> all) {
-    const bool inside = std::all_of(all.begin(), all.end(), [](const auto& x) { return in_range(x); });
-    return inside ? "" : "a vertex outside 1e-60 to 1e60";
-  }
-  [[nodiscard]] std::string parts(std::span<const SharedShape<double>> all) const {
-    constexpr int kMostNested = 16, kMostParts = 4096;
-    if (all.empty()) return "a combinator without parts";
-    if (nested >= kMostNested) return "combinators nested deeper than 16";
-    for (const SharedShape<double>& part : all) {
-      if (!part) return "a combinator with a missing part";
-      if (++*parts_seen > kMostParts) return "combinators of more than 4096 parts";
-      const ShapeFault inner{parts_seen, nested + 1};
-      if (std::string why = std::visit(inner, part->shape); !why.empty()) return why;
-    }
-    return "";
-  }
-
-  std::string operator()(const Point<double>&) const { return ""; }
-  std::string operator()(const Segment<double>& s) const { return vertices({s.a, s.b}); }
-  std::string operator()(const Triangle<double>& t) const { return vertices({t.a, t.b, t.c}); }
-  std::string operator()(const Sphere<double>& s) const { return length(s.radius, "radius"); }
-  std::string operator()(const Box<double>& b) const { return lengths(b.half_extents, "half extent"); }
-  std::string operator()(const Ellipsoid<double>& e) const { return lengths(e.radii, "radius"); }
-  std::string operator()(const Hull<double>& h) const {
-    if (h.size() == 0) return "a hull without a vertex";
-    const auto all = h.vertices();
-    const bool inside = std::all_of(all.begin(), all.end(), [](const auto& x) { return in_range(x); });
-    return inside ? "" : "a vertex outside 1e-60 to 1e60";
-  }
-  std::string operator()(const Posed<double>& p) const {
-    if (!in_range(p.position)) return "a position outside 1e-60 to 1e60";
-    if (std::string why = orientation_fault(p.orientation); !why.empty()) return why;
-    return parts(std::span(&p.shape, 1));
-  }
-  std::string operator()(const Rounded<double>& r) const {
-    if (std::string why = length(r.radius, "radius"); !why.empty()) return why;
-    return parts(std::span(&r.shape, 1));
-  }
-  // Sum, hull of several.
-  template <class Combinator>
-  requires requires(Combinator s) { s.shapes; }
-  std::string operator()(const Combinator& s) const { return parts(s.shapes); }
-  // Capsule, cylinder, cone.
-  template <class Round>
-  requires requires(Round s) { s.half_height; }
-  std::string operator()(const Round& s) const {
-    if (std::string why = length(s.radius, "radius"); !why.empty()) return why;
-    return length(s.half_height, "half height");
-  }
-};
-
-// Vertices by the rule of core/graze/shape.hpp, of a shape without another fault. A double holds what no
-// integer does.
-constexpr double kMostVertices = 4294967295.0;
-double vertex_count(const Shape<double>& shape) {
-  return std::visit(
-      []<class T>(const T& s) -> double {
-        if constexpr (requires { s.shape; }) {
-          return vertex_count(s.shape->shape);
-        } else if constexpr (requires { s.shapes; }) {
-          constexpr bool kProduct = std::same_as<T, Sum<double>>;
-          double count = kProduct ? 1 : 0;
-          for (const auto& part : s.shapes) {
-            const double more = vertex_count(part->shape);
-            count = std::min(kProduct ? count * more : count + more, 1e300);
-          }
-          return count;
-        } else if constexpr (std::same_as<T, Hull<double>>) {
-          return static_cast<double>(s.size());
-        } else if constexpr (std::same_as<T, Box<double>>) {
-          return 8;
-        } else if constexpr (std::same_as<T, Triangle<double>>) {
-          return 3;
-        } else {
-          return std::same_as<T, Segment<double>> || std::same_as<T, Capsule<double>> ? 2 : 1;
-        }
-      },
-      shape);
-}
-
-}  // namespace
-
-double over(double length, double scale) {
-  if (length == 0) return 0;
-  return scale > 0 ? length / scale : kInfinity<double>;
-}
-
-std::string senseless(Outcome outcome, double lower, double upper, double t_max) {
-  switch (outcome) {
-    case Outcome::initially_overlapping:
-      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
-      return {};
-    case Outcome::miss:
-      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
-      return {};
-    case Outcome::hit:
-      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= t_max)) {
-        return "a hit has a bracket that is no interval of times up to t_max";
-      }
-      return {};
-    case Outcome::not_converged:
-      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
-        return "the bracket of not_converged is no interval";
-      }
-      return {};
-    case Outcome::invalid_input:
-      return {};
-  }
-  return "an outcome that does not exist";
-}
-
-const CaseTruth& Truth::exact() {
-  if (!exact_) exact_ = std::make_unique<CaseTruth>(problem_);
-  return *exact_;
-}
-
-std::string why_invalid(const corpus::Case& problem) {
-  for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
-    if (!in_range(spin->rotation) || !in_range(spin->pivot))
-      return "a rotation or a pivot outside 1e-60 to 1e60";
-    constexpr double kMostTurn = 0x1p30;  // radians
-    if (problem.t_max < kInfinity<double> && spin->rotation.norm() * problem.t_max > kMostTurn)
-      return "a turn of more than 2^30 radians";
-  }
-  for (const Body<double>* body : {&problem.a, &problem.b}) {
-    if (!in_range(body->position) || !in_range(body->displacement)) {
-      return "a magnitude outside 1e-60 to 1e60";
-    }
-    if (std::string why = orientation_fault(body->orientation); !why.empty()) return why;
-    int parts_seen = 0;
-    if (std::string why = std::visit(ShapeFault{&parts_seen}, body->shape); !why.empty()) return why;
-    if (vertex_count(body->shape) > kMostVertices) return "a shape of more than 2^32 - 1 vertices";
-  }
-  if (!(problem.t_max >= 0)) return "a negative t_max";
-  if (!in_range(problem.target_distance) || problem.target_distance < 0)
-    return "a target distance out of range";
-  return {};
-}
-
-Errors errors_of(Truth& truth, const Answer& answer, Request request) {
-  Errors errors;
-  const CaseTruth& exact = truth.exact();
-  const double scale = exact.scale().high;
-  const bool contact = exact.outcome() != Outcome::miss;
-  if (answer.outcome == Outcome::invalid_input ||
-      !senseless(answer.outcome, answer.toi_lower, answer.toi_upper, truth.problem().t_max).empty())
-    return errors;
-  if (answer.outcome == Outcome::miss) {
-    if (contact) errors.backward = over(exact.depth().high, scale);
-    return errors;
-  }
-  // A bracket without an upper end has no error there.
-  for (const double t : {answer.toi_lower, answer.toi_upper}) {
-    if (!(t < kInfinity<double>)) continue;
-    const double backward = over(exact.backward_error(t).high, scale);
-    errors.backward = std::fmax(errors.backward, backward);
-    // Where the oracle leaves the contact open, no time is right.
-    const bool known = contact && exact.outcome() != Outcome::not_converged;
-    if (known) errors.forward = std::fmax(errors.forward, over(exact.forward_error(t).high, scale));
-  }
-  if (answer.outcome == Outcome::hit && contact) {
-    if (asks_for(request, Request::normal) && answer.normal.allFinite() && !answer.normal.isZero(0)) {
-      const corpus::Case& problem = truth.problem();
-      const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-      errors.normal = over(std::max(0.0, normal_error(exact, answer, v)), scale);
-    }
-    if (asks_for(request, Request::witnesses) && answer.point_a.allFinite() && answer.point_b.allFinite()) {
-      errors.witness = over(std::max(exact.distance_from_body('a', answer.toi_lower, answer.point_a).high,
-                                     exact.distance_from_body('b', answer.toi_lower, answer.point_b).high),
-                            scale);
-    }
-  }
-  return errors;
-}
-
-namespace {
-
 // The door. True if there is nothing more to judge.
 bool is_settled_at_the_door(Judgement& judgement, const corpus::Case& problem, const Answer& answer) {
   judgement.outcome = answer.outcome;
@@ -464,26 +164,6 @@ Judgement judge(Truth& truth, const Answer& answer, const Limits& limits, bool a
 }
 
 namespace {
-
-// What rounding the times to float costs, a length; nothing in double, whose width counts it.
-double rounding_of_times(const corpus::Case& problem, double time, const Limits& limits) {
-  if (limits.unit_roundoff != kUnitRoundoff<float> || !(time < kInfinity<double>)) return 0;
-  const double speed = (problem.b.displacement - problem.a.displacement).stableNorm();
-  return kSlack * speed * (2 * limits.unit_roundoff * time + double(std::numeric_limits<float>::min()));
-}
-
-// True if the accepted proof shows the verdict, that the bracket holds, and that it is narrow.
-bool certified_by(const Proof& proof, const corpus::Case& problem, const Answer& answer,
-                  const Limits& limits) {
-  if (!proves_verdict(proof, answer.outcome)) return false;
-  if (answer.outcome != Outcome::hit) return true;
-  if (!(answer.toi_lower <= proof.toi_lower && proof.toi_upper <= answer.toi_upper)) return false;
-  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
-                                proved_backward_error(proof, v, answer.toi_upper));
-  return error <=
-         limits.width * scale_from_below(problem) + rounding_of_times(problem, answer.toi_lower, limits);
-}
 
 void judge_certified_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
                                const corpus::Case& problem, const Limits& limits) {

@@ -46,7 +46,8 @@ struct Errors {
   double forward = std::numeric_limits<double>::quiet_NaN();  // the larger of the bracket's two ends
   double backward =
       std::numeric_limits<double>::quiet_NaN();  // the same; of a wrong verdict: depth or clearance
-  double normal = std::numeric_limits<double>::quiet_NaN();  // h(n) - n.(t v), see normal_error in judge.cpp
+  double normal =
+      std::numeric_limits<double>::quiet_NaN();  // h(n) - n.(t v), see normal_error in judge_contact.cpp
   double witness =
       std::numeric_limits<double>::quiet_NaN();  // the larger distance of the two from their bodies
 };

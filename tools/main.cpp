@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
     graze::tool::add_merge_command(app, exit_code);
     graze::tool::add_generate_command(app, exit_code);
     graze::tool::add_draw_command(app, exit_code);
+    graze::tool::add_laws_command(app, exit_code);
 #ifdef GRAZE_HAS_CORPUS_COMMAND
     graze::tool::add_corpus_command(app, exit_code);
 #endif

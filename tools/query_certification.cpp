@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include <graze/combinator.hpp>
 
 #include "corpus/case_io.hpp"
 #include "corpus/names.hpp"
 #include "oracles/exact_body.hpp"
+#include "properties/judge_query.hpp"
+#include "properties/query_case.hpp"
 #include "tools/parallel.hpp"
 #include "tools/progress.hpp"
 #include "tools/statistics.hpp"
@@ -19,6 +19,8 @@ namespace {
 
 using corpus::Case;
 using corpus::Query;
+using law::QueryJudgement;
+using law::QueryTruth;
 
 // A vertex pair each: beyond, an exact answer takes a tenth of a second.
 constexpr std::size_t kMostDifferences = 1u << 12;
@@ -32,45 +34,15 @@ bool is_small(const Case& problem) {
          size(problem.a.shape) * size(problem.b.shape) <= kMostDifferences;
 }
 
-// The same bodies, asked something else. At rest B stands where the path has it at one of a few times; most
-// of the families aim at t = 1/2, so that the bodies are apart, near, just in each other or deep in each
-// other.
-Case asked(Case problem, Query query, std::size_t index) {
-  constexpr std::array<double, 5> kTimes = {0, 0.375, 0.46875, 0.484375, 0.5};
-  problem.query = query;
-  problem.expect.reset();
-  problem.start_policy = StartPolicy::report;
-  if (query == Query::line || query == Query::swept_overlap) return problem;
-  const double t = kTimes[index % kTimes.size()];
-  problem.a.position += t * problem.a.displacement;
-  problem.b.position += t * problem.b.displacement;
-  if (query == Query::penetration_along) {
-    const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-    problem.direction = v == Vec3<double>::Zero() ? Vec3<double>(1, 2, -3) : v;
-  }
-  problem.a.displacement.setZero();
-  problem.b.displacement.setZero();
-  problem.target_distance = 0;
-  problem.id += fmt::format("/{}-{}", corpus::name_of(query), t);
-  return problem;
-}
-
-Case seen_by(const engine::QueryMethod& method, const Case& problem) {
-  for (const engine::EngineMethod& caster : engine::methods()) {
-    if (caster.scalar == method.scalar) return caster.seen(problem);
-  }
-  return problem;
-}
-
 // By method. Nothing for a case that the scalar of a method made invalid, or that is not for tier exact.
-std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t index,
-                                                std::span<const engine::Guarantee> guarantees,
-                                                std::vector<Case>& convicted) {
-  std::vector<std::optional<Judgement>> out;
+std::vector<std::optional<QueryJudgement>> judge_all(const Case& problem, std::size_t index,
+                                                     std::span<const engine::Guarantee> guarantees,
+                                                     std::vector<Case>& convicted) {
+  std::vector<std::optional<QueryJudgement>> out;
   std::unique_ptr<QueryTruth> truth;
   for (const engine::QueryMethod& method : engine::query_methods()) {
-    const Case question = asked(problem, method.query, index);
-    const Case seen = seen_by(method, question);
+    const Case question = law::question_for(problem, method.query, index);
+    const Case seen = law::seen_by(method, question);
     if (!truth || !corpus::same_case(truth->problem(), seen)) truth = std::make_unique<QueryTruth>(seen);
     const bool no_direction =
         method.query == Query::penetration_along && seen.direction == Vec3<double>::Zero();
@@ -79,13 +51,12 @@ std::vector<std::optional<Judgement>> judge_all(const Case& problem, std::size_t
       continue;
     }
     const engine::Guarantee* row = engine::find_guarantee(guarantees, method);
-    const Limits limits{
+    const law::QueryLimits limits{
         .kappa = row != nullptr ? row->kappa(seen) : kPlainKappa,
         .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>,
         .contact_kappa = row != nullptr ? row->contact_kappa(seen) : kPlainKappa};
     const engine::QueryAnswer answer = method.answer(question);
-    out.push_back(method.is_exact() ? judge_exact_query(*truth, answer, limits)
-                                    : judge_query(*truth, answer, limits));
+    out.push_back(law::judge_query(*truth, method, answer, limits));
     if (out.back()->not_asked && out.back()->wrong.empty()) {
       out.back().reset();
       continue;
@@ -112,7 +83,7 @@ QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t
       chosen.push_back(suite.at(small[i]));
     }
   }
-  std::vector<std::vector<std::optional<Judgement>>> judged(chosen.size());
+  std::vector<std::vector<std::optional<QueryJudgement>>> judged(chosen.size());
   std::vector<std::vector<Case>> convicted(chosen.size());
   {
     Progress progress("judging queries", chosen.size());
@@ -127,7 +98,7 @@ QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t
   for (std::size_t i = 0; i < judged.size(); ++i) {
     for (std::size_t m = 0; m < judged[i].size(); ++m) {
       if (!judged[i][m]) continue;
-      const Judgement& judgement = *judged[i][m];
+      const QueryJudgement& judgement = *judged[i][m];
       QueryTally& tally = result.tallies[m];
       ++tally.cases;
       tally.wrong += judgement.wrong.empty() ? 0 : 1;
@@ -136,9 +107,9 @@ QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t
       tally.stalled += judgement.stalled ? 1 : 0;
       if (judgement.stalled && tally.first_stalled.empty()) tally.first_stalled = chosen[i].id;
       tally.excused += judgement.excused ? 1 : 0;
-      tally.error.push_back(judgement.errors.backward);
-      tally.normal.push_back(judgement.errors.normal);
-      tally.witness.push_back(judgement.errors.witness);
+      tally.error.push_back(judgement.backward);
+      tally.normal.push_back(judgement.normal);
+      tally.witness.push_back(judgement.witness);
       if (judgement.faulty() && engine::find_guarantee(guarantees, *tally.method) != nullptr) {
         result.breaches.push_back(fmt::format("{} {}: {}: {}{}{}", corpus::name_of(tally.method->query),
                                               tally.method->full_name(), chosen[i].id, judgement.wrong,

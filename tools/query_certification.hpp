@@ -3,7 +3,6 @@
 
 #include "engines/guarantees.hpp"
 #include "tools/certification.hpp"
-#include "tools/query_judge.hpp"
 
 namespace graze::tool {
 

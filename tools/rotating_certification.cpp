@@ -60,7 +60,7 @@ Judged judge_case(Case problem, const RotatingSettings& settings) {
     }
     TurningTruth& truth = found->second;
     const engine::Guarantee* row = engine::find_guarantee(settings.guarantees, *method);
-    const RotatingLimits limits = limits_of(*method, row, truth.problem());
+    const RotatingLimits limits = limits_of(*method, row);
     std::array<RotatingJudgement, kJudged.size()> by_request;
     for (std::size_t r = 0; r < kJudged.size(); ++r) {
       const engine::RotatingAnswer answer = method->cast(judged.problem, {.request = kJudged[r]});

@@ -2,14 +2,12 @@
 // claimed before there is any, is the bracket as narrow as its row says, and are the claims of its proof
 // true?
 //
-//   limit = kappa u scale, a length (0 in tier certified: there any proved contradiction is a fault).
-//   The oracle brackets the first contact; an answer is convicted by the end that favours it. Where the
-//   oracle itself is undecided (clearance and depth below its width, or its budget at an end), no verdict is
-//   wrong.
+// The errors and what a row leaves open are those of the laws (properties/judge_rotating.hpp). Here they are
+// put together: what is a fault, what is excused, and how large it was. Where the oracle itself is undecided
+// (clearance and depth below its width, or its budget at an end), no verdict is wrong.
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "engines/guarantees.hpp"
@@ -32,21 +30,14 @@ class TurningTruth {
   std::unique_ptr<oracle::RotatingTruth> bracket_;
 };
 
+// A method and the row that it is held to.
 struct RotatingLimits {
-  double kappa = 0;
-  double unit_roundoff = 0;
-  double contact_kappa = kappa;  // of normals and witnesses
-  engine::Unseen may_miss = engine::Unseen::nothing, may_be_late = engine::Unseen::nothing;
-  std::optional<double> width = {};  // over scale
-  bool certified = false;
+  const engine::RotatingEngineMethod* method = nullptr;
+  const engine::Guarantee* row = nullptr;
 };
-
-// No point of one body moves faster past one of the other (length per unit of t).
-[[nodiscard]] double greatest_speed(const corpus::Case& problem);
-
-// Of a row; without one, by kPlainKappa, and held to everything.
+// Without a row, by kPlainKappa, and held to everything.
 [[nodiscard]] RotatingLimits limits_of(const engine::RotatingEngineMethod& method,
-                                       const engine::Guarantee* row, const corpus::Case& seen);
+                                       const engine::Guarantee* row);
 
 struct RotatingJudgement {
   Outcome outcome = Outcome::invalid_input;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "corpus/case_io.hpp"
+#include "properties/judge_rotating.hpp"
 #include "tools/judge.hpp"
 #include "tools/parallel.hpp"
 #include "tools/progress.hpp"
@@ -88,7 +89,7 @@ Measured measure(const Case& problem, const engine::RotatingEngineMethod& method
   // What a caller gets by default; a normal and witnesses are judged elsewhere.
   constexpr Request kAsked = Request::normal | Request::witnesses;
   TurningTruth& truth = truths.of(method.scalar, method.seen(problem));
-  const RotatingLimits limits = limits_of(method, row, truth.problem());
+  const RotatingLimits limits = limits_of(method, row);
   const engine::RotatingAnswer answer = method.cast(problem, {.request = kAsked});
   const RotatingJudgement judgement = judge_rotating(truth, answer, limits, Request::verdict);
   Measured measured{.rounded = engine::is_rounded(truth.problem()),
@@ -107,7 +108,7 @@ Measured measure(const Case& problem, const engine::RotatingEngineMethod& method
   } else if (bracket.outcome() == Outcome::miss) {
     measured.denied = over(bracket.clearance().low, bracket.scale().high);
   } else if (is_contact(bracket.outcome())) {
-    const double speed = greatest_speed(truth.problem());
+    const double speed = law::top_speed_of(truth.problem());
     measured.forward = std::fmax(forward_error(bracket, answer.toi_lower, speed),
                                  forward_error(bracket, answer.toi_upper, speed));
   }

@@ -108,11 +108,21 @@ class CertifiedCast {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
     if (away.toi_lower == kInfinity<double>) return Start::leaves;
-    const ProvedPortal in = view(false, true).enter({}, gap()), out = view(true, true).enter({}, gap());
-    if (!in.found || !out.found) return Start::open;
     // Both hold the line strictly, so C's inside is between them: ahead, or around a body at rest.
-    if (!cso_.moves()) return in.upper < 0 && out.upper < 0 ? Start::enters : Start::open;
-    return -out.upper > std::max(in.upper, 0.0) ? Start::enters : Start::open;
+    const ProvedPortal in = view(false, true).enter({}, gap()), out = view(true, true).enter({}, gap());
+    if (cso_.moves()) {
+      if (!in.found || !out.found) return Start::open;
+      return -out.upper > std::max(in.upper, 0.0) ? Start::enters : Start::open;
+    }
+    if (in.found && out.found && in.upper < 0 && out.upper < 0) return Start::enters;
+    for (const auto& [x, y, z] : kSkew) {
+      const Vec3<double> d(x, y, z);
+      const ProvedPortal one = along(d, false, true).enter({}, gap());
+      if (!one.found || !(one.upper < 0)) continue;
+      const ProvedPortal other = along(d, true, true).enter({}, gap());
+      if (other.found && other.upper < 0) return Start::enters;
+    }
+    return Start::open;
   }
 
   Outcome outcome = Outcome::not_converged;
@@ -128,18 +138,33 @@ class CertifiedCast {
 
   // The line of the motion or, where nothing moves, of a direction from the origin to the middle of C.
   [[nodiscard]] ProvedView<S> view(bool backwards, bool strictly = false) const {
-    Vec3<double> from = wide(a_.displacement), to = wide(b_.displacement);
     if (!cso_.moves()) {
-      from.setZero();
       const Vec3<double> d = cso_.middle();
-      to = d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d);
+      return along(d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d), backwards,
+                   strictly);
     }
+    Vec3<double> from = wide(a_.displacement), to = wide(b_.displacement);
     if (backwards) std::swap(from, to);
-    TwoDoubles3 r;
-    for (int i = 0; i < 3; ++i) r[static_cast<std::size_t>(i)] = two_sum(to[i], -from[i]);
-    return {points_, cso_.moves() ? scaled_by(r, power_of_two(-cso_.speed_exponent())) : r, from, to,
+    return {points_, scaled_by(apart_exactly(to, from), power_of_two(-cso_.speed_exponent())), from, to,
             strictly};
   }
+  // A line through the origin along d.
+  [[nodiscard]] ProvedView<S> along(const Vec3<double>& d, bool backwards, bool strictly = false) const {
+    const Vec3<double> zero = Vec3<double>::Zero();
+    const Vec3<double>&from = backwards ? d : zero, &to = backwards ? zero : d;
+    return {points_, apart_exactly(to, from), from, to, strictly};
+  }
+  static TwoDoubles3 apart_exactly(const Vec3<double>& to, const Vec3<double>& from) {
+    TwoDoubles3 r;
+    for (int i = 0; i < 3; ++i) r[static_cast<std::size_t>(i)] = two_sum(to[i], -from[i]);
+    return r;
+  }
+  // Directions that are no symmetry of anything: where the line of the motion passes the border of two
+  // portals, and is proved by neither, these do not.
+  static constexpr std::array<std::array<double, 3>, 4> kSkew = {{{0.8125, 0.4375, 0.3828125},
+                                                                  {-0.40625, 0.859375, 0.3125},
+                                                                  {0.28125, -0.34375, 0.89453125},
+                                                                  {-0.640625, -0.5703125, 0.515625}}};
   [[nodiscard]] ProvedPortal enter(const Portal<double>& first = {}) {
     return view(false).enter(first, gap());
   }
@@ -187,7 +212,7 @@ class CertifiedCast {
     const ProvedPortal in = enter(), out = leave();
     if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
     if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
-    is_miss_by_search(d.n);
+    if (!is_miss_by_search(d.n)) is_deep_at_start();
   }
 
   void sweep() {
@@ -200,14 +225,16 @@ class CertifiedCast {
     portal = enter(search.portal);
     if (!portal.found || !(portal.upper <= context_.s_max * (1 - 4 * kUnitRoundoff<double>))) {
       if (is_miss(portal.found ? portal.n : portal.across) || is_miss_by_search(search.n)) return;
+      // A line through the border of two portals, of symmetry mostly, is proved by neither.
+      if (is_deep_at_start()) return;
       bound_below(search);
       return undecided();
     }
     if (portal.upper <= 0) {
       const ProvedPortal out = leave();
       if (out.found && out.upper <= 0) return overlap(portal, out);
-      if (is_miss(out.found ? out.n : out.across)) return;
-      is_miss_by_search(search.n);
+      if (is_miss(out.found ? out.n : out.across) || is_miss_by_search(search.n)) return;
+      is_deep_at_start();
       return;
     }
     bound_below(search);
@@ -220,15 +247,27 @@ class CertifiedCast {
     close();
   }
 
-  // Where the portal lies almost along the path, contact at its start may be plain along another direction.
+  // Where the portals along the path are not to be had, or lie almost along it, contact at its start may be
+  // plain along another direction.
   bool is_deep_at_start() {
     Proof start;
     prove_start(context_, start, counters_);
-    if (start.portal_size != 4) return false;
-    outcome = Outcome::initially_overlapping;
-    lower = upper = 0;
-    proof = start;
-    return true;
+    if (start.portal_size == 4) {
+      outcome = Outcome::initially_overlapping;
+      lower = upper = 0;
+      proof = start;
+      return true;
+    }
+    for (const auto& [x, y, z] : kSkew) {
+      const Vec3<double> d(x, y, z);
+      const ProvedPortal in = along(d, false).enter({}, gap());
+      if (!in.found || !(in.upper <= 0)) continue;
+      const ProvedPortal out = along(d, true).enter({}, gap());
+      if (!out.found || !(out.upper <= 0)) continue;
+      overlap(in, out);
+      return true;
+    }
+    return false;
   }
 
   void bound_below(const PortalSearch<double>& search) {

@@ -13,8 +13,10 @@
 //
 // Error of x, y, z: w within `error` per coordinate, |r_a / r_c| <= 1, |r_c| >= 1/2, quotients 2^-97: within
 // e = 4 error. Of l_i, m_j and m_k the largest coordinates in it: 2 e (m_j + m_k) + 2 e^2 + 2^-95 m_j m_k =:
-// d_i. Of s, about a corner's z: sum of |z_i - z| times the error of l_i / L, L = sum l_i > 16 D, D = sum
-// d_i, which is at most (d_i + D l_i / L) / (L - D).
+// d_i. Of s: sum l_i x_i = sum l_i y_i = 0, so any k x + m y may be taken off the z_i; about a corner, with
+// k and m the slope of the longest edge, sum of |z_i - z - k (x_i - x) - m (y_i - y)| times the error of
+// l_i / L, L = sum l_i > 16 D, D = sum d_i, which is at most (d_i + D l_i / L) / (L - D); and the errors of
+// the corner's own height and of what is left of the others', 3 e (1 + |k| + |m|) in all.
 #pragma once
 
 #include <graze/named_point.hpp>
@@ -74,6 +76,7 @@ class ProvedView {
 
  private:
   static constexpr int kSteps = 96;  // of discovery, and of refinement: 20 are typical
+  static constexpr int kAsideSteps = 8;
   // Radians: a tilt costs a curved point its square in depth, a flat end the tilt itself; the middle one
   // first.
   static constexpr std::array<double, 3> kTiltSizes = {1e-9, 1e-12, 1e-7};
@@ -147,23 +150,33 @@ class ProvedView {
   [[nodiscard]] bool take(ProvedPortal& portal, const std::array<ProvedPoint, 3>& p) const {
     const Weights w = weights(p);
     if (!w.holds) return false;
-    // Heights about that of the corner nearest to the line.
+    // Heights about that of the corner nearest to the line, and what is left of them by the slope along the
+    // longest edge: of a sliver next to nothing, so that its weights, which are rounding, do not matter.
     const auto off = [&](std::size_t i) { return std::max(std::abs(p[i].x.hi), std::abs(p[i].y.hi)); };
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < 3; ++i) {
+    std::size_t nearest = 0, longest = 0;
+    std::array<Vec3<double>, 3> edge;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ProvedPoint &from = p[i], &to = p[(i + 1) % 3];
+      edge[i] = {value(to.x + -from.x), value(to.y + -from.y), value(to.z + -from.z)};
       if (off(i) < off(nearest)) nearest = i;
+      if (edge[i].head<2>().squaredNorm() > edge[longest].head<2>().squaredNorm()) longest = i;
     }
+    const Vec3<double>& along = edge[longest];
+    const double length_sq = along.head<2>().squaredNorm(), steep = length_sq > 0 ? along[2] / length_sq : 0;
+    const TwoDoubles slope_x{steep * along[0], 0}, slope_y{steep * along[1], 0};
+    const ProvedPoint& by = p[nearest];
     const double total = std::abs(value(w.sum));
     TwoDoubles above;
     double doubt = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       if (i == nearest) continue;
-      const TwoDoubles dz = p[i].z + -p[nearest].z;
-      above = above + w.l[i] * dz;
-      doubt += 2 * (w.error[i] + w.errors * std::abs(value(w.l[i])) / total) / total * std::abs(value(dz));
+      const TwoDoubles left = (p[i].z + -by.z) + -(slope_x * (p[i].x + -by.x) + slope_y * (p[i].y + -by.y));
+      above = above + w.l[i] * left;
+      doubt += 2 * (w.error[i] + w.errors * std::abs(value(w.l[i])) / total) / total * std::abs(value(left));
     }
-    const double at = value(p[nearest].z + above / w.sum);
-    doubt += 4 * error_ + 2 * kUnitRoundoff<double> * std::abs(at);
+    const double at = value((by.z + -(slope_x * by.x + slope_y * by.y)) + above / w.sum);
+    doubt += 4 * error_ * (1 + std::abs(slope_x.hi) + std::abs(slope_y.hi)) + 0x1p-92 * std::abs(along[2]) +
+             2 * kUnitRoundoff<double> * std::abs(at);
     const double upper = at + 2 * doubt;
     // Where the line passes an edge that stays, the height does, too; the steps are counted.
     if (portal.found && !(upper <= portal.upper + 4 * doubt)) return false;
@@ -260,23 +273,40 @@ class ProvedView {
     }
   }
 
+  // Where the line passes an edge or a corner of the portal exactly, a new corner may leave the height as it
+  // is, and would for ever: others near it are tried first, and a step aside is taken when none goes on.
   void refine(ProvedPortal& portal, double gap) const {
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0, aside_steps = 0; step < kSteps; ++step) {
       const std::array<ProvedPoint, 3> p = portal.p;
       const Vec3<double> n = normal_of(p);
       if (!(n.cwiseAbs().maxCoeff() > 0)) return;
       portal.n = n;
       portal.beyond = 0;
       bool near = false;
+      ProvedPortal aside;
       const bool moved = with_tilts(n, [&](const ProvedPoint& w, bool tilted) {
         const double beyond = n.dot(rounded_once(w.point.w + -p[0].point.w));
         if (!tilted) portal.beyond = beyond;
         near = near || (!tilted && !(beyond > gap));
         if (near) return true;
-        return take(portal, {w, p[1], p[2]}) || take(portal, {p[0], w, p[2]}) ||
-               take(portal, {p[0], p[1], w});
+        const double enough = portal.upper - kUnitRoundoff<double> * std::abs(portal.upper) - 0x1p-80;
+        for (const std::array<ProvedPoint, 3>& next :
+             {std::array<ProvedPoint, 3>{w, p[1], p[2]}, std::array<ProvedPoint, 3>{p[0], w, p[2]},
+              std::array<ProvedPoint, 3>{p[0], p[1], w}}) {
+          ProvedPortal taken = portal;
+          if (!take(taken, next)) continue;
+          if (taken.upper < enough) {
+            portal = taken;
+            return true;
+          }
+          if (!aside.found) aside = taken;
+        }
+        return false;
       });
-      if (near || !moved) return;
+      if (near) return;
+      if (moved) continue;
+      if (!aside.found || ++aside_steps > kAsideSteps) return;
+      portal = aside;
     }
   }
 

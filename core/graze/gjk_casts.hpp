@@ -90,6 +90,7 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
     const S least = apart <= limits.noise ? limits.fine() : S(0);
     if (apart <= limits.enough(out.lower) || !(d.lower - R > least)) break;
     if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
+    apart = kInfinity<S>;  // not known there
   }
   detail::close_from_above(out, cso, limits, apart, counters);
   return out;
@@ -128,6 +129,7 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     // No advance, no new point, or no nearer: the simplex has nothing more to tell.
     if (!moved && (simplex.holds(next) || !(distance < nearest))) break;
     nearest = moved ? kInfinity<S> : distance;
+    if (moved) apart = kInfinity<S>;  // not known there
     x = out.lower * r;
     if (!simplex.holds(next)) simplex.add(next);
   }

@@ -42,7 +42,7 @@ LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const Sw
   out.contact = contact_of(search);
   // A portal whose plane lies almost along the line: where exactly the plane meets it is the plane's rounding
   // over n_z, while the portal's own point is no deeper in C than the gap (mpr.hpp).
-  if (limits.target <= limits.noise && out.upper - out.lower > limits.noise) {
+  if (out.upper - out.lower > limits.target) {
     out.lower = out.upper;
     out.n = search.facing;
   }

@@ -77,8 +77,9 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   // The portal is at the surface as far as rounding can tell, but its plane lies almost along the line: where
   // exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than the
   // gap.
+  const S width = in.upper - in.lower;
   const bool along =
-      in.state == State::entered && limits.target <= limits.noise && in.upper - in.lower > limits.noise;
+      in.state == State::entered && width > limits.noise && (width > limits.target || in.upper > z_max);
   if (along) {
     out.lower = out.upper;
     out.n = in.facing;
@@ -88,7 +89,11 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
     }
   }
   out.contact = contact_of(in);
-  if (in.state == State::exhausted) return out;
+  if (in.state == State::exhausted) {
+    // The line's contact is the path's only between its ends.
+    if (!(in.upper > 0 && in.upper <= z_max)) out.upper = kInfinity<S>;
+    return out;
+  }
   if ((in.lower > 0 || along) && in.upper > limits.noise) {
     out.outcome = Outcome::hit;
     return out;
@@ -104,7 +109,9 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
              !holds_origin(leave, limits.noise)) {
     out.outcome = Outcome::miss;
     out.n = leave.facing;
-  } else if (leave.state != State::exhausted) {
+  } else if (leave.state == State::exhausted) {
+    if (!(in.upper > 0)) out.upper = kInfinity<S>;
+  } else {
     out.outcome = in.upper > limits.noise ? Outcome::hit : Outcome::initially_overlapping;
     if (out.outcome == Outcome::initially_overlapping) out.upper = 0;
   }

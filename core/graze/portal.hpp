@@ -378,7 +378,7 @@ template <Scalar S>
 struct PortalLimits {
   S accept_at;      // upper <= accept_at: accepted
   S reject_beyond;  // lower > reject_beyond: rejected
-  S gap;            // the normal's plane is this near the portal: entered
+  S gap;            // the normal's plane is this near the portal, and the bracket as narrow: entered
 };
 
 // Moves the portal to the surface of C. Takes the state `entered` of find_portal.
@@ -416,7 +416,11 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     }
     S face = n.dot(p[0].q);
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
-    if (!(reach - face > limits.gap)) {
+    // A steep plane bounds z only to its gap over n_z, and a portal beyond what is asked for says nothing of
+    // what is before it: there a wide gap is closed as far as rounding allows.
+    const bool told = search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
+    const S gap = told ? limits.gap : std::min(limits.gap, S(4 * noise));
+    if (!(reach - face > gap)) {
       search.state = State::entered;
       search.lambda = portal_weights(search.portal);
       // Where the plane is steep its height is rounding over n_z. The portal's own point, which the witnesses

@@ -113,7 +113,8 @@ struct Side {
 
   Support support = nullptr;
   const void* shape = nullptr;                               // Hull<Given>*, or Shape<Given>* of a combinator
-  S unit = 1;                                                // internal length of one unit of `shape`
+  S unit = 1;                                                // internal length of one unit of a hull
+  double tree_unit = 1;                                      // of a combinator: may be beyond the range of S
   Vec3<S> half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();  // bounds, internal units, own axes
   // A segment's, triangle's or capsule's vertices.
   std::array<Vec3<S>, 3> few = {Vec3<S>::Zero(), Vec3<S>::Zero(), Vec3<S>::Zero()};
@@ -199,7 +200,7 @@ SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   const auto& shape = *static_cast<const Shape<Given>*>(side.shape);
   const Vec3<double> n = unit(wide(d));
   const TreePoint p = TreeWalk<Given>(n)(shape, Placement{side.turning}.moved(-side.center), chosen);
-  return {(double(side.unit) * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
+  return {(side.tree_unit * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
 }
 
 // How a side's core answers. Rounding of a curved leaf: leaf.hpp.
@@ -249,7 +250,7 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                         [&](const auto&) {
                           side.support = &tree_of_side<S, Given>;
                           side.shape = &shape;
-                          side.unit = static_cast<S>(unit);
+                          side.tree_unit = unit;
                           side.curved = is_curved(shape);
                           // In double whatever S is; then rounded to S once.
                           const TreeRounding own = tree_rounding(shape, side.turning);

@@ -50,6 +50,15 @@ TEST(DrawCase, is_a_function_of_its_bits) {
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_case(one, i), draw_case(two, i)));
 }
 
+// What an oracle said of one is not what it says of the other.
+TEST(SameInput, tells_the_start_policies_apart) {
+  corpus::Random random(99);
+  corpus::Case reported = draw_case(random, 50), passed_over = reported;
+  reported.start_policy = StartPolicy::report;
+  passed_over.start_policy = StartPolicy::pass_over;
+  EXPECT_FALSE(same_input(reported, passed_over));
+}
+
 TEST(Simpler, every_chain_ends_and_every_step_is_valid) {
   corpus::Random random(7);
   for (int i = 0; i < 20; ++i) {

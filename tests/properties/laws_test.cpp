@@ -1,23 +1,19 @@
-// Every law, for every method, over cases drawn by RapidCheck, the families, and the curated corpus.
+// Every law of linear casts, for every method, over cases drawn by RapidCheck, the families, and the curated
+// corpus.
 //
 // The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in the environment
 // draws others.
 #include <gtest/gtest.h>
 
+#include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
-#include "properties/generators.hpp"
-#include "tests/properties/law_run.hpp"
+#include "properties/law_reach.hpp"
+#include "tests/properties/drawn_run.hpp"
 
 namespace graze::law {
 namespace {
 
-constexpr const char* kDefaultParameters = "seed=20260117";
-// Before RapidCheck reads its configuration.
-const bool kGiven = [] {
-  const bool given = std::getenv("RC_PARAMS") != nullptr;
-  setenv("RC_PARAMS", kDefaultParameters, 0);
-  return given;
-}();
+const bool kGiven = takes_given_parameters("seed=20260117");
 
 // Cases a law; with an oracle a case costs milliseconds, without one microseconds.
 int budget(Needs needs) { return needs == Needs::oracle ? 2000 : 4000; }
@@ -27,50 +23,38 @@ class Laws : public testing::TestWithParam<Law> {};
 
 TEST_P(Laws, hold_for_drawn_cases) {
   const Law& law = GetParam();
-  LawRun run(law, "drawn");
-  rc::detail::TestParams parameters = rc::detail::configuration().testParams;
-  if (!kGiven) parameters.maxSuccess = budget(law.needs);
-  const rc::Gen<Drawn> generator = cases();
-  const rc::detail::TestResult result = rc::detail::checkTestable(
-      [&] {
-        const Drawn drawn = *generator;
-        RC_ASSERT(run.holds_for(drawn.problem));
-      },
-      rc::detail::TestMetadata{std::string(law.name), std::string(law.sentence)}, parameters);
-  run.print();
-  if (!result.is<rc::detail::SuccessResult>()) {
-    std::ostringstream text;
-    rc::detail::printResultMessage(result, text);
-    FAIL() << run.report() << "\nRC_PARAMS=\"" << std::getenv("RC_PARAMS") << "\"\n" << text.str();
-  }
+  LawRun run(any(law), "drawn");
+  const std::string fault =
+      fault_of_drawn(run, cases(), kGiven ? std::nullopt : std::optional<int>(budget(law.needs)));
+  ASSERT_TRUE(fault.empty()) << fault;
   EXPECT_EQ(run.shortfall(), "");
 }
 
 TEST_P(Laws, hold_for_the_families) {
   const Law& law = GetParam();
-  LawRun run(law, "families");
-  for (const corpus::Family& family : corpus::families()) {
+  LawRun run(any(law), "families");
+  for (const corpus::Family& family : families_of(Kind::linear)) {
     for (const double hardness : family.levels) {
       // The largest hulls cost the oracle seconds; the campaigns have time for them.
       if (law.needs == Needs::oracle && family.name == "random" && hardness > 32) continue;
-      for (int seed = 0; seed < family_seeds(law.needs) / static_cast<int>(family.levels.size()) + 1;
-           ++seed) {
-        if (run.holds_for(family.generate(hardness, static_cast<std::uint64_t>(seed)))) continue;
+      for (int i = 0; i < family_seeds(law.needs) / static_cast<int>(family.levels.size()) + 1; ++i) {
+        const auto seed = static_cast<std::uint64_t>(i);
+        if (run.holds_for(family.generate(hardness, seed), family.name)) continue;
         run.minimise();
-        FAIL() << run.report();
+        FAIL() << run.report(seed_of(family.name, hardness, seed));
       }
     }
   }
   run.print();
-  EXPECT_EQ(run.shortfall(), "");
+  EXPECT_EQ(run.shortfall_over_families(), "");
 }
 
 TEST_P(Laws, hold_for_the_curated_corpus) {
   const corpus::ReadResult curated = corpus::read_directory(GRAZE_SOURCE_DIR "/corpus/cases");
   ASSERT_TRUE(curated.ok()) << curated.errors.front().text();
-  LawRun run(GetParam(), "curated");
+  LawRun run(any(GetParam()), "curated");
   for (const corpus::Case& problem : curated.cases) {
-    EXPECT_TRUE(run.holds_for(problem)) << run.report();
+    EXPECT_TRUE(run.holds_for(problem)) << run.report(problem.id + " of the corpus");
   }
   run.print();
   EXPECT_EQ(run.shortfall(), "");

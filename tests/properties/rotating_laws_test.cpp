@@ -5,8 +5,8 @@
 // the environment draws others.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 #include <sstream>
 
@@ -14,19 +14,15 @@
 #include "properties/case_edit.hpp"
 #include "properties/generators.hpp"
 #include "properties/judge.hpp"
-#include "properties/judge_rotating.hpp"
 #include "properties/laws_rotating.hpp"
+#include "properties/rotating_question.hpp"
+#include "properties/turning_edit.hpp"
+#include "tests/properties/drawn_run.hpp"
 
 namespace graze::law {
 namespace {
 
-constexpr const char* kDefaultParameters = "seed=20261121";
-// Before RapidCheck reads its configuration.
-const bool kGiven = [] {
-  const bool given = std::getenv("RC_PARAMS") != nullptr;
-  setenv("RC_PARAMS", kDefaultParameters, 0);
-  return given;
-}();
+const bool kGiven = takes_given_parameters("seed=20261121");
 constexpr int kDrawnCases = 120;
 // The easier half of the levels, where a case takes every law together a tenth of a second; the hardest take
 // the oracle and conservative advancement many seconds, and are for campaigns.
@@ -35,85 +31,45 @@ constexpr int kFamilySeeds = 1;
 // All laws over many cases: what was drawn is counted, what broke is kept.
 class RotatingRun {
  public:
+  explicit RotatingRun(const std::string& source) {
+    for (const RotatingLaw& law : rotating_laws()) runs_.emplace_back(any(law), source);
+  }
+
   // True if every law holds or does not apply, for every method.
-  bool holds_for(const corpus::Case& problem) {
-    for (const RotatingLaw& law : rotating_laws()) {
-      for (const engine::RotatingEngineMethod& method : engine::rotating_methods()) {
-        if (!holds_for(problem, law, method)) return false;
-      }
+  bool holds_for(const corpus::Case& problem, std::string_view family = {}) {
+    for (LawRun& run : runs_) {
+      if (run.holds_for(problem, family)) continue;
+      broken_ = &run;
+      return false;
     }
     return true;
   }
 
-  // The broken case made small by the law and the method that it broke; then maybe for another reason.
-  void minimise() {
-    const RotatingLaw& law = *broken_law_;
-    const engine::RotatingEngineMethod& method = *broken_method_;
-    const corpus::Case least = minimised(
-        failing_, [&](const corpus::Case& c) { return law.check(c, method).holding == Holding::broken; },
-        2000);
-    (void)holds_for(least, law, method);
-  }
-
-  [[nodiscard]] std::string report() const {
-    std::ostringstream out;
-    out << "law " << broken_law_->name << " is broken: " << broken_law_->sentence << "\n"
-        << broken_method_->full_name() << ": " << reason_ << "\n"
-        << corpus::write_case(failing_) << "\n";
-    return out.str();
+  // The broken case made small by the law and the method that it broke; saved, and what to do with it.
+  [[nodiscard]] std::string report(const std::string& seed, bool make_small = true) {
+    if (make_small) broken_->minimise(2000);
+    return broken_->report(seed);
   }
 
   // Empty, or which law never applied, or which outcome it never saw.
   [[nodiscard]] std::string shortfall() const {
-    for (const RotatingLaw& law : rotating_laws()) {
-      const auto found = counts_.find(law.name);
-      if (found == counts_.end()) return std::string(law.name) + " never applied";
-      for (const char* outcome : {"hit", "miss", "initially_overlapping"}) {
-        // Where bodies stand still to each other, or begin with a step apart, there is no such outcome.
-        if (law.name == "as_one_stands_still" && outcome == std::string_view("hit")) continue;
-        if (law.name == "turning_splitting" && outcome == std::string_view("initially_overlapping")) continue;
-        if (!found->second.contains(outcome)) return std::string(law.name) + " saw no " + outcome;
-      }
+    for (const LawRun& run : runs_) {
+      if (std::string lacking = run.shortfall(); !lacking.empty()) return lacking;
     }
     return "";
   }
 
-  void print(const char* source) const {
-    for (const auto& [law, labels] : counts_) {
-      std::cout << law << " over " << source << ":";
-      for (const auto& [label, count] : labels) std::cout << "  " << label << " " << count;
-      std::cout << "\n";
-    }
+  void print() const {
+    for (const LawRun& run : runs_) run.print();
   }
 
  private:
-  bool holds_for(const corpus::Case& problem, const RotatingLaw& law,
-                 const engine::RotatingEngineMethod& method) {
-    LawResult result = law.check(problem, method);
-    if (result.holding == Holding::broken) {
-      reason_ = std::move(result.reason);
-      failing_ = problem;
-      broken_law_ = &law;
-      broken_method_ = &method;
-      return false;
-    }
-    std::map<std::string, int>* labels = nullptr;
-    if (result.holding == Holding::holds) labels = &counts_[law.name];
-    if (labels != nullptr) {
-      for (const std::string_view label : result.labels) ++(*labels)[std::string(label)];
-    }
-    return true;
-  }
-
-  std::map<std::string_view, std::map<std::string, int>> counts_;
-  std::string reason_;
-  corpus::Case failing_;
-  const RotatingLaw* broken_law_ = nullptr;
-  const engine::RotatingEngineMethod* broken_method_ = nullptr;
+  std::vector<LawRun> runs_;
+  LawRun* broken_ = nullptr;  // the last
 };
 
 TEST(RotatingLaws, hold_for_drawn_cases) {
-  RotatingRun run;
+  RotatingRun run("drawn");
   rc::detail::TestParams parameters = rc::detail::configuration().testParams;
   if (!kGiven) parameters.maxSuccess = kDrawnCases;
   const rc::Gen<Drawn> generator = rotating_cases();
@@ -123,40 +79,40 @@ TEST(RotatingLaws, hold_for_drawn_cases) {
         RC_ASSERT(run.holds_for(drawn.problem));
       },
       rc::detail::TestMetadata{"rotating laws", "every law holds"}, parameters);
-  run.print("drawn");
+  run.print();
   if (!result.is<rc::detail::SuccessResult>()) {
     std::ostringstream text;
     rc::detail::printResultMessage(result, text);
-    FAIL() << run.report() << "\nRC_PARAMS=\"" << std::getenv("RC_PARAMS") << "\"\n" << text.str();
+    FAIL() << run.report(std::string("RC_PARAMS=\"") + std::getenv("RC_PARAMS") + "\"") << text.str();
   }
   EXPECT_EQ(run.shortfall(), "");
 }
 
 TEST(RotatingLaws, hold_for_the_families) {
-  RotatingRun run;
+  RotatingRun run("families");
   for (const corpus::Family& family : corpus::rotating_families()) {
     for (const double hardness : family.levels.first((family.levels.size() + 1) / 2)) {
       for (int seed = 0; seed < kFamilySeeds; ++seed) {
-        if (run.holds_for(family.generate(hardness, static_cast<std::uint64_t>(seed)))) continue;
-        run.minimise();
-        FAIL() << run.report();
+        const auto number = static_cast<std::uint64_t>(seed);
+        if (run.holds_for(family.generate(hardness, number), family.name)) continue;
+        FAIL() << run.report(seed_of(family.name, hardness, number));
       }
     }
   }
-  run.print("families");
+  run.print();
 }
 
 TEST(RotatingLaws, hold_for_the_curated_corpus) {
   const corpus::ReadResult curated = corpus::read_directory(GRAZE_SOURCE_DIR "/corpus/cases");
   ASSERT_TRUE(curated.ok()) << curated.errors.front().text();
-  RotatingRun run;
+  RotatingRun run("curated");
   int turning = 0;
   for (const corpus::Case& problem : curated.cases) {
     if (!engine::turns(problem)) continue;
     ++turning;
-    EXPECT_TRUE(run.holds_for(problem)) << run.report();
+    EXPECT_TRUE(run.holds_for(problem)) << run.report(problem.id + " of the corpus", false);
   }
-  run.print("curated");
+  run.print();
   EXPECT_GE(turning, 24);
 }
 
@@ -282,6 +238,61 @@ TEST(CaseEdit, true_rotating_answers_are_related_as_the_laws_say) {
   EXPECT_GE(unseen, 5);
   EXPECT_GE(alike, 3);
   EXPECT_GE(restarts, 3);
+}
+
+// The same of the edits of turns alone; every case is seen by one of them in turn, for the oracle's time.
+TEST(TurningEdit, true_answers_are_related_as_the_laws_say) {
+  corpus::Random random(19);
+  std::map<std::string, int> seen;
+  const auto truth_of = [](const corpus::Case& problem) { return rotating_truth_of(problem); };
+  const auto meets = [](const oracle::RotatingTruth& one, const oracle::RotatingTruth& other) {
+    return overlap({one.toi_lower(), one.toi_upper()}, {other.toi_lower(), other.toi_upper()});
+  };
+  for (int i = 0; i < 160; ++i) {
+    const corpus::Case problem = draw_rotating(random, i % 40);
+    if (!is_rotating_question(problem)) continue;
+    const std::string shown = corpus::write_case(problem);
+    const auto same = [&](const char* name, const corpus::Case& one, const corpus::Case& other) {
+      const oracle::RotatingTruth* mine = truth_of(one);
+      const oracle::RotatingTruth* its = mine == nullptr ? nullptr : truth_of(other);
+      if (its == nullptr) return;
+      EXPECT_TRUE(meets(*mine, *its)) << name << ": " << shown;
+      ++seen[name];
+    };
+    switch (i % 4) {
+      case 0:
+        if (const auto slid = with_slid_pivot(problem, true, hash_of(problem)))
+          same("slid", slid->before, slid->after);
+        break;
+      case 1:
+        if (const auto idle = with_idle_pivots(problem, hash_of(problem))) same("idle", problem, *idle);
+        if (const auto drift = drifting(problem, hash_of(problem))) same("drift", problem, drift->problem);
+        break;
+      case 2:
+        if (const auto turn = whole_turns(problem, true)) same("whole turn", turn->once, turn->often);
+        break;
+      default: {
+        const std::optional<WayBack> way = way_back(problem);
+        const oracle::RotatingTruth* there = way ? truth_of(problem) : nullptr;
+        const oracle::RotatingTruth* back = there == nullptr ? nullptr : truth_of(way->problem);
+        if (back == nullptr || back->outcome() == Outcome::not_converged) break;
+        if (there->outcome() == Outcome::miss && there->clearance().low > way->error) {
+          EXPECT_EQ(back->outcome(), Outcome::miss) << shown;
+          ++seen["missed both ways"];
+        } else if (there->contact_proved() && there->depth().low > way->error) {
+          EXPECT_NE(back->outcome(), Outcome::miss) << shown;
+          // Where the way back has its first contact, the way there has one.
+          const double t = problem.t_max - back->toi_upper();
+          EXPECT_LE(there->distance_at(t).low, way->error + 0x1p-50 * problem.t_max * top_speed_of(problem))
+              << shown;
+          ++seen["met both ways"];
+        }
+        break;
+      }
+    }
+  }
+  for (const char* name : {"slid", "idle", "drift", "whole turn", "missed both ways", "met both ways"})
+    EXPECT_GE(seen[name], 5) << name;
 }
 
 }  // namespace

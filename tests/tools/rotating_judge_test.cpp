@@ -26,7 +26,7 @@ RotatingJudgement judged(const Case& problem, const char* name, const RotatingAn
                          Request request = kPlain) {
   TurningTruth truth(problem);
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method(name));
-  return judge_rotating(truth, answer, limits_of(method(name), row, problem), request);
+  return judge_rotating(truth, answer, limits_of(method(name), row), request);
 }
 
 // The method's own answer stands; with the change it falls, by the fault named.

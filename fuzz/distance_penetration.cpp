@@ -1,0 +1,39 @@
+// Does any query beside the cast answer wrongly: overlap, distance, penetration, the line?
+//
+//   1  decode;
+//   2  choose a method of a query by the tail or a hash; where no law applies to it, the next;
+//   3  check every law of queries that needs no oracle;
+//   4  on one case in kOneIn, those that need one.
+#include "corpus/names.hpp"
+#include "fuzz/repair.hpp"
+#include "fuzz/target.hpp"
+#include "properties/laws_queries.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+constexpr std::uint64_t kOneIn = 64;
+
+Judged judge_queries(const Input& input) {
+  const corpus::Case problem = as_linear(input.problem);
+  const auto methods = engine::query_methods();
+  Judged judged;
+  judged.by_oracle = input.choice % kOneIn == 0;
+  for (std::size_t i = 0; i < methods.size() && !judged.reached; ++i) {
+    const engine::QueryMethod& method = methods[(input.choice / kOneIn + i) % methods.size()];
+    const std::string name = std::string(corpus::name_of(method.query)) + " " + method.full_name();
+    for (const law::QueryLaw& one : law::query_laws()) {
+      if (judged.finding) break;
+      if (one.needs == law::Needs::oracle && !judged.by_oracle) continue;
+      add(judged, one.name, name, one.check(problem, method), problem);
+    }
+  }
+  return judged;
+}
+
+}  // namespace
+
+const Target kTarget = {.name = "distance_penetration", .judge = &judge_queries};
+
+}  // namespace graze::fuzz

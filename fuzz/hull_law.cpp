@@ -1,0 +1,215 @@
+#include "fuzz/hull_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <graze/climb.hpp>
+#include <map>
+#include <set>
+
+#include "oracles/exact_cso.hpp"
+#include "oracles/integer_scene.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+using oracle::fold_denominators, oracle::support, oracle::times;
+using oracle::HalfSpace;
+using oracle::Integer;
+using oracle::IntVec;
+
+using Face = std::vector<std::uint32_t>;
+
+template <Scalar S>
+class HullCheck {
+ public:
+  HullCheck(std::span<const Vec3<S>> points, corpus::Random& random) : points_(points), random_(random) {
+    for (const Vec3<S>& p : points) fold_denominators(unit_, oracle::rational(p.template cast<double>()));
+    for (const Vec3<S>& p : points) at_.push_back(times(unit_, oracle::rational(p.template cast<double>())));
+    truth_ = oracle::convex_hull(at_);
+    for (std::uint32_t i = 0; i < at_.size(); ++i) index_.emplace(at_[i], i);  // the first of equal points
+    if (truth_.dimension == 3) find_extreme();
+  }
+
+  [[nodiscard]] std::string fault() {
+    const Hull<S> plain(points_), derived = with_adjacency<S>(points_);
+    if (derived.has_adjacency() != (truth_.dimension == 3)) {
+      return fmt::format("adjacency is {} for a hull of dimension {}",
+                         derived.has_adjacency() ? "made" : "refused", truth_.dimension);
+    }
+    std::string found = support_fault(plain, "without adjacency");
+    if (truth_.dimension != 3 || !found.empty()) return found;
+    found = graph_fault(derived.graph());
+    if (found.empty()) found = support_fault(derived, "with adjacency");
+    if (found.empty()) found = hint_fault();
+    return found;
+  }
+
+ private:
+  // Facets' planes by their least integer normal: a facet that is several triangles is one plane.
+  void find_extreme() {
+    std::set<IntVec> seen;
+    for (const HalfSpace& h : truth_.half_spaces) {
+      Integer common = gcd(gcd(h.normal.x, h.normal.y), h.normal.z);
+      const IntVec n = {h.normal.x / common, h.normal.y / common, h.normal.z / common};
+      if (seen.insert(n).second) planes_.push_back({n, support(truth_, n)});
+    }
+    for (const IntVec& v : truth_.vertices) {
+      const auto meets = [&](const HalfSpace& h) { return dot(h.normal, v) == h.offset; };
+      // One plane inside a face, two inside an edge.
+      if (std::count_if(planes_.begin(), planes_.end(), meets) >= 3) extreme_.insert(index_.at(v));
+    }
+  }
+
+  [[nodiscard]] std::string graph_fault(const HullGraph<S>& graph) const {
+    const std::set<std::uint32_t> vertices(graph.vertex.begin(), graph.vertex.end());
+    if (vertices != extreme_ || graph.vertex.size() != extreme_.size()) {
+      return fmt::format("{} vertices in the graph, {} extreme points", graph.vertex.size(), extreme_.size());
+    }
+    if (graph.neighbours.entries.size() != 2 * (3 * extreme_.size() - 6))
+      return "the graph is none of a triangulated sphere";
+    for (const HalfSpace& plane : planes_) {
+      for (std::uint32_t r = 0; r < graph.vertex.size(); ++r) {
+        const Integer height = dot(plane.normal, at_[graph.vertex[r]]);
+        const auto higher = [&](std::uint32_t j) { return dot(plane.normal, at_[graph.vertex[j]]) > height; };
+        if (height < plane.offset &&
+            std::none_of(graph.neighbours.list(r), graph.neighbours.list(r + 1), higher)) {
+          return fmt::format("vertex {} is a local maximum and not the greatest", graph.vertex[r]);
+        }
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] Vec3<S> direction() {
+    Vec3<S> d;
+    if (!planes_.empty() && !random_.once_in(3)) {
+      // A facet's normal, rounded: its corners are near-ties.
+      const IntVec& n = planes_[random_.below(planes_.size())].normal;
+      const Integer most = std::max({Integer(abs(n.x)), Integer(abs(n.y)), Integer(abs(n.z))});
+      const oracle::Rational scale(1, most);
+      d = Vec3<double>(oracle::Rational(n.x * scale).get_d(), oracle::Rational(n.y * scale).get_d(),
+                       oracle::Rational(n.z * scale).get_d())
+              .template cast<S>();
+    } else {
+      for (int i = 0; i < 3; ++i) d[i] = static_cast<S>(random_.integer(-4, 4));
+    }
+    // Beyond this the height is exact all the same, and slower.
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(d[i]) < S(0x1p-60)) d[i] = 0;
+    }
+    return d;
+  }
+
+  [[nodiscard]] std::string support_fault(const Hull<S>& hull, const char* how) {
+    for (int tries = 0; tries < 8; ++tries) {
+      const Vec3<S> d = direction();
+      if (d.isZero(0)) continue;
+      const std::uint32_t start =
+          random_.once_in(3) ? kNoStart : static_cast<std::uint32_t>(random_.below(points_.size()));
+      const std::uint32_t found = climb_support<S, S>(hull, d, start);
+      Integer unit = 1;
+      const oracle::RationalPoint exact = oracle::rational(d.template cast<double>());
+      fold_denominators(unit, exact);
+      const IntVec n = times(unit, exact);
+      if (found >= at_.size() || dot(n, at_[found]) != support(truth_, n)) {
+        return fmt::format("the support {} along [{:a}, {:a}, {:a}] from {} is vertex {}, not the greatest",
+                           how, d[0], d[1], d[2], start, found);
+      }
+    }
+    return {};
+  }
+
+  // CGAL's facets as they are, or spoilt in one place.
+  [[nodiscard]] std::string hint_fault() {
+    std::vector<Face> faces;
+    for (const oracle::HullFacet& facet : truth_.facets) {
+      Face face;
+      for (const int v : facet.loop) face.push_back(index_.at(truth_.vertices[static_cast<std::size_t>(v)]));
+      faces.push_back(std::move(face));
+    }
+    Face& one = faces[random_.below(faces.size())];
+    const std::size_t corner = random_.below(one.size());
+    switch (random_.below(5)) {
+      case 0:
+        one[corner] = static_cast<std::uint32_t>(random_.below(points_.size()));
+        break;
+      case 1:
+        std::swap(one[corner], one[(corner + 1) % one.size()]);
+        break;
+      case 2:
+        std::swap(one, faces.back());
+        faces.pop_back();
+        break;
+      case 3:
+        one.push_back(static_cast<std::uint32_t>(random_.below(points_.size())));
+        break;
+      default:
+        break;
+    }
+    if (!with_faces<S>(points_, std::span<const Face>(faces)).has_adjacency()) return {};
+    return is_boundary(faces) ? "" : "faces are taken that are not the boundary";
+  }
+
+  [[nodiscard]] bool is_boundary(const std::vector<Face>& faces) const {
+    std::set<std::uint32_t> corners;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    const auto first = [&](std::uint32_t i) { return index_.at(at_[i]); };
+    for (const Face& face : faces) {
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        corners.insert(first(face[i]));
+        ++edges[{first(face[i]), first(face[(i + 1) % face.size()])}];
+      }
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        const IntVec& a = at_[face[0]];
+        const IntVec normal = cross(at_[face[i - 1]] - a, at_[face[i]] - a);
+        if (normal.is_zero() || support(truth_, normal) != dot(normal, a)) return false;
+      }
+    }
+    for (const auto& [edge, count] : edges) {
+      const auto back = edges.find({edge.second, edge.first});
+      if (count != 1 || back == edges.end()) return false;
+    }
+    return std::includes(corners.begin(), corners.end(), extreme_.begin(), extreme_.end());
+  }
+
+  std::span<const Vec3<S>> points_;
+  corpus::Random& random_;
+  Integer unit_ = 1;
+  std::vector<IntVec> at_;
+  std::map<IntVec, std::uint32_t> index_;
+  oracle::ConvexHull truth_;
+  std::vector<HalfSpace> planes_;
+  std::set<std::uint32_t> extreme_;
+};
+
+}  // namespace
+
+template <Scalar S>
+bool is_hull_question(std::span<const Vec3<S>> points) {
+  double least = kInfinity<double>, most = 0;
+  for (const Vec3<S>& p : points) {
+    for (int i = 0; i < 3; ++i) {
+      const double magnitude = std::abs(static_cast<double>(p[i]));
+      if (!(magnitude <= 1e60)) return false;
+      if (magnitude > 0) least = std::min(least, magnitude);
+      most = std::max(most, magnitude);
+    }
+  }
+  // A coordinate of the scan is one of the hull times a power of two, less a centre: down to u of the least.
+  constexpr double kNear = sizeof(S) == sizeof(double) ? 0x1p-200 : 0x1p-90;
+  return !points.empty() && (most == 0 || least >= most * kNear);
+}
+
+template <Scalar S>
+std::string hull_fault(std::span<const Vec3<S>> points, corpus::Random& random) {
+  return HullCheck<S>(points, random).fault();
+}
+
+template bool is_hull_question(std::span<const Vec3<float>> points);
+template bool is_hull_question(std::span<const Vec3<double>> points);
+template std::string hull_fault(std::span<const Vec3<float>> points, corpus::Random& random);
+template std::string hull_fault(std::span<const Vec3<double>> points, corpus::Random& random);
+
+}  // namespace graze::fuzz

@@ -1,0 +1,46 @@
+// Does an exact edit of a case change what a method answers?
+//
+//   1  decode;
+//   2  choose a law that needs the method alone, and the method, by the tail or a hash;
+//   3  check it; where it does not apply try the next laws, kTries at most.
+#include <vector>
+
+#include "fuzz/repair.hpp"
+#include "fuzz/target.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+// Nearly every question has a law of eight in a row that applies (an exact translation, a power of two).
+constexpr std::size_t kTries = 8;
+
+const std::vector<const law::Law*>& metamorphic_laws() {
+  static const std::vector<const law::Law*> kLaws = [] {
+    std::vector<const law::Law*> out;
+    for (const law::Law& one : law::laws()) {
+      // Poisons every number of the case in turn: hundreds of casts, all refused alike.
+      if (one.needs == law::Needs::metamorphic && one.name != "bad_input_is_refused") out.push_back(&one);
+    }
+    return out;
+  }();
+  return kLaws;
+}
+
+Judged judge_edits(const Input& input) {
+  const corpus::Case problem = as_linear(input.problem);
+  const auto& laws = metamorphic_laws();
+  const engine::EngineMethod& method = engine::methods()[input.choice / 256 % engine::methods().size()];
+  Judged judged;
+  for (std::size_t i = 0; i < kTries && !judged.reached; ++i) {
+    const law::Law& one = *laws[(input.choice % 256 + i) % laws.size()];
+    add(judged, one.name, method.full_name(), one.check(problem, method), problem);
+  }
+  return judged;
+}
+
+}  // namespace
+
+const Target kTarget = {.name = "metamorphic", .judge = &judge_edits};
+
+}  // namespace graze::fuzz

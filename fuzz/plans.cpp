@@ -1,0 +1,63 @@
+// Does a plan spare what it must not, or simulate what it says it spares?
+//
+//   1  decode; the step is finite, the turns moderate;
+//   2  choose a law of the plan, or of turns that no plan simulates, and a method, by the tail or a hash;
+//   3  check it; where it does not apply try the next laws, each once.
+#include <vector>
+
+#include "fuzz/repair.hpp"
+#include "fuzz/target.hpp"
+#include "properties/laws_rotating.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+bool is_of_plans(std::string_view name) {
+  for (const std::string_view word : {"plan", "unseen", "as_one", "unturned"}) {
+    if (name.find(word) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+const std::vector<const law::RotatingLaw*>& plan_laws() {
+  static const std::vector<const law::RotatingLaw*> kLaws = [] {
+    std::vector<const law::RotatingLaw*> out;
+    for (const law::RotatingLaw& one : law::rotating_laws()) {
+      if (is_of_plans(one.name)) out.push_back(&one);
+    }
+    return out;
+  }();
+  return kLaws;
+}
+
+// The methods whose answer is the plan's: the others ask it nothing.
+const std::vector<const engine::RotatingEngineMethod*>& planned_methods() {
+  static const std::vector<const engine::RotatingEngineMethod*> kMethods = [] {
+    std::vector<const engine::RotatingEngineMethod*> out;
+    for (const engine::RotatingEngineMethod& one : engine::rotating_methods()) {
+      if (one.name == "plan" || one.is_certified()) out.push_back(&one);
+    }
+    return out;
+  }();
+  return kMethods;
+}
+
+Judged judge_plan(const Input& input) {
+  const corpus::Case problem = as_turning(input.problem);
+  const auto& laws = plan_laws();
+  const engine::RotatingEngineMethod& method =
+      *planned_methods()[input.choice / 256 % planned_methods().size()];
+  Judged judged;
+  for (std::size_t i = 0; i < laws.size() && !judged.reached; ++i) {
+    const law::RotatingLaw& one = *laws[(input.choice % 256 + i) % laws.size()];
+    add(judged, one.name, method.full_name(), one.check(problem, method), problem);
+  }
+  return judged;
+}
+
+}  // namespace
+
+const Target kTarget = {.name = "plans", .judge = &judge_plan};
+
+}  // namespace graze::fuzz

@@ -1,0 +1,62 @@
+// What a fuzz target is: a question about a case (or a text), asked of bytes.
+//
+// A target's file defines kTarget and nothing else; target_main.cpp makes the function of it that libFuzzer
+// calls, so that every target counts, reports and aborts alike, and replay_main.cpp can make its findings
+// small.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "corpus/case.hpp"
+#include "properties/law.hpp"
+
+namespace graze::fuzz {
+
+// What broke. `law` names the law, or the step of the target; `method` who broke it, or nobody.
+struct Finding {
+  std::string law, method, fault;
+  corpus::Case problem;  // as the target asked it
+  std::string sides;     // every side's answer, several lines, or nothing
+};
+
+// What became of one input.
+struct Judged {
+  bool reached = false;  // some law looked at it; else the input was no question for this target
+  bool by_oracle = false;
+  std::optional<Finding> finding;
+};
+
+// A case, and the choices that the target may draw about it.
+struct Input {
+  corpus::Case problem;
+  // Of the tail's first eight bytes; of an input without a tail, of a hash of the case. The same while a
+  // finding is made small.
+  std::uint64_t choice = 0;
+  std::span<const std::uint8_t> tail;
+};
+
+[[nodiscard]] Input input_of(std::span<const std::uint8_t> bytes);
+// The bytes of a case whose choice is this one, if it can be encoded.
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> bytes_of(const corpus::Case& problem,
+                                                                const Input& like);
+
+struct Target {
+  const char* name;
+  Judged (*judge)(const Input&);                                  // of a case; or nullptr
+  Judged (*judge_text)(std::span<const std::uint8_t>) = nullptr;  // of a text
+};
+extern const Target kTarget;
+
+[[nodiscard]] Judged judge(std::span<const std::uint8_t> bytes);
+
+// target, law, method, fault and the case as JSON, a line each; every number as a hexfloat; every side.
+[[nodiscard]] std::string report(const Finding& finding);
+
+// Adds what a law said of a method's answer: reached if it applied, a finding if it broke.
+void add(Judged& judged, std::string_view law, std::string_view method, const law::LawResult& said,
+         const corpus::Case& problem);
+
+}  // namespace graze::fuzz

@@ -1,0 +1,69 @@
+#include "properties/defects/sample.hpp"
+
+#include "corpus/families.hpp"
+#include "properties/draw_case.hpp"
+#include "properties/draw_rotating.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using corpus::Family;
+
+namespace {
+
+Case of_family(const Family& family, std::size_t turn) {
+  return family.generate(family.levels[turn % ((family.levels.size() + 1) / 2)], turn);
+}
+
+std::vector<Case> linear_cases(int count) {
+  std::vector<Case> out;
+  corpus::Random random(20260117);
+  for (int seed = 0; static_cast<int>(out.size()) < count; ++seed) {
+    for (const Family& family : corpus::families()) {
+      out.push_back(of_family(family, static_cast<std::size_t>(seed)));
+      out.push_back(draw_case(random, seed % 100));
+    }
+  }
+  return out;
+}
+
+std::vector<Case> near_ties(int count) {
+  std::vector<Case> out;
+  out.reserve(static_cast<std::size_t>(count));
+  corpus::Random random(20261122);
+  for (int i = 0; i < count; ++i) out.push_back(draw_near_tie(random));
+  return out;
+}
+
+std::vector<Case> rotating_cases(int count) {
+  std::vector<Case> out;
+  corpus::Random random(20261121);
+  const auto families = corpus::rotating_families();
+  for (int i = 0; static_cast<int>(out.size()) < count; ++i) {
+    if (i % 8 != 7) {
+      out.push_back(draw_rotating(random, i % 100));
+      continue;
+    }
+    const std::size_t turn = static_cast<std::size_t>(i) / 8;
+    const Family& family = families[turn % families.size()];
+    const std::size_t level = turn / families.size() % ((family.levels.size() + 1) / 2);
+    out.push_back(family.generate(family.levels[level], turn));
+  }
+  return out;
+}
+
+}  // namespace
+
+Sample sample_for(Kind kind, int count) {
+  switch (kind) {
+    case Kind::linear:
+      return {linear_cases(count), near_ties(10 * count)};
+    case Kind::query:
+      return {linear_cases(count), {}};
+    case Kind::rotating:
+      break;
+  }
+  return {rotating_cases(count), {}};
+}
+
+}  // namespace graze::law

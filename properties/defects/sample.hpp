@@ -1,0 +1,21 @@
+// The cases that the laws see when a defect is planted: generated, the same in every run, and none of them
+// curated, so that a law has to find the defect by itself.
+#pragma once
+
+#include <vector>
+
+#include "corpus/case.hpp"
+#include "properties/any_law.hpp"
+
+namespace graze::law {
+
+struct Sample {
+  std::vector<corpus::Case> all;   // for every law
+  std::vector<corpus::Case> ties;  // for those that judge by proof, in microseconds; ten times as many
+};
+
+// Linear and query: half drawn, half from the easier half of the families' levels; near-ties, of linear laws
+// alone. Rotating: drawn, and every eighth from the rotating families; none are near-ties.
+[[nodiscard]] Sample sample_for(Kind kind, int count);
+
+}  // namespace graze::law

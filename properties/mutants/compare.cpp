@@ -1,0 +1,101 @@
+#include "properties/mutants/compare.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "properties/case_edit.hpp"
+#include "properties/mutants/mutants.hpp"
+#include "properties/query_case.hpp"
+
+namespace graze::mutants {
+
+namespace {
+
+// An answer as words, compared bit by bit (two NaN are the same).
+struct Words {
+  std::vector<std::uint64_t> answer, cost;
+
+  void add(double x) { answer.push_back(std::bit_cast<std::uint64_t>(x)); }
+  void add(const Vec3<double>& x) {
+    for (int i = 0; i < 3; ++i) add(x[i]);
+  }
+  void add(const std::optional<engine::Interval>& x) {
+    add(x ? x->lower : -1);
+    add(x ? x->upper : -1);
+  }
+  void add(const std::optional<Vec3<double>>& x) { add(x ? *x : Vec3<double>(0, 0, 0)); }
+  void add(const Counters& c) {
+    for (const int n :
+         {c.iterations, c.supports, c.gjk_iterations, c.portal_steps, c.exact_decisions, c.poses})
+      cost.push_back(static_cast<std::uint64_t>(n));
+  }
+};
+
+template <class A>
+Words cast_words(const A& a) {
+  Words out;
+  for (const double x :
+       {static_cast<double>(a.outcome), static_cast<double>(a.invalid), a.toi_lower, a.toi_upper, a.distance,
+        static_cast<double>(a.passed_over), static_cast<double>(a.proof.has_value())})
+    out.add(x);
+  for (const Vec3<double>& x : {a.normal, a.point_a, a.point_b}) out.add(x);
+  out.add(a.counters);
+  return out;
+}
+
+Words query_words(const engine::QueryAnswer& a) {
+  Words out;
+  for (const double x :
+       {static_cast<double>(a.outcome), static_cast<double>(a.invalid), static_cast<double>(a.stalled)})
+    out.add(x);
+  for (const std::optional<engine::Interval>& x : {a.distance, a.depth, a.t_in, a.t_out}) out.add(x);
+  for (const std::optional<Vec3<double>>& x : {a.normal, a.point_a, a.point_b}) out.add(x);
+  out.add(a.counters);
+  return out;
+}
+
+template <class Ask>
+void compare_answers(const Ask& ask, int mutant, Difference& sum) {
+  graze_mutants::active = -1;
+  const Words before = ask();
+  graze_mutants::active = mutant;
+  const Words after = ask();
+  ++sum.asked;
+  if (before.answer != after.answer) {
+    ++sum.answers;
+  } else if (before.cost != after.cost) {
+    ++sum.costs;
+  }
+  graze_mutants::comparing = true;
+  const long already = graze_mutants::differed[mutant];
+  static_cast<void>(ask());
+  graze_mutants::comparing = false;
+  sum.executed += graze_mutants::differed[mutant] - already;
+}
+
+}  // namespace
+
+void compare(law::Kind kind, const corpus::Case& problem, int mutant, Difference& sum) {
+  const Request everything = Request::everything;
+  switch (kind) {
+    case law::Kind::linear:
+      for (const engine::EngineMethod& method : engine::methods())
+        compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant,
+                        sum);
+      break;
+    case law::Kind::query:
+      for (const engine::QueryMethod& method : engine::query_methods()) {
+        const corpus::Case question = law::question_for(problem, method.query, law::hash_of(problem));
+        compare_answers([&] { return query_words(method.answer(question)); }, mutant, sum);
+      }
+      break;
+    case law::Kind::rotating:
+      for (const engine::RotatingEngineMethod& method : engine::rotating_methods())
+        compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant,
+                        sum);
+      break;
+  }
+}
+
+}  // namespace graze::mutants

@@ -1,0 +1,264 @@
+// Runs every mutant against the laws until one breaks.
+//
+//   driver MUTANTS FOLDER --seconds S --jobs J --linear N --query N --rotating N
+//
+// First a survey with no mutant alive (kept in FOLDER/survey), then each of the mutants 0 .. MUTANTS-1 in a
+// process of its own: the trials that execute its place, cheap ones first and others between them, until a
+// law breaks, the process dies, a trial takes kSlower times its usual time (an endless loop), or S seconds of
+// processor time are over. FOLDER/results gets a line for each and is where a second run goes on:
+//   MUTANT killed|survived|unreached LAW HOW TRIALS SECONDS ASKED ANSWERS COSTS EXECUTED
+// separated by tabs. The last four are of survivors: compare.hpp. Exit 1 if a law is broken with no mutant
+// alive.
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "properties/mutants/compare.hpp"
+#include "properties/mutants/mutants.hpp"
+#include "properties/mutants/world.hpp"
+
+namespace {
+
+using namespace graze::mutants;  // the room
+
+// What makes a trial's time an endless loop: this many times the usual, and at least this much (s).
+constexpr double kSlower = 50;
+constexpr double kLeastTime = 3;
+// Processor time for comparing the answers of a survivor (s).
+constexpr double kCompareSeconds = 6;
+constexpr std::size_t kMemory = std::size_t{4} << 30;  // bytes
+
+struct Options {
+  int mutants = 0, jobs = 1;
+  double seconds = 15;
+  std::string folder;
+  Counts counts;
+};
+
+// What the child has come to, in memory that outlives it.
+struct Progress {
+  std::uint32_t law;
+  long trials;
+  bool trying, done, broken;
+  char how[400];
+  Difference difference;
+};
+
+double processor_seconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void allow(double seconds) {
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds) + 1;
+  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+}
+
+std::size_t mixed(std::size_t x) { return (x + 1) * 0x9e3779b97f4a7c15u >> 13; }
+
+// The cases whose trials execute the mutant's place, each with those trials: at even turns the cheapest that
+// is left, at odd ones any, so that a dear kind of case is met within the budget too.
+std::vector<std::vector<const Trial*>> agenda_of(const Survey& survey, int mutant) {
+  std::map<std::uint32_t, std::vector<const Trial*>> by_case;
+  for (const Trial& trial : survey.trials) {
+    if (trial.reaches(mutant)) by_case[trial.problem].push_back(&trial);
+  }
+  struct Entry {
+    double seconds;
+    std::uint32_t problem;
+  };
+  std::vector<Entry> cheap;
+  for (const auto& [problem, trials] : by_case) {
+    double seconds = 0;
+    for (const Trial* trial : trials) seconds += trial->seconds;
+    cheap.push_back({seconds, problem});
+  }
+  std::vector<Entry> any = cheap;
+  std::sort(cheap.begin(), cheap.end(), [](const Entry& x, const Entry& y) { return x.seconds < y.seconds; });
+  std::sort(any.begin(), any.end(),
+            [](const Entry& x, const Entry& y) { return mixed(x.problem) < mixed(y.problem); });
+  std::vector<std::vector<const Trial*>> out;
+  std::set<std::uint32_t> taken;
+  for (std::size_t i = 0; i < cheap.size(); ++i) {
+    for (const Entry& next : {cheap[i], any[i]}) {
+      if (!taken.insert(next.problem).second) continue;
+      std::vector<const Trial*> trials = by_case[next.problem];
+      std::sort(trials.begin(), trials.end(),
+                [](const Trial* x, const Trial* y) { return x->seconds < y->seconds; });
+      out.push_back(std::move(trials));
+    }
+  }
+  return out;
+}
+
+void compare_all(const World& world, const std::vector<std::vector<const Trial*>>& agenda, int mutant,
+                 Progress& progress) {
+  const double end = processor_seconds() + kCompareSeconds;
+  for (const std::vector<const Trial*>& trials : agenda) {
+    std::set<graze::law::Kind> kinds;
+    for (const Trial* trial : trials) kinds.insert(world.laws[trial->law].kind);
+    for (const graze::law::Kind kind : kinds) {
+      allow(4 * kCompareSeconds);
+      compare(kind, world.cases[trials.front()->problem], mutant, progress.difference);
+    }
+    if (processor_seconds() > end) return;
+  }
+}
+
+[[noreturn]] void try_mutant(const World& world, const Survey& survey, int mutant, double seconds,
+                             Progress& progress) {
+  const rlimit memory = {kMemory, kMemory}, core = {0, 0};
+  setrlimit(RLIMIT_AS, &memory);
+  setrlimit(RLIMIT_CORE, &core);
+  const auto agenda = agenda_of(survey, mutant);
+  graze_mutants::active = mutant;
+  const double end = processor_seconds() + seconds;
+  for (const std::vector<const Trial*>& trials : agenda) {
+    for (const Trial* trial : trials) {
+      progress.law = trial->law;
+      ++progress.trials;
+      progress.trying = true;
+      allow(std::max(kLeastTime, kSlower * static_cast<double>(trial->seconds)));
+      const std::string fault = fault_of(world.laws[trial->law], world.cases[trial->problem]);
+      progress.trying = false;
+      if (fault.empty()) continue;
+      std::strncpy(progress.how, fault.c_str(), sizeof progress.how - 1);
+      progress.broken = true;
+      _exit(0);
+    }
+    if (processor_seconds() > end) break;
+  }
+  progress.done = true;
+  compare_all(world, agenda, mutant, progress);
+  _exit(0);
+}
+
+std::string line_of(const World& world, const Progress& progress, int mutant, int status, double seconds) {
+  std::string how = progress.how;
+  const char* verdict = "survived";
+  if (progress.broken) {
+    verdict = "killed";
+  } else if (!progress.done) {
+    verdict = "killed";
+    how = !WIFSIGNALED(status)            ? "left the process"
+          : WTERMSIG(status) == SIGVTALRM ? "does not end"
+                                          : std::string("crashed: ") + strsignal(WTERMSIG(status));
+  } else if (progress.trials == 0) {
+    verdict = "unreached";
+  }
+  std::replace_if(
+      how.begin(), how.end(), [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
+  std::ostringstream out;
+  const Difference& d = progress.difference;
+  out << mutant << '\t' << verdict << '\t' << (progress.done ? "" : world.laws[progress.law].name) << '\t'
+      << how << '\t' << progress.trials << '\t' << seconds << '\t' << d.asked << '\t' << d.answers << '\t'
+      << d.costs << '\t' << d.executed << '\n';
+  return out.str();
+}
+
+std::set<int> done_before(const std::string& path) {
+  std::set<int> out;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) out.insert(std::atoi(line.c_str()));
+  return out;
+}
+
+void run_all(const World& world, const Survey& survey, const Options& options) {
+  const std::string path = options.folder + "/results";
+  const std::set<int> done = done_before(path);
+  const auto slots = static_cast<std::size_t>(options.jobs);
+  void* const shared =
+      mmap(nullptr, slots * sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) std::abort();
+  auto* const progress = static_cast<Progress*>(shared);
+  struct Child {
+    pid_t pid = 0;
+    int mutant = 0;
+  };
+  std::vector<Child> children(slots);
+  int next = 0, finished = 0, survived = 0;
+  std::size_t running = 0;
+  while (true) {
+    for (std::size_t i = 0; i < slots; ++i) {
+      while (next < options.mutants && done.count(next)) ++next;
+      if (children[i].pid || next == options.mutants) continue;
+      progress[i] = {};
+      children[i] = {fork(), next++};
+      if (children[i].pid < 0) std::abort();
+      if (children[i].pid == 0) try_mutant(world, survey, children[i].mutant, options.seconds, progress[i]);
+      ++running;
+    }
+    if (running == 0) break;
+    int status = 0;
+    rusage usage = {};
+    const pid_t ended = wait4(-1, &status, 0, &usage);
+    const auto child =
+        std::find_if(children.begin(), children.end(), [&](const Child& c) { return c.pid == ended; });
+    if (child == children.end()) continue;
+    const Progress& its = progress[child - children.begin()];
+    const double seconds =
+        static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+    std::ofstream(path, std::ios::app) << line_of(world, its, child->mutant, status, seconds);
+    *child = {};
+    --running;
+    ++finished;
+    survived += its.done ? 1 : 0;
+    std::fprintf(stderr, "\rmutants: %d of %zu run, %d not noticed ", finished,
+                 static_cast<std::size_t>(options.mutants) - done.size(), survived);
+  }
+  std::fprintf(stderr, "\n");
+}
+
+int number_at(const std::vector<std::string>& words, const char* name, int fallback) {
+  const auto at = std::find(words.begin(), words.end(), name);
+  return at == words.end() || at + 1 == words.end() ? fallback : std::atoi((at + 1)->c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 2) {
+    std::fprintf(
+        stderr,
+        "usage: driver MUTANTS FOLDER [--seconds S] [--jobs J] [--linear N] [--query N] [--rotating N]\n");
+    return 2;
+  }
+  Options options;
+  options.mutants = std::atoi(words[0].c_str());
+  options.folder = words[1];
+  options.seconds = number_at(words, "--seconds", 15);
+  options.jobs = number_at(words, "--jobs", 1);
+  options.counts = {.linear = number_at(words, "--linear", 600),
+                    .query = number_at(words, "--query", 300),
+                    .rotating = number_at(words, "--rotating", 100)};
+  if (options.mutants < 1 || options.mutants > graze_mutants::kMost || options.jobs < 1) {
+    std::fprintf(stderr, "driver: 1 to %d mutants, and at least one job\n", graze_mutants::kMost);
+    return 2;
+  }
+  const World world = make_world(options.counts);
+  Survey seen;
+  if (!load(seen, options.folder + "/survey", options.mutants)) {
+    seen = survey(world, options.mutants);
+    save(seen, options.folder + "/survey", options.mutants);
+    std::ofstream broken(options.folder + "/broken");
+    for (const std::string& one : seen.broken) broken << one << '\n';
+  }
+  run_all(world, seen, options);
+  return 0;
+}

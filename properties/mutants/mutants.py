@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""Machine-made mutants of core, and whether the laws notice them.
+
+    mutants.py CONFIG --work FOLDER [--count 300] [--seed S] [--jobs J] [--write] [--double]
+
+CONFIG is written by CMake (tests/mutants): the compiler, and what to link. All mutants stand in one copy of
+core, which is compiled once; then each is run by itself (driver.cpp). What is done is kept in FOLDER: stopped,
+the next run goes on from there; an edit of core, of the laws or of the options begins anew. Without a command
+that changes files the report goes to the standard output; --write makes it docs/mutants.md.
+"""
+import argparse
+import hashlib
+import os
+import pathlib
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import mutate  # noqa: E402
+import report  # noqa: E402
+import sites  # noqa: E402
+
+# The translation units of the methods, the headers of core that they stand on, and the laws that ask them.
+METHODS = {"casts": ["cast.hpp"],
+           "queries": ["overlap.hpp", "penetration.hpp", "swept_overlap.hpp", "exact/exact_queries.hpp"],
+           "rotating": ["rotating_cast.hpp"]}
+
+
+class Fault(Exception):
+    pass
+
+
+def say(text):
+    print("graze: " + text, file=sys.stderr, flush=True)
+
+
+def read_config(path):
+    out = {}
+    for line in pathlib.Path(path).read_text().splitlines():
+        name, _, value = line.partition(" = ")
+        out[name] = value.split(";") if name in ("flags", "includes", "link", "objects") else value
+    return out
+
+
+def digest(*paths):
+    out = hashlib.sha256()
+    for path in sorted(map(pathlib.Path, paths)):
+        out.update(path.name.encode() + path.read_bytes())
+    return out.hexdigest()[:16]
+
+
+class Build:
+    def __init__(self, options):
+        self.options = options
+        self.config = read_config(options.config)
+        self.source = pathlib.Path(self.config["source"])
+        self.methods = options.methods or list(METHODS)
+        core = sorted((self.source / "core/graze").rglob("*.hpp"))
+        here = [self.source / "properties/mutants" / name for name in ("sites.py", "mutate.py", "mutants.hpp")]
+        engines = [self.source / f"engines/{m}.cpp" for m in self.methods] + [self.source / "engines/convert.hpp"]
+        key = f"{options.seed}-{options.count}" + ("-double" if options.double else "")
+        if len(self.methods) < len(METHODS):
+            key += "-" + "-".join(self.methods)
+        self.made = digest(*core, *here, *engines)
+        self.folder = pathlib.Path(options.work).absolute() / key
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.copy = self.folder / "core"
+        self.flags = self.config["flags"] + (["-DGRAZE_DOUBLE_ALONE"] if options.double else [])
+        self.system = [f"-isystem{i}" for i in self.config["includes"]]
+        self.files = [str(self.source / f"engines/{m}.cpp") for m in self.methods]
+
+    def compiler(self):
+        return [self.config["compiler"], *self.flags, "-w", "-fmax-errors=0", f"-I{self.copy}", f"-I{self.source}",
+                *self.system]
+
+    def is_fresh(self, name, stamp):
+        path = self.folder / name
+        return path.exists() and path.read_text() == stamp
+
+    def generate(self):
+        """The copy of core that holds all mutants."""
+        if self.is_fresh("made", self.made):
+            return
+        for name in ("made", "compiled", "linked"):
+            (self.folder / name).unlink(missing_ok=True)
+        say("finding the places that can be mutated")
+        headers = [h for m in self.methods for h in METHODS[m]] if self.options.methods else []
+        found = sites.find_sites(str(self.source / "core"), self.system, headers)
+        sample = mutate.Sample(found, self.options.seed, str(self.source / "core"), self.options.count)
+        say(f"{self.options.count} mutants of {len(found)}; compiling them without code, to drop what does not")
+        mutate.copy_of(self.copy)
+        mutate.settle(sample, str(self.copy), self.compiler(), self.files, say)
+        sample.save(str(self.folder / "mutants.jsonl"))
+        (self.folder / "sites").write_text(f"{len(found)} {sample.dropped}")
+        (self.folder / "made").write_text(self.made)
+
+    def compile(self):
+        """Objects of the methods; what they share with the judge by name becomes their own."""
+        if self.is_fresh("compiled", self.made):
+            return
+        objects = []
+        for name, file in zip(self.methods, self.files):
+            say(f"compiling {name} with {self.options.count} mutants")
+            objects.append(str(self.folder / f"{name}.o"))
+            subprocess.run([*self.compiler(), "-c", file, "-o", objects[-1]], check=True)
+        whole = str(self.folder / "methods.o")
+        subprocess.run(["ld", "-r", "--force-group-allocation", "-o", whole, *objects], check=True)
+        # What the judge and its oracles use of core under the same names must stay as it is there.
+        names = subprocess.run(["nm", "--defined-only", whole], check=True, capture_output=True, text=True).stdout
+        shared = [line.split()[-1] for line in names.splitlines() if line.split()[-2] in "WVu"]
+        own = [f"{name} mutated_{name}" for name in shared if not name.startswith(("DW.", "_ZT"))]
+        (self.folder / "own_names").write_text("\n".join(own) + "\n")
+        subprocess.run(["objcopy", f"--redefine-syms={self.folder / 'own_names'}", whole], check=True)
+        (self.folder / "compiled").write_text(self.made)
+
+    def link(self):
+        libraries = [item for item in self.config["link"] if os.path.exists(item)]
+        stamp = self.made + digest(*[p for p in libraries if p.endswith(".a")], *self.config["objects"])
+        if self.is_fresh("linked", stamp):
+            return
+        subprocess.run([self.config["compiler"], str(self.folder / "methods.o"), *self.config["objects"],
+                        *self.config["link"], "-o", str(self.folder / "driver")], check=True)
+        for name in ("survey", "results", "broken"):
+            (self.folder / name).unlink(missing_ok=True)
+        (self.folder / "linked").write_text(stamp)
+
+    def run(self):
+        options = self.options
+        cases = {"casts": options.linear, "queries": options.query, "rotating": options.rotating}
+        linear, query, rotating = (cases[m] if m in self.methods else 0 for m in METHODS)
+        counts = f"{linear} {query} {rotating} {options.seconds}"
+        if not self.is_fresh("counts", counts):
+            for name in ("survey", "results", "broken"):
+                (self.folder / name).unlink(missing_ok=True)
+            (self.folder / "counts").write_text(counts)
+        subprocess.run([str(self.folder / "driver"), str(options.count), str(self.folder), "--seconds",
+                        str(options.seconds), "--jobs", str(options.jobs), "--linear", str(linear),
+                        "--query", str(query), "--rotating", str(rotating)], check=True)
+
+
+def positive(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
+    return number
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="./run mutants", description=__doc__.split("\n")[0])
+    parser.add_argument("config", help=argparse.SUPPRESS)
+    parser.add_argument("--work", default="build/mutants", help="where the copy of core and the results are kept")
+    parser.add_argument("--count", type=positive, default=300, help="how many mutants (at most 1000)")
+    parser.add_argument("--seed", type=int, default=1, help="of the sample")
+    parser.add_argument("--jobs", type=positive, default=1, help="mutants run at once")
+    parser.add_argument("--seconds", type=positive, default=15, help="processor time for a mutant")
+    parser.add_argument("--linear", type=positive, default=600, help="linear cases, and as many near-ties")
+    parser.add_argument("--query", type=positive, default=200, help="cases of the other queries")
+    parser.add_argument("--rotating", type=positive, default=80, help="rotating cases")
+    parser.add_argument("--methods", nargs="+", choices=list(METHODS), help="only these, and what they stand on")
+    parser.add_argument("--double", action="store_true", help="methods in double alone: half the compilation")
+    parser.add_argument("--at-least", type=float, metavar="PERCENT",
+                        help="exit 1 if the laws notice less of the mutants whose place they reach")
+    parser.add_argument("--write", action="store_true", help="write docs/mutants.md")
+    options = parser.parse_args()
+    if options.count > 1000:
+        parser.error("--count is 1000 at most")
+    return options
+
+
+def main():
+    options = arguments()
+    build = Build(options)
+    build.generate()
+    build.compile()
+    build.link()
+    build.run()
+    outcome = report.read(build.folder, build.source)
+    text = report.page(outcome, options)
+    if options.write:
+        (build.source / "docs/mutants.md").write_text(text)
+    else:
+        print(text)
+    if options.at_least is not None and outcome.share() < options.at_least:
+        raise Fault(f"the laws notice {outcome.share():.1f} % of the mutants that they reach, less than "
+                    f"{options.at_least} %")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Fault as fault:
+        print(f"FAIL: {fault}")
+        sys.exit(1)
+    except subprocess.CalledProcessError as error:
+        print(f"graze: {error.cmd[0]} failed (exit {error.returncode}); its message is above", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("\ngraze: stopped; what is done is kept, and the next run goes on from there", file=sys.stderr)
+        sys.exit(130)

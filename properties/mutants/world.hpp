@@ -1,0 +1,54 @@
+// What the mutants are judged by: all laws, on the generated cases that planted defects see too, and which
+// mutant's place each pair of law and case executes, at what cost, measured once with none of them alive.
+//
+// A mutant then meets only the pairs that execute its place; the rest cannot notice it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "properties/any_law.hpp"
+#include "properties/defects/sample.hpp"
+
+namespace graze::mutants {
+
+struct Counts {
+  int linear = 0, query = 0, rotating = 0;  // cases; near-ties besides, as many as linear
+};
+
+struct World {
+  std::vector<law::AnyLaw> laws;
+  std::vector<corpus::Case> cases;  // linear, near-ties, rotating
+  // Where they end; casts and the other queries are asked about the first of the linear ones.
+  std::size_t linear_end = 0, queries_end = 0, flat_end = 0, ties_end = 0;
+};
+
+// A law on a case, over all methods.
+struct Trial {
+  std::uint32_t law = 0, problem = 0;
+  float seconds = 0;                        // processor time, the oracle's share included
+  std::vector<std::uint64_t> reached = {};  // a bit a mutant
+  [[nodiscard]] bool reaches(int mutant) const {
+    return (reached[static_cast<std::size_t>(mutant) / 64] >> (mutant % 64) & 1) != 0;
+  }
+};
+
+struct Survey {
+  std::vector<Trial> trials;
+  // Trials whose law breaks with no mutant alive: they say nothing. "LAW METHOD: reason" and the case, one a
+  // trial.
+  std::vector<std::string> broken;
+};
+
+[[nodiscard]] World make_world(const Counts& counts);
+// The first method that breaks the law, and how; empty if all keep it.
+[[nodiscard]] std::string fault_of(const law::AnyLaw& law, const corpus::Case& problem);
+// Tries everything with no mutant alive. Progress on the standard error.
+[[nodiscard]] Survey survey(const World& world, int mutants);
+
+void save(const Survey& survey, const std::string& path, int mutants);
+// False if there is no such file, or one of another number of mutants.
+[[nodiscard]] bool load(Survey& survey, const std::string& path, int mutants);
+
+}  // namespace graze::mutants

@@ -1,0 +1,23 @@
+// Questions beside the cast, made from a linear case: the same bodies, asked something else.
+#pragma once
+
+#include <cstddef>
+
+#include "corpus/case.hpp"
+#include "engines/queries.hpp"
+
+namespace graze::law {
+
+// A line and a swept overlap ask for the motion as it is. The others are asked at rest, without a target
+// distance: B stands where the path has it at one of a few times, chosen by `pick`; most of the families aim
+// at t = 1/2, so that the bodies are apart, near, just in each other or deep in each other. The direction of
+// penetration_along is the motion's. Starts are reported; nothing is expected.
+[[nodiscard]] corpus::Case question_for(corpus::Case problem, corpus::Query query, std::size_t pick);
+
+// The case in the scalar of the method, as doubles.
+[[nodiscard]] corpus::Case seen_by(const engine::QueryMethod& method, const corpus::Case& problem);
+
+// The first method of a query in a scalar.
+[[nodiscard]] const engine::QueryMethod& default_method(corpus::Query query, std::string_view scalar);
+
+}  // namespace graze::law
