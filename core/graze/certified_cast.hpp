@@ -32,6 +32,8 @@
 #include <graze/certified_start.hpp>
 #include <graze/leaving.hpp>
 #include <graze/prove.hpp>
+#include <optional>
+#include <utility>
 
 namespace graze {
 
@@ -115,14 +117,7 @@ class CertifiedCast {
       return -out.upper > std::max(in.upper, 0.0) ? Start::enters : Start::open;
     }
     if (in.found && out.found && in.upper < 0 && out.upper < 0) return Start::enters;
-    for (const auto& [x, y, z] : kSkew) {
-      const Vec3<double> d(x, y, z);
-      const ProvedPortal one = along(d, false, true).enter({}, gap());
-      if (!one.found || !(one.upper < 0)) continue;
-      const ProvedPortal other = along(d, true, true).enter({}, gap());
-      if (other.found && other.upper < 0) return Start::enters;
-    }
-    return Start::open;
+    return around_origin(true) ? Start::enters : Start::open;
   }
 
   Outcome outcome = Outcome::not_converged;
@@ -258,16 +253,23 @@ class CertifiedCast {
       proof = start;
       return true;
     }
+    const auto portals = around_origin(false);
+    if (portals) overlap(portals->first, portals->second);
+    return portals.has_value();
+  }
+  // Portals on either side of the origin along a line of kSkew, or, `strictly`, with C's inside between them.
+  [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
+    const auto beyond = [&](const ProvedPortal& one) {
+      return one.found && (strictly ? one.upper < 0 : one.upper <= 0);
+    };
     for (const auto& [x, y, z] : kSkew) {
       const Vec3<double> d(x, y, z);
-      const ProvedPortal in = along(d, false).enter({}, gap());
-      if (!in.found || !(in.upper <= 0)) continue;
-      const ProvedPortal out = along(d, true).enter({}, gap());
-      if (!out.found || !(out.upper <= 0)) continue;
-      overlap(in, out);
-      return true;
+      const ProvedPortal in = along(d, false, strictly).enter({}, gap());
+      if (!beyond(in)) continue;
+      const ProvedPortal out = along(d, true, strictly).enter({}, gap());
+      if (beyond(out)) return std::pair(in, out);
     }
-    return false;
+    return std::nullopt;
   }
 
   void bound_below(const PortalSearch<double>& search) {

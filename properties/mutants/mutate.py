@@ -95,7 +95,7 @@ class Sample:
                     text = text[:site.start] + code.encode() + b"\n" * lines + text[site.end:]
                 if here:
                     text = text.replace(b"#pragma once",
-                                        b"#pragma once  // NOLINT\n#include \"properties/mutants/mutants.hpp\"\n"
+                                        b"#pragma once\n#include \"properties/mutants/mutants.hpp\"\n"
                                         b"#line %d" % (text[:text.index(b"#pragma once")].count(b"\n") + 2), 1)
                 target = os.path.join(folder, relative)
                 os.makedirs(os.path.dirname(target), exist_ok=True)
