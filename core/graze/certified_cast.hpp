@@ -110,13 +110,14 @@ class CertifiedCast {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
     if (away.toi_lower == kInfinity<double>) return Start::leaves;
-    // Both hold the line strictly, so C's inside is between them: ahead, or around a body at rest.
-    const ProvedPortal in = view(false, true).enter({}, gap()), out = view(true, true).enter({}, gap());
-    if (cso_.moves()) {
-      if (!in.found || !out.found) return Start::open;
-      return -out.upper > std::max(in.upper, 0.0) ? Start::enters : Start::open;
+    // What is between a portal where the line enters C and one where it leaves may be inside C: ahead, or
+    // around a body at rest. And from C's inside every motion stays there for a while.
+    const ProvedView<S> ahead = view(false);
+    const ProvedPortal in = ahead.enter({}, gap()), out = leave();
+    if (in.found && out.found && ahead.passes_inside(in, out)) {
+      const bool here = in.upper < 0 && out.upper < 0;
+      if (cso_.moves() ? -out.upper > std::max(in.upper, 0.0) : here) return Start::enters;
     }
-    if (in.found && out.found && in.upper < 0 && out.upper < 0) return Start::enters;
     return around_origin(true) ? Start::enters : Start::open;
   }
 
@@ -132,22 +133,20 @@ class CertifiedCast {
   [[nodiscard]] double gap() const { return 32 * kUnitRoundoff<double> * cso_.scale(); }
 
   // The line of the motion or, where nothing moves, of a direction from the origin to the middle of C.
-  [[nodiscard]] ProvedView<S> view(bool backwards, bool strictly = false) const {
+  [[nodiscard]] ProvedView<S> view(bool backwards) const {
     if (!cso_.moves()) {
       const Vec3<double> d = cso_.middle();
-      return along(d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d), backwards,
-                   strictly);
+      return along(d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d), backwards);
     }
     Vec3<double> from = wide(a_.displacement), to = wide(b_.displacement);
     if (backwards) std::swap(from, to);
-    return {points_, scaled_by(apart_exactly(to, from), power_of_two(-cso_.speed_exponent())), from, to,
-            strictly};
+    return {points_, scaled_by(apart_exactly(to, from), power_of_two(-cso_.speed_exponent())), from, to};
   }
   // A line through the origin along d.
-  [[nodiscard]] ProvedView<S> along(const Vec3<double>& d, bool backwards, bool strictly = false) const {
+  [[nodiscard]] ProvedView<S> along(const Vec3<double>& d, bool backwards) const {
     const Vec3<double> zero = Vec3<double>::Zero();
     const Vec3<double>&from = backwards ? d : zero, &to = backwards ? zero : d;
-    return {points_, apart_exactly(to, from), from, to, strictly};
+    return {points_, apart_exactly(to, from), from, to};
   }
   static TwoDoubles3 apart_exactly(const Vec3<double>& to, const Vec3<double>& from) {
     TwoDoubles3 r;
@@ -257,17 +256,16 @@ class CertifiedCast {
     if (portals) overlap(portals->first, portals->second);
     return portals.has_value();
   }
-  // Portals on either side of the origin along a line of kSkew, or, `strictly`, with C's inside between them.
+  // Portals on either side of the origin along a line of kSkew, or, `strictly`, with the origin inside of
+  // their hull.
   [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
-    const auto beyond = [&](const ProvedPortal& one) {
-      return one.found && (strictly ? one.upper < 0 : one.upper <= 0);
-    };
     for (const auto& [x, y, z] : kSkew) {
-      const Vec3<double> d(x, y, z);
-      const ProvedPortal in = along(d, false, strictly).enter({}, gap());
-      if (!beyond(in)) continue;
-      const ProvedPortal out = along(d, true, strictly).enter({}, gap());
-      if (beyond(out)) return std::pair(in, out);
+      const ProvedView<S> view = along(Vec3<double>(x, y, z), false);
+      const ProvedPortal in = view.enter({}, gap());
+      if (!in.found || !(strictly ? in.upper < 0 : in.upper <= 0)) continue;
+      const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap());
+      if (!out.found || !(strictly ? out.upper < 0 : out.upper <= 0)) continue;
+      if (!strictly || view.passes_inside(in, out)) return std::pair(in, out);
     }
     return std::nullopt;
   }

@@ -19,6 +19,8 @@
 // the corner's own height and of what is left of the others', 3 e (1 + |k| + |m|) in all.
 #pragma once
 
+#include <algorithm>
+
 #include <graze/named_point.hpp>
 
 namespace graze::detail {
@@ -41,10 +43,10 @@ struct ProvedPortal {
 template <Scalar S>
 class ProvedView {
  public:
-  // r = to - from, times a power of two. `strictly`: the line has to pass the triangle's inside.
+  // r = to - from, times a power of two.
   ProvedView(const NamedPoints<S>& points, const TwoDoubles3& r, const Vec3<double>& from,
-             const Vec3<double>& to, bool strictly)
-      : points_(points), r_(r), from_(from), to_(to), strictly_(strictly) {
+             const Vec3<double>& to)
+      : points_(points), r_(r), from_(from), to_(to) {
     for (std::size_t i = 1; i < 3; ++i) {
       if (std::abs(r[i].hi) > std::abs(r[c_].hi)) c_ = i;
     }
@@ -74,9 +76,36 @@ class ProvedView {
     return out;
   }
 
+  // Is what of the line lies between two portals, the one where it enters C and the one where it leaves,
+  // inside C? So it is where, seen along the line, points of C surround it: the portals' corners, and others,
+  // sought beyond the two that leave the widest gap.
+  [[nodiscard]] bool passes_inside(const ProvedPortal& in, const ProvedPortal& out) const {
+    Corners corner;
+    std::size_t size = 0;
+    for (const ProvedPortal* portal : {&in, &out}) {
+      for (const ProvedPoint& p : portal->p) corner[size++] = p;
+    }
+    for (int step = 0; step < kGapSteps; ++step) {
+      if (surround(corner, size)) return true;
+      for (const int turn : {1, -1}) {
+        const ProvedPoint* last = nullptr;
+        for (std::size_t i = 0; i < size; ++i) {
+          const bool far = last == nullptr || across(corner[i]).norm() > across(*last).norm();
+          if (far && !has_next(corner[i], corner, size, turn)) last = &corner[i];
+        }
+        if (last == nullptr) continue;
+        const Vec3<double> q = across(*last);
+        corner[size++] = placed(points_.along(world(-turn * q[1], turn * q[0], 0)));
+      }
+    }
+    return surround(corner, size);
+  }
+
  private:
   static constexpr int kSteps = 96;  // of discovery, and of refinement: 20 are typical
   static constexpr int kAsideSteps = 8;
+  static constexpr int kGapSteps = 4;
+  using Corners = std::array<ProvedPoint, 6 + 2 * kGapSteps>;
   // Radians: a tilt costs a curved point its square in depth, a flat end the tilt itself; the middle one
   // first.
   static constexpr std::array<double, 3> kTiltSizes = {1e-9, 1e-12, 1e-7};
@@ -101,6 +130,36 @@ class ProvedView {
     return out;
   }
 
+  // x_j y_k - y_j x_k. Twice the error that the formula gives: sizes and the bound itself are rounded.
+  struct Area {
+    TwoDoubles l;
+    double error;
+    [[nodiscard]] int sign() const { return value(l) > error ? 1 : value(l) < -error ? -1 : 0; }
+  };
+  [[nodiscard]] Area area(const ProvedPoint& j, const ProvedPoint& k) const {
+    const double size_j = std::max(std::abs(j.x.hi), std::abs(j.y.hi));
+    const double size_k = std::max(std::abs(k.x.hi), std::abs(k.y.hi));
+    return {j.x * k.y + -(j.y * k.x),
+            2 * (2 * error_ * (size_j + size_k) + 2 * error_ * error_ + 0x1p-95 * size_j * size_k)};
+  }
+
+  static Vec3<double> across(const ProvedPoint& p) { return {value(p.x), value(p.y), 0}; }
+  // Is one of the corners less than half a turn ahead, beyond doubt, seen along the line?
+  [[nodiscard]] bool has_next(const ProvedPoint& p, const Corners& corner, std::size_t size, int turn) const {
+    return std::any_of(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(size),
+                       [&](const ProvedPoint& next) { return turn * area(p, next).sign() > 0; });
+  }
+  // Does no half-plane hold the corners? While one has no next it is left out: a half-plane's go one by one,
+  // the last first.
+  [[nodiscard]] bool surround(Corners corner, std::size_t size) const {
+    for (std::size_t i = 0; i < size;) {
+      const bool stays = has_next(corner[i], corner, size, 1);
+      if (!stays) corner[i] = corner[--size];
+      i = stays ? i + 1 : 0;
+    }
+    return size > 0;
+  }
+
   struct Weights {
     bool holds = false;  // the line, in the triangle or on its border
     std::array<TwoDoubles, 3> l;
@@ -123,15 +182,11 @@ class ProvedView {
     std::array<int, 3> sign;
     int side = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const ProvedPoint &j = p[(i + 1) % 3], &k = p[(i + 2) % 3];
-      out.l[i] = j.x * k.y + -(j.y * k.x);
-      const double size_j = std::max(std::abs(j.x.hi), std::abs(j.y.hi));
-      const double size_k = std::max(std::abs(k.x.hi), std::abs(k.y.hi));
-      // Twice what the formula says: sizes and the bound itself are rounded.
-      out.error[i] = 2 * (2 * error_ * (size_j + size_k) + 2 * error_ * error_ + 0x1p-95 * size_j * size_k);
-      out.errors += out.error[i];
-      const double l = value(out.l[i]);
-      sign[i] = l > out.error[i] ? 1 : l < -out.error[i] ? -1 : 0;
+      const Area opposite = area(p[(i + 1) % 3], p[(i + 2) % 3]);
+      out.l[i] = opposite.l;
+      out.error[i] = opposite.error;
+      out.errors += opposite.error;
+      sign[i] = opposite.sign();
       if (sign[i] * side < 0) return out;
       if (sign[i] != 0) side = sign[i];
       out.sum = out.sum + out.l[i];
@@ -139,7 +194,6 @@ class ProvedView {
     if (!(std::abs(value(out.sum)) > 16 * out.errors)) return out;
     for (std::size_t i = 0; i < 3; ++i) {
       if (sign[i] != 0) continue;
-      if (strictly_) return out;
       const int s = exact_sign(p[(i + 1) % 3], p[(i + 2) % 3]);
       if (s == 2 || s * side < 0) return out;
     }
@@ -313,7 +367,6 @@ class ProvedView {
   const NamedPoints<S>& points_;
   TwoDoubles3 r_;
   Vec3<double> from_, to_;
-  bool strictly_;
   std::size_t a_ = 0, b_ = 0, c_ = 0;
   TwoDoubles rho_a_, rho_b_;
   double error_ = 0;

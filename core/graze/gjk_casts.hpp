@@ -56,14 +56,15 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   const int iterations = counters.iterations;
   const Sweep<S> above = mpr_sweep(cso, limits, counters);
   counters.iterations = iterations;
+  // A miss, a later lower end, or a contact that this search has passed, within rounding at a graze: then the
+  // whole of MPR's answer stands, since the end of one bracket is no contact of the other.
+  if (above.outcome == Outcome::miss || above.lower > out.lower || above.upper < out.lower) {
+    out = above;
+    return;
+  }
   out.outcome = above.outcome;
   out.contact = above.contact;
-  out.upper = std::max(above.upper, out.lower);
-  if (above.outcome == Outcome::miss || above.lower > out.lower) {
-    out.lower = std::min(above.lower, out.upper);
-    out.apart = kInfinity<S>;
-    out.n = above.n;
-  }
+  out.upper = above.upper;
 }
 
 }  // namespace detail

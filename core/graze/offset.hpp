@@ -55,6 +55,12 @@ inline TwoDoubles operator/(TwoDoubles x, TwoDoubles y) {
   return two_sum(first, rest.hi / y.hi);
 }
 
+// x t for a time of any size: a double from 2^996 on has no halves.
+inline TwoDoubles times(TwoDoubles x, double t) {
+  const double power = t > 0x1p500 ? 0x1p500 : 1.0;
+  return TwoDoubles{x.hi * power, x.lo * power} * TwoDoubles{t / power, 0};
+}
+
 using TwoDoubles3 = std::array<TwoDoubles, 3>;
 inline TwoDoubles3 operator+(const TwoDoubles3& x, const TwoDoubles3& y) {
   return {x[0] + y[0], x[1] + y[1], x[2] + y[2]};

@@ -39,7 +39,8 @@ struct PenetrationResult {
   // the supporting normal where the line leaves C. miss: an axis that separates the bodies.
   Vec3<S> normal = Vec3<S>::Zero();
   // initially_overlapping, when asked for: world points of A and of B, point_a - point_b = depth normal
-  // (along d: depth d/|d|), which the move brings together.
+  // (along d: depth d/|d|), which the move brings together: up to kappa u scale along the normal, and
+  // sideways by the root of 2 depth times that: |x - depth n|^2 <= 2 depth (depth - n.x) for |x| <= depth.
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
   Counters counters;
 };

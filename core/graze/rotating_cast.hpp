@@ -297,7 +297,7 @@ class RotatingCast {
     for (int i = 0; i < 3; ++i) {
       const TwoDoubles origin =
           (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
-          two_product(double(a_.body.displacement[i]), t);
+          times({double(a_.body.displacement[i]), 0}, t);
       const auto world = [&](double rel) {
         const TwoDoubles sum = origin + TwoDoubles{cso.to_length(rel), 0};
         return static_cast<S>(sum.hi + sum.lo);

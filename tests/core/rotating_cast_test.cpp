@@ -323,6 +323,26 @@ TEST(RotatingCast, RefusesWhatItCannotAnswer) {
   EXPECT_NEAR(ray.toi_lower, 48, 1e-10);
 }
 
+// A product of two doubles splits its factors, and from 2^996 on a time has no halves.
+TEST(RotatingCast, TimesOfAnySize) {
+  const RotatingBody<double> a{.body = {.shape = Box<double>{{1, 1, 1}}}};
+  RotatingBody<double> b{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {0, 4, 0}}};
+  for (const RotatingMethod method : kAll) {
+    auto options = with<double>(method);
+    options.t_max = 0x1p997;
+    EXPECT_EQ(cast(a, b, options).outcome, Outcome::miss);
+  }
+  b.body.displacement = {0, -0x1p-190, 0};
+  for (const RotatingMethod method :
+       {RotatingMethod::conservative_advancement, RotatingMethod::bilateral_advancement}) {
+    auto options = with<double>(method);
+    options.t_max = 0x1p997;
+    const auto r = cast(a, b, options);
+    ASSERT_EQ(r.outcome, Outcome::hit);
+    EXPECT_NEAR(r.toi_lower, 0x1p191, 0x1p150);
+  }
+}
+
 TEST(RotatingCast, WithoutATurnEveryMethodGivesTheLinearAnswer) {
   Draw draw{83};
   int hits = 0;

@@ -74,7 +74,7 @@ class MovingPair {
     t_ = t;
     TwoDoubles3 d = pivots_;
     if (t != 0) {
-      for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + velocity_[i] * TwoDoubles{t, 0};
+      for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
     }
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
     cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,

@@ -1,0 +1,137 @@
+// What a cast's tolerance may change, and what it may not; that the work is counted; and parts of an answer
+// that a right time does not show to be right.
+#include <gtest/gtest.h>
+
+#include <graze/cast.hpp>
+
+#include "tests/core/draw.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+
+constexpr Method kMethods[] = {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep};
+
+Body<double> flying(Draw& draw) {
+  return {.shape = Ellipsoid<double>{{0.5, 0.25, 0.75}},
+          .position = {draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), -4},
+          .orientation = draw.turn<double>(),
+          .displacement = {0, 0, 8}};
+}
+
+TEST(CastOptions, AToleranceSparesWork) {
+  Draw draw{81};
+  for (const Method method : kMethods) {
+    int loose = 0, fine = 0;
+    for (int round = 0; round < 100; ++round) {
+      const Body<double> a{.shape = Cone<double>{1, 0.5}, .orientation = draw.turn<double>()},
+          b = flying(draw);
+      loose += cast(a, b, {.method = method, .tolerance = 1e-2}).counters.supports;
+      fine += cast(a, b, {.method = method, .tolerance = 1e-10}).counters.supports;
+    }
+    EXPECT_LT(loose, 0.75 * fine) << static_cast<int>(method);
+  }
+}
+
+// A start that is apart by less than the tolerance, and parts.
+TEST(CastOptions, AToleranceMakesNoContactOfANearStart) {
+  for (const Method method : kMethods) {
+    for (const double gap : {1e-3, 1e-5, 1e-7}) {
+      const Body<double> a{.shape = Sphere<double>{1}},
+          b{.shape = Ellipsoid<double>{{1, 2, 1}}, .position = {2 + gap, 0, 0}, .displacement = {1, 0.5, 0}};
+      const auto r = cast(a, b, {.method = method, .tolerance = 1e-2});
+      EXPECT_EQ(r.outcome, Outcome::miss) << static_cast<int>(method) << ' ' << gap;
+    }
+  }
+}
+
+TEST(CastOptions, EveryHitCountsItsSteps) {
+  Draw draw{83};
+  int hits = 0;
+  for (const Method method : kMethods) {
+    for (int round = 0; round < 50; ++round) {
+      const Body<double> a{.shape = Box<double>{{1, 0.5, 0.75}}, .orientation = draw.turn<double>()};
+      Body<double> b = flying(draw);
+      b.shape = Box<double>{{0.5, 0.25, 0.75}};
+      const auto r = cast(a, b, {.method = method});
+      if (r.outcome != Outcome::hit) continue;
+      ++hits;
+      EXPECT_GT(r.counters.iterations, 0);
+      EXPECT_GT(r.counters.portal_steps + r.counters.gjk_iterations, 0) << static_cast<int>(method);
+      EXPECT_GE(r.counters.supports, 4) << static_cast<int>(method);
+    }
+  }
+  EXPECT_GT(hits, 100);
+}
+
+// Contact is near enough where the path enters the bounds: their axis is the normal.
+TEST(CastOptions, ALooseToleranceHasANormal) {
+  for (const Method method : kMethods) {
+    const Body<double> a{.shape = rounded<double>(Box<double>{{1, 1, 1}}, 0.125)},
+        b{.shape = Sphere<double>{0.5}, .position = {-4, 0.25, 0.5}, .displacement = {8, 0, 0}};
+    const auto r = cast(a, b, {.method = method, .tolerance = 1e-2});
+    ASSERT_EQ(r.outcome, Outcome::hit);
+    EXPECT_LT(r.normal[0], -0.99) << static_cast<int>(method);
+  }
+}
+
+// The triangle's edges are nearly one direction: what their products leave is 2^-48 of them.
+TEST(CastOptions, TheExactNormalOfASliver) {
+  const double m = 0x1p45;
+  const Vec3<double> p(m, m + 1, m), q = 2 * p + Vec3<double>(1, 1, 0);
+  const Vec3<double> middle = (p + q) / 3;
+  const Body<double> a{.shape = Triangle<double>{{0, 0, 0}, p, q}};
+  const Body<double> b{.shape = Point<double>{},
+                       .position = middle + Vec3<double>(-m, m, 0),
+                       .displacement = {2 * m, -2 * m, 0}};
+  const auto r = cast(a, b, {.tier = Tier::exact});
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  // p x (q - 2 p) = (-m, m, -1).
+  const double length = std::sqrt(2.0);
+  EXPECT_NEAR(r.normal[0], -1 / length, 1e-15);
+  EXPECT_NEAR(r.normal[1], 1 / length, 1e-15);
+  EXPECT_NEAR(r.normal[2] * m, -1 / length, 1e-15);
+}
+
+// In float toi_lower is rounded down: there the bodies are apart by what that is worth, and the answer says
+// so.
+TEST(CastOptions, ACertifiedDistanceCoversTheRounding) {
+  Draw draw{84};
+  int apart = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Body<float> a{.shape = Sphere<float>{1}};
+    const Body<float> b{.shape = Sphere<float>{0.5F},
+                        .position = draw.vector<float>(0.75) + Vec3<float>(0, 0, -4),
+                        .displacement = {0, 0, 7.3F}};
+    const auto r = cast(a, b, {.tier = Tier::certified});
+    ASSERT_EQ(r.outcome, Outcome::hit);
+    const Vec3<double> x =
+        b.position.cast<double>() + double(r.toi_lower) * b.displacement.cast<double>().eval();
+    const double distance = x.norm() - 1.5;
+    EXPECT_GE(r.distance, distance - 1e-14) << round;
+    apart += distance > 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(apart, 50);
+}
+
+TEST(CastOptions, BoundsHoldTheCorners) {
+  Draw draw{85};
+  for (int round = 0; round < 50; ++round) {
+    const std::array<Vec3<double>, 3> p = {draw.vector<double>(2), draw.vector<double>(2),
+                                           draw.vector<double>(2)};
+    const auto triangle = detail::bounds<double>(Triangle<double>{p[0], p[1], p[2]});
+    const auto segment = detail::bounds<double>(Segment<double>{p[0], p[1]});
+    for (const Vec3<double>& x : p) {
+      const Vec3<double> off = (x - triangle.center - triangle.middle).cwiseAbs() - triangle.half;
+      EXPECT_LE(off.maxCoeff(), 1e-15) << round;
+    }
+    for (const Vec3<double>& x : {p[0], p[1]}) {
+      const Vec3<double> off = (x - segment.center - segment.middle).cwiseAbs() - segment.half;
+      EXPECT_LE(off.maxCoeff(), 1e-15) << round;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze
