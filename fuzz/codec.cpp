@@ -51,7 +51,7 @@ Shape<double> blank(unsigned kind) { return blank(kind, std::make_index_sequence
 
 class Reader {
  public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  Reader(std::span<const std::uint8_t> bytes, Adjacency adjacency) : bytes_(bytes), adjacency_(adjacency) {}
 
   std::uint8_t byte() { return at_ < bytes_.size() ? bytes_[at_++] : std::uint8_t{0}; }
 
@@ -87,6 +87,7 @@ class Reader {
   }
 
   [[nodiscard]] std::span<const std::uint8_t> rest() const { return bytes_.subspan(at_); }
+  [[nodiscard]] bool asks_adjacency() const { return asks_adjacency_; }
 
  private:
   double kept(double x) {
@@ -134,8 +135,10 @@ class Reader {
     for (Vec3<double>& v : vertices) v = vector();
     const bool finite =
         std::all_of(vertices.begin(), vertices.end(), [](const Vec3<double>& v) { return v.allFinite(); });
-    hull = (head & kAdjacency) && finite ? with_adjacency<double>(vertices)
-                                         : Hull<double>(std::span<const Vec3<double>>(vertices));
+    const bool asks = (head & kAdjacency) && finite;
+    asks_adjacency_ = asks_adjacency_ || asks;
+    hull = asks && adjacency_ == Adjacency::derived ? with_adjacency<double>(vertices)
+                                                    : Hull<double>(std::span<const Vec3<double>>(vertices));
   }
   Vec3<double> extents() {
     const double x = extent(), y = extent(), z = extent();
@@ -205,6 +208,8 @@ class Reader {
   }
 
   std::span<const std::uint8_t> bytes_;
+  Adjacency adjacency_;
+  bool asks_adjacency_ = false;
   std::size_t at_ = 0;
   std::array<double, 16> earlier_{};
   std::size_t count_ = 0;
@@ -213,6 +218,8 @@ class Reader {
 
 class Writer {
  public:
+  explicit Writer(bool ask_adjacency) : ask_adjacency_(ask_adjacency) {}
+
   Bytes bytes;
 
   void word(std::uint64_t bits, int count) {
@@ -327,7 +334,8 @@ class Writer {
     extent(s.half_height);
   }
   void numbers(const Hull<double>& hull) {
-    bytes.push_back(static_cast<std::uint8_t>((hull.size() - 1) | (hull.has_adjacency() ? kAdjacency : 0u)));
+    const bool asks = ask_adjacency_ || hull.has_adjacency();
+    bytes.push_back(static_cast<std::uint8_t>((hull.size() - 1) | (asks ? kAdjacency : 0u)));
     for (const Vec3<double>& v : hull.vertices()) vector(v);
   }
   void numbers(const Posed<double>& p) {
@@ -344,6 +352,8 @@ class Writer {
     bytes.push_back(static_cast<std::uint8_t>(s.shapes.size() - 1));
     for (const SharedShape<double>& one : s.shapes) part(one);
   }
+
+  bool ask_adjacency_;
 };
 
 bool turned(const Quaternion<double>& q) {
@@ -380,8 +390,8 @@ bool too_large(const SharedShape<double>& part, unsigned nested) {
 
 }  // namespace
 
-Decoded decode_with_tail(std::span<const std::uint8_t> bytes) {
-  Reader reader(bytes);
+Decoded decode_with_tail(std::span<const std::uint8_t> bytes, Adjacency adjacency) {
+  Reader reader(bytes, adjacency);
   const unsigned head = reader.byte();
   const unsigned more = head & kMore ? reader.byte() : 0u;
   Case problem;
@@ -398,12 +408,12 @@ Decoded decode_with_tail(std::span<const std::uint8_t> bytes) {
   if (more & kPassOver) problem.start_policy = corpus::StartPolicy::pass_over;
   if (more & kAsked) problem.query = static_cast<corpus::Query>(reader.byte() % kQueries);
   if (more & kDirected) problem.direction = reader.vector();
-  return {std::move(problem), reader.rest()};
+  return {std::move(problem), reader.rest(), reader.asks_adjacency()};
 }
 
 Case decode(std::span<const std::uint8_t> bytes) { return decode_with_tail(bytes).problem; }
 
-std::optional<Bytes> encode(const Case& problem) {
+std::optional<Bytes> encode(const Case& problem, bool ask_adjacency) {
   if (too_large(problem.a.shape, 0) || too_large(problem.b.shape, 0)) return std::nullopt;
   const bool a_turned = turned(problem.a.orientation), b_turned = turned(problem.b.orientation);
   const bool horizon = problem.t_max != 1;
@@ -414,7 +424,7 @@ std::optional<Bytes> encode(const Case& problem) {
       flag(given(problem.spin_b.rotation), kRotationB) | flag(given(problem.spin_b.pivot), kPivotB) |
       flag(problem.start_policy == corpus::StartPolicy::pass_over, kPassOver) |
       flag(problem.query != corpus::Query::cast, kAsked) | flag(given(problem.direction), kDirected);
-  Writer writer;
+  Writer writer(ask_adjacency);
   const unsigned head = flag(a_turned, kTurnedA) | flag(b_turned, kTurnedB) | flag(horizon, kHorizon) |
                         flag(target, kTarget) | flag(more != 0, kMore);
   writer.bytes.push_back(static_cast<std::uint8_t>(head));

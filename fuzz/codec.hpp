@@ -45,14 +45,21 @@ using Bytes = std::vector<std::uint8_t>;
 // Total: NaN, infinities, negative extents, empty hulls, missing parts and q = 0 come out too, but seldom.
 [[nodiscard]] corpus::Case decode(std::span<const std::uint8_t> bytes);
 
+// Whether hulls that ask for adjacency get it: its exact arithmetic is the most of decoding a large hull, and
+// who only changes numbers needs none.
+enum class Adjacency : std::uint8_t { derived, left_out };
+
 struct Decoded {
   corpus::Case problem;
   std::span<const std::uint8_t> tail;  // of the bytes given
+  bool asks_adjacency = false;         // some hull does
 };
-[[nodiscard]] Decoded decode_with_tail(std::span<const std::uint8_t> bytes);
+[[nodiscard]] Decoded decode_with_tail(std::span<const std::uint8_t> bytes,
+                                       Adjacency adjacency = Adjacency::derived);
 
 // decode(encode(c)) has c's numbers, bit for bit. Nothing for a hull of more than 128 vertices, a combinator
-// of more than three parts or more than three deep. A hull's adjacency is derived anew.
-[[nodiscard]] std::optional<Bytes> encode(const corpus::Case& problem);
+// of more than three parts or more than three deep. A hull's adjacency is derived anew; `ask_adjacency` asks
+// it for hulls that have none, too.
+[[nodiscard]] std::optional<Bytes> encode(const corpus::Case& problem, bool ask_adjacency = false);
 
 }  // namespace graze::fuzz

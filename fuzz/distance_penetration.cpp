@@ -1,7 +1,7 @@
 // Does any query beside the cast answer wrongly: overlap, distance, penetration, the line?
 //
 //   1  decode;
-//   2  choose a method of a query by the tail or a hash; where no law applies to it, the next;
+//   2  choose a method of a query by the choice; where no law applies to it, the next;
 //   3  check every law of queries that needs no oracle;
 //   4  on one case in kOneIn, those that need one.
 #include "corpus/names.hpp"

@@ -3,7 +3,7 @@
 //   1  decode; the points are the vertices of A, of B, or of both; where there are fewer than four, all
 //   numbers
 //      of the case in threes;
-//   2  in float or double, by the tail or a hash;
+//   2  in float or double, by the choice;
 //   3  CGAL's hull of the same points judges adjacency, vertices, supports and hints (hull_law.hpp).
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Does the checker accept a proof that claims too much?
 //
 //   1  decode; a case with a spin is asked as a rotating cast, any other as a linear one;
-//   2  take the proof of a method that the tail or a hash chooses, or none, and spoil it (spoil_proof.hpp);
+//   2  take the proof of a method that the choice names, or none, and spoil it (spoil_proof.hpp);
 //   3  what the checker accepts must be true. A method that found another proof is asked first: a claim that
 //      its bracket holds needs nobody else. The oracle decides about the rest;
 //   4  an accepted proof stays accepted when it claims less.

@@ -1,7 +1,7 @@
 // Does an exact edit of a case change what a method answers?
 //
 //   1  decode;
-//   2  choose a law that needs the method alone, and the method, by the tail or a hash;
+//   2  choose a law that needs the method alone, and the method, by the choice;
 //   3  check it; where it does not apply try the next laws, kTries at most.
 #include <vector>
 

@@ -33,6 +33,12 @@ bool never_negative(Slot slot) {
   return slot == Slot::extent || slot == Slot::horizon || slot == Slot::target;
 }
 
+// To the last bit where tier exact answers, else within rounding. Quick: mutating must not cost more than
+// judging, as tier certified does of curved shapes.
+engine::Answer first_contact(const Case& linear) {
+  return engine::find_method(engine::is_exact_question(linear) ? "exact" : "gjk")->cast(linear, {});
+}
+
 class Mover {
  public:
   Mover(Case problem, Random& random) : case_(std::move(problem)), random_(random) {}
@@ -175,7 +181,7 @@ class Mover {
     linear.spin_a = linear.spin_b = {};
     linear.query = corpus::Query::cast;
     if (random_.once_in(2)) {
-      const engine::Answer answer = engine::find_method("certified")->cast(linear, {});
+      const engine::Answer answer = first_contact(linear);
       if (answer.outcome != Outcome::hit) return false;
       // So that first contact is at the start, at the end, or in the middle.
       const double t = answer.toi_lower, keep = any_of({0, 1, 0.5});
@@ -297,7 +303,7 @@ class Mover {
         Case linear = case_;
         linear.spin_a = linear.spin_b = {};
         linear.query = corpus::Query::cast;
-        const engine::Answer answer = engine::find_method("certified")->cast(linear, {});
+        const engine::Answer answer = first_contact(linear);
         if (answer.outcome != Outcome::hit) return false;
         case_.t_max = random_.once_in(2) ? answer.toi_lower : answer.toi_upper;
         return true;
@@ -395,7 +401,7 @@ std::optional<Case> moved(Move move, const Case& problem, Random& random) {
 
 std::optional<Bytes> mutated(std::span<const std::uint8_t> bytes, std::size_t most, std::uint64_t seed) {
   Random random(seed);
-  const Decoded decoded = decode_with_tail(bytes);
+  const Decoded decoded = decode_with_tail(bytes, Adjacency::left_out);
   Case problem = decoded.problem;
   bool any = false;
   const int moves = random.once_in(2) ? 1 : random.integer(2, 3);
@@ -410,7 +416,7 @@ std::optional<Bytes> mutated(std::span<const std::uint8_t> bytes, std::size_t mo
     ++i;
   }
   if (!any) return std::nullopt;
-  std::optional<Bytes> encoded = encode(problem);
+  std::optional<Bytes> encoded = encode(problem, decoded.asks_adjacency);
   if (!encoded) return std::nullopt;
   Bytes out = with_tail(*std::move(encoded), decoded.tail, random);
   return out.size() <= most ? std::optional(std::move(out)) : std::nullopt;
@@ -419,7 +425,8 @@ std::optional<Bytes> mutated(std::span<const std::uint8_t> bytes, std::size_t mo
 std::optional<Bytes> crossed(std::span<const std::uint8_t> one, std::span<const std::uint8_t> other,
                              std::size_t most, std::uint64_t seed) {
   Random random(seed);
-  const Decoded first = decode_with_tail(one), second = decode_with_tail(other);
+  const Decoded first = decode_with_tail(one, Adjacency::left_out),
+                second = decode_with_tail(other, Adjacency::left_out);
   Case child = first.problem;
   switch (random.below(4)) {
     case 0:
@@ -440,7 +447,8 @@ std::optional<Bytes> crossed(std::span<const std::uint8_t> one, std::span<const 
       child.b.shape = second.problem.b.shape;
       break;
   }
-  std::optional<Bytes> encoded = encode(child);
+  const bool asks = first.asks_adjacency && (second.asks_adjacency || random.once_in(2));
+  std::optional<Bytes> encoded = encode(child, asks);
   if (!encoded) return std::nullopt;
   Bytes out = with_tail(*std::move(encoded), random.once_in(2) ? first.tail : second.tail, random);
   return out.size() <= most ? std::optional(std::move(out)) : std::nullopt;

@@ -1,7 +1,7 @@
 // Does a plan spare what it must not, or simulate what it says it spares?
 //
 //   1  decode; the step is finite, the turns moderate;
-//   2  choose a law of the plan, or of turns that no plan simulates, and a method, by the tail or a hash;
+//   2  choose a law of the plan, or of turns that no plan simulates, and a method, by the choice;
 //   3  check it; where it does not apply try the next laws, each once.
 #include <vector>
 

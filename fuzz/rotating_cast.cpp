@@ -1,7 +1,7 @@
 // Does any rotating cast answer wrongly?
 //
 //   1  decode; the step is finite, the turns moderate;
-//   2  choose a method by the tail or a hash;
+//   2  choose a method by the choice;
 //   3  judge its answer by itself and by its proof;
 //   4  one case in kOneIn goes to the bracket oracle, which judges all of the answer.
 #include "fuzz/repair.hpp"

@@ -8,36 +8,50 @@
 #include "corpus/case_io.hpp"
 #include "fuzz/codec.hpp"
 #include "properties/case_edit.hpp"
+#include "properties/law_reach.hpp"
 
 namespace graze::fuzz {
 
+namespace {
+
+constexpr std::size_t kChoiceBytes = 8;
+
+// FNV-1a (Fowler, Noll, Vo), its bits spread.
+std::uint64_t hash_of_bytes(std::span<const std::uint8_t> bytes) {
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for (const std::uint8_t byte : bytes) h = (h ^ byte) * 0x100000001b3u;
+  return law::mix(h);
+}
+
+}  // namespace
+
 Input input_of(std::span<const std::uint8_t> bytes) {
   Decoded decoded = decode_with_tail(bytes);
-  Input input{.problem = std::move(decoded.problem), .choice = 0, .tail = decoded.tail};
-  if (decoded.tail.empty()) {
-    input.choice = law::hash_of(input.problem);
-  } else {
-    const std::size_t size = std::min<std::size_t>(decoded.tail.size(), 8);
-    for (std::size_t i = 0; i < size; ++i) {
-      input.choice |= static_cast<std::uint64_t>(decoded.tail[i]) << (8 * i);
-    }
+  const std::span<const std::uint8_t> tail = decoded.tail;
+  std::uint64_t choice = hash_of_bytes(bytes.first(bytes.size() - tail.size()));
+  for (std::size_t i = 0; i < std::min(tail.size(), kChoiceBytes); ++i) {
+    choice ^= static_cast<std::uint64_t>(tail[i]) << (8 * i);
   }
-  return input;
+  return {.problem = std::move(decoded.problem), .choice = choice, .tail = tail};
 }
 
 std::optional<Bytes> bytes_of(const corpus::Case& problem, const Input& like) {
   std::optional<Bytes> bytes = encode(problem);
   if (!bytes) return std::nullopt;
-  if (like.tail.empty()) {
-    for (int i = 0; i < 8; ++i) bytes->push_back(static_cast<std::uint8_t>(like.choice >> (8 * i)));
-  } else {
-    bytes->insert(bytes->end(), like.tail.begin(), like.tail.end());
+  const std::uint64_t first = hash_of_bytes(*bytes) ^ like.choice;
+  for (std::size_t i = 0; i < kChoiceBytes; ++i)
+    bytes->push_back(static_cast<std::uint8_t>(first >> (8 * i)));
+  if (like.tail.size() > kChoiceBytes) {
+    bytes->insert(bytes->end(), like.tail.begin() + kChoiceBytes, like.tail.end());
   }
   return bytes;
 }
 
 Judged judge(std::span<const std::uint8_t> bytes) {
-  return kTarget.judge_text ? kTarget.judge_text(bytes) : kTarget.judge(input_of(bytes));
+  Judged judged = kTarget.judge_text ? kTarget.judge_text(bytes) : kTarget.judge(input_of(bytes));
+  judged.known = judged.finding && law::is_known_breach(judged.finding->law, judged.finding->method);
+  if (judged.known) judged.finding.reset();
+  return judged;
 }
 
 namespace {

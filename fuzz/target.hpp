@@ -26,14 +26,16 @@ struct Finding {
 struct Judged {
   bool reached = false;  // some law looked at it; else the input was no question for this target
   bool by_oracle = false;
+  bool known = false;  // what broke is listed as a known failure (law_reach.hpp): no finding
   std::optional<Finding> finding;
 };
 
 // A case, and the choices that the target may draw about it.
 struct Input {
   corpus::Case problem;
-  // Of the tail's first eight bytes; of an input without a tail, of a hash of the case. The same while a
-  // finding is made small.
+  // A hash of the case's bytes, and the tail's first eight bytes added bit by bit. So a mutant of an input
+  // that drew the oracle draws anew: else a fuzzer, which keeps what reaches new code, would fill its corpus
+  // with such. The same while a finding is made small.
   std::uint64_t choice = 0;
   std::span<const std::uint8_t> tail;
 };

@@ -103,6 +103,7 @@ struct BracketTruth::Impl {
   Ball speed, horizon;         // |v|; min(T, T'), exact
   BallVec shift;
 
+  bool passes_over = false;  // the policy
   Outcome outcome = Outcome::not_converged;
   bool contact = false;
   Ball lower, upper;  // of the TOI, exact
@@ -142,7 +143,8 @@ BracketTruth::Impl::Impl(const corpus::Case& problem, double asked)
   const WorkingPrecision precision(bits);
   measure(problem);
   decide();
-  if (problem.start_policy == corpus::StartPolicy::pass_over && contact && outcome != Outcome::hit) {
+  passes_over = problem.start_policy == corpus::StartPolicy::pass_over;
+  if (passes_over && contact && outcome != Outcome::hit) {
     const std::optional<bool> leaves = leaves_or_slides();
     if (!leaves) {
       outcome = Outcome::not_converged;
@@ -343,6 +345,11 @@ Enclosure BracketTruth::depth() const {
     const WorkingPrecision precision(impl_->bits);
     const Depth3 depth = impl_->depth_of(impl_->swept(impl_->horizon, impl_->target), kDepthSlack);
     impl_->depth = {depth.lower.low_double(), depth.upper.high_double()};
+    if (impl_->passes_over && impl_->outcome == Outcome::initially_overlapping) {
+      const Depth3 ray = impl_->depth_of(impl_->swept(impl_->clipped(kInf), 0), kDepthSlack);
+      impl_->depth->low = std::min(impl_->depth->low, ray.lower.low_double());
+      impl_->depth->high = std::min(impl_->depth->high, ray.upper.high_double());
+    }
   }
   return *impl_->depth;
 }

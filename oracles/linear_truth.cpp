@@ -82,6 +82,7 @@ struct LinearTruth::Impl : IntegerScene {
   OptionalTime horizon;
   std::optional<LineDistance> line;  // for v != 0
 
+  bool passes_over = false;  // the policy
   Outcome outcome = Outcome::miss;
   Root toi;  // of a hit or a start in contact
   double lower = kInf, upper = kInf;
@@ -106,7 +107,8 @@ struct LinearTruth::Impl : IntegerScene {
   [[nodiscard]] Rational path_distance_sq(const Span& span) const;
   [[nodiscard]] bool sweeps_flat() const;
   void prepare_sides() const;
-  [[nodiscard]] Enclosure sweep_depth(const Span& span) const;
+  // Of the path over the span in P + ball(r).
+  [[nodiscard]] Enclosure sweep_depth(const Span& span, const Integer& r) const;
   // The larger of the distance of t v from C and the depth of the path over the span.
   [[nodiscard]] Enclosure end_error(double t, const Span& span) const;
 };
@@ -118,8 +120,8 @@ LinearTruth::Impl::Impl(const corpus::Case& problem) : IntegerScene(problem) {
   if (!(problem.t_max >= 0)) throw std::invalid_argument("t_max: it is below 0 or NaN");
   if (!std::isinf(problem.t_max)) horizon = Rational(problem.t_max);
   decide();
-  const bool contact = outcome == Outcome::initially_overlapping;
-  if (contact && problem.start_policy == corpus::StartPolicy::pass_over && leaves_or_slides()) {
+  passes_over = problem.start_policy == corpus::StartPolicy::pass_over;
+  if (passes_over && outcome == Outcome::initially_overlapping && leaves_or_slides()) {
     outcome = Outcome::miss;
   }
   if (outcome == Outcome::miss) return;
@@ -220,8 +222,8 @@ void LinearTruth::Impl::prepare_sides() const {
   }
 }
 
-Enclosure LinearTruth::Impl::sweep_depth(const Span& span) const {
-  if (sweeps_flat()) return short_of(path_distance_sq(span), radius);
+Enclosure LinearTruth::Impl::sweep_depth(const Span& span, const Integer& r) const {
+  if (sweeps_flat()) return short_of(path_distance_sq(span), r);
   prepare_sides();
   // Both ends over one denominator.
   Integer weight = 1, from, to;
@@ -245,13 +247,13 @@ Enclosure LinearTruth::Impl::sweep_depth(const Span& span) const {
       found = true;
     }
   }
-  if (!inside) return sgn(radius) == 0 ? Enclosure{} : short_of(path_distance_sq(span), radius);
+  if (!inside) return sgn(r) == 0 ? Enclosure{} : short_of(path_distance_sq(span), r);
   const Rational squared = fraction(best * best, best_normal_sq * weight * weight);
-  return enclose_radius_and_sqrt(length(radius), 1, length_sq(squared));
+  return enclose_radius_and_sqrt(length(r), 1, length_sq(squared));
 }
 
 Enclosure LinearTruth::Impl::end_error(double t, const Span& span) const {
-  const Enclosure distance = beyond(at(Rational(t)).distance_sq, radius), depth = sweep_depth(span);
+  const Enclosure distance = beyond(at(Rational(t)).distance_sq, radius), depth = sweep_depth(span, radius);
   return {std::max(distance.low, depth.low), std::max(distance.high, depth.high)};
 }
 
@@ -293,7 +295,11 @@ Enclosure LinearTruth::clearance() const {
 }
 
 Enclosure LinearTruth::depth() const {
-  return impl_->outcome == Outcome::miss ? Enclosure{} : impl_->sweep_depth(impl_->path(impl_->horizon));
+  if (impl_->outcome == Outcome::miss) return {};
+  const Enclosure path = impl_->sweep_depth(impl_->path(impl_->horizon), impl_->radius);
+  if (!impl_->passes_over || impl_->outcome != Outcome::initially_overlapping) return path;
+  const Enclosure ray = impl_->sweep_depth(impl_->path({}), impl_->shape_radius);
+  return {std::min(path.low, ray.low), std::min(path.high, ray.high)};
 }
 
 Enclosure LinearTruth::distance_at(double t) const {
@@ -304,7 +310,8 @@ Enclosure LinearTruth::distance_at(double t) const {
 Enclosure LinearTruth::depth_before(double t) const {
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0) return {};
-  return impl_->sweep_depth(impl_->path(std::isinf(t) ? OptionalTime() : OptionalTime(Rational(t))));
+  return impl_->sweep_depth(impl_->path(std::isinf(t) ? OptionalTime() : OptionalTime(Rational(t))),
+                            impl_->radius);
 }
 
 Enclosure LinearTruth::backward_error(double t) const {
@@ -332,7 +339,7 @@ Enclosure LinearTruth::lateness(double t) const {
   if (impl_->outcome == Outcome::miss || compare(t) <= 0) return {};
   // A claimed miss, or a time beyond T, is late by the whole path that the case has.
   const bool beyond_horizon = std::isinf(t) || (impl_->horizon && Rational(t) > *impl_->horizon);
-  return beyond_horizon ? impl_->sweep_depth(impl_->path(impl_->horizon)) : depth_before(t);
+  return beyond_horizon ? impl_->sweep_depth(impl_->path(impl_->horizon), impl_->radius) : depth_before(t);
 }
 
 Enclosure LinearTruth::normal_error(const Vec3<double>& n) const {
@@ -400,7 +407,7 @@ Enclosure LinearTruth::exit_error(double t) const {
   return line_depth();
 }
 
-Enclosure LinearTruth::line_depth() const { return impl_->sweep_depth({}); }
+Enclosure LinearTruth::line_depth() const { return impl_->sweep_depth({}, impl_->radius); }
 
 Enclosure LinearTruth::line_clearance() const {
   return impl_->beyond(impl_->path_distance_sq({}), impl_->radius);

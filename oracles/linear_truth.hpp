@@ -56,7 +56,8 @@ class LinearTruth {
   // Of a miss: the distance of the path from C; 0 otherwise.
   [[nodiscard]] Enclosure clearance() const;
   // Of a hit or a start in contact: the least translation after which the path over [0, T] misses; 0 of a
-  // miss.
+  // miss. Under the policy pass_over a start in contact is a miss, too, when it leaves or slides: after the
+  // depth of the whole ray in C without the target distance, if that is less.
   [[nodiscard]] Enclosure depth() const;
   // For finite t: the distance of t v from C; 0 inside.
   [[nodiscard]] Enclosure distance_at(double t) const;

@@ -35,19 +35,6 @@ std::vector<double> scalars(const Case& problem) {
   return all;
 }
 
-bool same_input(const Case& left, const Case& right) {
-  if (left.start_policy != right.start_policy) return false;
-  if (outline(left.a.shape) != outline(right.a.shape) || outline(left.b.shape) != outline(right.b.shape)) {
-    return false;
-  }
-  const std::vector<double> l = scalars(left), r = scalars(right);
-  if (l.size() != r.size()) return false;
-  for (std::size_t i = 0; i < l.size(); ++i) {
-    if (!(l[i] == r[i]) && !(std::isnan(l[i]) && std::isnan(r[i]))) return false;
-  }
-  return true;
-}
-
 bool in_domain(const Case& problem) {
   if (must_be_refused(problem)) return false;
   bool inside = true;

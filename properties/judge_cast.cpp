@@ -50,11 +50,24 @@ bool settled(const Answer& answer, const Proved& proved, double speed, double bo
   return proved.upper < kInfinity<double> && width * speed <= bound;
 }
 
+// Of tier certified, which is held to its width, a share of it.
+double settled_bound(const Case& problem, const EngineMethod& method) {
+  const double kappa_u =
+      method.is_certified() ? kSettledWidth : kappa(method, problem) * method.unit_roundoff;
+  return kappa_u * least_scale(problem);
+}
+
 std::string fault_by_oracle(const Case& problem, const EngineMethod& method, const Answer& answer) {
   return any_fault(method, problem, answer);
 }
 
 }  // namespace
+
+bool is_settled_by_proof(const Case& problem, const EngineMethod& method, const Answer& answer) {
+  if (!answer.proof) return false;
+  const Proved proved{.lower = answer.proof->toi_lower, .upper = answer.proof->toi_upper};
+  return settled(answer, proved, velocity(problem).stableNorm(), settled_bound(problem, method));
+}
 
 CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
   CastJudgement judgement;
@@ -103,11 +116,7 @@ CastJudgement judge_cast(const Case& problem, bool ask_oracle) {
       blame(i, exact_fault_by_truth(truth_of(problem), answer, false));
       continue;
     }
-    // Tier certified is held to its width, which every proof of its own shows.
-    const double kappa_u =
-        method.is_certified() ? kSettledWidth : kappa(method, problem) * method.unit_roundoff;
-    const double bound = kappa_u * least_scale(problem);
-    if (!ask_oracle && settled(answer, proved, speed, bound)) continue;
+    if (!ask_oracle && settled(answer, proved, speed, settled_bound(problem, method))) continue;
     if (!has_truth(problem)) continue;
     judgement.by_oracle = true;
     blame(i, fault_by_oracle(problem, method, answer));

@@ -29,6 +29,11 @@ struct CastJudgement {
   std::vector<Said> said;  // every side's answer
 };
 
+// Whether the answer's own proof shows it to be within its method's row: a verdict proved, or a bracket that,
+// joined with the proved one, is no wider than the row grants. The checker has accepted the proof.
+[[nodiscard]] bool is_settled_by_proof(const corpus::Case& problem, const engine::EngineMethod& method,
+                                       const engine::Answer& answer);
+
 [[nodiscard]] CastJudgement judge_cast(const corpus::Case& problem, bool ask_oracle);
 
 // The case as JSON, every number as a hexfloat, every side's answer, and the fault: several lines.

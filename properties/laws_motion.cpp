@@ -280,7 +280,8 @@ LawResult threshold_of_swept_overlap(const Case& problem, const EngineMethod& me
     }
     const Case until = method.seen(with_horizon(seen, std::min(end, seen.t_max)));
     // At the very end of the path the answer is the cast's.
-    if (!is_sound_edit(until, method) || (after && until.t_max < one.toi_upper)) continue;
+    const bool too_short = one.outcome == Outcome::hit && after && until.t_max < one.toi_upper;
+    if (too_short || !is_sound_edit(until, method)) continue;
     Case question = until;
     question.query = corpus::Query::swept_overlap;
     const engine::QueryAnswer said = swept->answer(question);

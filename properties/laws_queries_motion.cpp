@@ -253,8 +253,10 @@ LawResult target_is_rounding(const Case& problem, const QueryMethod& method) {
   auto question = question_of(problem, method);
   if (!question) return no_question();
   Case target = question->seen, round = question->seen;
-  if (target.target_distance == 0)
+  if (target.target_distance == 0) {
+    if (!(question->limit > 0)) return not_applicable("two points in one place have no scale to choose by");
     target.target_distance = std::scalbn(1.0, std::ilogb(question->limit / question->u) - 8);
+  }
   round.target_distance = 0;
   Body<double>& body = mix(hash_of(target)) & 1 ? round.a : round.b;
   body.shape = rounded<double>(std::move(body.shape), target.target_distance);

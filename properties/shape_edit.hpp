@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <graze/hull_graph.hpp>
 #include <optional>
@@ -48,6 +49,9 @@ struct ShapeMap {
     for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = f(Slot::orientation, *x);
     return q;
   }
+  static bool same_bits(double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  }
   SharedShape<double> part(const SharedShape<double>& given) const {
     return given ? share(map_shape(given->shape, f)) : nullptr;
   }
@@ -75,7 +79,14 @@ struct ShapeMap {
   }
   Shape<double> operator()(const Hull<double>& h) const {
     std::vector<Vec3<double>> vertices(h.vertices().begin(), h.vertices().end());
-    for (Vec3<double>& v : vertices) v = vector(Slot::vertex, v);
+    bool changed = false;
+    for (Vec3<double>& v : vertices) {
+      const Vec3<double> before = v;
+      v = vector(Slot::vertex, v);
+      for (int i = 0; i < 3; ++i) changed = changed || !same_bits(before[i], v[i]);
+    }
+    // Most visits only read: what they see needs no new adjacency.
+    if (!changed) return h;
     const bool sound =
         std::all_of(vertices.begin(), vertices.end(), [](const Vec3<double>& v) { return v.allFinite(); });
     if (h.has_adjacency() && sound) return with_adjacency<double>(vertices);

@@ -14,8 +14,9 @@
 //                          and contact is proved a little later: a verdict of contact, whichever it is at t =
 //                          0;
 //   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
-//   width, or
-//                          under pass_over where that much decides whether the start leaves.
+//                          width, or under pass_over where that much decides whether the start leaves;
+//                          or where a shape lies so far out in its own frame, 1e12 scale and more, that
+//                          a sum of two doubles loses it (named_point.hpp)
 //
 // How. Upper half: a portal of exactly named points (certified_portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
@@ -110,13 +111,14 @@ class CertifiedCast {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
     if (away.toi_lower == kInfinity<double>) return Start::leaves;
-    // What is between a portal where the line enters C and one where it leaves may be inside C: ahead, or
-    // around a body at rest. And from C's inside every motion stays there for a while.
+    // An n with h(n) <= 0 has n.v <= 0 where C has a point ahead on the line; and n.v = 0, too, only if seen
+    // along the line it keeps all of C in a half-plane. Where points of C surround the line none does. At
+    // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
+    // every motion stays there for a while.
     const ProvedView<S> ahead = view(false);
     const ProvedPortal in = ahead.enter({}, gap()), out = leave();
-    if (in.found && out.found && ahead.passes_inside(in, out)) {
-      const bool here = in.upper < 0 && out.upper < 0;
-      if (cso_.moves() ? -out.upper > std::max(in.upper, 0.0) : here) return Start::enters;
+    if (in.found && out.found && ahead.is_surrounded(in, out)) {
+      if (cso_.moves() ? out.upper < 0 : in.upper < 0 && out.upper < 0) return Start::enters;
     }
     return around_origin(true) ? Start::enters : Start::open;
   }
@@ -257,15 +259,17 @@ class CertifiedCast {
     return portals.has_value();
   }
   // Portals on either side of the origin along a line of kSkew, or, `strictly`, with the origin inside of
-  // their hull.
+  // their hull: beyond the doubt of their heights, or exactly. In a body that lies far out in its own frame
+  // the doubt may be more than the body.
   [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
     for (const auto& [x, y, z] : kSkew) {
       const ProvedView<S> view = along(Vec3<double>(x, y, z), false);
       const ProvedPortal in = view.enter({}, gap());
-      if (!in.found || !(strictly ? in.upper < 0 : in.upper <= 0)) continue;
+      if (!in.found || !(strictly || in.upper <= 0)) continue;
       const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap());
-      if (!out.found || !(strictly ? out.upper < 0 : out.upper <= 0)) continue;
-      if (!strictly || view.passes_inside(in, out)) return std::pair(in, out);
+      if (!out.found || !(strictly || out.upper <= 0)) continue;
+      const bool beyond_doubt = in.upper < 0 && out.upper < 0 && view.is_surrounded(in, out);
+      if (!strictly || beyond_doubt || surround(points_, in, out, true).found) return std::pair(in, out);
     }
     return std::nullopt;
   }

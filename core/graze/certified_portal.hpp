@@ -76,10 +76,10 @@ class ProvedView {
     return out;
   }
 
-  // Is what of the line lies between two portals, the one where it enters C and the one where it leaves,
-  // inside C? So it is where, seen along the line, points of C surround it: the portals' corners, and others,
-  // sought beyond the two that leave the widest gap.
-  [[nodiscard]] bool passes_inside(const ProvedPortal& in, const ProvedPortal& out) const {
+  // Do points of C surround the line, seen along it? The corners of two portals, the one where it enters C
+  // and the one where it leaves, and others, sought beyond the two that leave the widest gap. Then what of
+  // the line lies between the portals is inside of C, if anything does.
+  [[nodiscard]] bool is_surrounded(const ProvedPortal& in, const ProvedPortal& out) const {
     Corners corner;
     std::size_t size = 0;
     for (const ProvedPortal* portal : {&in, &out}) {

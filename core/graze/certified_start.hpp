@@ -13,8 +13,9 @@ struct Surrounding {
 
 // Volumes det(w_i, w_j, w_k): with m the largest coordinate, e the error of each, each of the six products of
 // three is within 3 e m^2 (1 + ...), and 2^-94 m^3 are rounded.
+// `strictly`: the origin is inside of their hull, not on its border.
 template <Scalar S>
-bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*, 4>& p) {
+bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*, 4>& p, bool strictly) {
   const double error = points.error();
   double most = 0;
   for (const NamedPoint* one : p) most = std::max(most, rounded_once(one->w).cwiseAbs().maxCoeff());
@@ -33,21 +34,23 @@ bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*,
     if (sign[i] * side < 0) return false;
     if (sign[i] != 0) side = sign[i];
   }
-  if (side == 0) return false;
   for (std::size_t i = 0; i < 4; ++i) {
     if (sign[i] != 0) continue;
     const NamedPoint &a = *p[(i + 1) % 4], &b = *p[(i + 2) % 4], &c = *p[(i + 3) % 4];
     if (!a.named || !b.named || !c.named) return false;
     const exact::Dyadic v = exact::dot(points.exactly(a), exact::cross(points.exactly(b), points.exactly(c)));
-    if (!v.valid() || (i % 2 == 0 ? 1 : -1) * v.sign() * side < 0) return false;
+    const int its = (i % 2 == 0 ? 1 : -1) * v.sign();
+    if (!v.valid() || its * side < 0 || (strictly && its == 0)) return false;
+    if (its != 0) side = its;
   }
-  return true;
+  return side != 0;
 }
 
 // Four of the corners of two portals, the one where a line through the origin enters C, the other where it
 // leaves.
 template <Scalar S>
-Surrounding surround(const NamedPoints<S>& points, const ProvedPortal& in, const ProvedPortal& out) {
+Surrounding surround(const NamedPoints<S>& points, const ProvedPortal& in, const ProvedPortal& out,
+                     bool strictly = false) {
   std::array<const NamedPoint*, 6> all;
   for (std::size_t i = 0; i < 3; ++i) {
     all[i] = &in.p[i].point;
@@ -61,7 +64,7 @@ Surrounding surround(const NamedPoints<S>& points, const ProvedPortal& in, const
       for (std::size_t i = 0; i < 6; ++i) {
         if (i != skip && i != also) four[n++] = all[i];
       }
-      if (!surrounds(points, four)) continue;
+      if (!surrounds(points, four, strictly)) continue;
       result.found = true;
       for (std::size_t i = 0; i < 4; ++i) result.p[i] = *four[i];
       return result;

@@ -12,7 +12,7 @@ from pathlib import Path
 from targets import BadInput, Target
 
 MEMORY_MB = 3000
-INPUT_SECONDS = 60  # a single input that runs longer is a finding
+INPUT_SECONDS = 300  # a single input that runs longer is a finding; of wall clock, on a machine that may be busy
 
 
 @dataclass
@@ -58,6 +58,7 @@ class Programs:
 
     engine = "libfuzzer"
     compiler = "clang++-14"
+    interrupted = 72  # the exit code of a program that was asked to end
     merges_into_empty = False  # whether `merge` wants a folder of its own for each target
 
     def __init__(self, source: Path, build: Path):
@@ -91,7 +92,9 @@ class Programs:
                 raise BadInput("the build failed: " + " ".join(step))
 
     def slice(self, target: Target, pool: Path, work: Path, seconds: int) -> list[str]:
-        options = ["-print_final_stats=1", f"-max_total_time={seconds}", f"-rss_limit_mb={MEMORY_MB}",
+        # Entropic scheduling counts every feature of every execution against every input: half of the time of targets as
+        # quick as these.
+        options = ["-print_final_stats=1", "-entropic=0", f"-max_total_time={seconds}", f"-rss_limit_mb={MEMORY_MB}",
                    f"-timeout={INPUT_SECONDS}", "-reload=10", f"-artifact_prefix={work}/"]
         dictionary = self.source / "fuzz" / "dictionaries" / f"{target.name}.dict"
         if dictionary.exists():
@@ -135,6 +138,7 @@ class Afl(Programs):
 
     engine = "afl"
     compiler = "afl-clang-fast++"
+    interrupted = 0
     merges_into_empty = True
 
     def environment(self) -> dict[str, str]:

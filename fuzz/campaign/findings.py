@@ -14,7 +14,7 @@ from engines import Programs
 from mechanism import finding_id, mechanism
 from targets import Target
 
-REPLAY_SECONDS = 120  # of one input, slow oracles under sanitizers included
+REPLAY_SECONDS = 600  # of one input, slow oracles under sanitizers on a busy machine included
 MINIMISE_SECONDS = 60
 
 
@@ -33,11 +33,12 @@ class Findings:
         self.failing: dict[str, set[str]] = {}  # target -> ids of saved findings that still fail
 
     def run(self, target: Target, file: Path) -> Run:
-        """One input by the target's own program."""
+        """One input by the target's own program, which says all that it knows of an allocation."""
+        ours = self.programs.environment()
+        ours["ASAN_OPTIONS"] = ":".join(filter(None, [ours.get("ASAN_OPTIONS"), "malloc_context_size=30"]))
         try:
             done = subprocess.run([self.programs.fuzzer(target), str(file)], capture_output=True, text=True,
-                                  errors="replace", timeout=REPLAY_SECONDS, env=self.programs.environment(), check=False,
-                                  start_new_session=True)
+                                  errors="replace", timeout=REPLAY_SECONDS, env=ours, check=False, start_new_session=True)
         except subprocess.TimeoutExpired:
             return Run(True, f"runs longer than {REPLAY_SECONDS} s", "")
         text = done.stderr + done.stdout
@@ -93,6 +94,8 @@ class Findings:
         report.parent.mkdir(parents=True, exist_ok=True)
         # Of a long report the two ends.
         text = run.report if len(run.report) < 20000 else run.report[:10000] + "\n...\n" + run.report[-10000:]
+        # Paths as from the project's root: a report is the same on every machine.
+        text = text.replace(f"{self.programs.source}/", "")
         report.write_text(f"{run.mechanism}\n\n{text}", encoding="utf-8")
 
     def _minimised(self, target: Target, crash: Path) -> Path | None:

@@ -21,6 +21,7 @@ from targets import Target
 GROWN = 1.25  # a pool is minimised again when it has so many times the inputs that it was left with
 MOST_CRASHES = 20  # in a slice: more of the same teach nothing
 STOP_SECONDS = 20  # that a program has to end after it was asked to
+LOADING_SECONDS = 300  # that a program may take to read its pool, before its time begins
 MERGE_SECONDS = 1800
 
 
@@ -110,12 +111,12 @@ class Campaign:
             seen = Seen()
             self.board.doing(target, "fuzzes", seen)
             command = self.programs.slice(target, self.pool(target), self.work(target), max(1, int(end - begin)))
-            code = self._run(command, self.work(target) / "log", seen, (end - begin) * 2 + 120)
+            code, spent = self._run(command, self.work(target) / "log", seen, (end - begin) * 2 + LOADING_SECONDS)
             found = self.programs.crashes(self.work(target))
             self.programs.collect(self.work(target), self.pool(target))
             with self.lock:
-                done.seconds += time.monotonic() - begin
-                self.state.total_seconds += time.monotonic() - begin
+                done.seconds += spent
+                self.state.total_seconds += spent
                 done.executions += seen.executions
                 done.coverage = max(done.coverage, seen.coverage)
                 done.corpus = seen.corpus or done.corpus
@@ -125,7 +126,7 @@ class Campaign:
             for crash in found:
                 crashes += 1
                 self._found(target, crash)
-            if code != 0 and not found and not self.stopping.is_set():
+            if code not in (0, self.programs.interrupted) and not found and not self.stopping.is_set():
                 self.board.say(f"{target.name} ended with {code} and left no crash file; see {self.work(target)}/log")
                 self.broken.append(target.name)
                 break
@@ -166,7 +167,8 @@ class Campaign:
                 into = self.directory / ".work" / f"{pool}.{target.name}"
                 shutil.rmtree(into, ignore_errors=True)
             self.board.doing(target, "minimises", Seen())
-            code = self._run(self.programs.merge(target, whole, into), self.work(target) / "merge.log", Seen(), MERGE_SECONDS)
+            code, _ = self._run(self.programs.merge(target, whole, into), self.work(target) / "merge.log", Seen(),
+                                MERGE_SECONDS)
             with self.board.lock:
                 self.board.now.pop(target.name, None)
             if code != 0:
@@ -185,8 +187,9 @@ class Campaign:
         self.state.minimised[pool] = count(whole)
         self.board.say(f"{pool}: {before} inputs minimised to {count(whole)}")
 
-    def _run(self, command: list[str], log: Path, seen: Seen, most_seconds: float) -> int:
-        """Runs a program in a session of its own, so that Ctrl-C reaches it through us alone."""
+    def _run(self, command: list[str], log: Path, seen: Seen, most_seconds: float) -> tuple[int, float]:
+        """Runs a program in a session of its own, so that Ctrl-C reaches it through us alone. Its exit code,
+        and the seconds of a core that it used: on a busy machine fewer than have passed."""
         begin = time.monotonic()
         asked = 0.0
         with log.open("wb") as out:
@@ -194,10 +197,8 @@ class Campaign:
                                        env=self.programs.environment(), start_new_session=True, cwd=log.parent)
         at = 0
         while True:
-            try:
-                program.wait(timeout=1)
-            except subprocess.TimeoutExpired:
-                pass
+            time.sleep(0.5)
+            ended, status, used = os.wait4(program.pid, os.WNOHANG)
             with log.open("rb") as text:
                 text.seek(at)
                 new = text.read()
@@ -206,8 +207,9 @@ class Campaign:
             for line in new[:complete].decode(errors="replace").splitlines():
                 self.programs.read_line(line, seen)
             self.programs.read_files(log.parent, seen)
-            if program.poll() is not None:
-                return program.returncode
+            if ended:
+                program.returncode = os.waitstatus_to_exitcode(status)  # the program is waited for: tell its Popen
+                return program.returncode, used.ru_utime + used.ru_stime
             if self.stopping.is_set() or time.monotonic() - begin > most_seconds:
                 if not asked:
                     asked = time.monotonic()

@@ -18,7 +18,7 @@ SCHEMA = "graze.fuzz/1"
 class Done:
     """Of one target, in this campaign."""
 
-    seconds: float = 0  # on one core
+    seconds: float = 0  # of a core
     executions: int = 0
     slices: int = 0
     coverage: int = 0  # edges of our code that the corpus reaches, as the engine counts them

@@ -1,5 +1,7 @@
 // Which mutant is alive in programs that do not choose it themselves: GRAZE_MUTANT, a number, from the
-// environment, before anything else runs.
+// environment, before anything else runs. At the end the numbers of those whose place was executed are
+// written to the file GRAZE_MUTANT_REACHED, if it is named.
+#include <cstdio>
 #include <cstdlib>
 
 #include "properties/mutants/mutants.hpp"
@@ -15,6 +17,16 @@ namespace {
 // Before the constructors of everything else.
 [[gnu::constructor(101)]] void choose() {
   if (const char* number = std::getenv("GRAZE_MUTANT")) active = std::atoi(number);
+}
+
+[[gnu::destructor(101)]] void report() {
+  const char* const name = std::getenv("GRAZE_MUTANT_REACHED");
+  std::FILE* const file = name ? std::fopen(name, "w") : nullptr;
+  if (!file) return;
+  for (int i = 0; i < kMost; ++i) {
+    if (reached[i]) std::fprintf(file, "%d\n", i);
+  }
+  std::fclose(file);
 }
 }  // namespace
 

@@ -1,9 +1,13 @@
 #include "properties/mutants/compare.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "engines/guarantees.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/mutants/mutants.hpp"
 #include "properties/query_case.hpp"
@@ -15,6 +19,7 @@ namespace {
 // An answer as words, compared bit by bit (two NaN are the same).
 struct Words {
   std::vector<std::uint64_t> answer, cost;
+  bool stalls = false;
 
   void add(double x) { answer.push_back(std::bit_cast<std::uint64_t>(x)); }
   void add(const Vec3<double>& x) {
@@ -41,6 +46,7 @@ Words cast_words(const A& a) {
     out.add(x);
   for (const Vec3<double>& x : {a.normal, a.point_a, a.point_b}) out.add(x);
   out.add(a.counters);
+  out.stalls = a.outcome == Outcome::not_converged;
   return out;
 }
 
@@ -52,16 +58,21 @@ Words query_words(const engine::QueryAnswer& a) {
   for (const std::optional<engine::Interval>& x : {a.distance, a.depth, a.t_in, a.t_out}) out.add(x);
   for (const std::optional<Vec3<double>>& x : {a.normal, a.point_a, a.point_b}) out.add(x);
   out.add(a.counters);
+  out.stalls = a.stalled || a.outcome == Outcome::not_converged;
   return out;
 }
 
 template <class Ask>
-void compare_answers(const Ask& ask, int mutant, Difference& sum) {
+void compare_answers(const Ask& ask, int mutant, Difference& sum, std::size_t method) {
   graze_mutants::active = -1;
   const Words before = ask();
   graze_mutants::active = mutant;
   const Words after = ask();
   ++sum.asked;
+  Stalls& stalls = sum.stalls[method];
+  ++stalls.asked;
+  stalls.without += before.stalls ? 1 : 0;
+  stalls.with += after.stalls ? 1 : 0;
   if (before.answer != after.answer) {
     ++sum.answers;
   } else if (before.cost != after.cost) {
@@ -78,24 +89,46 @@ void compare_answers(const Ask& ask, int mutant, Difference& sum) {
 
 void compare(law::Kind kind, const corpus::Case& problem, int mutant, Difference& sum) {
   const Request everything = Request::everything;
-  switch (kind) {
-    case law::Kind::linear:
-      for (const engine::EngineMethod& method : engine::methods())
-        compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant,
-                        sum);
-      break;
-    case law::Kind::query:
-      for (const engine::QueryMethod& method : engine::query_methods()) {
-        const corpus::Case question = law::question_for(problem, method.query, law::hash_of(problem));
-        compare_answers([&] { return query_words(method.answer(question)); }, mutant, sum);
-      }
-      break;
-    case law::Kind::rotating:
-      for (const engine::RotatingEngineMethod& method : engine::rotating_methods())
-        compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant,
-                        sum);
-      break;
+  std::size_t at = 0;
+  if (kind == law::Kind::linear) {
+    for (const engine::EngineMethod& method : engine::methods())
+      compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant, sum,
+                      at++);
+    return;
   }
+  at += engine::methods().size();
+  if (kind == law::Kind::query) {
+    for (const engine::QueryMethod& method : engine::query_methods()) {
+      const corpus::Case question = law::question_for(problem, method.query, law::hash_of(problem));
+      compare_answers([&] { return query_words(method.answer(question)); }, mutant, sum, at++);
+    }
+    return;
+  }
+  at += engine::query_methods().size();
+  for (const engine::RotatingEngineMethod& method : engine::rotating_methods())
+    compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant, sum,
+                    at++);
+}
+
+std::string stall_fault(const Difference& sum) {
+  std::size_t at = 0;
+  std::string out;
+  const auto check = [&](const auto& methods) {
+    for (const auto& method : methods) {
+      const Stalls& stalls = sum.stalls[at++];
+      const engine::Guarantee* const row = engine::find_guarantee(engine::guarantees(), method);
+      const double cap = row != nullptr ? row->stall_cap : 1;
+      const bool above =
+          static_cast<double>(stalls.with) > std::ceil(cap * static_cast<double>(stalls.asked));
+      if (out.empty() && above && stalls.with > stalls.without)
+        out = fmt::format("{}: {} of {} end undecided, {} without the mutant", method.full_name(),
+                          stalls.with, stalls.asked, stalls.without);
+    }
+  };
+  check(engine::methods());
+  check(engine::query_methods());
+  check(engine::rotating_methods());
+  return out;
 }
 
 }  // namespace graze::mutants

@@ -6,9 +6,10 @@
 // process of its own: the trials that execute its place, cheap ones first and others between them, until a
 // law breaks, the process dies, a trial takes kSlower times its usual time (an endless loop), or S seconds of
 // processor time are over. FOLDER/results gets a line for each and is where a second run goes on:
-//   MUTANT killed|survived|unreached LAW HOW TRIALS SECONDS ASKED ANSWERS COSTS EXECUTED
-// separated by tabs. The last four are of survivors: compare.hpp. Exit 1 if a law is broken with no mutant
-// alive.
+//   MUTANT killed|survived|unreached LAW HOW TRIALS SECONDS ASKED ANSWERS COSTS EXECUTED CASE
+// separated by tabs. ASKED to EXECUTED are of survivors: compare.hpp; CASE is the hash of the case that
+// showed a killed one. FOLDER/first, if there is one, has lines MUTANT LAW CASE, what showed it in an earlier
+// run: those trials come first.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -26,6 +27,7 @@
 #include <set>
 #include <sstream>
 
+#include "properties/case_edit.hpp"
 #include "properties/mutants/compare.hpp"
 #include "properties/mutants/mutants.hpp"
 #include "properties/mutants/world.hpp"
@@ -37,8 +39,8 @@ using namespace graze::mutants;  // the room
 // What makes a trial's time an endless loop: this many times the usual, and at least this much (s).
 constexpr double kSlower = 50;
 constexpr double kLeastTime = 3;
-// Processor time for comparing the answers of a survivor (s).
-constexpr double kCompareSeconds = 6;
+// Processor time for comparing the answers of a survivor, over that for its trials.
+constexpr double kCompareShare = 0.5;
 constexpr std::size_t kMemory = std::size_t{4} << 30;  // bytes
 
 struct Options {
@@ -50,7 +52,7 @@ struct Options {
 
 // What the child has come to, in memory that outlives it.
 struct Progress {
-  std::uint32_t law;
+  std::uint32_t law, problem;
   long trials;
   bool trying, done, broken;
   char how[400];
@@ -70,6 +72,30 @@ void allow(double seconds) {
 }
 
 std::size_t mixed(std::size_t x) { return (x + 1) * 0x9e3779b97f4a7c15u >> 13; }
+
+// What showed a mutant in an earlier run.
+struct Shown {
+  std::string law;
+  std::uint64_t problem = 0;  // hash
+};
+
+std::map<int, Shown> shown_before(const std::string& path) {
+  std::map<int, Shown> out;
+  std::ifstream file(path);
+  int mutant = 0;
+  for (Shown one; file >> mutant >> one.law >> one.problem;) out[mutant] = one;
+  return out;
+}
+
+// The trial that showed it before, by itself; none if it is not among them any more.
+std::vector<const Trial*> first_of(const World& world, const Survey& survey, const Shown& shown, int mutant) {
+  for (const Trial& trial : survey.trials) {
+    if (trial.reaches(mutant) && world.laws[trial.law].name == shown.law &&
+        graze::law::hash_of(world.cases[trial.problem]) == shown.problem)
+      return {&trial};
+  }
+  return {};
+}
 
 // The cases whose trials execute the mutant's place, each with those trials: at even turns the cheapest that
 // is left, at odd ones any, so that a dear kind of case is met within the budget too.
@@ -107,30 +133,33 @@ std::vector<std::vector<const Trial*>> agenda_of(const Survey& survey, int mutan
 }
 
 void compare_all(const World& world, const std::vector<std::vector<const Trial*>>& agenda, int mutant,
-                 Progress& progress) {
-  const double end = processor_seconds() + kCompareSeconds;
+                 double seconds, Progress& progress) {
+  const double end = processor_seconds() + seconds;
   for (const std::vector<const Trial*>& trials : agenda) {
     std::set<graze::law::Kind> kinds;
     for (const Trial* trial : trials) kinds.insert(world.laws[trial->law].kind);
     for (const graze::law::Kind kind : kinds) {
-      allow(4 * kCompareSeconds);
+      allow(kLeastTime + 4 * seconds);
       compare(kind, world.cases[trials.front()->problem], mutant, progress.difference);
     }
     if (processor_seconds() > end) return;
   }
 }
 
-[[noreturn]] void try_mutant(const World& world, const Survey& survey, int mutant, double seconds,
-                             Progress& progress) {
+[[noreturn]] void try_mutant(const World& world, const Survey& survey, int mutant, const Shown& shown,
+                             double seconds, Progress& progress) {
   const rlimit memory = {kMemory, kMemory}, core = {0, 0};
   setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CORE, &core);
-  const auto agenda = agenda_of(survey, mutant);
+  auto agenda = agenda_of(survey, mutant);
+  if (const auto first = first_of(world, survey, shown, mutant); !first.empty())
+    agenda.insert(agenda.begin(), first);
   graze_mutants::active = mutant;
   const double end = processor_seconds() + seconds;
   for (const std::vector<const Trial*>& trials : agenda) {
     for (const Trial* trial : trials) {
       progress.law = trial->law;
+      progress.problem = trial->problem;
       ++progress.trials;
       progress.trying = true;
       allow(std::max(kLeastTime, kSlower * static_cast<double>(trial->seconds)));
@@ -144,14 +173,20 @@ void compare_all(const World& world, const std::vector<std::vector<const Trial*>
     if (processor_seconds() > end) break;
   }
   progress.done = true;
-  compare_all(world, agenda, mutant, progress);
+  compare_all(world, agenda, mutant, kCompareShare * seconds, progress);
+  const std::string fault = stall_fault(progress.difference);
+  std::strncpy(progress.how, fault.c_str(), sizeof progress.how - 1);
   _exit(0);
 }
 
 std::string line_of(const World& world, const Progress& progress, int mutant, int status, double seconds) {
   std::string how = progress.how;
   const char* verdict = "survived";
-  if (progress.broken) {
+  std::string law = progress.done ? "" : world.laws[progress.law].name;
+  if (progress.done && !how.empty()) {
+    verdict = "killed";
+    law = "the cap of stalls";
+  } else if (progress.broken) {
     verdict = "killed";
   } else if (!progress.done) {
     verdict = "killed";
@@ -165,9 +200,9 @@ std::string line_of(const World& world, const Progress& progress, int mutant, in
       how.begin(), how.end(), [](unsigned char c) { return std::isspace(c) != 0; }, ' ');
   std::ostringstream out;
   const Difference& d = progress.difference;
-  out << mutant << '\t' << verdict << '\t' << (progress.done ? "" : world.laws[progress.law].name) << '\t'
-      << how << '\t' << progress.trials << '\t' << seconds << '\t' << d.asked << '\t' << d.answers << '\t'
-      << d.costs << '\t' << d.executed << '\n';
+  out << mutant << '\t' << verdict << '\t' << law << '\t' << how << '\t' << progress.trials << '\t' << seconds
+      << '\t' << d.asked << '\t' << d.answers << '\t' << d.costs << '\t' << d.executed << '\t'
+      << (progress.done ? 0 : graze::law::hash_of(world.cases[progress.problem])) << '\n';
   return out.str();
 }
 
@@ -181,6 +216,7 @@ std::set<int> done_before(const std::string& path) {
 void run_all(const World& world, const Survey& survey, const Options& options) {
   const std::string path = options.folder + "/results";
   const std::set<int> done = done_before(path);
+  std::map<int, Shown> shown = shown_before(options.folder + "/first");
   const auto slots = static_cast<std::size_t>(options.jobs);
   void* const shared =
       mmap(nullptr, slots * sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -200,7 +236,10 @@ void run_all(const World& world, const Survey& survey, const Options& options) {
       progress[i] = {};
       children[i] = {fork(), next++};
       if (children[i].pid < 0) std::abort();
-      if (children[i].pid == 0) try_mutant(world, survey, children[i].mutant, options.seconds, progress[i]);
+      if (children[i].pid == 0) {
+        const int mutant = children[i].mutant;
+        try_mutant(world, survey, mutant, shown[mutant], options.seconds, progress[i]);
+      }
       ++running;
     }
     if (running == 0) break;
@@ -217,7 +256,7 @@ void run_all(const World& world, const Survey& survey, const Options& options) {
     *child = {};
     --running;
     ++finished;
-    survived += its.done ? 1 : 0;
+    survived += its.done && its.how[0] == '\0' ? 1 : 0;
     std::fprintf(stderr, "\rmutants: %d of %zu run, %d not noticed ", finished,
                  static_cast<std::size_t>(options.mutants) - done.size(), survived);
   }

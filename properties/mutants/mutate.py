@@ -19,7 +19,7 @@ def order(*words):
 
 
 def queue(sites, seed, core):
-    """Lines in the order of the sample, each a list of sites in the order of preference."""
+    """Lines in the order of the sample, each a list of sites in the order of preference; and what lines say."""
     lines, texts, counts = {}, {}, {}
     for site in sites:
         lines.setdefault((site.file, site.line), []).append(site)
@@ -38,21 +38,42 @@ def queue(sites, seed, core):
         return key
 
     ordered = sorted(lines, key=lambda line: order(seed, line[0], texts[line]))
-    return [sorted(lines[line], key=preference(line)) for line in ordered]
+    return [sorted(lines[line], key=preference(line)) for line in ordered], texts
+
+
+class Known:
+    """Mutations that failed to compile, kept in a file: the next sample passes over them at once."""
+
+    def __init__(self, path):
+        self.path = path
+        self.bad = set()
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                self.bad = {tuple(json.loads(line)) for line in file}
+
+    def add(self, key):
+        if key not in self.bad:
+            self.bad.add(key)
+            with open(self.path, "a", encoding="utf-8") as file:
+                file.write(json.dumps(key) + "\n")
 
 
 class Sample:
     """The mutants by number; a number whose mutation fails to compile is given to another."""
 
-    def __init__(self, sites, seed, core, count):
+    def __init__(self, sites, seed, core, count, known):
         self.core = core
-        self.queue = queue(sites, seed, core)
+        self.known = known
+        self.queue, self.texts = queue(sites, seed, core)
         self.next_line = 0
         self.rest = {}
         self.mutants = {}
         self.dropped = 0
         for number in range(count):
             self.fill(number)
+
+    def key(self, site):
+        return (site.file, self.texts[(site.file, site.line)], site.operator, site.original, site.mutated)
 
     def is_free(self, site):
         return all(s.file != site.file or s.end <= site.start or site.end <= s.start
@@ -65,7 +86,9 @@ class Sample:
             line = self.rest.setdefault(number, [])
             while line:
                 site = line.pop(0)
-                if self.is_free(site):
+                if self.key(site) in self.known.bad:
+                    self.dropped += 1
+                elif self.is_free(site):
                     self.mutants[number] = site
                     return
             if self.next_line == len(self.queue):
@@ -74,6 +97,7 @@ class Sample:
             self.next_line += 1
 
     def drop(self, number):
+        self.known.add(self.key(self.mutants[number]))
         self.dropped += 1
         self.fill(number)
 
@@ -142,13 +166,14 @@ def messages(stderr):
     return blocks
 
 
-def settle(sample, folder, command, files, say):
-    """Drops what does not compile until all of it does. No object is made."""
+def settle(sample, folder, command, files, say, only_object=None):
+    """Drops what does not compile until all of it does. No object is made, but for a file that is the only one."""
+    ends = {file: ["-c", file, "-o", only_object] if only_object else ["-fsyntax-only", file] for file in files}
     for turn in range(40):
         sample.generate(folder)
         failed = set()
         for file in files:
-            run = subprocess.run(command + ["-fsyntax-only", file], capture_output=True, text=True, check=False)
+            run = subprocess.run(command + ends[file], capture_output=True, text=True, check=False)
             if run.returncode == 0:
                 continue
             for block in messages(run.stderr):

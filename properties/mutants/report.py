@@ -3,6 +3,8 @@ import json
 import pathlib
 from dataclasses import dataclass, field
 
+import shown
+
 # Kinds in explained.txt. Those that change no answer are taken out of the share that the laws must notice.
 NO_FAULT = ("equivalent", "cost")
 KINDS = NO_FAULT + ("within", "missing")
@@ -25,8 +27,16 @@ class Mutant:
     answers: int = 0
     costs: int = 0
     executed: int = 0
+    unit: str = ""      # the unit test that notices what no law does
     kind: str = ""      # of explained.txt
     why: str = ""
+
+    def noticed(self):
+        return self.verdict == "killed" or self.unit != ""
+
+    def can_be(self):
+        """Not explained as changing no answer. One that is noticed changes some, whatever was said of it."""
+        return self.noticed() or self.kind not in NO_FAULT
 
     def seen(self):
         """What the comparison of answers says of a survivor."""
@@ -47,17 +57,23 @@ class Outcome:
     places: int = 0
     dropped: int = 0
     broken: list = field(default_factory=list)
+    pending: int = 0    # not run yet, and not among the mutants
 
     def of(self, *verdicts):
         return [m for m in self.mutants if m.verdict in verdicts]
 
     def judged(self):
-        """Reached, and not explained as changing no answer."""
-        return [m for m in self.of("killed", "survived") if m.kind not in NO_FAULT]
+        return [m for m in self.mutants if m.can_be()]
 
-    def share(self):
+    def beyond_guarantees(self):
+        """Per cent noticed where those that keep every guarantee are left out, too."""
+        judged = [m for m in self.judged() if m.noticed() or m.kind != "within"]
+        return 100.0 * len([m for m in judged if m.noticed()]) / len(judged) if judged else 100.0
+
+    def share(self, noticed=Mutant.noticed):
+        """Per cent of those that can be noticed."""
         judged = self.judged()
-        return 100.0 * len([m for m in judged if m.verdict == "killed"]) / len(judged) if judged else 100.0
+        return 100.0 * len([m for m in judged if noticed(m)]) / len(judged) if judged else 100.0
 
 
 def read_explained(path):
@@ -66,14 +82,14 @@ def read_explained(path):
         if not line.strip() or line.startswith("#"):
             continue
         words = [w.strip() for w in line.split("\t") if w.strip()]
-        if len(words) != 5 or words[3] not in KINDS:
-            raise SystemExit(f"graze: {path}:{number}: wanted file, original, mutated, one of {', '.join(KINDS)}, "
-                             "and a sentence, with tabs between them")
-        out[tuple(words[:3])] = (words[3], words[4])
+        if len(words) != 6 or words[4] not in KINDS:
+            raise SystemExit(f"graze: {path}:{number}: wanted file, line, original, mutated, one of "
+                             f"{', '.join(KINDS)}, and a sentence, with tabs between them")
+        out[tuple(words[:4])] = (words[4], words[5])
     return out
 
 
-def read(folder, source):
+def read(folder, source, by_unit_tests):
     explained = read_explained(source / "properties/mutants/explained.txt")
     mutants = []
     for line in (folder / "mutants.jsonl").read_text().splitlines():
@@ -86,12 +102,15 @@ def read(folder, source):
         one.verdict, one.law, one.how = words[1:4]
         one.trials, one.seconds = int(words[4]), float(words[5])
         one.asked, one.answers, one.costs, one.executed = map(int, words[6:10])
+    places_of = shown.sites_of(folder)
     for one in mutants:
-        one.kind, one.why = explained.get((one.file, one.original, one.mutated), ("", ""))
+        one.kind, one.why = explained.get(places_of[one.number], ("", ""))
+        one.unit = by_unit_tests.get(one.number, "")
     places, dropped = map(int, (folder / "sites").read_text().split())
     broken = pathlib.Path(folder / "broken")
     lines = [x for x in broken.read_text().splitlines() if x and x[0] not in "{} "] if broken.exists() else []
-    return Outcome(mutants, places, dropped, lines)
+    done = [m for m in mutants if m.verdict]
+    return Outcome(done, places, dropped, lines, len(mutants) - len(done))
 
 
 def table(mutants, name_of):
@@ -99,11 +118,15 @@ def table(mutants, name_of):
     for one in mutants:
         row = rows.setdefault(name_of(one), [0, 0, 0, 0, 0])
         row[0] += 1
-        row[{"killed": 1, "survived": 2, "unreached": 3}.get(one.verdict, 3)] += 1
-        row[4] += one.verdict == "survived" and one.kind in NO_FAULT
-    lines = ["| | mutants | noticed | not noticed | of these no fault | not reached |", "|---|---|---|---|---|---|"]
+        if one.verdict == "killed":
+            row[1] += 1
+        elif one.unit:
+            row[2] += 1
+        else:
+            row[3 if one.can_be() else 4] += 1
+    lines = ["| | mutants | by a law | by a unit test | not noticed | no fault |", "|---|---|---|---|---|---|"]
     for name, row in sorted(rows.items()):
-        lines.append(f"| {name} | {row[0]} | {row[1]} | {row[2]} | {row[4]} | {row[3]} |")
+        lines.append(f"| {name} | " + " | ".join(map(str, row)) + " |")
     return lines
 
 
@@ -113,46 +136,60 @@ def code(text):
 
 
 def item(one):
-    said = f"{one.kind}: {one.why}" if one.kind else "not explained" if one.verdict == "survived" else "-"
+    said = f"{one.kind}: {one.why}" if one.kind else "not explained"
     return f"- {one.file}:{one.line}, {one.operator}: {code(one.original)} becomes {code(one.mutated)}: " \
            f"{one.seen()}. **{said}**"
 
 
+def counted(lines, title, rows):
+    return lines + ["", f"| {title} | mutants |", "|---|---|"] + [
+        f"| {name} | {n} |" for name, n in sorted(rows.items(), key=lambda x: (-x[1], x[0]))]
+
+
 def page(outcome, options):
-    killed, survived, unreached = outcome.of("killed"), outcome.of("survived"), outcome.of("unreached")
+    killed = outcome.of("killed")
+    unit = [m for m in outcome.mutants if m.verdict != "killed" and m.unit]
+    left = [m for m in outcome.mutants if not m.noticed()]
+    harmless = [m for m in left if not m.can_be()]
     judged = outcome.judged()
-    by_law, by_end = {}, {}
+    by_law, by_end, by_test = {}, {}, {}
     for one in killed:
         by_law[one.law] = by_law.get(one.law, 0) + 1
         end = one.how if one.how.startswith(("crashed", "does not end")) else "a law breaks"
         by_end[end] = by_end.get(end, 0) + 1
+    for one in unit:
+        by_test[one.unit] = by_test.get(one.unit, 0) + 1
+    scalars = "double" if options.double else "float and double"
     lines = ["# Mutants of core",
              "",
              "`./run mutants` takes a seeded sample of lines of core, changes one operator, constant, condition or "
-             "statement in each, and runs the laws on generated cases (none of them curated) until one breaks. This "
-             f"page is its report: seed {options.seed}, {len(outcome.mutants)} mutants of {outcome.places} places "
-             f"({outcome.dropped} that do not compile were replaced), {options.linear} linear cases and as many "
-             f"near-ties, {options.query} of the other queries, {options.rotating} rotating, {options.seconds} s of "
-             "processor time for a mutant. A crash and an endless loop are noticed, too.",
+             "statement in each, and runs the laws on generated cases (none of them curated) until one breaks. What "
+             "no law notices meets the unit tests of core (`tests/mutants` says which). This page is its report: "
+             f"seed {options.seed}, {len(outcome.mutants) + outcome.pending} mutants of {outcome.places} places ({outcome.dropped} that "
+             f"do not compile were replaced), methods in {scalars}, {options.linear} linear cases and as many "
+             f"near-ties, {options.query} of the other queries, {options.rotating} rotating, some aimed at what is "
+             f"rare, {options.seconds} s of processor time for a mutant. A crash and an endless loop are noticed, too.",
              "",
-             f"Reached by the laws: {len(killed) + len(survived)} of {len(outcome.mutants)}. Noticed: {len(killed)}. "
-             f"Not noticed: {len(survived)}, of which {len([m for m in survived if m.kind in NO_FAULT])} change no "
-             f"answer. **Noticed of those that are reached and can be noticed: {outcome.share():.1f} %** "
-             f"({len([m for m in judged if m.verdict == 'killed'])} of {len(judged)})."]
+             *([f"**The run was stopped: {outcome.pending} more mutants wait.**", ""] if outcome.pending else []),
+             f"Of {len(outcome.mutants)} mutants the laws notice {len(killed)}, unit tests {len(unit)} more. "
+             f"{len(left)} are left; {len(harmless)} of them change no answer, or none that is worse, as each says "
+             f"below. **Noticed of those that can be: {outcome.share():.1f} %** "
+             f"({len([m for m in judged if m.noticed()])} of {len(judged)}); by the laws alone "
+             f"{outcome.share(lambda m: m.verdict == 'killed'):.1f} %. Without those that change answers within their "
+             f"guarantees, which no law may object to: {outcome.beyond_guarantees():.1f} %."]
     if outcome.broken:
         lines += ["", f"{len(outcome.broken)} trials broke with no mutant alive, and were left out."]
     lines += ["", "How: " + ", ".join(f"{end} {n}" for end, n in sorted(by_end.items(), key=lambda x: -x[1])) + ".",
               "", "## By kind of mutation", ""] + table(outcome.mutants, lambda m: m.operator)
     lines += ["", "## By file", ""] + table(outcome.mutants, lambda m: m.file)
-    lines += ["", "## Which law came first", "",
-              "The first of a mutant, in an order that takes cheap trials first: no measure of a law's worth.", "",
-              "| law | mutants |", "|---|---|"]
-    lines += [f"| {law} | {n} |" for law, n in sorted(by_law.items(), key=lambda x: (-x[1], x[0]))]
+    lines += ["", "## What came first", "",
+              "The first of a mutant, in an order that takes cheap trials first: no measure of a law's worth."]
+    lines = counted(lines, "law", by_law)
+    if by_test:
+        lines = counted(lines, "unit test", by_test)
     lines += ["", "## Not noticed", "",
               "Kinds: *equivalent*, no input is answered otherwise; *cost*, answers are the same or as good, at "
-              "another price; *within*, answers differ and keep every guarantee; *missing*, a law that is wanted."]
-    if survived:
-        lines += [""] + [item(m) for m in sorted(survived, key=lambda m: (m.file, m.line))]
-    lines += ["", "## Not reached", ""]
-    lines += [item(m) for m in sorted(unreached, key=lambda m: (m.file, m.line))] or ["None."]
+              "another price; *within*, answers differ and keep every guarantee; *missing*, a law or a case that "
+              "is wanted. Of the first two nothing could be noticed, and they do not count.", ""]
+    lines += [item(m) for m in sorted(left, key=lambda m: (m.file, m.line))] or ["None."]
     return "\n".join(lines) + "\n"

@@ -8,6 +8,7 @@
 #include "corpus/case_io.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/judge.hpp"
+#include "properties/mutants/aimed.hpp"
 #include "properties/mutants/mutants.hpp"
 
 namespace graze::mutants {
@@ -26,6 +27,9 @@ double processor_seconds() {
 
 // One case in four of those that go to the bracket oracle, which takes milliseconds: as for planted defects.
 constexpr std::uint64_t kBracketShare = 4;
+
+// One aimed case of each family for so many of the sample.
+constexpr std::size_t kAimedShare = 60, kAimedRotatingShare = 20;
 
 bool applies(const World& world, const AnyLaw& law, std::size_t problem) {
   if (problem >= world.ties_end) return law.kind == Kind::rotating;
@@ -59,14 +63,20 @@ World make_world(const Counts& counts) {
     law::Sample linear = law::sample_for(Kind::linear, flat);
     linear.all.resize(std::min(linear.all.size(), static_cast<std::size_t>(flat)));
     linear.ties.resize(std::min(linear.ties.size(), static_cast<std::size_t>(counts.linear)));
+    append(world.cases, aimed_cases(static_cast<std::size_t>(flat) / kAimedShare));
+    const std::size_t aimed = world.cases.size();
     append(world.cases, linear.all);
-    world.linear_end = static_cast<std::size_t>(counts.linear);
-    world.queries_end = static_cast<std::size_t>(counts.query);
+    world.linear_end = aimed + static_cast<std::size_t>(counts.linear);
+    world.queries_end = aimed + static_cast<std::size_t>(counts.query);
     world.flat_end = world.cases.size();
     append(world.cases, linear.ties);
     world.ties_end = world.cases.size();
   }
-  if (counts.rotating > 0) append(world.cases, law::sample_for(Kind::rotating, counts.rotating).all);
+  if (counts.rotating > 0) {
+    append(world.cases,
+           aimed_rotating_cases(static_cast<std::size_t>(counts.rotating) / kAimedRotatingShare));
+    append(world.cases, law::sample_for(Kind::rotating, counts.rotating).all);
+  }
   return world;
 }
 

@@ -19,8 +19,8 @@ struct Counts {
 
 struct World {
   std::vector<law::AnyLaw> laws;
-  std::vector<corpus::Case> cases;  // linear, near-ties, rotating
-  // Where they end; casts and the other queries are asked about the first of the linear ones.
+  std::vector<corpus::Case> cases;  // aimed, linear, near-ties, aimed rotating, rotating
+  // Where they end; casts and the other queries are asked about the aimed and the first of the linear ones.
   std::size_t linear_end = 0, queries_end = 0, flat_end = 0, ties_end = 0;
 };
 

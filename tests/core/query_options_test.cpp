@@ -165,6 +165,24 @@ TEST(QueryOptions, AMissNearTheNoiseHasAnAxis) {
   EXPECT_GT(contacts, 100);
 }
 
+// Where a point of a proof stands off by the target distance, it is no farther, however it rounds.
+TEST(QueryOptions, APointOfATargetDistanceIsWithinIt) {
+  Draw draw{76};
+  const Body<double> b{.shape = Box<double>{{1, 1, 1}}, .position = {4, 0, 0}};
+  const double m = 0.3;
+  const Cso<double> cso(kBox, b, m);
+  Counters counters;
+  const auto context = detail::proof_context(kBox, b, cso, 1.0, m);
+  const detail::NamedPoints<double> points(context, counters);
+  for (int round = 0; round < 1000; ++round) {
+    const V target = points.along(draw.vector<double>(1)).target;
+    long double square = 0;
+    for (int i = 0; i < 3; ++i) square += static_cast<long double>(target[i]) * target[i];
+    EXPECT_LE(square, static_cast<long double>(m) * m) << round;
+    EXPECT_GE(target.norm(), m * (1 - 1e-14)) << round;
+  }
+}
+
 TEST(QueryOptions, AShapeIsAPointUntilItIsGivenAnExtent) {
   EXPECT_EQ(Sphere<double>{}.radius, 0);
   EXPECT_EQ(Capsule<double>{}.radius, 0);

@@ -401,6 +401,19 @@ TEST(BracketTruth, LeavingStartsArePassedOver) {
   EXPECT_EQ(BracketTruth(problem).outcome(), Outcome::initially_overlapping);
 }
 
+TEST(BracketTruth, DepthUnderPassOverIsThatOfTheRay) {
+  corpus::Case problem;  // the ball's pole reaches 1/8 into the cone's base
+  problem.a.shape = Ellipsoid<double>{Vec(1, 1, 1)};
+  problem.b.shape = Cone<double>{1, 1};
+  problem.b.position = Vec(0, 0, 1.875);
+  problem.target_distance = 1;
+  const Enclosure near = BracketTruth(problem).depth();
+  EXPECT_TRUE(near.low <= 1.125 && near.high >= 1.125);
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  const Enclosure core = BracketTruth(problem).depth();
+  EXPECT_TRUE(core.low <= 0.125 && core.high >= 0.125 && core.low > 0.1);
+}
+
 TEST(BracketTruth, RefusesBadInput) {
   corpus::Case problem = two_ellipsoids();
   problem.a.shape = Ellipsoid<double>{Vec(1, -1, 1)};

@@ -183,6 +183,20 @@ TEST(LinearTruth, PassOverDropsStartsThatLeaveOrSlide) {
   EXPECT_EQ(LinearTruth(balls).outcome(), Outcome::miss);
 }
 
+// Moved by little, a start that is deep in the target distance is passed over.
+TEST(LinearTruth, DepthUnderPassOverIsThatOfTheRay) {
+  corpus::Case problem = boxes_a_unit_apart();
+  problem.b.position[0] = 1.75;  // overlaps by 1/4, at rest
+  problem.b.displacement = Vec(0, 0, 0);
+  problem.target_distance = 1;
+  EXPECT_TRUE(holds(LinearTruth(problem).depth(), 1.25));
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.25));
+  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray goes on beyond the horizon, through all of A
+  problem.b.position[1] = 2.875;
+  EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.125));
+}
+
 TEST(LinearTruth, SubnormalAndHugeTimesAreRoundedAsAnyOther) {
   corpus::Case problem = boxes_a_unit_apart();
   problem.b.displacement = Vec(-3e300, 0, 0);

@@ -1,0 +1,175 @@
+"""A patch of the catalogue, planted in a copy of the sources and compiled."""
+import pathlib
+import re
+import shutil
+import subprocess
+
+METHODS = {"linear": "engines/casts.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
+# Entries of core in double, by the header that defines them. One whose header does not include, however deep,
+# what a patch changes is the same with the defect; it is compiled once for all, as half of a compilation is
+# what has no defect in it.
+ENTRIES = {
+    "graze/exact/exact_cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
+    "graze/certified_cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
+    "graze/cast.hpp": ("CastResult", "cast", "CastOptions"),
+    "graze/distance.hpp": ("DistanceResult", "distance", "DistanceOptions"),
+    "graze/line.hpp": ("LineResult", "line", "LineOptions"),
+    "graze/penetration.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
+    "graze/swept_overlap.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
+}
+CLASS_LETTERS = "ABCDEFGHIJKL"
+
+
+class Fault(Exception):
+    """Something is wrong with the input; one line says what."""
+
+
+class Config:
+    def __init__(self, path, work):
+        try:
+            lines = pathlib.Path(path).read_text().splitlines()
+        except OSError as error:
+            raise Fault(f"{path}: {error.strerror}; give the file that CMake writes, defects-Release.conf")
+        fields = dict(line.split(" = ", 1) if " = " in line else (line.rstrip(" ="), "") for line in lines if line)
+        missing = {"source", "driver", "launcher", "compiler", "flags", "includes", "link"} - fields.keys()
+        if missing:
+            raise Fault(f"{path}: no field {sorted(missing)[0]}; give the file that CMake writes")
+        self.source = pathlib.Path(fields["source"])
+        self.driver = fields["driver"]
+        self.compiler = [word for word in (fields["launcher"], fields["compiler"]) if word]
+        self.flags = fields["flags"].split(";")
+        self.includes = fields["includes"].split(";")
+        self.link = fields["link"].split(";")
+        self.work = pathlib.Path(work).resolve()
+        self.defects = self.source / "properties/defects"
+        self.law_kind, self.law_needs = {}, {}
+
+    def learn_laws(self):
+        out = subprocess.run([self.driver, "--laws"], capture_output=True, text=True, check=True).stdout
+        for line in out.splitlines():
+            name, kind, needs = line.split()
+            if name in self.law_kind:
+                raise Fault(f"two laws are called {name}; a law has a name of its own")
+            self.law_kind[name], self.law_needs[name] = kind, needs
+
+
+class Patch:
+    def __init__(self, path):
+        self.path = path
+        self.name = path.stem
+        try:
+            self.text = path.read_text()
+        except OSError as error:
+            raise Fault(f"{path}: {error.strerror}; give a .patch of properties/defects")
+        head = self.text.split("\n--- ", 1)[0]
+        self.headers = re.findall(r"^([A-Z][a-z]+): (.+)$", head, re.M)
+        unknown = [key for key, _ in self.headers if key not in ("Defect", "Law", "Report", "Class", "Compile")]
+        if unknown:
+            raise Fault(f"{path}: {unknown[0]} is no header line; known are Defect, Law, Report, Class, Compile")
+        self.defect, self.law = self.one("Defect"), self.one("Law")
+        self.reports, self.classes = self.all("Report"), self.all("Class")
+        if any(letter not in CLASS_LETTERS for letter in self.classes):
+            raise Fault(f"{path}: Class is one of the letters A to L")
+        self.files = re.findall(r"^\+\+\+ b/(\S+)", self.text, re.M)
+        self.in_core = any(name.startswith("core/") for name in self.files)
+        self.compiled = [name for name in self.files if name.startswith("oracles/") and name.endswith(".cpp")]
+        self.compiled += self.all("Compile")
+        if not self.in_core and not self.compiled:
+            raise Fault(f"{path}: nothing to compile: patch core/, a .cpp of oracles/, or name one by Compile")
+
+    def all(self, key):
+        return [word for k, value in self.headers if k == key for word in value.split(", ")] if key != "Defect" \
+            else [value for k, value in self.headers if k == key]
+
+    def one(self, key):
+        values = self.all(key)
+        if len(values) != 1:
+            raise Fault(f"{self.path}: {len(values)} lines \"{key}: ...\"; one is right")
+        return values[0]
+
+
+def run(words, log, **more):
+    with open(log, "a") as out:
+        return subprocess.run(words, stdout=out, stderr=out, check=False, **more).returncode
+
+
+def headers_under(core, path):
+    """All headers of core that a file includes, however deep."""
+    seen, left = set(), [path]
+    while left:
+        for name in re.findall(r"^#include <(graze/[^>]+)>", left.pop().read_text(), re.M):
+            if name not in seen:
+                seen.add(name)
+                left.append(core / name)
+    return seen
+
+
+def known_entries(config, patch, source):
+    """The headers of the entries that a source needs and that the patch cannot change."""
+    core, changed = config.source / "core", {name.removeprefix("core/") for name in patch.files}
+    return [header for header in ENTRIES if header in headers_under(core, source)
+            and not changed & {header, *headers_under(core, core / header)}]
+
+
+def instantiations(headers, how):
+    """C++ that declares (how is "extern template") or defines ("template") the entries of these headers."""
+    lines = [f"#include <{header}>" for header in headers] + ["namespace graze {"]
+    for header in headers:
+        result, name, options = ENTRIES[header]
+        body = "const Body<double>&"
+        lines.append(f"{how} {result}<double> {name}({body}, {body}, const {options}<double>&);")
+    return "\n".join([*lines, "}", ""])
+
+
+def compile_known(config):
+    """The entries without a defect: one object, which a defect's own code comes before. Its path."""
+    out = config.work / "known.o"
+    out.with_suffix(".cpp").write_text(instantiations(list(ENTRIES), "template"))
+    include = [f"-I{config.source}/core", *(word for path in config.includes for word in ("-isystem", path))]
+    log = out.with_suffix(".log")
+    log.write_text("")
+    if run([*config.compiler, *config.flags, *include, "-c", out.with_suffix(".cpp"), "-o", out], log):
+        raise Fault(f"core does not compile, see {log}")
+    return out
+
+
+def plant(config, patch, root):
+    """The sources that the patch can change, with the defect, under root. An error, or nothing."""
+    for room in ("core", "oracles"):
+        shutil.rmtree(root / room, ignore_errors=True)
+        if room == "core" or patch.compiled:
+            shutil.copytree(config.source / room, root / room)
+    log = root / "log"
+    log.write_text("")
+    if run(["patch", "--quiet", "--strip=1", "--fuzz=3", "--directory", root, "--input", patch.path], log):
+        return "does not apply any more; make it again: " + " ".join(log.read_text().split())
+    return ""
+
+
+def compile_defect(config, patch, kind, root):
+    """A driver whose methods, or whose oracle, carry the defect. An error, or nothing."""
+    objects = []
+    alone = [] if "float" in patch.text else ["-DGRAZE_DOUBLE_ALONE"]
+    files = [str(root / name) for name in patch.compiled]
+    if patch.in_core:
+        files.append(str(config.source / METHODS[kind]))
+        known = known_entries(config, patch, config.source / METHODS[kind])
+        (root / "known.hpp").write_text(instantiations(known, "extern template"))
+        alone += ["-include", str(root / "known.hpp")]
+    include = [f"-I{root}/core", f"-I{root}", f"-I{config.source}"]
+    include += [word for path in config.includes for word in ("-isystem", path)]
+    log = root / "log"
+    for name in files:
+        objects.append(str(root / (pathlib.Path(name).stem + ".o")))
+        if run([*config.compiler, *config.flags, *alone, *include, "-c", name, "-o", objects[-1]], log):
+            return f"does not compile, see {log}"
+    known = [config.known] if patch.in_core else []
+    if run([config.compiler[-1], *objects, *known, *config.link, "-o", root / "driver"], log):
+        return f"does not link, see {log}"
+    return ""
+
+
+def kind_of(config, patch):
+    if patch.law not in config.law_kind:
+        raise Fault(f"{patch.path}: no law {patch.law}; `{config.driver} --laws` lists them")
+    return config.law_kind[patch.law]

@@ -1,0 +1,15 @@
+// Generated cases aimed at what the sample of planted defects seldom executes: the harder half of each
+// family's levels, which that sample leaves out, and hulls that are climbed.
+#pragma once
+
+#include <vector>
+
+#include "corpus/case.hpp"
+
+namespace graze::mutants {
+
+// A case of each family a round, and a large hull.
+[[nodiscard]] std::vector<corpus::Case> aimed_cases(std::size_t rounds);
+[[nodiscard]] std::vector<corpus::Case> aimed_rotating_cases(std::size_t rounds);
+
+}  // namespace graze::mutants
