@@ -30,7 +30,7 @@ std::optional<Vec3<double>> along_the_axis(const Spin& spin, const Vec3<double>&
   for (std::size_t j = 0; j < std::size(kSlides); ++j) {
     const int slide = kSlides[(j + pick) % std::size(kSlides)];
     const Vec3<double> by = std::scalbn(sense, power + slide) * signs.cwiseProduct(spin.rotation);
-    if (const auto pivot = exact_sum(spin.pivot, by)) return pivot;
+    if (auto pivot = exact_sum(spin.pivot, by)) return pivot;
   }
   return std::nullopt;
 }
