@@ -35,4 +35,7 @@ for target in $targets; do
   if [[ -e $source/fuzz/dictionaries/$target.dict ]]; then
     cp "$source/fuzz/dictionaries/$target.dict" "$OUT/graze_fuzz_$target.dict"
   fi
+  if [[ -e $source/fuzz/options/$target.options ]]; then
+    cp "$source/fuzz/options/$target.options" "$OUT/graze_fuzz_$target.options"
+  fi
 done

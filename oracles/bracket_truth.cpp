@@ -103,7 +103,8 @@ struct BracketTruth::Impl {
   Ball speed, horizon;         // |v|; min(T, T'), exact
   BallVec shift;
 
-  bool passes_over = false;  // the policy
+  bool passes_over = false;     // the policy
+  bool is_passed_over = false;  // a start that leaves or slides, under that policy
   Outcome outcome = Outcome::not_converged;
   bool contact = false;
   Ball lower, upper;  // of the TOI, exact
@@ -150,7 +151,8 @@ BracketTruth::Impl::Impl(const corpus::Case& problem, double asked)
       outcome = Outcome::not_converged;
       contact = false;
     } else if (*leaves) {
-      outcome = outcome == Outcome::initially_overlapping ? Outcome::miss : Outcome::not_converged;
+      is_passed_over = outcome == Outcome::initially_overlapping;
+      outcome = is_passed_over ? Outcome::miss : Outcome::not_converged;
       contact = false;
     }
   }
@@ -333,8 +335,15 @@ Enclosure BracketTruth::clearance() const {
   if (impl_->contact) return {};
   if (!impl_->clearance) {
     const WorkingPrecision precision(impl_->bits);
-    const Nearest3 near = impl_->distance_of(impl_->swept(impl_->horizon, impl_->target));
+    const bool passed = impl_->is_passed_over;
+    const Nearest3 near = impl_->distance_of(passed ? impl_->swept(impl_->clipped(kInf), 0)
+                                                    : impl_->swept(impl_->horizon, impl_->target));
     impl_->clearance = {near.lower.low_double(), near.upper.high_double()};
+    if (passed) {
+      const Depth3 start = impl_->depth_of(impl_->swept(0, impl_->target), kDepthSlack);
+      impl_->clearance->low = std::min(impl_->clearance->low, start.lower.low_double());
+      impl_->clearance->high = std::min(impl_->clearance->high, start.upper.high_double());
+    }
   }
   return *impl_->clearance;
 }
@@ -345,10 +354,14 @@ Enclosure BracketTruth::depth() const {
     const WorkingPrecision precision(impl_->bits);
     const Depth3 depth = impl_->depth_of(impl_->swept(impl_->horizon, impl_->target), kDepthSlack);
     impl_->depth = {depth.lower.low_double(), depth.upper.high_double()};
-    if (impl_->passes_over && impl_->outcome == Outcome::initially_overlapping) {
+    if (impl_->passes_over) {
+      const Nearest3 start = impl_->distance_of(impl_->swept(0, impl_->target));
       const Depth3 ray = impl_->depth_of(impl_->swept(impl_->clipped(kInf), 0), kDepthSlack);
-      impl_->depth->low = std::min(impl_->depth->low, ray.lower.low_double());
-      impl_->depth->high = std::min(impl_->depth->high, ray.upper.high_double());
+      const auto least = [](double path, double from_start, double in_shapes) {
+        return std::min(path, std::max(from_start, in_shapes));
+      };
+      impl_->depth = {least(impl_->depth->low, start.lower.low_double(), ray.lower.low_double()),
+                      least(impl_->depth->high, start.upper.high_double(), ray.upper.high_double())};
     }
   }
   return *impl_->depth;

@@ -82,7 +82,8 @@ struct LinearTruth::Impl : IntegerScene {
   OptionalTime horizon;
   std::optional<LineDistance> line;  // for v != 0
 
-  bool passes_over = false;  // the policy
+  bool passes_over = false;     // the policy
+  bool is_passed_over = false;  // a start that leaves or slides, under that policy
   Outcome outcome = Outcome::miss;
   Root toi;  // of a hit or a start in contact
   double lower = kInf, upper = kInf;
@@ -123,6 +124,7 @@ LinearTruth::Impl::Impl(const corpus::Case& problem) : IntegerScene(problem) {
   passes_over = problem.start_policy == corpus::StartPolicy::pass_over;
   if (passes_over && outcome == Outcome::initially_overlapping && leaves_or_slides()) {
     outcome = Outcome::miss;
+    is_passed_over = true;
   }
   if (outcome == Outcome::miss) return;
   const Enclosure around = enclose(toi, [this](const Rational& t) { return compare(t); });
@@ -291,15 +293,22 @@ Enclosure LinearTruth::scale() const {
 
 Enclosure LinearTruth::clearance() const {
   if (impl_->outcome != Outcome::miss) return {};
-  return impl_->beyond(impl_->path_distance_sq(impl_->path(impl_->horizon)), impl_->radius);
+  if (!impl_->is_passed_over) {
+    return impl_->beyond(impl_->path_distance_sq(impl_->path(impl_->horizon)), impl_->radius);
+  }
+  const Enclosure ray = impl_->beyond(impl_->path_distance_sq(impl_->path({})), impl_->shape_radius);
+  const Enclosure start = impl_->sweep_depth(impl_->path(Rational(0)), impl_->radius);
+  return {std::min(ray.low, start.low), std::min(ray.high, start.high)};
 }
 
 Enclosure LinearTruth::depth() const {
   if (impl_->outcome == Outcome::miss) return {};
   const Enclosure path = impl_->sweep_depth(impl_->path(impl_->horizon), impl_->radius);
-  if (!impl_->passes_over || impl_->outcome != Outcome::initially_overlapping) return path;
+  if (!impl_->passes_over) return path;
+  const Enclosure start = impl_->beyond(impl_->at(0).distance_sq, impl_->radius);
   const Enclosure ray = impl_->sweep_depth(impl_->path({}), impl_->shape_radius);
-  return {std::min(path.low, ray.low), std::min(path.high, ray.high)};
+  return {std::min(path.low, std::max(start.low, ray.low)),
+          std::min(path.high, std::max(start.high, ray.high))};
 }
 
 Enclosure LinearTruth::distance_at(double t) const {

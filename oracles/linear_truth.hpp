@@ -53,11 +53,14 @@ class LinearTruth {
 
   // Units of length (not squared, not over scale). Bounding boxes are the posed shapes', in world axes.
   [[nodiscard]] Enclosure scale() const;
-  // Of a miss: the distance of the path from C; 0 otherwise.
+  // Of a miss: the distance of the path from C; 0 otherwise. Of a start that is passed over: how far C must
+  // change to ask for contact, at least: the lesser of the distance of its ray from C without the target
+  // distance (nearer, it does not leave) and of its depth in C (less, it is no start in contact).
   [[nodiscard]] Enclosure clearance() const;
   // Of a hit or a start in contact: the least translation after which the path over [0, T] misses; 0 of a
-  // miss. Under the policy pass_over a start in contact is a miss, too, when it leaves or slides: after the
-  // depth of the whole ray in C without the target distance, if that is less.
+  // miss. Under the policy pass_over it is a miss, too, if it starts in contact and leaves or slides: C must
+  // change for that by the distance of the start from C, and by the depth of the whole ray in C without the
+  // target distance, at least: the larger of the two, if that is less.
   [[nodiscard]] Enclosure depth() const;
   // For finite t: the distance of t v from C; 0 inside.
   [[nodiscard]] Enclosure distance_at(double t) const;

@@ -34,6 +34,7 @@ class Drawing {
     if (!random_.once_in(3)) problem.a.position = vector();
     place(problem);
     if (random_.once_in(8)) problem.target_distance = std::abs(coordinate());
+    if (random_.once_in(6)) pass_over(problem);
     switch (random_.below(8)) {
       case 0:
         problem.t_max = kInfinity<double>;
@@ -301,6 +302,14 @@ class Drawing {
     const Vec3<double> a = turned(problem.a.orientation, feature(problem.a.shape));
     const Vec3<double> b = turned(problem.b.orientation, feature(problem.b.shape));
     problem.b.position = problem.a.position + a - b - t * v;
+  }
+
+  // The policy; half of the time with a gap of about the target distance, or within it.
+  void pass_over(Case& problem) {
+    problem.start_policy = corpus::StartPolicy::pass_over;
+    if (random_.once_in(2)) return;
+    if (problem.target_distance == 0) problem.target_distance = std::abs(coordinate());
+    problem.b.position += pole(problem.target_distance * random_.integer(1, 6) / 4);
   }
 
   // One number, by one unit in the last place.

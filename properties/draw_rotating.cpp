@@ -16,15 +16,15 @@ using corpus::Spin;
 
 namespace {
 
-enum class Manner { free, slow, many_turns, as_one, unseen, unturned };
+enum class Manner { free, slow, many_turns, as_one, unseen, unturned, lash };
 
 class TurningDrawing {
  public:
   explicit TurningDrawing(Random& random) : random_(random) {
-    constexpr std::array kManners = {Manner::free,       Manner::free,    Manner::free,   Manner::free,
-                                     Manner::free,       Manner::slow,    Manner::slow,   Manner::as_one,
-                                     Manner::as_one,     Manner::as_one,  Manner::unseen, Manner::unseen,
-                                     Manner::many_turns, Manner::unturned};
+    constexpr std::array kManners = {
+        Manner::free,       Manner::free,     Manner::free,   Manner::free,   Manner::free,   Manner::slow,
+        Manner::slow,       Manner::as_one,   Manner::as_one, Manner::as_one, Manner::unseen, Manner::unseen,
+        Manner::many_turns, Manner::unturned, Manner::lash,   Manner::lash,   Manner::lash};
     manner_ = kManners[random_.below(kManners.size())];
   }
 
@@ -32,17 +32,23 @@ class TurningDrawing {
     problem.family = "drawn rotating";
     // The policy and the rays stay now and then: they are answered where no turn is seen.
     const bool linear_only = manner_ == Manner::unseen && random_.once_in(8);
-    if (std::isinf(problem.t_max) && !linear_only) problem.t_max = 1;
+    if (!linear_only) {
+      if (std::isinf(problem.t_max)) problem.t_max = 1;
+      problem.start_policy = corpus::StartPolicy::report;
+    }
     choose_turns();
     constexpr std::array kTimes = {0.0, 0.25, 0.5, 0.5, 0.75, 1.0, 1.0, 1.5};
     const double horizon = problem.t_max > 0 && std::isfinite(problem.t_max) ? problem.t_max : 1;
     meeting_ = kTimes[random_.below(kTimes.size())];
+    if (manner_ == Manner::lash && meeting_ == 0) meeting_ = 0.5;
     const double pace = (meeting_ > 0 ? meeting_ : 1) * horizon;
     give(problem.spin_a, turn_a_, turns_a_, pace);
     give(problem.spin_b, turn_b_, turns_b_, pace);
     if (manner_ == Manner::unseen) unseen(problem);
     if (manner_ == Manner::as_one) {
       as_one(problem, meeting_ * horizon);
+    } else if (manner_ == Manner::lash) {
+      lash(problem, meeting_ * horizon);
     } else if (!random_.once_in(3)) {
       place(problem, meeting_ * horizon);
     } else if (random_.once_in(3)) {
@@ -62,9 +68,24 @@ class TurningDrawing {
     return q;
   }
 
+  // About the axis of the lash.
+  Quaternion<double> turn_about_axis() {
+    Quaternion<double> q;
+    q.w = random_.integer(-2, 3);
+    (axis_ == 0 ? q.x : axis_ == 1 ? q.y : q.z) = random_.integer(1, 3) * (random_.once_in(2) ? 1 : -1);
+    return q;
+  }
+
   // Up to the meeting.
   void choose_turns() {
     if (manner_ == Manner::unturned) return;
+    if (manner_ == Manner::lash) {
+      lashes_a_ = random_.once_in(2);
+      axis_ = random_.integer(0, 2);
+      (lashes_a_ ? turn_a_ : turn_b_) = turn_about_axis();
+      if (random_.once_in(4)) (lashes_a_ ? turn_b_ : turn_a_) = some_turn();
+      return;
+    }
     turn_a_ = random_.once_in(4) ? Quaternion<double>{} : some_turn();
     turn_b_ = random_.once_in(4) ? Quaternion<double>{} : some_turn();
     if (manner_ == Manner::slow) {
@@ -174,8 +195,81 @@ class TurningDrawing {
     }
   }
 
+  // In a plane across the lash's axis, the handle first, or last; thin beside its length.
+  Shape<double> whip(const Vec3<double>& handle, const Vec3<double>& tip) {
+    const Vec3<double> across = Vec3<double>::Unit(axis_) * std::scalbn(1.0, -random_.integer(2, 12)),
+                       third = (random_.once_in(2) ? tip : handle) + across;
+    switch (random_.below(6)) {
+      case 0:
+        return Segment<double>{handle, tip};
+      case 1:
+        return Segment<double>{tip, handle};
+      case 2:
+        return Triangle<double>{handle, third, tip};
+      case 3:
+        return Triangle<double>{tip, handle, third};
+      default: {
+        std::vector<Vec3<double>> vertices = {handle, tip};
+        if (random_.once_in(2)) vertices.insert(vertices.begin() + random_.integer(0, 2), third);
+        if (random_.once_in(2)) vertices.insert(vertices.begin(), Vec3<double>((handle + tip) / 2 - across));
+        if (random_.once_in(2)) std::swap(vertices.front(), vertices.back());
+        return Hull<double>(std::span<const Vec3<double>>(vertices));
+      }
+    }
+  }
+
+  // Of the body at the meeting, less its position: the corner that is first in the way of what comes along n.
+  // A body without corners, and every second one, becomes a ball.
+  Vec3<double> front(Body<double>& body, const Spin& spin, const Quaternion<double>& turn, double t,
+                     const Vec3<double>& n) {
+    constexpr std::size_t kMost = 64;
+    const auto corners = exact_vertices(body.shape, kMost);
+    if (!corners || corners->empty() || random_.once_in(2)) {
+      const double radius = random_.integer(0, 3);
+      body.shape = Sphere<double>{radius};
+      return carried(body, spin, turn, t, Vec3<double>::Zero()) - radius * n;
+    }
+    Vec3<double> first = carried(body, spin, turn, t, corners->front());
+    for (const Vec3<double>& corner : *corners) {
+      const Vec3<double> x = carried(body, spin, turn, t, corner);
+      if (n.dot(x) < n.dot(first)) first = x;
+    }
+    return first;
+  }
+
+  // One body is long and thin and turns about its end, square to itself, and its other end meets the other
+  // body's front: the point of contact moves along the normal, as fast as any point of the body may.
+  void lash(Case& problem, double t) {
+    Body<double>&moving = lashes_a_ ? problem.a : problem.b, &other = lashes_a_ ? problem.b : problem.a;
+    Spin &spin = lashes_a_ ? problem.spin_a : problem.spin_b,
+         &its = lashes_a_ ? problem.spin_b : problem.spin_a;
+    Vec3<double> handle = Vec3<double>::Zero();
+    if (random_.once_in(2)) {
+      for (int i = 0; i < 3; ++i) handle[i] = random_.integer(-4, 4);
+    }
+    const Vec3<double> arm = random_.integer(2, 24) * Vec3<double>::Unit((axis_ + random_.integer(1, 2)) % 3),
+                       tip = handle + arm;
+    moving.shape = whip(handle, tip);
+    moving.orientation = random_.once_in(2) ? Quaternion<double>{} : turn_about_axis();
+    spin.pivot = handle;
+    if (!random_.once_in(3)) moving.displacement = other.displacement;
+
+    const Quaternion<double>&turn = lashes_a_ ? turn_a_ : turn_b_, &its_turn = lashes_a_ ? turn_b_ : turn_a_;
+    const Vec3<double> path =
+        corpus::rotate(turn, spin.rotation.cross(corpus::rotate(moving.orientation, arm)));
+    const Vec3<double> ahead = path.isZero(0) ? Vec3<double>::Unit(axis_) : Vec3<double>(path / path.norm());
+    moving.position =
+        other.position + front(other, its, its_turn, t, ahead) - carried(moving, spin, turn, t, tip);
+    if (random_.once_in(4)) {
+      const double beside = std::scalbn(1.0, random_.once_in(2) ? -8 : -24);
+      moving.position += (random_.once_in(2) ? beside : -beside) * ahead;
+    }
+  }
+
   Random& random_;
   Manner manner_ = Manner::free;
+  bool lashes_a_ = false;
+  int axis_ = 0;
   Quaternion<double> turn_a_, turn_b_;
   int turns_a_ = 0, turns_b_ = 0;
   double meeting_ = 0;

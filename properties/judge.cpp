@@ -9,7 +9,7 @@
 
 #include "engines/guarantees.hpp"
 #include "properties/case_edit.hpp"
-#include "properties/shape_edit.hpp"
+#include "properties/own_frames.hpp"
 
 namespace graze::law {
 
@@ -37,22 +37,6 @@ double rounding_of_times(const EngineMethod& method, const Case& problem) {
          (1 + 8 * kUnitRoundoff<double>);
 }
 
-// What tier certified does not see of bodies that lie far out in their own frames. Its points are known
-// within 2^-95 of the lengths that a shape is made of, for each of its nodes (named_point.hpp), a portal's
-// corners across the line within e, four times that, and it takes a triangle whose area is 16 times the 3 * 8
-// e m that its sides of length m may be off by (certified_portal.hpp): one that is 2^9 e high.
-double unseen_of_own_frames(const Case& problem) {
-  double lengths = 0, nodes = 0;
-  const auto add = [&](Slot slot, double x) {
-    if (is_length(slot)) lengths += std::abs(x);
-    nodes += 1;  // a node has one number at least, but for a point
-    return x;
-  };
-  static_cast<void>(map_shape(problem.a.shape, add));
-  static_cast<void>(map_shape(problem.b.shape, add));
-  return 0x1p-84 * (nodes + 2) * lengths;
-}
-
 double width(const EngineMethod& method) {
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
   return row && row->width ? *row->width : std::numeric_limits<double>::infinity();
@@ -67,7 +51,8 @@ double bound_of(const EngineMethod& method, const Case& problem) {
     return width(method) * truth.scale().high + unseen_of_own_frames(problem) +
            (method.scalar == "float" ? rounding_of_times(method, problem) : 0);
   }
-  return kappa(method, problem) * method.unit_roundoff * truth.scale().high;
+  const double scale = truth.scale().high;
+  return kappa(method, problem) * method.unit_roundoff * scale + unseen_of_trees(problem, scale);
 }
 
 double proved_bound_of(const EngineMethod& method, const Case& problem) {

@@ -8,6 +8,7 @@
 #include "corpus/names.hpp"
 #include "properties/exact_answer.hpp"
 #include "properties/judge.hpp"
+#include "properties/own_frames.hpp"
 
 namespace graze::law {
 namespace {
@@ -23,7 +24,9 @@ class QueryJudge {
       : truth_(truth), answer_(answer), limits_(limits) {
     const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
     scale_ = (moves ? truth.moving() : truth.at_rest()).scale().high;
-    limit_ = limits.kappa * limits.unit_roundoff * scale_;
+    // A line meets C behind its start as well, as far as the target distance back.
+    if (truth.problem().query == Query::line) scale_ = std::max(scale_, truth.problem().target_distance);
+    limit_ = limits.kappa * limits.unit_roundoff * scale_ + unseen_of_trees(truth.problem(), scale_);
     judgement_.outcome = answer.outcome;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
   }

@@ -2,6 +2,7 @@
 
 #include "properties/laws_advancement.hpp"
 #include "properties/laws_checker.hpp"
+#include "properties/laws_distance.hpp"
 #include "properties/laws_exact.hpp"
 #include "properties/laws_metamorphic.hpp"
 #include "properties/laws_motion.hpp"
@@ -91,6 +92,9 @@ constexpr Law kLaws[] = {
      Needs::oracle, &normal_supports},
     {"witnesses_touch", "The witnesses of a hit lie in their bodies at toi_lower, and at each other.",
      Needs::oracle, &witnesses_touch},
+    {"distance_is_stated",
+     "At toi_lower the bodies' distance exceeds the target distance by no more than the answer says.",
+     Needs::oracle, &distance_is_stated},
     {"proof_is_tight", "A proof's bounds are within kappa u scale of the bracket's.", Needs::oracle,
      &proof_is_tight},
     {"certified_decides",

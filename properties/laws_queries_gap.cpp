@@ -164,8 +164,9 @@ LawResult moving_along_the_normal(const Case& problem, const QueryMethod& method
   const auto after = requestioned(seen_by(method, moved), method);
   if (!after) return not_applicable("moved out of range");
   const Gap two = gap_by(method, after->seen);
-  // The position rounds; so do the coordinates of the witnesses.
-  const double rounded = 4 * question->u * (after->seen.b.position.norm() + a.norm() + b.norm()),
+  // The position rounds, below the normal numbers by more than u; so do the coordinates of the witnesses.
+  const double placed = (after->seen.b.position - moved.b.position).norm(),
+               rounded = 4 * question->u * (after->seen.b.position.norm() + a.norm() + b.norm()) + placed,
                allowed = 3 * one.limit + two.limit + rounded;
   // n keeps them apart by as much more; the witnesses, one of them moved, are no nearer than the bodies.
   const Interval expected{one.bracket.lower + s, (a - b - s * n).norm()};

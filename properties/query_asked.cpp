@@ -12,6 +12,7 @@
 #include "oracles/exact_body.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/judge.hpp"
+#include "properties/own_frames.hpp"
 #include "properties/query_case.hpp"
 
 namespace graze::law {
@@ -76,7 +77,9 @@ std::string text(const std::optional<Vec3<double>>& v) { return v ? hex(*v) : "n
 double limit_of(const QueryMethod& method, const Case& seen) {
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
   const double kappa = row != nullptr ? row->kappa(seen) : kInfinity<double>;
-  return kappa == 0 ? 0 : kappa * unit_roundoff(method) * scale_of(seen);
+  const double scale =
+      method.query == Query::line ? std::max(scale_of(seen), seen.target_distance) : scale_of(seen);
+  return kappa == 0 ? 0 : kappa * unit_roundoff(method) * scale + unseen_of_trees(seen, scale);
 }
 
 std::optional<Question> requestioned(Case edited, const QueryMethod& method) {

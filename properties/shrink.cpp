@@ -214,6 +214,11 @@ std::vector<Case> simpler(const Case& problem) {
     edit(other);
     all.push_back(std::move(other));
   };
+  // Two points that meet head on, at t = 1.
+  with([](Case& c) {
+    c.b.position = c.a.position + c.a.displacement - c.b.displacement;
+    c.a.shape = c.b.shape = Point<double>{};
+  });
   for (const auto body : {&Case::a, &Case::b}) {
     std::vector<Shape<double>> shapes;
     simpler_shapes((problem.*body).shape, shapes);
@@ -243,6 +248,7 @@ std::vector<Case> simpler(const Case& problem) {
     });
   }
   if (problem.t_max != 1) with([](Case& c) { c.t_max = 1; });
+  with([](Case& c) { c.start_policy = StartPolicy::report; });
   simpler_scenes(problem, all);
   // Every number by itself; a quaternion may not vanish.
   const std::vector<double> numbers = scalars(problem);
@@ -263,9 +269,9 @@ std::vector<Case> simpler(const Case& problem) {
     long long sum = 0;
     for (const double x : scalars(c)) sum += 1 + complexity(x);
     sum += node_count(c.a.shape) + node_count(c.b.shape);
-    // An identity turn and a unit horizon count as nothing, so that both are goals.
+    // An identity turn, a unit horizon and no policy count as nothing, so that they are goals.
     for (const Body<double>* body : {&c.a, &c.b}) sum -= plain(*body) ? 10 : 0;
-    return sum - (c.t_max == 1 ? 10 : 0);
+    return sum - (c.t_max == 1 ? 10 : 0) - (c.start_policy == StartPolicy::report ? 1 : 0);
   };
   const long long limit = measure(problem);
   std::erase_if(all, [&](Case& c) {

@@ -5,6 +5,7 @@
 #include "corpus/names.hpp"
 #include "properties/exact_answer.hpp"
 #include "properties/judge.hpp"
+#include "properties/own_frames.hpp"
 #include "tools/judge_contact.hpp"
 #include "tools/judge_proof.hpp"
 #include "tools/table.hpp"
@@ -53,7 +54,7 @@ bool claims_contact(Outcome outcome) {
 void judge_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
                      const corpus::Case& problem, const Limits& limits, Request request) {
   const double scale = exact.scale().high;
-  const double limit = limits.kappa * limits.unit_roundoff * scale;
+  const double limit = limits.kappa * limits.unit_roundoff * scale + law::unseen_of_trees(problem, scale);
   const bool contact = exact.outcome() != Outcome::miss;
   const auto beyond = [&](const Enclosure& error) { return error.low > limit; };
   const auto in_scale = [&](const Enclosure& error) { return short_number(over(error.low, scale)); };
@@ -167,7 +168,7 @@ namespace {
 
 void judge_certified_by_oracle(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
                                const corpus::Case& problem, const Limits& limits) {
-  const double width = limits.width * exact.scale().high;
+  const double width = limits.width * exact.scale().high + law::unseen_of_own_frames(problem);
   const double time = std::min(exact.toi_upper(), answer.toi_upper);  // where the oracle is open, the claim
   const double bound = width + rounding_of_times(problem, time, limits);
   convict(judgement.wrong, law::verdict_fault(exact, answer, 0));

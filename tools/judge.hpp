@@ -86,8 +86,8 @@ struct Judgement {
 
 // Tier certified: an answer, asked for everything. Its verdict and its bracket are true of the case or wrong,
 // late or off; off, too, where an end has a backward error above limits.width (and, in float, what rounding
-// the times costs). not_converged is a stall where clearance or depth exceeds that width, and excused below
-// it.
+// the times costs, and of bodies far out in their own frames, what properties/own_frames.hpp says).
+// not_converged is a stall where clearance or depth exceeds that width, and excused below it.
 [[nodiscard]] Judgement judge_certified(Truth& truth, const engine::Answer& answer, const Limits& limits,
                                         bool ask_oracle);
 

@@ -75,15 +75,26 @@ template <Scalar S, class Search>
     sweep = search(cso, limits, clip, out.counters);
   }
   // A hit within the noise of the start is a start in contact, too.
-  const bool at_start =
-      sweep.outcome == Outcome::initially_overlapping ||
-      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
-  if (options.start_policy == StartPolicy::pass_over && at_start &&
-      leaves_or_slides(Cso<S>(a, b), limits, out.counters)) {
-    out.outcome = Outcome::miss;
-    out.toi_lower = out.toi_upper = kInfinity<S>;
-    out.passed_over = true;
-    return;
+  const auto at_start = [&] {
+    return sweep.outcome == Outcome::initially_overlapping ||
+           (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  };
+  if (options.start_policy == StartPolicy::pass_over && at_start()) {
+    if (sweep.outcome == Outcome::hit && limits.target > limits.noise) {
+      // What a tolerance leaves of the bracket does not say so.
+      limits.target = limits.noise;
+      Counters again;
+      sweep = search(cso, limits, clip, again);
+      out.counters += again;
+    }
+    const Start start = at_start() ? start_of(Cso<S>(a, b), limits, out.counters) : Start::enters;
+    if (start == Start::leaves) {
+      out.outcome = Outcome::miss;
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      out.passed_over = true;
+      return;
+    }
+    if (start == Start::open) sweep = {};
   }
   fill(out, a, b, options, cso, sweep);
 }
@@ -133,10 +144,7 @@ void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
           // Portals that alternate, as far as rounding can tell: another method has another way in.
           Counters again;  // its budget is its own
           sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
-          counters.iterations += again.iterations;
-          counters.supports += again.supports;
-          counters.gjk_iterations += again.gjk_iterations;
-          counters.portal_steps += again.portal_steps;
+          counters += again;
         }
         return sweep;
       },

@@ -14,9 +14,9 @@
 //                          and contact is proved a little later: a verdict of contact, whichever it is at t =
 //                          0;
 //   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
-//                          width, or under pass_over where that much decides whether the start leaves;
-//                          or where a shape lies so far out in its own frame, 1e12 scale and more, that
-//                          a sum of two doubles loses it (named_point.hpp)
+//                          width, or under pass_over where that much decides whether the start leaves.
+//                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
+//                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
 // How. Upper half: a portal of exactly named points (certified_portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
@@ -56,8 +56,8 @@ class CertifiedCast {
         points_(context_, counters),
         budget_(options.max_iterations),
         wants_proof_(asks_for(options.request, Request::proof)),
-        // cso.scale() is not above the pair's.
-        width_allowed_(kCertifiedWidth * (1 - 0x1p-20) * cso_.scale()) {}
+        // cso.scale() is not above the pair's. A portal is 2^9 times the doubt of its corners high.
+        width_allowed_(kCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
   CertifiedCast(const CertifiedCast&) = delete;
   CertifiedCast& operator=(const CertifiedCast&) = delete;
 
@@ -106,7 +106,6 @@ class CertifiedCast {
 
   // After run() of a start in contact, or maybe in contact: does its ray go into C's inside, or leave, or
   // slide? Of C without the target distance.
-  enum class Start { enters, leaves, open };
   [[nodiscard]] Start start() {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
@@ -117,6 +116,10 @@ class CertifiedCast {
     // every motion stays there for a while.
     const ProvedView<S> ahead = view(false);
     const ProvedPortal in = ahead.enter({}, gap()), out = leave();
+    // Of long thin shapes the search's axis is rounded by more than they are thick.
+    for (const Vec3<double>& axis : {in.n, in.across, out.n, out.across}) {
+      if (prove_lower(context_, axis, true, away, counters_)) return Start::leaves;
+    }
     if (in.found && out.found && ahead.is_surrounded(in, out)) {
       if (cso_.moves() ? out.upper < 0 : in.upper < 0 && out.upper < 0) return Start::enters;
     }
@@ -189,7 +192,7 @@ class CertifiedCast {
     lower = upper = 0;
     proof = {};
     if (!wants_proof_) return;
-    const Surrounding four = surround(points_, in, out);
+    const Surrounding four = surrounding(points_, in, out);
     if (!four.found) return prove_start(context_, proof, counters_);
     for (std::size_t i = 0; i < 4; ++i) {
       if (!four.p[i].named) return;
@@ -208,7 +211,13 @@ class CertifiedCast {
     const ProvedPortal in = enter(), out = leave();
     if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
     if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
-    if (!is_miss_by_search(d.n)) is_deep_at_start();
+    if (is_miss_by_search(d.n) || is_deep_at_start()) return;
+    // GJK ends where a step is no nearer, as far as doubles tell, though its axis would turn. Seen along a
+    // line, what separates C from it is exact.
+    for (const auto& [x, y, z] : kSkew) {
+      const ProvedPortal aside = along(Vec3<double>(x, y, z), false).enter({}, gap());
+      if (is_miss(aside.found ? aside.n : aside.across)) return;
+    }
   }
 
   void sweep() {
@@ -269,7 +278,7 @@ class CertifiedCast {
       const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap());
       if (!out.found || !(strictly || out.upper <= 0)) continue;
       const bool beyond_doubt = in.upper < 0 && out.upper < 0 && view.is_surrounded(in, out);
-      if (!strictly || beyond_doubt || surround(points_, in, out, true).found) return std::pair(in, out);
+      if (!strictly || beyond_doubt || surrounding(points_, in, out, true).found) return std::pair(in, out);
     }
     return std::nullopt;
   }
@@ -423,7 +432,6 @@ S time_up(double t) {
 template <Scalar S>
 void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                      CertifiedCast<S>& cast, CastResult<S>& out) {
-  using Start = typename CertifiedCast<S>::Start;
   const bool in_contact = cast.outcome == Outcome::initially_overlapping;
   if (cast.outcome == Outcome::miss || cast.proof.toi_lower > 0) return;
   CertifiedCast<S> core(a, b, options, kInfinity<double>, 0, out.counters);

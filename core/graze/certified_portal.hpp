@@ -28,6 +28,7 @@ namespace graze::detail {
 struct ProvedPoint {
   NamedPoint point;
   TwoDoubles x, y, z;
+  Vec3<double> n = Vec3<double>::Zero();  // world, unit: farthest along it, about
 };
 
 struct ProvedPortal {
@@ -66,8 +67,9 @@ class ProvedView {
       for (std::size_t i = 0; i < 3; ++i) {
         const CsoPoint<double>& c = first.p[i].c;
         const Vec3<double> e = c.n != Vec3<double>::Zero() ? c.n : c.e;
-        p[i] = placed(points_.named(
-            c, e == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitX()) : Vec3<double>(unit(e))));
+        const Vec3<double> n =
+            e == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitX()) : Vec3<double>(unit(e));
+        p[i] = placed(points_.named(c, n), n);
       }
       static_cast<void>(take(out, p));
     }
@@ -86,7 +88,7 @@ class ProvedView {
       for (const ProvedPoint& p : portal->p) corner[size++] = p;
     }
     for (int step = 0; step < kGapSteps; ++step) {
-      if (surround(corner, size)) return true;
+      if (surrounds_line(corner, size)) return true;
       for (const int turn : {1, -1}) {
         const ProvedPoint* last = nullptr;
         for (std::size_t i = 0; i < size; ++i) {
@@ -95,10 +97,10 @@ class ProvedView {
         }
         if (last == nullptr) continue;
         const Vec3<double> q = across(*last);
-        corner[size++] = placed(points_.along(world(-turn * q[1], turn * q[0], 0)));
+        corner[size++] = along(world(-turn * q[1], turn * q[0], 0));
       }
     }
-    return surround(corner, size);
+    return surrounds_line(corner, size);
   }
 
  private:
@@ -113,8 +115,10 @@ class ProvedView {
 
   static double value(const TwoDoubles& x) { return x.hi + x.lo; }
 
-  [[nodiscard]] ProvedPoint placed(NamedPoint point) const {
+  [[nodiscard]] ProvedPoint along(const Vec3<double>& n) const { return placed(points_.along(n), n); }
+  [[nodiscard]] ProvedPoint placed(NamedPoint point, const Vec3<double>& n) const {
     ProvedPoint out;
+    out.n = n;
     out.x = point.w[a_] + -(rho_a_ * point.w[c_]);
     out.y = point.w[b_] + -(rho_b_ * point.w[c_]);
     out.z = point.w[c_] / r_[c_];
@@ -151,7 +155,7 @@ class ProvedView {
   }
   // Does no half-plane hold the corners? While one has no next it is left out: a half-plane's go one by one,
   // the last first.
-  [[nodiscard]] bool surround(Corners corner, std::size_t size) const {
+  [[nodiscard]] bool surrounds_line(Corners corner, std::size_t size) const {
     for (std::size_t i = 0; i < size;) {
       const bool stays = has_next(corner[i], corner, size, 1);
       if (!stays) corner[i] = corner[--size];
@@ -256,21 +260,38 @@ class ProvedView {
     const Vec3<double> f = edge[(longest + 1) % 3].cross(edge[(longest + 2) % 3]);
     return unit(world(f[2] > 0 ? -f[0] : f[0], f[2] > 0 ? -f[1] : f[1], f[2] > 0 ? -f[2] : f[2]));
   }
+  // Between the normals of the two corners that the line passes between: of corners on one line, whose plane
+  // is rounding. Zero if all are on one side.
+  [[nodiscard]] Vec3<double> normal_between(const std::array<ProvedPoint, 3>& p) const {
+    Vec3<double> edge = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3<double> e = across(p[(i + 1) % 3]) - across(p[i]);
+      if (e.squaredNorm() > edge.squaredNorm()) edge = e;
+    }
+    const ProvedPoint *before = nullptr, *after = nullptr;
+    for (const ProvedPoint& c : p) {
+      const double at = edge.dot(across(c));
+      if (at <= 0 && (before == nullptr || at > edge.dot(across(*before)))) before = &c;
+      if (at > 0 && (after == nullptr || at < edge.dot(across(*after)))) after = &c;
+    }
+    if (before == nullptr || after == nullptr) return Vec3<double>::Zero();
+    return unit(Vec3<double>(unit(before->n) + unit(after->n)));
+  }
   // Calls try_one with a point along n, then with others near it, until it says yes.
   template <class Try>
   bool with_tilts(const Vec3<double>& n, const Try& try_one) const {
-    if (try_one(placed(points_.along(n)), false)) return true;
+    if (try_one(along(n), false)) return true;
     const Frame<double> frame(n);
     for (const double tilt : kTiltSizes) {
       for (int k = 0; k < kTilts; ++k) {
         // Away from the symmetries of anything.
         const double angle = 0.3 + k * 0.785398;
         const Vec3<double> t = std::cos(angle) * frame.e1 + std::sin(angle) * frame.e2;
-        if (try_one(placed(points_.along(n + tilt * t)), true)) return true;
+        if (try_one(along(n + tilt * t), true)) return true;
       }
     }
     for (const double drawn : {0x1p-48, 0x1p-45, 0x1p-42}) {
-      if (try_one(placed(points_.along(n, drawn)), true)) return true;
+      if (try_one(placed(points_.along(n, drawn), n), true)) return true;
     }
     return false;
   }
@@ -289,7 +310,7 @@ class ProvedView {
     std::array<ProvedPoint, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
       const double angle = 0.3 + 2.1 * static_cast<double>(i);
-      p[i] = placed(points_.along(world(std::cos(angle), std::sin(angle), 0)));
+      p[i] = along(world(std::cos(angle), std::sin(angle), 0));
     }
     for (int step = 0; step < kSteps; ++step) {
       if (take(portal, p)) return;
@@ -315,18 +336,45 @@ class ProvedView {
       if (!(least < -2 * error_)) {
         // On the edge as far as can be told, or all are on one line.
         with_tilts(outward, [&](const ProvedPoint& w, bool) {
-          return take_any(portal, {p[0], p[1], p[2], w, placed(points_.along(-outward))});
+          return take_any(portal, {p[0], p[1], p[2], w, along(-outward)});
         });
         return;
       }
       const ProvedPoint &j = p[(worst + 1) % 3], &k = p[(worst + 2) % 3];
-      const ProvedPoint w = placed(points_.along(outward));
+      const ProvedPoint w = along(outward);
       portal.across = outward;
       if (!(n[0] * value(w.x) + n[1] * value(w.y) > 0)) return;
       p = {w, j, k};
     }
   }
 
+  // The portal moves on to a lower one with a corner along n. `aside`: one that is not lower. False once
+  // enough(w) says of the point along n that it need not.
+  template <class Enough>
+  [[nodiscard]] bool go_along(const Vec3<double>& n, ProvedPortal& portal, ProvedPortal& aside,
+                              const Enough& enough) const {
+    if (!(n.cwiseAbs().maxCoeff() > 0)) return false;
+    const std::array<ProvedPoint, 3> p = portal.p;
+    bool stop = false;
+    const bool moved = with_tilts(n, [&](const ProvedPoint& w, bool tilted) {
+      stop = stop || (!tilted && enough(w));
+      if (stop) return true;
+      const double lower = portal.upper - kUnitRoundoff<double> * std::abs(portal.upper) - 0x1p-80;
+      for (const std::array<ProvedPoint, 3>& next :
+           {std::array<ProvedPoint, 3>{w, p[1], p[2]}, std::array<ProvedPoint, 3>{p[0], w, p[2]},
+            std::array<ProvedPoint, 3>{p[0], p[1], w}}) {
+        ProvedPortal taken = portal;
+        if (!take(taken, next)) continue;
+        if (taken.upper < lower) {
+          portal = taken;
+          return true;
+        }
+        if (!aside.found) aside = taken;
+      }
+      return false;
+    });
+    return moved && !stop;
+  }
   // Where the line passes an edge or a corner of the portal exactly, a new corner may leave the height as it
   // is, and would for ever: others near it are tried first, and a step aside is taken when none goes on.
   void refine(ProvedPortal& portal, double gap) const {
@@ -336,29 +384,14 @@ class ProvedView {
       if (!(n.cwiseAbs().maxCoeff() > 0)) return;
       portal.n = n;
       portal.beyond = 0;
-      bool near = false;
       ProvedPortal aside;
-      const bool moved = with_tilts(n, [&](const ProvedPoint& w, bool tilted) {
-        const double beyond = n.dot(rounded_once(w.point.w + -p[0].point.w));
-        if (!tilted) portal.beyond = beyond;
-        near = near || (!tilted && !(beyond > gap));
-        if (near) return true;
-        const double enough = portal.upper - kUnitRoundoff<double> * std::abs(portal.upper) - 0x1p-80;
-        for (const std::array<ProvedPoint, 3>& next :
-             {std::array<ProvedPoint, 3>{w, p[1], p[2]}, std::array<ProvedPoint, 3>{p[0], w, p[2]},
-              std::array<ProvedPoint, 3>{p[0], p[1], w}}) {
-          ProvedPortal taken = portal;
-          if (!take(taken, next)) continue;
-          if (taken.upper < enough) {
-            portal = taken;
-            return true;
-          }
-          if (!aside.found) aside = taken;
-        }
-        return false;
+      const bool moved = go_along(n, portal, aside, [&](const ProvedPoint& w) {
+        portal.beyond = n.dot(rounded_once(w.point.w + -p[0].point.w));
+        return !(portal.beyond > gap);
       });
-      if (near) return;
       if (moved) continue;
+      if (!(portal.beyond > gap)) return;
+      if (go_along(normal_between(p), portal, aside, [](const ProvedPoint&) { return false; })) continue;
       if (!aside.found || ++aside_steps > kAsideSteps) return;
       portal = aside;
     }

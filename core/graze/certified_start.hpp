@@ -49,8 +49,8 @@ bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*,
 // Four of the corners of two portals, the one where a line through the origin enters C, the other where it
 // leaves.
 template <Scalar S>
-Surrounding surround(const NamedPoints<S>& points, const ProvedPortal& in, const ProvedPortal& out,
-                     bool strictly = false) {
+Surrounding surrounding(const NamedPoints<S>& points, const ProvedPortal& in, const ProvedPortal& out,
+                        bool strictly = false) {
   std::array<const NamedPoint*, 6> all;
   for (std::size_t i = 0; i < 3; ++i) {
     all[i] = &in.p[i].point;

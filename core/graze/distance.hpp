@@ -6,7 +6,7 @@
 // duality gap upper - lower.
 #pragma once
 
-#include <graze/mpr.hpp>
+#include <graze/steady_axis.hpp>
 #include <graze/validate.hpp>
 #include <graze/witness.hpp>
 
@@ -30,71 +30,6 @@ struct DistanceResult {
   Counters counters;
 };
 
-namespace detail {
-
-// |v| is known to u of itself, its direction only to the root of that: where the foot of the origin on an
-// edge or a face is as near as rounding can tell to a smaller feature, GJK ends there, with a tilted axis
-// that proves little. Two cures, for a search that stalled: the axes of all features that the simplex and its
-// last support point span, |v| aside, while one proves more; and the normal of the portal by which the line
-// from the origin to v enters C. `contact`: the simplex of v, weighted; on return that of the axis, where the
-// feature that has it is as near as v, so that the witnesses lie one beyond the other along it.
-template <Scalar S>
-void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const SweepLimits<S>& limits,
-                 Counters& counters) {
-  Simplex<S> simplex = contact;
-  Vec3<S> v = Vec3<S>::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
-    v += simplex.lambda[i] * simplex.point[i].w;
-  }
-  CsoPoint<S> last;  // of the axis tried last
-  // True if n proves more than was known.
-  const auto try_axis = [&](const Vec3<S>& n) {
-    if (n == Vec3<S>::Zero()) return false;
-    ++counters.supports;
-    last = cso.support(n);
-    const S lower = -n.dot(last.w);
-    if (!(lower > d.lower)) return false;
-    d.lower = lower;
-    d.n = n;
-    return true;
-  };
-  const auto steady = [&] { return d.upper - d.lower <= limits.noise; };
-  constexpr int kRounds = 8;
-  try_axis(d.n);
-  for (int round = 0; round < kRounds && simplex.size < 4 && !simplex.holds(last); ++round) {
-    simplex.add(last);
-    Points4<S> y;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) y[i] = simplex.point[i].w;
-    Closest<S> kept;
-    CsoPoint<S> kept_last;
-    const auto consider = [&](const Closest<S>& feature) {
-      if (feature.size == 0 || !try_axis(feature.n)) return;
-      kept = feature;
-      kept_last = last;
-    };
-    for (int i = 0; i < simplex.size; ++i) {
-      for (int j = i + 1; j < simplex.size; ++j) {
-        consider(closest_edge(y, i, j));
-        for (int k = j + 1; k < simplex.size; ++k) consider(closest_face(y, std::array<int, 3>{i, j, k}));
-      }
-    }
-    if (kept.size == 0) break;
-    reduce(simplex, kept);
-    if (std::sqrt(kept.dist_sq) <= d.upper + limits.noise) contact = simplex;
-    if (steady()) break;
-    last = kept_last;
-  }
-  if (!steady() && v != Vec3<S>::Zero()) {
-    const PortalSearch<S> entry =
-        enter_line(cso, Frame<S>(v), kInfinity<S>, limits.fine(), limits.budget, counters);
-    try_axis(entry.n);
-    try_axis(entry.facing);
-  }
-  d.stalled = !steady();
-}
-
-}  // namespace detail
-
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {}) {
   DistanceResult<S> out;
@@ -111,9 +46,9 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
                                options.tolerance > 0 ? limits.target : limits.fine(), R + limits.fine(),
                                options.max_iterations, out.counters);
   out.counters.iterations = out.counters.gjk_iterations;
-  const S apart = d.upper - R;
   if (d.stalled && d.upper - d.lower > limits.noise)
     detail::steady_axis(d, cso, simplex, limits, out.counters);
+  const S apart = d.upper - R;
   // Nearer than rounding can tell is contact.
   if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
     out.lower = out.upper = 0;

@@ -14,8 +14,16 @@ struct Frame {
   Vec3<S> e1, e2, e3;
   S length;  // |r|
 
-  explicit Frame(const Vec3<S>& r) : length(r.norm()) {
-    e3 = r / length;
+  // r != 0.
+  explicit Frame(const Vec3<S>& r) : e3(r), length(1) {
+    // Squares of less vanish, or lose bits.
+    if (const S most = r.cwiseAbs().maxCoeff(); most < kShort) {
+      e3 /= most;
+      length = most;
+    }
+    const S norm = e3.norm();
+    e3 /= norm;
+    length *= norm;
     // Across the two larger coordinates: an axis-aligned r gives axis-aligned e1, e2, and ties stay ties.
     int least = 0;
     for (int i = 1; i < 3; ++i) {
@@ -28,6 +36,7 @@ struct Frame {
     e2 = e3.cross(e1);
   }
 
+  static constexpr S kShort = sizeof(S) == 8 ? S(0x1p-480) : S(0x1p-48);
   [[nodiscard]] Vec3<S> to_frame(const Vec3<S>& c) const { return {e1.dot(c), e2.dot(c), e3.dot(c)}; }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& n) const { return n[0] * e1 + n[1] * e2 + n[2] * e3; }
 };

@@ -13,6 +13,8 @@
 
 namespace graze::detail {
 
+enum class Start { enters, leaves, open };  // leaves, or slides; open: the budget ended before that was known
+
 // The polygon's corners; more than a silhouette needs to pass the noise (2^-53 is 26 halvings of an arc).
 inline constexpr std::size_t kSilhouetteCorners = 64;
 
@@ -53,7 +55,7 @@ bool on_silhouette(const PortalView<S>& view, S noise) {
 // cso: without the target distance. Contact at s = 0 was found, for the CSO with it. Without motion the
 // question is whether the origin lies on C's border; any direction answers it, away from the middle best.
 template <Scalar S>
-bool leaves_or_slides(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counters) {
+Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counters) {
   using State = typename PortalSearch<S>::State;
   const Vec3<S> outward =
       cso.middle() == Vec3<S>::Zero() ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-cso.middle());
@@ -61,10 +63,12 @@ bool leaves_or_slides(const Cso<S>& cso, const SweepLimits<S>& limits, Counters&
   // Seen from behind: the exit is the entry of the mirrored line, at -z.
   const PortalView<S> view{cso, frame, S(-1), counters};
   PortalSearch<S> exit = find_portal(view, limits.budget);
-  if (exit.state != State::entered) return exit.state == State::missed;
+  if (exit.state == State::missed) return Start::leaves;
+  if (exit.state != State::entered) return Start::open;
   refine_portal(view, exit, PortalLimits<S>{-limits.noise, -limits.noise, limits.noise / 2}, limits.budget);
-  if (exit.state != State::accepted) return exit.state != State::exhausted;
-  return on_silhouette(view, limits.noise);
+  if (exit.state == State::exhausted) return Start::open;
+  if (exit.state != State::accepted) return Start::leaves;
+  return on_silhouette(view, limits.noise) ? Start::leaves : Start::enters;
 }
 
 }  // namespace graze::detail

@@ -11,6 +11,7 @@
 
 #include <graze/exact/portal_sign.hpp>
 #include <graze/gjk_casts.hpp>
+#include <graze/steady_axis.hpp>
 
 namespace graze {
 
@@ -175,10 +176,13 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
   };
   Simplex<double> simplex;
   const Vec3<double> start = -(c.cso.middle() - (s_end / 2) * c.r);
-  const Distance<double> d = gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0,
-                                          c.cso.radius(), 256, counters);
-  if (prove_lower(c, d.n, true, proof, counters)) return;
-  prove_lower(c, level(c, d.n), true, proof, counters);
+  Distance<double> d = gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0,
+                                    c.cso.radius(), 256, counters);
+  for (int i = 0; i < 2; ++i) {
+    if (prove_lower(c, d.n, true, proof, counters)) return;
+    if (prove_lower(c, level(c, d.n), true, proof, counters) || simplex.size == 4) return;
+    turn_axis(d, swept, simplex, 0.0, counters);
+  }
 }
 
 // The exact name of a side's part in a support point along n, e = n / |n|. False if it has none: too many
@@ -280,17 +284,38 @@ void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
 
 // Where the axes so far leave a gap below the answer, as steep ones of MPR do at an edge (their rounding
 // counts by |n| |r| / -n.r), the axis that the GJK ray cast ends with: it looks from C towards the path.
+// Where the path comes in along a flat side, over its rim, that is the side's normal, no better; the rim is
+// seen from before it, somewhere in the gap.
 template <Scalar S>
 void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Counters& counters) {
   constexpr double kGap = 16 * kUnitRoundoff<double>;  // over scale: what is not worth a second search
-  const double upper = std::min(toi_upper, proof.toi_upper);
-  const double gap = c.cso.to_parameter(upper - proof.toi_lower) * c.r.norm();
-  if (!(gap > kGap * c.cso.scale()) || !c.cso.moves()) return;
+  constexpr int kHalvings = 8;
+  const double upper = std::min(toi_upper, proof.toi_upper), speed = c.r.norm();
+  const auto is_near = [&] {
+    return !(c.cso.to_parameter(upper - proof.toi_lower) * speed > kGap * c.cso.scale());
+  };
+  if (!c.cso.moves() || is_near()) return;
   CastOptions<double> options;
   options.t_max = c.t_max;
   const Sweep<double> sweep =
       gjk_ray_cast(c.cso, sweep_limits(c.cso, options), 0.0, Vec3<double>(Vec3<double>::Zero()), counters);
   prove_lower(c, sweep.n, false, proof, counters);
+  const auto distance_at = [&](double t) {
+    Simplex<double> simplex;
+    return gjk_distance(c.cso, Vec3<double>(c.cso.to_parameter(t) * c.r), simplex, 0.0, 0.0,
+                        options.max_iterations, counters);
+  };
+  const auto is_apart = [&] {
+    return distance_at(proof.toi_lower).upper - c.cso.radius() >
+           kContact * kUnitRoundoff<double> * c.cso.scale();
+  };
+  if (is_near() || !is_apart()) return;
+  double high = upper;
+  for (int i = 0; i < kHalvings && !is_near(); ++i) {
+    const double low = proof.toi_lower, middle = low + (high - low) / 2;
+    prove_lower(c, distance_at(middle).n, false, proof, counters);
+    if (!(proof.toi_lower > low)) high = middle;
+  }
 }
 
 // Contact at t = 0: four points around the origin, every volume beyond its rounding.

@@ -82,6 +82,16 @@ struct Counters {
   int portal_steps = 0;     // portal discovery and refinement steps
   int exact_decisions = 0;  // tier exact: signs that pairs of doubles did not decide
   int poses = 0;            // rotating casts: times at which the turning bodies were placed
+
+  Counters& operator+=(const Counters& more) {
+    iterations += more.iterations;
+    supports += more.supports;
+    gjk_iterations += more.gjk_iterations;
+    portal_steps += more.portal_steps;
+    exact_decisions += more.exact_decisions;
+    poses += more.poses;
+    return *this;
+  }
 };
 
 template <Scalar S>

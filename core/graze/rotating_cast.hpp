@@ -165,14 +165,7 @@ class RotatingCast {
     out_.normal = linear.normal;
     out_.point_a = linear.point_a;
     out_.point_b = linear.point_b;
-    add(linear.counters);
-  }
-  void add(const Counters& counters) {
-    out_.counters.iterations += counters.iterations;
-    out_.counters.supports += counters.supports;
-    out_.counters.gjk_iterations += counters.gjk_iterations;
-    out_.counters.portal_steps += counters.portal_steps;
-    out_.counters.exact_decisions += counters.exact_decisions;
+    out_.counters += linear.counters;
   }
 
   // The bodies stand still to each other: contact now, or never.
@@ -190,7 +183,7 @@ class RotatingCast {
         exact::round_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
     const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
     if (linear.outcome == Outcome::miss) return take(linear);
-    add(linear.counters);
+    out_.counters += linear.counters;
     out_.plan.add(PlanReason::linear_left_open);
     const bool known = linear.outcome == Outcome::hit || linear.outcome == Outcome::not_converged;
     run_march(Advance::bilateral, known ? static_cast<double>(linear.toi_lower) * (1 - 0x1p-20) : 0.0);

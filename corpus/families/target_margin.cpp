@@ -4,8 +4,10 @@
 //
 // m is 4 times 10^k, rounded to float with floats and integers. A quarter of the cases pass a top feature of
 // C at the height m (1 + 2^-10) or m (1 - 2^-10), as in `grazing`; a quarter are boxes on a grid whose faces
-// are m and a few lengths more apart. What breaks: a margin that is folded into a radius and subtracted
-// again, a constant shape margin, an offset of the time by |margin| / |v|.
+// are m and a few lengths more apart; a quarter start within m of each other, as in `sliding` with a gap, and
+// leave, slide or go on, under either policy. What breaks: a margin that is folded into a radius and
+// subtracted again, a constant shape margin, an offset of the time by |margin| / |v|, a policy that is asked
+// of the margin instead of the shapes.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -60,6 +62,30 @@ void drop_box(Draw& draw, Case& problem, double m) {
   turn_exactly(draw, problem);
 }
 
+// A gap of quarters of m between features that face each other along z.
+void start_within(Draw& draw, Case& problem, double m) {
+  Random& random = draw.random;
+  const Capped a = draw.capped(4), b = draw.capped_below(4);
+  problem.a.shape = a.shape;
+  problem.b.shape = b.shape;
+  if (random.once_in(3)) problem.a.orientation = draw.pose_about_z();
+  if (random.once_in(3)) problem.b.orientation = draw.pose_about_z();
+  problem.a.position = Vec3<double>(0, 0, a.lift - b.lift);
+  Vec3<double> v;
+  for (int i = 0; i < 2; ++i) {
+    problem.b.position[i] = draw.on_grid(4);
+    v[i] = draw.on_grid(8);
+  }
+  problem.b.position[2] = draw.real(m * random.integer(1, 4) / 4);
+  const double speed = draw.positive_on_grid(8);
+  v[2] = random.integer(-1, 1) * speed;
+  set_motion(draw, problem, v);
+  if (!random.once_in(3)) problem.start_policy = StartPolicy::pass_over;
+  if (random.once_in(8)) problem.t_max = kInfinity<double>;
+  vary_time_scale(draw, problem);
+  turn_exactly(draw, problem);
+}
+
 }  // namespace
 
 void fill_target_margin(Draw& draw, double hardness, Case& problem) {
@@ -73,6 +99,9 @@ void fill_target_margin(Draw& draw, double hardness, Case& problem) {
     case 1:
       pass_top_feature(draw, problem, draw.real(m * (random.once_in(2) ? 1 + 0x1p-10 : 1 - 0x1p-10)));
       return;  // which has swapped already
+    case 2:
+      start_within(draw, problem, m);
+      break;
     default:
       approach_margin(draw, problem, m);
       break;

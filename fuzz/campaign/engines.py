@@ -1,6 +1,7 @@
 """The two engines that drive the targets, libFuzzer and AFL++: how each is built, asked to run for a while, and asked
 to minimise. Both read and write the same pools: one file an input, named by the hash of its bytes."""
 
+import configparser
 import hashlib
 import os
 import re
@@ -99,6 +100,11 @@ class Programs:
         dictionary = self.source / "fuzz" / "dictionaries" / f"{target.name}.dict"
         if dictionary.exists():
             options.append(f"-dict={dictionary}")
+        # What the target wants of the engine, in the form that ClusterFuzz reads as well.
+        wishes = configparser.ConfigParser()
+        wishes.read(self.source / "fuzz" / "options" / f"{target.name}.options", encoding="utf-8")
+        if wishes.has_section("libfuzzer"):
+            options += [f"-{name}={value}" for name, value in wishes.items("libfuzzer")]
         return [self.fuzzer(target), *options, str(pool)]
 
     def read_line(self, line: str, seen: Seen) -> None:

@@ -84,7 +84,7 @@ class Findings:
 
     def mechanism_of(self, target: Target, name: str) -> str:
         file = self.report(target, name)
-        return file.read_text(encoding="utf-8").partition("\n")[0] if file.exists() else "no report"
+        return file.read_text(encoding="utf-8").partition("\n")[0] if file.exists() else "its files are gone"
 
     def _save(self, target: Target, name: str, data: bytes, run: Run) -> None:
         file = self.root / target.name / name

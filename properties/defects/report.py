@@ -65,8 +65,11 @@ def page(config, patches, results):
         f"other queries, {CASES_OF_ALL['rotating']:,} rotating ones; the law that a patch names sees "
         f"{CASES['linear']:,}, {CASES['query']:,} and {CASES['rotating']:,}. The first broken case is in brackets; "
         "`crashed` and `hangs` are what the defect did to the method.", "",
-        "A law is listed under what it needs. Of each law some defect is noticed by at most "
+        "A law is listed under what it needs. No defect may survive, and of each law some defect is noticed by at most "
         f"{FEW} laws of its class.", ""]
+    faults = faults_of_patches(config, patches, results) + faults_of_laws(config, results)
+    if faults:
+        lines += ["**Not so:** " + "; ".join(faults) + ".", ""]
     for kind in CASES:
         chosen = [patch for patch in patches if results[patch.name]["kind"] == kind]
         if not chosen:

@@ -103,6 +103,22 @@ TYPED_TEST(DistanceQuery, FootBesideACornerKeepsItsAxis) {
   }
 }
 
+// A vertex far out hides a nearer one: along the axis that GJK has they tie, and what turns the axis is less
+// than |v| shows.
+TYPED_TEST(DistanceQuery, AFarVertexDoesNotHideANearerOne) {
+  using S = TypeParam;
+  const S far = sizeof(S) == 8 ? S(0x1.8p27) : S(0x1.8p13);
+  const Body<S> a{.shape = Segment<S>{{0, far, 0}, {0, 0, 0}}}, b{.shape = Segment<S>{{0, 0, 1}, {1, 0, 0}}};
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const DistanceResult<S> d = distance(*one, *other);
+    EXPECT_FALSE(d.stalled);
+    // 64 u of the scale.
+    EXPECT_NEAR(d.lower, std::sqrt(S(0.5)), 64 * kUnitRoundoff<S> * far);
+    EXPECT_NEAR(d.upper, std::sqrt(S(0.5)), 64 * kUnitRoundoff<S> * far);
+    EXPECT_NEAR((d.point_a - d.point_b).norm(), std::sqrt(S(0.5)), 64 * kUnitRoundoff<S> * far);
+  }
+}
+
 TEST(DistanceDoor, BadInputIsRefused) {
   EXPECT_EQ(distance<double>({.shape = Sphere<double>{-1}}, {}).invalid, Invalid::negative_extent);
   EXPECT_EQ(overlap_mpr<double>({.shape = Hull<double>()}, {}).invalid, Invalid::empty_hull);

@@ -102,10 +102,14 @@ TEST(QueryOptions, ALineIsBracketedAsNarrowlyAsAsked) {
     const Body<double> b{.shape = Sphere<double>{0.25},
                          .position = {draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), -3},
                          .displacement = {0, 0, 4}};
+    const auto best = line(a, b);
     for (const double tolerance : {1e-6, 1e-4, 1e-2}) {
       const auto r = line(a, b, {.tolerance = tolerance});
       if (r.outcome != Outcome::hit) continue;
       ++hits;
+      // Beyond the rounding: kappa u scale is below 1e-12.
+      EXPECT_LE(4 * (r.in_lower - best.in_upper), 1e-12) << round;
+      EXPECT_LE(4 * (best.out_lower - r.out_upper), 1e-12) << round;
       // Scale is the distance of the centres, below 3.2; speed 4.
       EXPECT_LE(4 * (r.in_upper - r.in_lower), 3.2 * tolerance) << round;
       EXPECT_LE(4 * (r.out_upper - r.out_lower), 3.2 * tolerance) << round;

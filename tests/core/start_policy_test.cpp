@@ -85,6 +85,52 @@ TYPED_TEST(StartPolicyTest, ChangesNothingForAStartApart) {
   EXPECT_EQ(pass.counters.supports, report.counters.supports);
 }
 
+// A start in contact of which the budget does not tell whether it leaves is no answer, and no verdict is
+// wrong.
+TYPED_TEST(StartPolicyTest, IsOpenWhereTheBudgetEnds) {
+  using S = TypeParam;
+  const Body<S> a{.shape = Box<S>{{1, 1, 0}}},
+      b{.shape = Segment<S>{{-1, 0, 0}, {0, 0, 0}}, .position = {0, 0, -2}, .displacement = {0, 2, -2}};
+  for (const Method method : {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep}) {
+    CastOptions<S> options;
+    options.method = method;
+    options.target_distance = 3;
+    options.start_policy = StartPolicy::pass_over;
+    EXPECT_TRUE(cast(a, b, options).passed_over);
+    int open = 0;
+    for (int budget = 1; budget < 12; ++budget) {
+      options.max_iterations = budget;
+      const CastResult<S> result = cast(a, b, options);
+      EXPECT_TRUE(result.passed_over || result.outcome == Outcome::not_converged) << budget;
+      if (result.outcome != Outcome::not_converged) continue;
+      ++open;
+      EXPECT_EQ(result.toi_lower, 0);
+      EXPECT_EQ(result.toi_upper, kInfinity<S>);
+    }
+    EXPECT_GT(open, 0);
+  }
+}
+
+// Lower ends that a tolerance leaves at 0 say nothing of the start.
+TYPED_TEST(StartPolicyTest, ALateHitUnderALooseToleranceIsNoStart) {
+  using S = TypeParam;
+  const Body<S> a{.shape = Point<S>{}, .position = {4, 0, 0}},
+      b{.shape = Hull<S>{{4, 0, 0}, {4, 6, 4}, {6, 4, -6}},
+        .position = {S(0.5), -4, 0},
+        .displacement = {0, 1, 0}};
+  for (const Method method : {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep}) {
+    CastOptions<S> options;
+    options.method = method;
+    options.t_max = 2;
+    options.target_distance = 1;
+    options.start_policy = StartPolicy::pass_over;
+    for (const S tolerance : {S(0), S(0.125), S(0.5)}) {
+      options.tolerance = tolerance;
+      EXPECT_EQ(cast(a, b, options).outcome, Outcome::hit) << tolerance;
+    }
+  }
+}
+
 TYPED_TEST(StartPolicyTest, DistanceAtTheLowerEndIsWithinTheTolerance) {
   using S = TypeParam;
   const Body<S> a{.shape = Ellipsoid<S>{{1, 2, 3}}},
@@ -101,6 +147,46 @@ TYPED_TEST(StartPolicyTest, DistanceAtTheLowerEndIsWithinTheTolerance) {
       Body<S> there = b;
       there.position += r.toi_lower * b.displacement;
       EXPECT_LE(distance(a, there).lower, r.distance + 64 * kUnitRoundoff<S> * 11) << tolerance;
+    }
+  }
+}
+
+// At rest, off the middle of C by so little that its square vanishes: the question has a direction all the
+// same.
+TYPED_TEST(StartPolicyTest, AStartInTheMiddleOfCStays) {
+  using S = TypeParam;
+  const S off = sizeof(S) == 8 ? S(1e-59) : S(1e-30);
+  const Body<S> a{.shape = Box<S>{{1, 1, 1}}},
+      b{.shape = Box<S>{{1, 1, S(0.5)}}, .position = {off, -off, off}};
+  CastOptions<S> options;
+  options.start_policy = StartPolicy::pass_over;
+  for (const Method method : {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep}) {
+    options.method = method;
+    EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
+  }
+}
+
+// Beside a target distance so far beyond the bodies that its square in their units would be infinite.
+TYPED_TEST(StartPolicyTest, ATargetDistanceBeyondTheBodiesIsHeld) {
+  using S = TypeParam;
+  const S near = sizeof(S) == 8 ? S(1e-59) : S(0x1p-138), far = sizeof(S) == 8 ? S(1e59) : S(1e30);
+  for (const S target : {S(1), far}) {
+    for (const S off : {S(0), near, S(-3 * target)}) {
+      const Body<S> a{.position = {off, near, 0}}, b{.displacement = {-4 * target, 0, 0}};
+      for (const Method method :
+           {Method::conservative_advancement, Method::gjk_ray_cast, Method::mpr_sweep}) {
+        CastOptions<S> options;
+        options.method = method;
+        options.target_distance = target;
+        const CastResult<S> r = cast(a, b, options);
+        if (off == -3 * target) {
+          ASSERT_EQ(r.outcome, Outcome::hit) << target;
+          // From 3 apart to 1, at a speed of 4; 64 u of 3 over 4.
+          EXPECT_NEAR(r.toi_lower, S(0.5), 64 * kUnitRoundoff<S>);
+        } else {
+          EXPECT_EQ(r.outcome, Outcome::initially_overlapping) << target << ' ' << off;
+        }
+      }
     }
   }
 }

@@ -52,7 +52,7 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"contained", 0x5c06caaec09a7663u},
       {"sliding", 0xe59888b6c36e7af3u},
       {"speeds", 0xad7ea1b5a5ca025au},
-      {"target_margin", 0x143fffbd8e0faecau},
+      {"target_margin", 0x1c1045428f2a1315u},
       {"scaled_scene", 0x22f9d75f6f3cd6a5u},
       {"many_vertices", 0x13d85df93dc368a5u},
       {"needles", 0xc40e2211373a362au},

@@ -81,6 +81,14 @@ class MadeUp(unittest.TestCase):
         work.prepare()
         return work
 
+    def test_the_engine_gets_the_options_of_a_target(self):
+        folder = self.root / "fuzz" / "options"
+        folder.mkdir()
+        (folder / "calm.options").write_text("[libfuzzer]\nmax_len = 77\n")
+        programs = Programs(self.root, self.root / "build")
+        asked = [programs.slice(target, Path("pool"), Path("work"), 5) for target in self.targets]
+        self.assertEqual(["-max_len=77" in options for options in asked], [True, False])
+
     def test_every_target_has_its_turn_and_a_mechanism_one_finding(self):
         work = self.campaign(budget=6)
         work.run()

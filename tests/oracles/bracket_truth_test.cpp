@@ -414,6 +414,40 @@ TEST(BracketTruth, DepthUnderPassOverIsThatOfTheRay) {
   EXPECT_TRUE(core.low <= 0.125 && core.high >= 0.125 && core.low > 0.1);
 }
 
+TEST(BracketTruth, DepthUnderPassOverCountsWhatMakesAStart) {
+  corpus::Case problem;  // 1/64 beyond the target distance; slides past, a third of it within
+  problem.a.shape = Ellipsoid<double>{Vec(1, 1, 1)};
+  problem.b.shape = Cone<double>{1, 1};
+  problem.b.position = Vec(0, 0, 3 + 0x1p-6);
+  problem.b.displacement = Vec(2, 0, -1);
+  problem.target_distance = 1;
+  EXPECT_EQ(BracketTruth(problem).outcome(), Outcome::hit);
+  EXPECT_GT(BracketTruth(problem).depth().low, 0.25);
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  const Enclosure found = BracketTruth(problem).depth();
+  EXPECT_TRUE(found.low <= 0x1p-6 && found.high >= 0x1p-6 && found.low > 0x1p-7);
+}
+
+TEST(BracketTruth, ClearanceOfAPassedOverStartIsThatOfItsRay) {
+  corpus::Case problem;
+  problem.a.shape = Ellipsoid<double>{Vec(1, 1, 1)};
+  problem.b.shape = Cone<double>{1, 1};
+  problem.b.position = Vec(0, 0, 2.25);  // the ball's pole is 1/4 below the cone's base
+  problem.b.displacement = Vec(0, 0, 1);
+  problem.target_distance = 1;
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  const auto expect = [&](double clearance) {
+    const BracketTruth truth(problem);
+    EXPECT_EQ(truth.outcome(), Outcome::miss);
+    const Enclosure found = truth.clearance();
+    EXPECT_TRUE(found.low <= clearance && found.high >= clearance) << found.low << " " << found.high;
+    EXPECT_LE(found.high - found.low, clearance / 16);
+  };
+  expect(0.25);
+  problem.b.position[2] = 2.875;  // the start is 1/8 in
+  expect(0.125);
+}
+
 TEST(BracketTruth, RefusesBadInput) {
   corpus::Case problem = two_ellipsoids();
   problem.a.shape = Ellipsoid<double>{Vec(1, -1, 1)};

@@ -197,6 +197,40 @@ TEST(LinearTruth, DepthUnderPassOverIsThatOfTheRay) {
   EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.125));
 }
 
+// Contact may be asked for once the ray meets C without the target distance, or the start is out of C.
+TEST(LinearTruth, ClearanceOfAPassedOverStartIsThatOfItsRay) {
+  corpus::Case problem = boxes_a_unit_apart();
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  problem.b.position[0] = 2.25;
+  problem.target_distance = 1;
+  problem.b.displacement = Vec(1, 0, 0);
+  EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::miss);
+  EXPECT_TRUE(holds(LinearTruth(problem).clearance(), 0.25));
+  problem.b.position = Vec(2.5, 3.125, 0);
+  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray goes on beyond the horizon, over A
+  EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::miss);
+  EXPECT_TRUE(holds(LinearTruth(problem).clearance(), 0.125));
+  problem.b.position = Vec(2.875, 0, 0);  // the start is the lesser: 1/8 in
+  problem.b.displacement = Vec(0, 1, 0);
+  EXPECT_TRUE(holds(LinearTruth(problem).clearance(), 0.125));
+  problem.b.position = Vec(2, 0, 0);  // touching
+  EXPECT_EQ(LinearTruth(problem).clearance().high, 0);
+}
+
+// It starts 1/8 short of the target distance of what it slides past: no less makes it a start that slides.
+TEST(LinearTruth, DepthUnderPassOverCountsWhatMakesAStart) {
+  corpus::Case problem = boxes_a_unit_apart();
+  problem.b.position = Vec(3.125, 0, 0);
+  problem.target_distance = 1;
+  problem.b.displacement = Vec(-1, 4, 0);  // beside A it is deeper, but not in the shapes
+  EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::hit);
+  EXPECT_GT(LinearTruth(problem).depth().low, 0.5);
+  problem.start_policy = corpus::StartPolicy::pass_over;
+  EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.125));
+  problem.b.displacement = Vec(-1, 0, 0);  // into A: no start that leaves
+  EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.875));
+}
+
 TEST(LinearTruth, SubnormalAndHugeTimesAreRoundedAsAnyOther) {
   corpus::Case problem = boxes_a_unit_apart();
   problem.b.displacement = Vec(-3e300, 0, 0);

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "engines/guarantees.hpp"
+#include "properties/own_frames.hpp"
 
 namespace graze::law {
 namespace {
@@ -106,6 +108,17 @@ TEST(QueryJudge, line) {
   falls(past, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::hit; });
 }
 
+// The ends of a line through what is near are as far out as the target distance, and round so.
+TEST(QueryJudge, a_lines_scale_is_no_less_than_the_target_distance) {
+  Case near;
+  near.id = "test/points";
+  near.b.position = {1, 1, 2};
+  near.b.displacement = {1, 0.25, 16};
+  near.query = Query::line;
+  near.target_distance = 7e21;
+  falls(near, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper += kOff * 7e21; });
+}
+
 TEST(QueryJudge, swept_overlap) {
   const Case meets = cubes(Query::swept_overlap, {-4, 0, 0}, {8, 0, 0}),
              short_of = cubes(Query::swept_overlap, {-4, 0, 0}, {2, 0, 0});
@@ -117,6 +130,30 @@ TEST(QueryJudge, every_method_has_a_row) {
   for (const engine::QueryMethod& method : engine::query_methods()) {
     EXPECT_NE(engine::find_guarantee(engine::guarantees(), method), nullptr) << method.full_name();
   }
+}
+
+// Two points, carried out by 4 and back under two turns: their distance, 2e-6, says nothing of how that
+// rounds.
+TEST(QueryJudge, positions_in_a_tree_round_at_their_own_size) {
+  const Shape<double> inner =
+      posed<double>(Point<double>{}, Vec3<double>(-4, -4, 3.625), Quaternion<double>{0, 1, 0, 0});
+  Case swept;
+  swept.id = "test/tree";
+  swept.b.shape =
+      posed<double>(inner, Vec3<double>(0, 0, -3.8125), Quaternion<double>{0, 4000, 22.026481797919132, 10});
+  swept.b.position = {4.025634443120516, -7.457564086107801, -3.955803871154785};
+  swept.b.orientation = {1, 1, 0, 0};
+  swept.b.displacement = {0, 0, -0.00011444091796874999};
+  swept.query = Query::swept_overlap;
+  // A turn above a position of 5.4: beyond the scale by about that, 46 u of it.
+  const double unseen = unseen_of_trees(swept, 2e-6);
+  EXPECT_GT(unseen, 46 * kUnitRoundoff<double> * (std::sqrt(16 + 16 + 3.625 * 3.625) - 1e-5));
+  EXPECT_LT(unseen, 46 * kUnitRoundoff<double> * 6.5);
+  for (const engine::QueryMethod& method : engine::query_methods()) {
+    if (method.query != Query::swept_overlap || method.is_exact() || method.scalar != "double") continue;
+    EXPECT_FALSE(judged(swept, method.answer(swept)).faulty()) << method.full_name();
+  }
+  EXPECT_EQ(unseen_of_trees(cubes(Query::line, {0, 4, 0}), 2), 0);
 }
 
 }  // namespace

@@ -112,7 +112,8 @@ TEST(IntegerTurn, vertices_or_orientation_turned_are_one_body) {
         const Body<double>&one = (*in_place).*body, &two = (*by_pose).*body;
         const corpus::Bounds left = corpus::bounds(one.shape, one.orientation),
                              right = corpus::bounds(two.shape, two.orientation);
-        const double size = (left.high - left.low).maxCoeff();
+        // Of a point far from its origin as well.
+        const double size = left.high.cwiseAbs().cwiseMax(left.low.cwiseAbs()).maxCoeff();
         EXPECT_LE((left.high - right.high).cwiseAbs().maxCoeff(), 1e-14 * size);
         EXPECT_LE((left.low - right.low).cwiseAbs().maxCoeff(), 1e-14 * size);
       }

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "corpus/families.hpp"
+#include "corpus/families/turning.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/generators.hpp"
 #include "properties/judge.hpp"
@@ -148,6 +149,34 @@ TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
   EXPECT_GE(pivots, kCases / 5);
   EXPECT_GE(many_turns, kCases / 20);
   EXPECT_LE(undecided, kCases / 10);
+}
+
+// Else a bound of the motion that is too low would be hidden by how loose the bounds are.
+TEST(DrawRotating, has_contacts_as_fast_as_any_point_of_the_body) {
+  corpus::Random random(7);
+  const engine::RotatingEngineMethod& plan = *engine::find_rotating_method("plan/double");
+  int near = 0;
+  for (int i = 0; i < 300; ++i) {
+    const corpus::Case problem = draw_rotating(random, i % 100);
+    if (!is_rotating_question(problem)) continue;
+    const engine::RotatingAnswer answer = plan.cast(problem, {.request = Request::everything});
+    if (answer.outcome != Outcome::hit) continue;
+    const auto is_near = [&](const Body<double>& body, const corpus::Spin& spin,
+                             const Vec3<double>& witness) {
+      const auto corners = exact_vertices(body.shape, 64);
+      if (!corners || spin.rotation.isZero(0)) return false;
+      const Vec3<double> pivot = corpus::rotate(body.orientation, spin.pivot);
+      double most = 0;
+      for (const Vec3<double>& corner : *corners) {
+        most = std::max(most, spin.rotation.cross(corpus::rotate(body.orientation, corner) - pivot).norm());
+      }
+      const Vec3<double> center = body.position + answer.toi_lower * body.displacement + pivot;
+      return std::abs(answer.normal.dot(spin.rotation.cross(witness - center))) > 0.99 * most;
+    };
+    near += is_near(problem.a, problem.spin_a, answer.point_a) ||
+            is_near(problem.b, problem.spin_b, answer.point_b);
+  }
+  EXPECT_GE(near, 10);
 }
 
 TEST(DrawRotating, is_a_function_of_its_bits) {

@@ -293,7 +293,8 @@ class Scene {
         break;
       case Term::Kind::inside:
         for (const Vertex& v : term.around) take_vertex(v);
-        [[fallthrough]];
+        take_vertex(term.from);
+        break;
       case Term::Kind::difference:
         take_vertex(term.from);
         take_vertex(term.to);

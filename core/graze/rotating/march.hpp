@@ -65,6 +65,7 @@ class Marcher {
     now_ = {t, near};
     if (near.n != Vec3<double>::Zero()) axis_ = near.n;
     if (open_) return;
+    met_at_lower_ = near.met;
     out_.lower = t;
     out_.apart = near.apart;
     out_.closest = near.simplex;
@@ -98,16 +99,28 @@ class Marcher {
     out_.contact = proved_contact(pair_, axis_, limits_.stop, limits_.budget, counters_);
     const bool touching = now_.t == 0 && now_.near.apart <= limits_.touching;
     if (!out_.contact.proved && !touching) return false;
-    if (out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
+    if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
     out_.upper = now_.t;
     out_.outcome = now_.t > 0 ? Outcome::hit : Outcome::initially_overlapping;
     return true;
   }
 
-  // Of a start in contact, at `lower`: where the line from the origin to C's middle enters C.
+  // At `lower`, in contact or almost. The search knew only that the balls about the cores meet: the axis of
+  // the cores, where they are apart, with their closest points. Else where the line from the origin to C's
+  // middle enters C.
   Vec3<double> entry_normal() {
     pair_.place(out_.lower);
     const Cso<double>& cso = pair_.cso();
+    if (pair_.radius() > 0) {
+      Simplex<double> simplex;
+      const Distance<double> d = gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex,
+                                              limits_.stop / 16, 0.0, limits_.budget, counters_);
+      if (d.lower > pair_.error()) {
+        out_.closest = simplex;
+        return d.n;
+      }
+    }
+    if (out_.n != Vec3<double>::Zero()) return out_.n;
     if (cso.middle() == Vec3<double>::Zero()) return away_from_middle(pair_);
     const PortalSearch<double> in = enter_line(cso, Frame<double>(cso.middle()), kInfinity<double>,
                                                pair_.error(), limits_.budget, counters_);
@@ -145,7 +158,8 @@ class Marcher {
   Seen now_;
   std::optional<Seen> before_;  // the slice's beginning
   Seen faced_;                  // the last time with a gap above 0 for sure, before now
-  bool open_ = false;           // from out_.lower on contact is not excluded
+  bool met_at_lower_ = false;
+  bool open_ = false;  // from out_.lower on contact is not excluded
   double stride_ = 0;
   Vec3<double> axis_ = Vec3<double>::Zero();
 };

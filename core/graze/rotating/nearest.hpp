@@ -4,8 +4,8 @@
 // off, so a positive one is proved.
 #pragma once
 
-#include <graze/distance.hpp>
 #include <graze/rotating/moving_pair.hpp>
+#include <graze/steady_axis.hpp>
 
 namespace graze::detail {
 
@@ -14,6 +14,9 @@ struct Nearest {
   double apart = 0;                       // upper bound
   Vec3<double> n = Vec3<double>::Zero();  // unit, from A to B; proves the gap; zero if nothing does
   Simplex<double> simplex;
+  // The search ended as the balls about the cores met: neither n nor the simplex is that of the least
+  // distance.
+  bool met = false;
 };
 
 // The same features, where they are now: a search that begins with them takes a step or two.
@@ -58,6 +61,7 @@ inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, do
   }
   out.apart = std::max(d.upper - R, 0.0) + error;
   out.gap = d.lower - R - error;
+  out.met = R > 0 && d.upper <= R;
   out.n = d.n;
   return out;
 }

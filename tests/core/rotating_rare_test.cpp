@@ -1,0 +1,111 @@
+// What casts of turning bodies rarely meet: spheres of bounds that meet where the bodies do, a contact
+// between two times, a published step that stands still; and what plans say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <graze/rotating_cast.hpp>
+#include <set>
+
+#include "tests/core/draw.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+using V = Vec3<double>;
+
+RotatingOptions<double> by(RotatingMethod method) {
+  return {.method = method, .request = Request::everything};
+}
+
+// The farthest corner of a triangle, on the axis that it turns about, flies into a ball: the bodies meet as
+// the spheres about their pivots do, at the time that subdivision begins with.
+TEST(RotatingRare, SpheresThatMeetWhereTheBodiesDoHaveTheirWitnesses) {
+  const RotatingBody<double> a{
+      .body = {.shape = Triangle<double>{{1, 0, 0}, {-0.5, 0.5, 0}, {-0.5, -0.5, 0}}}, .rotation = {2, 0, 0}};
+  const RotatingBody<double> b{
+      .body = {.shape = Sphere<double>{0.5}, .position = {3, 0, 0}, .displacement = {-4, 0, 0}}};
+  const auto r = cast(a, b, by(RotatingMethod::bounding_spheres));
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  // 64 u of the scale, 3, for the contact and for the bracket, over the speed, 4.
+  EXPECT_NEAR(r.toi_lower, 1.5 / 4, 2 * 64 * kUnitRoundoff<double> * 3 / 4);
+  EXPECT_LE((r.point_a - V(1, 0, 0)).norm(), 1e-8);
+  EXPECT_LE((r.point_b - V(1, 0, 0)).norm(), 1e-8);
+}
+
+// A point flies through a triangle that turns: contact is proved between two times, the first of which is no
+// earlier than the proof's lower end.
+TEST(RotatingRare, ACrossingSaysFromWhen) {
+  const RotatingBody<double> a{
+      .body = {.shape = Triangle<double>{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, .position = {0.5, 0.25, 0}},
+      .rotation = {0, 0, 0.125}};
+  const RotatingBody<double> b{
+      .body = {.shape = Point<double>{}, .position = {0.375, 0.25, 1}, .displacement = {0, 0, -2}}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  ASSERT_TRUE(r.proof.has_value());
+  ASSERT_TRUE(r.proof->crossing);
+  // The tier's width, 1e-9 of the scale, the triangle's diagonal, over the speed.
+  EXPECT_NEAR(r.proof->contact_from, 0.5, 1e-9 * std::sqrt(8.0) / 2);
+  EXPECT_LE(r.proof->contact_from, r.proof->toi_upper);
+  EXPECT_LE(0.5, r.proof->toi_upper);
+}
+
+// Ellipsoids a little farther apart than the tolerance, which GJK knows to a quarter of it only: where the
+// pair that is pushed back is within the tolerance already, the step stands still. That is contact by the
+// tolerance.
+TEST(RotatingRare, AStepThatStandsStillIsContact) {
+  Draw draw{1};
+  int contacts = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const auto ellipsoid = [&](double longest) {
+      return Ellipsoid<double>{{longest, draw.between(0.05, 1), draw.between(0.05, 1)}};
+    };
+    RotatingBody<double> a{.body = {.shape = ellipsoid(1), .orientation = draw.turn<double>()},
+                           .rotation = draw.vector<double>(1)};
+    RotatingBody<double> b{.body = {.shape = ellipsoid(draw.between(0.2, 1)),
+                                    .position = draw.vector<double>(2.5),
+                                    .orientation = draw.turn<double>(),
+                                    .displacement = draw.vector<double>(2)},
+                           .rotation = draw.vector<double>(1)};
+    RotatingOptions<double> options = by(RotatingMethod::bilateral_published);
+    options.tolerance = draw.between(0.01, 0.2);
+    const auto r = cast(a, b, options);
+    EXPECT_NE(r.outcome, Outcome::not_converged) << round;
+    contacts += r.outcome == Outcome::hit || r.outcome == Outcome::initially_overlapping;
+  }
+  EXPECT_GT(contacts, 1000);
+}
+
+// A start that touches, and is not proved to, is a hit that begins at 0. The search had ended where the balls
+// about the cores met, with an axis on its way to the closest points and with others than those.
+TEST(RotatingRare, AStartThatTouchesHasItsClosestPoints) {
+  const RotatingBody<double> a{.body = {.shape = Segment<double>{{-3, -4, -2}, {-4, -1, -3}}},
+                               .rotation = {2, -2, -1},
+                               .pivot = {43, 25, -25}};
+  const RotatingBody<double> b{
+      .body = {.shape = Capsule<double>{4, 2}, .position = {-8, -1, -3}, .displacement = {3, 1, -4}},
+      .rotation = {1.4, -2.1, -0.7}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_EQ(r.toi_lower, 0);
+  EXPECT_LE((r.normal - V(-1, 0, 0)).norm(), 1e-9);
+  EXPECT_LE((r.point_a - V(-4, -1, -3)).norm(), 1e-9);
+  EXPECT_LE((r.point_b - V(-4, -1, -3)).norm(), 1e-9);
+}
+
+TEST(RotatingRare, EveryReasonHasItsOwnWords) {
+  constexpr int kReasons = kPlanReasons;
+  std::set<std::string_view> texts;
+  for (int k = 0; k < kReasons; ++k) texts.insert(to_text(static_cast<PlanReason>(k)));
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_a), "A's turn cannot be seen");
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_b), "B's turn cannot be seen");
+}
+
+}  // namespace
+}  // namespace graze
