@@ -24,7 +24,7 @@ class TurningDrawing {
     constexpr std::array kManners = {
         Manner::free,       Manner::free,     Manner::free,   Manner::free,   Manner::free,   Manner::slow,
         Manner::slow,       Manner::as_one,   Manner::as_one, Manner::as_one, Manner::unseen, Manner::unseen,
-        Manner::many_turns, Manner::unturned, Manner::lash,   Manner::lash,   Manner::lash};
+        Manner::many_turns, Manner::unturned, Manner::lash,   Manner::lash,   Manner::lash,   Manner::lash};
     manner_ = kManners[random_.below(kManners.size())];
   }
 
@@ -199,14 +199,16 @@ class TurningDrawing {
   Shape<double> whip(const Vec3<double>& handle, const Vec3<double>& tip) {
     const Vec3<double> across = Vec3<double>::Unit(axis_) * std::scalbn(1.0, -random_.integer(2, 12)),
                        third = (random_.once_in(2) ? tip : handle) + across;
-    switch (random_.below(6)) {
+    switch (random_.below(8)) {
       case 0:
-        return Segment<double>{handle, tip};
       case 1:
-        return Segment<double>{tip, handle};
+        return Segment<double>{handle, tip};
       case 2:
-        return Triangle<double>{handle, third, tip};
+        return Segment<double>{tip, handle};
       case 3:
+      case 4:
+        return Triangle<double>{handle, third, tip};
+      case 5:
         return Triangle<double>{tip, handle, third};
       default: {
         std::vector<Vec3<double>> vertices = {handle, tip};

@@ -6,6 +6,7 @@
 
 #include "corpus/names.hpp"
 #include "corpus/support_value.hpp"
+#include "properties/own_frames.hpp"
 
 namespace graze::law {
 
@@ -36,9 +37,10 @@ double top_speed_of(const Case& problem) {
 RotatingRow row_of(const RotatingEngineMethod& method, const engine::Guarantee& row, const Case& seen,
                    double scale, double tolerance, double slack) {
   RotatingRow out;
-  out.limit = row.kappa(seen) * method.unit_roundoff * scale + slack;
-  out.wide = std::max(out.limit, std::max(row.width.value_or(0), tolerance) * scale + slack);
-  out.contact_limit = row.contact_kappa(seen) * method.unit_roundoff * scale + slack;
+  const double unseen = slack + unseen_of_turns(seen);
+  out.limit = row.kappa(seen) * method.unit_roundoff * scale + unseen;
+  out.wide = std::max(out.limit, std::max(row.width.value_or(0), tolerance) * scale + unseen);
+  out.contact_limit = row.contact_kappa(seen) * method.unit_roundoff * scale + unseen;
   out.may_miss = row.may_miss;
   out.may_be_late = row.may_be_late;
   out.strict = method.is_certified() && slack == 0;

@@ -8,6 +8,7 @@
 #include "engines/queries.hpp"
 #include "properties/ask_twice.hpp"
 #include "properties/motion_edit.hpp"
+#include "properties/own_frames.hpp"
 
 namespace graze::law {
 
@@ -300,8 +301,9 @@ LawResult threshold_of_swept_overlap(const Case& problem, const EngineMethod& me
     if (const auto open = without_truth(seen)) return *open;
     if (const std::string fault = any_fault(method, seen, one); !fault.empty())
       return broken(text + "; at fault is the cast: " + fault);
-    const double bound =
-        std::max(bound_of(method, until), 64 * method.unit_roundoff * truth_of(until).scale().high);
+    const double scale = truth_of(until).scale().high,
+                 bound = std::max(bound_of(method, until),
+                                  64 * method.unit_roundoff * scale + unseen_of_trees(until, scale));
     if (const std::string fault = verdict_fault(truth_of(until), overlap, bound); !fault.empty())
       return broken(text + "; at fault is the swept overlap: " + fault);
     result.labels.push_back("arbitrated");

@@ -209,7 +209,8 @@ LawResult unseen_turn_is_none(const Case& problem, const RotatingEngineMethod& m
   if (a) still.spin_a = {};
   if (b) still.spin_b = {};
   const bool linear = !engine::turns(still);
-  if (!is_rotating_question(*spun) && !(linear && follows_plan(method))) return no_rotating_question();
+  const bool is_ray = linear && follows_plan(method) && turns_within_range(*spun);
+  if (!is_rotating_question(*spun) && !is_ray) return no_rotating_question();
   const RotatingAnswer one = method.cast(*spun, {}), two = method.cast(still, {});
   if (!linear || !follows_plan(method)) {
     return compare(method, {"with the turn", *spun, one}, {"without", still, two},

@@ -43,6 +43,16 @@ double unseen_of_trees(const corpus::Case& problem, double scale) {
          (reach_beyond(problem.a.shape, scale, 0) + reach_beyond(problem.b.shape, scale, 0));
 }
 
+double unseen_of_turns(const corpus::Case& problem) {
+  const auto lengths = [&](const Body<double>& body, const corpus::Spin& spin) {
+    const corpus::Bounds box = corpus::bounds(body.shape);
+    const double way = std::isfinite(problem.t_max) ? problem.t_max * body.displacement.norm() : 0;
+    return body.position.norm() + spin.pivot.norm() +
+           box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm() + way;
+  };
+  return 0x1p-87 * (lengths(problem.a, problem.spin_a) + lengths(problem.b, problem.spin_b));
+}
+
 double unseen_of_own_frames(const corpus::Case& problem) {
   double lengths = 0, nodes = 0;
   const auto add = [&](Slot slot, double x) {

@@ -13,6 +13,10 @@ namespace graze::law {
 // (prove.hpp).
 [[nodiscard]] double unseen_of_own_frames(const corpus::Case& problem);
 
+// A length. Where a turning body is, is known within 2^-89 of its distance from the origin, its pivot and its
+// centre, and of its way (moving_pair.hpp); each end of a bracket, and both sides of a graze, twice that.
+[[nodiscard]] double unseen_of_turns(const corpus::Case& problem);
+
 // A length. Of the standard tier: positions under k rotations within a combinator round by 23 k u of a
 // double, both where a point lies and which one is chosen (combinator.hpp). `scale`: what kappa counts
 // already.

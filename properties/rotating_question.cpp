@@ -22,8 +22,12 @@ using oracle::RotatingTruth;
 bool is_rotating_question(const Case& seen) {
   if (!engine::unsupported_rotating(seen).empty() || !in_domain(seen)) return false;
   if (!std::isfinite(seen.t_max) || seen.start_policy != StartPolicy::report) return false;
+  return turns_within_range(seen);
+}
+
+bool turns_within_range(const Case& seen) {
   const double most = std::max(seen.spin_a.rotation.norm(), seen.spin_b.rotation.norm());
-  return most * seen.t_max <= 0x1p30;
+  return !std::isfinite(seen.t_max) || most * seen.t_max <= 0x1p30;
 }
 
 LawResult no_rotating_question() { return not_applicable("not a rotating cast that the method answers"); }

@@ -12,6 +12,8 @@ namespace graze::law {
 // A case whose rotating answer means something: a cast over a finite step, of the domain, by the policy
 // report, with no more than 2^30 radians.
 [[nodiscard]] bool is_rotating_question(const corpus::Case& seen);
+// Over a finite step bodies turn by no more than the door lets in, 2^30 radians.
+[[nodiscard]] bool turns_within_range(const corpus::Case& seen);
 [[nodiscard]] LawResult no_rotating_question();  // not applicable
 // The numbers of an edited case survive the rounding to the method's scalar.
 [[nodiscard]] bool fits(const corpus::Case& edited, const engine::RotatingEngineMethod& method);

@@ -98,6 +98,21 @@ TEST(RotatingRare, AStartThatTouchesHasItsClosestPoints) {
   EXPECT_LE((r.point_b - V(-4, -1, -3)).norm(), 1e-9);
 }
 
+// Two points, at one place at t = 0, one of which turns about a pivot beside it: what is left of arms that
+// cancel is known to 2^-90 of them, so the certified tier cannot tell, and must not say miss.
+TEST(RotatingRare, ArmsThatCancelLeaveAStartOpen) {
+  const RotatingBody<double> a{.body = {.position = {1, 1, 0}}};
+  const RotatingBody<double> b{.body = {.position = {1, 1, 0}, .orientation = {0, 0, 1, 32}},
+                               .rotation = {0, 0, 1},
+                               .pivot = {0, 0, 1}};
+  RotatingOptions<double> options;
+  EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_NE(r.outcome, Outcome::miss);
+  EXPECT_EQ(r.toi_lower, 0);
+}
+
 TEST(RotatingRare, EveryReasonHasItsOwnWords) {
   constexpr int kReasons = kPlanReasons;
   std::set<std::string_view> texts;

@@ -34,7 +34,7 @@ class Marcher {
       if (now_.near.gap > limits_.stop) {
         stride_ = 0;
         if (now_.t >= limits_.end) return ended();
-        if (counters_.supports >= limits_.budget) return out_;
+        if (is_spent()) return out_;
         if (slice_on()) {
           if (crossed()) return out_;
           continue;
@@ -43,7 +43,7 @@ class Marcher {
       open_ = true;  // too near for axes, or for the next double of t
       place(now_.t);
       if (contact_here()) return out_;
-      if (now_.t >= limits_.end || counters_.supports >= limits_.budget) return out_;
+      if (now_.t >= limits_.end || is_spent()) return out_;
       before_.reset();
       look(stride_on(), 0);
       if (crossed()) return out_;
@@ -72,9 +72,13 @@ class Marcher {
     out_.n = axis_;
   }
 
+  [[nodiscard]] bool is_spent() const { return counters_.supports >= limits_.budget; }
+
   // False: the end of the slice is no later double.
   bool slice_on() {
     Slice slice = search_(now_, before_);
+    // A search cut short says less than a whole one, or more: what counts is what more budget would find too.
+    if (is_spent()) return true;
     if (!(slice.end > now_.t)) return false;
     if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, slice.frame});
     before_ = now_;
