@@ -258,9 +258,12 @@ BallMotion::BallMotion(const Body<double>& body, const corpus::Spin& spin, const
       rate_(norm(rotation_)) {
   const BallRotation orientation(body.orientation);
   orientation_ = orientation.mid_double();
-  arm_ = orientation.apply(BallVec(finite(spin.pivot, "pivot")));
+  // Of a body that does not turn any point serves: one far out would count in what bounds the motion.
+  const Vec3<double> given = finite(spin.pivot, "pivot"),
+                     pivot = spin.rotation.isZero(0) ? Vec3<double>(Vec3<double>::Zero()) : given;
+  arm_ = orientation.apply(BallVec(pivot));
   pivot_ = exact_difference(body.position, finite(reference, "reference")) + arm_;
-  magnitude_ = body_.magnitude() + 2 * spin.pivot.cwiseAbs().maxCoeff();
+  magnitude_ = body_.magnitude() + 2 * pivot.cwiseAbs().maxCoeff();
 
   Blobs blobs = Blobs::of(body.shape);
   blobs.turn(orientation);

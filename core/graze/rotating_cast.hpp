@@ -260,6 +260,8 @@ class RotatingCast {
       apart = std::min(apart, pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50));
     }
     apart += pair_->top_speed() * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
+    // Of a way that outgrew the doubles nothing is known.
+    if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
     if (found.outcome != Outcome::hit) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
@@ -300,6 +302,9 @@ class RotatingCast {
     }
   }
 
+  // Of a ball. Far above the rounding of weights, a few u of the points; far below the depth that any contact
+  // but a graze has.
+  static constexpr double kDrawnIn = 0x1p-40;
   // The chain, and the pairs of the contact by name.
   RotatingProof proof_of(March& found) {
     RotatingProof proof;
@@ -309,15 +314,26 @@ class RotatingCast {
     pair_->place(found.upper);
     const Cso<double>& cso = pair_->cso();
     const Vec3<double> none = Vec3<double>::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(found.contact.pairs.size); ++i) {
+    const auto size = static_cast<std::size_t>(found.contact.pairs.size);
+    const double unit = power_of_two(-cso.length_exponent());
+    // Balls of curved parts count whole, whatever their direction. So that the weighted points are nearer
+    // than the weighted balls reach, and not just as near, the weights are those of points a little less far
+    // out.
+    Simplex<double> drawn = found.contact.pairs;
+    bool has_balls = false;
+    for (std::size_t i = 0; i < size; ++i) {
       const CsoPoint<double>& p = found.contact.pairs.point[i];
       SupportPair& named = proof.contact[i];
       if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
         return proof;
+      const Vec3<double> balls = unit * (named.a.offset - named.b.offset);
+      has_balls = has_balls || balls != none;
+      drawn.point[i].w -= kDrawnIn * balls;
       named.a.offset = named.b.offset = none;
-      proof.weight[i] = found.contact.crossing ? 0.0 : found.contact.pairs.lambda[i];
     }
+    if (has_balls && size == 4) weigh(drawn);
+    for (std::size_t i = 0; i < size; ++i) proof.weight[i] = found.contact.crossing ? 0.0 : drawn.lambda[i];
     proof.crossing = found.contact.crossing;
     proof.contact_from = found.contact.from;
     proof.contact_size = found.contact.pairs.size;

@@ -145,10 +145,9 @@ TEST(QueryJudge, positions_in_a_tree_round_at_their_own_size) {
   swept.b.orientation = {1, 1, 0, 0};
   swept.b.displacement = {0, 0, -0.00011444091796874999};
   swept.query = Query::swept_overlap;
-  // A turn above a position of 5.4: beyond the scale by about that, 46 u of it.
-  const double unseen = unseen_of_trees(swept, 2e-6);
-  EXPECT_GT(unseen, 46 * kUnitRoundoff<double> * (std::sqrt(16 + 16 + 3.625 * 3.625) - 1e-5));
-  EXPECT_LT(unseen, 46 * kUnitRoundoff<double> * 6.5);
+  // One turn is above a position, beyond the scale by that: 46 u of it.
+  const double beyond = Vec3<double>(-4, -4, 3.625).norm() - 2e-6;
+  EXPECT_DOUBLE_EQ(unseen_of_trees(swept, 2e-6), 46 * kUnitRoundoff<double> * beyond);
   for (const engine::QueryMethod& method : engine::query_methods()) {
     if (method.query != Query::swept_overlap || method.is_exact() || method.scalar != "double") continue;
     EXPECT_FALSE(judged(swept, method.answer(swept)).faulty()) << method.full_name();

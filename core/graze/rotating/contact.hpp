@@ -26,7 +26,7 @@ inline double contact_error(const MovingPair& pair) {
   const Cso<double>& cso = pair.cso();
   constexpr double u = kUnitRoundoff<double>;
   return 2 * cso.point_error() + (cso.curved() ? 2 * kInsideTree * u * cso.extent() : 0.0) +
-         8 * u * (pair.radius() + cso.offset().norm());
+         8 * u * (pair.radius() + cso.offset().norm()) + pair.offset_error();
 }
 
 // det(a, b, c), within 2^-96 |a| |b| |c|.

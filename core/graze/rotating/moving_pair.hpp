@@ -62,7 +62,9 @@ class MovingPair {
     prepare(a, cso_.side_a(), unit, a_);
     prepare(b, cso_.side_b(), unit, b_);
     pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
-    lengths_ = unit * (lengths_of(a, cso_.side_a(), a_) + lengths_of(b, cso_.side_b(), b_));
+    start_offset_ = cso_.offset();
+    start_lengths_ = unit * (lengths_of(a, cso_.side_a()) + lengths_of(b, cso_.side_b()));
+    lengths_ = start_lengths_ + unit * (a_.pivot.norm() + b_.pivot.norm());
     for (std::size_t i = 0; i < 3; ++i) {
       const int k = static_cast<int>(i);
       const TwoDoubles v = two_sum(double(b.body.displacement[k]), -double(a.body.displacement[k]));
@@ -80,7 +82,7 @@ class MovingPair {
     }
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
     cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
-               rounded_once(d + (b.arm + -a.arm)));
+               t == 0 ? start_offset_ : rounded_once(d + (b.arm + -a.arm)));
     rotation_a_ = a.rotation;
     rotation_b_ = b.rotation;
     arm_a_ = rounded_once(a.arm);
@@ -108,12 +110,14 @@ class MovingPair {
   // And to B's pivot.
   [[nodiscard]] const Vec3<double>& pivot_b_now() const { return pivot_b_; }
 
-  // A bound of the rounding of the gap along any unit axis. Turned arms are within 2^-90 of their lengths
-  // (turn.hpp), what is posed within 2^-98 (offset.hpp), and ways within 2^-100: it counts where the offset
-  // is what is left of lengths that cancel.
+  // A bound of the rounding of the gap along any unit axis.
   [[nodiscard]] double error() const {
-    return cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) +
-           0x1p-89 * (lengths_ + speed_ * t_);
+    return cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
+  }
+  // Of the offset, where it is what is left of lengths that cancel. Turned arms are within 2^-90 of their
+  // lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
+  [[nodiscard]] double offset_error() const {
+    return t_ == 0 ? 0x1p-96 * start_lengths_ : 0x1p-89 * (lengths_ + speed_ * t_);
   }
   // min over B of n.b - max over A of n.a, less the target distance: not above the true one, n unit.
   [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
@@ -177,10 +181,10 @@ class MovingPair {
   }
 
  private:
-  // What is added up to say where the body is.
+  // What is added up to say where the body is, its pivot aside.
   template <Scalar S>
-  static double lengths_of(const RotatingBody<S>& given, const Side<double>& side, const TurningSide& out) {
-    return wide(given.body.position).norm() + side.center.norm() + out.pivot.norm();
+  static double lengths_of(const RotatingBody<S>& given, const Side<double>& side) {
+    return wide(given.body.position).norm() + side.center.norm();
   }
   template <Scalar S>
   static TwoDoubles3 start_of_pivot(const RotatingBody<S>& given, const TurningSide& side) {
@@ -204,7 +208,8 @@ class MovingPair {
   TwoDoubles3 pivots_{}, velocity_{};
   Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero(), pivot_b_ = Vec3<double>::Zero();
   double radius_ = 0, target_ = 0, t_ = 0;
-  double lengths_ = 0, speed_ = 0;
+  Vec3<double> start_offset_ = Vec3<double>::Zero();
+  double start_lengths_ = 0, lengths_ = 0, speed_ = 0;
   int poses_ = 0;
 };
 
