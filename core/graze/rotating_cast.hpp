@@ -302,8 +302,8 @@ class RotatingCast {
     }
   }
 
-  // Of a ball. Far above the rounding of weights, a few u of the points; far below the depth that any contact
-  // but a graze has.
+  // Of a ball. Far above the rounding of weights, a few u of the points; far below the depth that most
+  // contacts have.
   static constexpr double kDrawnIn = 0x1p-40;
   // The chain, and the pairs of the contact by name.
   RotatingProof proof_of(March& found) {
@@ -332,7 +332,8 @@ class RotatingCast {
       drawn.point[i].w -= kDrawnIn * balls;
       named.a.offset = named.b.offset = none;
     }
-    if (has_balls && size == 4) weigh(drawn);
+    const auto& w = drawn.point;
+    if (has_balls && size == 4 && depth_inside({w[0].w, w[1].w, w[2].w, w[3].w}) > 0) weigh(drawn);
     for (std::size_t i = 0; i < size; ++i) proof.weight[i] = found.contact.crossing ? 0.0 : drawn.lambda[i];
     proof.crossing = found.contact.crossing;
     proof.contact_from = found.contact.from;
