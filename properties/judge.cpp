@@ -28,12 +28,15 @@ namespace {
 // What rounding the times of a hit outward may cost.
 double rounding_of_times(const EngineMethod& method, const Case& problem) {
   const CaseTruth& truth = truth_of(problem);
-  if (!(truth.toi_upper() < kInfinity<double>)) return 0;
+  // Where the truth is open, contact may be as late as the path goes.
+  const bool open = truth.outcome() == Outcome::not_converged;
+  const double latest = open ? std::min(truth.toi_upper(), problem.t_max) : truth.toi_upper();
+  if (!(latest < kInfinity<double>)) return open ? kInfinity<double> : 0;
   // Below the least normal number a time may become that number, or 0 (a tier may leave subnormal ones out).
   const double least = method.scalar == "float" ? double(std::numeric_limits<float>::min())
                                                 : std::numeric_limits<double>::min();
   // |v| rounds, too.
-  return (2 * method.unit_roundoff * truth.toi_upper() + least) * velocity(problem).stableNorm() *
+  return (2 * method.unit_roundoff * latest + least) * velocity(problem).stableNorm() *
          (1 + 8 * kUnitRoundoff<double>);
 }
 
