@@ -29,7 +29,7 @@ namespace {
 double rounding_of_times(const EngineMethod& method, const Case& problem) {
   const CaseTruth& truth = truth_of(problem);
   // Where the truth is open, contact may be as late as the path goes.
-  const bool open = truth.outcome() == Outcome::not_converged;
+  const bool open = is_undecided(truth);
   const double latest = open ? std::min(truth.toi_upper(), problem.t_max) : truth.toi_upper();
   if (!(latest < kInfinity<double>)) return open ? kInfinity<double> : 0;
   // Below the least normal number a time may become that number, or 0 (a tier may leave subnormal ones out).

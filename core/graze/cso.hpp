@@ -152,6 +152,7 @@ class Cso {
   detail::Side<S> a_, b_;
   Vec3<S> d_ = Vec3<S>::Zero(), r_ = Vec3<S>::Zero();
   S radius_ = 0, target_ = 0, scale_ = 0;
+  // Twice this, and what a few terms add, is below the largest exponent: 1023, 127.
   static constexpr int kRoom = sizeof(S) == 8 ? 400 : 50;
   int k_ = 0, j_ = 0;
   bool curved_ = false;

@@ -178,11 +178,12 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
   const Vec3<double> start = -(c.cso.middle() - (s_end / 2) * c.r);
   Distance<double> d = gjk_distance(swept, Vec3<double>(Vec3<double>::Zero()), start, simplex, 0.0,
                                     c.cso.radius(), 256, counters);
-  for (int i = 0; i < 2; ++i) {
-    if (prove_lower(c, d.n, true, proof, counters)) return;
-    if (prove_lower(c, level(c, d.n), true, proof, counters) || simplex.size == 4) return;
-    turn_axis(d, swept, simplex, 0.0, counters);
-  }
+  const auto is_proved = [&] {
+    return prove_lower(c, d.n, true, proof, counters) || prove_lower(c, level(c, d.n), true, proof, counters);
+  };
+  if (is_proved() || simplex.size == 4) return;
+  turn_axis(d, swept, simplex, 0.0, counters);
+  is_proved();
 }
 
 // The exact name of a side's part in a support point along n, e = n / |n|. False if it has none: too many

@@ -74,7 +74,7 @@ class Marcher {
 
   [[nodiscard]] bool is_spent() const { return counters_.supports >= limits_.budget; }
 
-  // False: the end of the slice is no later double.
+  // False: the end of the slice is no later double. With the budget spent nothing moves on.
   bool slice_on() {
     Slice slice = search_(now_, before_);
     // A search cut short says less than a whole one, or more: what counts is what more budget would find too.
