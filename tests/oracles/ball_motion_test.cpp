@@ -84,7 +84,7 @@ TEST(BallMotion, NamesPointsOfCombinators) {
   body.shape = rounded<double>(
       sum<double>(Capsule<double>{0.25, 2}, posed<double>(Cylinder<double>{1, 3}, Vec(5, 0, 0), quarter)),
       0.5);
-  const BallMotion motion(body, {.rotation = Vec::Zero(), .pivot = Vec(1, 0, 0)});
+  const BallMotion motion(body, {.rotation = Vec(0, 0, 3), .pivot = Vec(1, 0, 0)});
   EXPECT_EQ(motion.vertex_count(), 2u);
   Feature feature{.vertex = 1, .offset = Vec::Zero(), .curved = {Vec(0.5, 0, 3), Vec::Zero()}};
   const NamedPoint point = motion.named(feature);
@@ -96,6 +96,18 @@ TEST(BallMotion, NamesPointsOfCombinators) {
   EXPECT_EQ(motion.named(feature).inside, Answer::no);
   feature.vertex = 2;
   EXPECT_THROW(static_cast<void>(motion.named(feature)), std::invalid_argument);
+}
+
+// A body that does not turn is as it is about any point: nothing is measured from a pivot far out.
+TEST(BallMotion, ThePivotOfABodyThatDoesNotTurnIsIdle) {
+  Body<double> body;
+  body.shape = Segment<double>{Vec(0, 0, 0), Vec(2, 0, 0)};
+  const corpus::Spin turning{.rotation = Vec(0, 0, 1), .pivot = Vec(1e9, 0, 0)};
+  const corpus::Spin resting{.rotation = Vec::Zero(), .pivot = turning.pivot};
+  EXPECT_EQ(BallMotion(body, turning).named({.vertex = 1}).from_pivot.mid_double(), Vec(2 - 1e9, 0, 0));
+  EXPECT_EQ(BallMotion(body, resting).named({.vertex = 1}).from_pivot.mid_double(), Vec(2, 0, 0));
+  EXPECT_GT(BallMotion(body, turning).magnitude(), 1e9);
+  EXPECT_LT(BallMotion(body, resting).magnitude(), 10);
 }
 
 // Supports along n at three times: their second difference is that of a maximum, so it is no less than minus
