@@ -1,12 +1,9 @@
 // Is a hull built wrongly, or its support?
 //
 //   1  decode; the points are the vertices of A, of B, or of both; where there are fewer than four, all
-//   numbers
-//      of the case in threes;
-//   2  in float or double, by the choice;
+//      numbers of the case in threes;
+//   2  in float or double, by the choice, drawn into the range of what the building promises;
 //   3  CGAL's hull of the same points judges adjacency, vertices, supports and hints (hull_law.hpp).
-#include <cmath>
-
 #include "fuzz/hull_law.hpp"
 #include "fuzz/target.hpp"
 #include "properties/case_edit.hpp"
@@ -40,13 +37,12 @@ void add_vertices(const Shape<double>& shape, Points& points) {
 
 template <Scalar S>
 Judged judge_points(const Input& input, const Points& points) {
-  std::vector<Vec3<S>> rounded;
-  for (const Vec3<double>& p : points) rounded.push_back(p.cast<S>());
+  const std::vector<Vec3<S>> question = as_hull_question<S>(points);
   corpus::Random random(input.choice);
   Judged judged;
-  judged.reached = judged.by_oracle = is_hull_question<S>(rounded);
+  judged.reached = judged.by_oracle = !question.empty();
   if (!judged.reached) return judged;
-  std::string fault = hull_fault<S>(rounded, random);
+  std::string fault = hull_fault<S>(question, random);
   if (!fault.empty()) {
     judged.finding = {"hull_is_built_right",
                       sizeof(S) == sizeof(double) ? "double" : "float",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <graze/climb.hpp>
 #include <map>
 #include <set>
@@ -187,19 +188,27 @@ class HullCheck {
 }  // namespace
 
 template <Scalar S>
-bool is_hull_question(std::span<const Vec3<S>> points) {
-  double least = kInfinity<double>, most = 0;
-  for (const Vec3<S>& p : points) {
+std::vector<Vec3<S>> as_hull_question(std::span<const Vec3<double>> points) {
+  constexpr bool kDouble = sizeof(S) == sizeof(double);
+  constexpr double kMost = kDouble ? 1e60 : 0x1p126;
+  double most = 0;
+  for (const Vec3<double>& p : points) {
+    if (p.allFinite()) most = std::max(most, p.cwiseAbs().maxCoeff());
+  }
+  const int down = most > kMost ? std::ilogb(most / kMost) + 1 : 0;
+  // A coordinate of the scan is one of the hull times a power of two, less a centre: down to u of the least.
+  constexpr double kNear = kDouble ? 0x1p-200 : 0x1p-90;
+  const double least = std::scalbn(most, 1 - down) * kNear;
+  std::vector<Vec3<S>> question;
+  for (const Vec3<double>& p : points) {
+    if (!p.allFinite()) continue;
+    Vec3<S>& q = question.emplace_back();
     for (int i = 0; i < 3; ++i) {
-      const double magnitude = std::abs(static_cast<double>(p[i]));
-      if (!(magnitude <= 1e60)) return false;
-      if (magnitude > 0) least = std::min(least, magnitude);
-      most = std::max(most, magnitude);
+      const double x = std::scalbn(p[i], -down);
+      q[i] = std::abs(x) < least ? S(0) : static_cast<S>(x);
     }
   }
-  // A coordinate of the scan is one of the hull times a power of two, less a centre: down to u of the least.
-  constexpr double kNear = sizeof(S) == sizeof(double) ? 0x1p-200 : 0x1p-90;
-  return !points.empty() && (most == 0 || least >= most * kNear);
+  return question;
 }
 
 template <Scalar S>
@@ -207,8 +216,8 @@ std::string hull_fault(std::span<const Vec3<S>> points, corpus::Random& random) 
   return HullCheck<S>(points, random).fault();
 }
 
-template bool is_hull_question(std::span<const Vec3<float>> points);
-template bool is_hull_question(std::span<const Vec3<double>> points);
+template std::vector<Vec3<float>> as_hull_question(std::span<const Vec3<double>> points);
+template std::vector<Vec3<double>> as_hull_question(std::span<const Vec3<double>> points);
 template std::string hull_fault(std::span<const Vec3<float>> points, corpus::Random& random);
 template std::string hull_fault(std::span<const Vec3<double>> points, corpus::Random& random);
 

@@ -13,15 +13,17 @@
 #include <graze/scalar.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "corpus/random.hpp"
 
 namespace graze::fuzz {
 
-// Whether the building promises anything: finite, of magnitudes at most 1e60, and so near to each other that
-// the prepared coordinates are exact.
+// The points as far as the building promises something of them: those that are finite, all made smaller by one
+// power of two where a magnitude exceeds 1e60, of float 2^126, and a coordinate taken for zero where another is
+// so much greater that the prepared coordinates would not be exact.
 template <Scalar S>
-[[nodiscard]] bool is_hull_question(std::span<const Vec3<S>> points);
+[[nodiscard]] std::vector<Vec3<S>> as_hull_question(std::span<const Vec3<double>> points);
 
 // `random` chooses directions, starts and how the faces are spoilt.
 template <Scalar S>

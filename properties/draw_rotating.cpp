@@ -7,6 +7,8 @@
 #include "corpus/support_value.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_lash.hpp"
+#include "properties/draw_meeting.hpp"
 
 namespace graze::law {
 
@@ -16,15 +18,16 @@ using corpus::Spin;
 
 namespace {
 
-enum class Manner { free, slow, many_turns, as_one, unseen, unturned, lash };
+enum class Manner { free, slow, many_turns, as_one, unseen, unturned, lash, propeller };
 
 class TurningDrawing {
  public:
   explicit TurningDrawing(Random& random) : random_(random) {
     constexpr std::array kManners = {
-        Manner::free,       Manner::free,     Manner::free,   Manner::free,   Manner::free,   Manner::slow,
-        Manner::slow,       Manner::as_one,   Manner::as_one, Manner::as_one, Manner::unseen, Manner::unseen,
-        Manner::many_turns, Manner::unturned, Manner::lash,   Manner::lash,   Manner::lash,   Manner::lash};
+        Manner::free,   Manner::free,   Manner::free,       Manner::free,      Manner::free,
+        Manner::slow,   Manner::slow,   Manner::as_one,     Manner::as_one,    Manner::as_one,
+        Manner::unseen, Manner::unseen, Manner::many_turns, Manner::unturned,  Manner::lash,
+        Manner::lash,   Manner::lash,   Manner::lash,       Manner::propeller, Manner::propeller};
     manner_ = kManners[random_.below(kManners.size())];
   }
 
@@ -48,7 +51,9 @@ class TurningDrawing {
     if (manner_ == Manner::as_one) {
       as_one(problem, meeting_ * horizon);
     } else if (manner_ == Manner::lash) {
-      lash(problem, meeting_ * horizon);
+      place_lash(random_, lash_, problem, turn_a_, turn_b_, meeting_ * horizon);
+    } else if (manner_ == Manner::propeller) {
+      propeller(problem, horizon);
     } else if (!random_.once_in(3)) {
       place(problem, meeting_ * horizon);
     } else if (random_.once_in(3)) {
@@ -68,22 +73,19 @@ class TurningDrawing {
     return q;
   }
 
-  // About the axis of the lash.
-  Quaternion<double> turn_about_axis() {
-    Quaternion<double> q;
-    q.w = random_.integer(-2, 3);
-    (axis_ == 0 ? q.x : axis_ == 1 ? q.y : q.z) = random_.integer(1, 3) * (random_.once_in(2) ? 1 : -1);
-    return q;
-  }
-
   // Up to the meeting.
   void choose_turns() {
     if (manner_ == Manner::unturned) return;
     if (manner_ == Manner::lash) {
-      lashes_a_ = random_.once_in(2);
-      axis_ = random_.integer(0, 2);
-      (lashes_a_ ? turn_a_ : turn_b_) = turn_about_axis();
-      if (random_.once_in(4)) (lashes_a_ ? turn_b_ : turn_a_) = some_turn();
+      lash_ = draw_lash(random_);
+      (lash_.is_a ? turn_a_ : turn_b_) = draw_turn_of(lash_, random_);
+      if (random_.once_in(4)) (lash_.is_a ? turn_b_ : turn_a_) = some_turn();
+      return;
+    }
+    if (manner_ == Manner::propeller) {
+      const bool is_a = random_.once_in(2);
+      (is_a ? turn_a_ : turn_b_) = some_turn();
+      (is_a ? turns_a_ : turns_b_) = random_.integer(1, 8);
       return;
     }
     turn_a_ = random_.once_in(4) ? Quaternion<double>{} : some_turn();
@@ -126,7 +128,8 @@ class TurningDrawing {
     if (!random_.once_in(3)) {
       const int axis = random_.integer(0, 2);
       problem.spin_a.rotation = random_.integer(1, 6) * Vec3<double>::Unit(axis);
-      apart[axis] = random_.integer(1, 4) * (random_.once_in(2) ? 1 : -1);
+      const int by = random_.integer(1, 4);
+      apart[axis] = random_.once_in(2) ? by : -by;
     }
     if (!random_.once_in(4)) {
       problem.a.orientation = problem.b.orientation = {};
@@ -173,14 +176,6 @@ class TurningDrawing {
     return x;
   }
 
-  // Where the point x of the body is at the meeting, less its position.
-  static Vec3<double> carried(const Body<double>& body, const Spin& spin, const Quaternion<double>& turn,
-                              double t, const Vec3<double>& x) {
-    const Vec3<double> pivot = corpus::rotate(body.orientation, spin.pivot);
-    const Vec3<double> arm = corpus::rotate(body.orientation, x) - pivot;
-    return corpus::rotate(turn, arm) + pivot + t * body.displacement;
-  }
-
   void place(Case& problem, double t) {
     const bool now = t == 0;
     const Quaternion<double> still;
@@ -190,88 +185,40 @@ class TurningDrawing {
         carried(problem.b, problem.spin_b, now ? still : turn_b_, t, feature(problem.b.shape));
     problem.b.position = problem.a.position + a - b;
     if (random_.once_in(4)) {
-      const double beside = std::scalbn(1.0, random_.once_in(2) ? -8 : -24);
-      problem.b.position[random_.integer(0, 2)] += random_.once_in(2) ? beside : -beside;
+      const double beside = draw_beside(random_);
+      problem.b.position[random_.integer(0, 2)] += beside;
     }
   }
 
-  // In a plane across the lash's axis, the handle first, or last; thin beside its length.
-  Shape<double> whip(const Vec3<double>& handle, const Vec3<double>& tip) {
-    const Vec3<double> across = Vec3<double>::Unit(axis_) * std::scalbn(1.0, -random_.integer(2, 12)),
-                       third = (random_.once_in(2) ? tip : handle) + across;
-    switch (random_.below(8)) {
-      case 0:
-      case 1:
-        return Segment<double>{handle, tip};
-      case 2:
-        return Segment<double>{tip, handle};
-      case 3:
-      case 4:
-        return Triangle<double>{handle, third, tip};
-      case 5:
-        return Triangle<double>{tip, handle, third};
-      default: {
-        std::vector<Vec3<double>> vertices = {handle, tip};
-        if (random_.once_in(2)) vertices.insert(vertices.begin() + random_.integer(0, 2), third);
-        if (random_.once_in(2)) vertices.insert(vertices.begin(), Vec3<double>((handle + tip) / 2 - across));
-        if (random_.once_in(2)) std::swap(vertices.front(), vertices.back());
-        return Hull<double>(std::span<const Vec3<double>>(vertices));
-      }
-    }
-  }
-
-  // Of the body at the meeting, less its position: the corner that is first in the way of what comes along n.
-  // A body without corners, and every second one, becomes a ball.
-  Vec3<double> front(Body<double>& body, const Spin& spin, const Quaternion<double>& turn, double t,
-                     const Vec3<double>& n) {
-    constexpr std::size_t kMost = 64;
-    const auto corners = exact_vertices(body.shape, kMost);
-    if (!corners || corners->empty() || random_.once_in(2)) {
-      const double radius = random_.integer(0, 3);
-      body.shape = Sphere<double>{radius};
-      return carried(body, spin, turn, t, Vec3<double>::Zero()) - radius * n;
-    }
-    Vec3<double> first = carried(body, spin, turn, t, corners->front());
-    for (const Vec3<double>& corner : *corners) {
-      const Vec3<double> x = carried(body, spin, turn, t, corner);
-      if (n.dot(x) < n.dot(first)) first = x;
-    }
-    return first;
-  }
-
-  // One body is long and thin and turns about its end, square to itself, and its other end meets the other
-  // body's front: the point of contact moves along the normal, as fast as any point of the body may.
-  void lash(Case& problem, double t) {
-    Body<double>&moving = lashes_a_ ? problem.a : problem.b, &other = lashes_a_ ? problem.b : problem.a;
-    Spin &spin = lashes_a_ ? problem.spin_a : problem.spin_b,
-         &its = lashes_a_ ? problem.spin_b : problem.spin_a;
-    Vec3<double> handle = Vec3<double>::Zero();
-    if (random_.once_in(2)) {
-      for (int i = 0; i < 3; ++i) handle[i] = random_.integer(-4, 4);
-    }
-    const Vec3<double> arm = random_.integer(2, 24) * Vec3<double>::Unit((axis_ + random_.integer(1, 2)) % 3),
-                       tip = handle + arm;
-    moving.shape = whip(handle, tip);
-    moving.orientation = random_.once_in(2) ? Quaternion<double>{} : turn_about_axis();
-    spin.pivot = handle;
-    if (!random_.once_in(3)) moving.displacement = other.displacement;
-
-    const Quaternion<double>&turn = lashes_a_ ? turn_a_ : turn_b_, &its_turn = lashes_a_ ? turn_b_ : turn_a_;
-    const Vec3<double> path =
-        corpus::rotate(turn, spin.rotation.cross(corpus::rotate(moving.orientation, arm)));
-    const Vec3<double> ahead = path.isZero(0) ? Vec3<double>::Unit(axis_) : Vec3<double>(path / path.norm());
-    moving.position =
-        other.position + front(other, its, its_turn, t, ahead) - carried(moving, spin, turn, t, tip);
-    if (random_.once_in(4)) {
-      const double beside = std::scalbn(1.0, random_.once_in(2) ? -8 : -24);
-      moving.position += (random_.once_in(2) ? beside : -beside) * ahead;
-    }
+  // One body turns many times, and the other stays above what it sweeps, or comes near along the axis, or
+  // meets it. The closest axis of what is swept is the one of rotation, as far as can be told; that of the
+  // bodies leans.
+  void propeller(Case& problem, double horizon) {
+    const bool is_a = turns_a_ > 0;
+    Body<double>&moving = is_a ? problem.a : problem.b, &other = is_a ? problem.b : problem.a;
+    const Spin& spin = is_a ? problem.spin_a : problem.spin_b;
+    if (spin.rotation.isZero(0)) return;  // rounded away
+    const Vec3<double> axis = spin.rotation / spin.rotation.norm();
+    const auto own = [](const Body<double>& body, const Vec3<double>& n) {
+      const Quaternion<double>& q = body.orientation;
+      return corpus::rotate({q.w, -q.x, -q.y, -q.z}, n);
+    };
+    const Vec3<double> n = own(moving, axis);
+    const double gap = std::scalbn(1.0, random_.integer(-3, 2)),
+                 height = corpus::support_value(moving.shape, n) - n.dot(spin.pivot) + gap +
+                          corpus::support_value(other.shape, own(other, -axis));
+    // On the axis, or where a point passes, or a quarter of a turn before or after that, or between.
+    const Vec3<double> arm = corpus::rotate(moving.orientation, feature(moving.shape) - spin.pivot),
+                       across = axis.cross(arm), out = random_.once_in(2) ? across : across.cross(axis);
+    other.position = moving.position + corpus::rotate(moving.orientation, spin.pivot) + height * axis;
+    if (random_.once_in(2)) other.position += random_.integer(-4, 4) / 4.0 * out;
+    constexpr std::array kNearer = {0.0, 1.0, 2.0, 4.0, 8.0};  // over the gap, at the horizon
+    other.displacement = moving.displacement - kNearer[random_.below(kNearer.size())] * gap / horizon * axis;
   }
 
   Random& random_;
   Manner manner_ = Manner::free;
-  bool lashes_a_ = false;
-  int axis_ = 0;
+  Lash lash_;
   Quaternion<double> turn_a_, turn_b_;
   int turns_a_ = 0, turns_b_ = 0;
   double meeting_ = 0;

@@ -50,7 +50,8 @@ void fill_scaled_scene(Draw& draw, double hardness, Case& problem) {
     vary_time_scale(draw, problem);
     maybe_swap(draw, problem);
   } else {
-    const double gap = kTolerances[random.below(std::size(kTolerances))] * kFactors[random.below(3)];
+    const double tolerance = kTolerances[random.below(std::size(kTolerances))];
+    const double gap = tolerance * kFactors[random.below(3)];
     const double delta = draw.real(std::scalbn(gap, -exponent));
     // A path may pass above C at any height, and reach into it by no more than C is thick.
     pass_top_feature(draw, problem, random.once_in(2) ? delta : 0 - std::min(delta, 0x1p-4));

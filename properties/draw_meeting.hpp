@@ -1,0 +1,17 @@
+// What every drawn meeting of turning bodies needs.
+#pragma once
+
+#include "corpus/case.hpp"
+#include "corpus/random.hpp"
+
+namespace graze::law {
+
+// Where the point x of a body is at the time t, when it has turned by `turn` about its pivot, less the body's
+// position.
+[[nodiscard]] Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin,
+                                   const Quaternion<double>& turn, double t, const Vec3<double>& x);
+
+// A distance that makes of a meeting a near miss, or a shallow overlap: 2^-8 or 2^-24, of either sign.
+[[nodiscard]] double draw_beside(corpus::Random& random);
+
+}  // namespace graze::law
