@@ -179,30 +179,6 @@ TEST(DrawRotating, has_contacts_as_fast_as_any_point_of_the_body) {
   EXPECT_GE(near, 10);
 }
 
-// Beside what a fast body sweeps in whole turns the closest axis is that of rotation, and what lies across it
-// is rounding: slices of nearly a radian along such axes, though the bodies' own closest points lie
-// elsewhere.
-TEST(DrawRotating, is_proved_along_the_axis_of_many_turns) {
-  corpus::Random random(7);
-  const engine::RotatingEngineMethod& bilateral = *engine::find_rotating_method("bilateral/double");
-  int along = 0;
-  for (int i = 0; i < 300; ++i) {
-    const corpus::Case problem = draw_rotating(random, i % 100);
-    if (!is_rotating_question(problem)) continue;
-    const engine::RotatingAnswer answer = bilateral.cast(problem, {.request = Request::proof});
-    if (!answer.proof) continue;
-    const auto is_along = [&](const corpus::Spin& spin, const TimeSlice& slice) {
-      const double rate = spin.rotation.norm();
-      return rate * problem.t_max > 6.3 && slice.frame == AxisFrame::world &&
-             std::abs(slice.axis.dot(spin.rotation)) > (1 - 1e-12) * rate * slice.axis.norm();
-    };
-    along += std::any_of(answer.proof->chain.begin(), answer.proof->chain.end(), [&](const TimeSlice& slice) {
-      return is_along(problem.spin_a, slice) || is_along(problem.spin_b, slice);
-    });
-  }
-  EXPECT_GE(along, 10);
-}
-
 TEST(DrawRotating, is_a_function_of_its_bits) {
   corpus::Random one(99), two(99);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_rotating(one, i), draw_rotating(two, i)));
