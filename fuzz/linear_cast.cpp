@@ -5,9 +5,9 @@
 //   2  else the choice names one method, and it answers everything;
 //   3  the answer is consistent in itself, and the checker accepts its proof; tier exact is judged by its own
 //      to the last bit (exact_answer.hpp); elsewhere a proof as narrow as the method's row settles it;
-//   4  what is left open is compared with the tier that proves its answers, exact where that exists,
-//      certified elsewhere; where the two disagree, the oracle is asked one time in 32: at a graze two
-//      times may both be right and yet far apart.
+//   4  what is left open is now and then compared with the tier that proves its answers, exact where that
+//      exists, certified elsewhere; where the two disagree, the oracle is asked one time in 32: at a graze
+//      two times may both be right and yet far apart.
 #include <fmt/format.h>
 
 #include "fuzz/repair.hpp"
@@ -29,8 +29,10 @@ using engine::EngineMethod;
 constexpr std::uint64_t kOracleOneIn = 1000, kArbitratedOneIn = 32;
 // The tiers that prove take ten times as long as other methods where numbers are exact, and of curved shapes
 // a hundred times: asked so seldom, each still takes about as much time as the others together.
-constexpr std::uint64_t kExactOneIn = 8, kCertifiedOneIn = 32, kCertifiedOfCurvedOneIn = 128,
-                        kProvedOneIn = 32;
+struct Seldom {
+  std::uint64_t exact, certified, compared;  // one time in so many
+};
+constexpr Seldom kOfExactQuestions = {8, 32, 4}, kOfOthers = {1, 256, 64};
 
 // A choice is spent digit by digit, so that no two decisions hang together.
 class Choice {
@@ -65,11 +67,10 @@ std::string own_fault(const Case& problem, const EngineMethod& method, const Ans
   return law::proof_fault(problem, answer);
 }
 
-const EngineMethod& method_of(bool exact, Choice& choice) {
+const EngineMethod& method_of(bool exact, const Seldom& seldom, Choice& choice) {
   const char* const standard[] = {"ca", "gjk", "mpr"};
-  if (exact && choice.once_in(kExactOneIn)) return *engine::find_method("exact");
-  if (choice.once_in(exact ? kCertifiedOneIn : kCertifiedOfCurvedOneIn))
-    return *engine::find_method("certified");
+  if (exact && choice.once_in(seldom.exact)) return *engine::find_method("exact");
+  if (choice.once_in(seldom.certified)) return *engine::find_method("certified");
   return *engine::find_method(standard[choice.below(std::size(standard))]);
 }
 
@@ -79,7 +80,8 @@ Judged judge_one(const Case& problem, Choice choice) {
   const bool refused = !judged.reached && law::must_be_refused(problem);
   if (!judged.reached && !refused) return judged;  // out of range: an answer promises nothing
   const bool exact = judged.reached && engine::is_exact_question(problem);
-  const EngineMethod& method = method_of(exact, choice);
+  const Seldom& seldom = exact ? kOfExactQuestions : kOfOthers;
+  const EngineMethod& method = method_of(exact, seldom, choice);
   const Answer answer = method.cast(problem, {.request = Request::everything});
   const auto find = [&](const char* name, const EngineMethod& blamed, const Answer& said, std::string fault) {
     if (fault.empty() || judged.finding) return;
@@ -97,7 +99,7 @@ Judged judge_one(const Case& problem, Choice choice) {
   if (judged.finding || method.is_exact() || law::is_settled_by_proof(problem, method, answer)) return judged;
 
   const EngineMethod& proving = *engine::find_method(exact ? "exact" : "certified");
-  if (method.name == proving.name || (!exact && !choice.once_in(kProvedOneIn))) return judged;
+  if (method.name == proving.name || !choice.once_in(seldom.compared)) return judged;
   const Answer proved = proving.cast(problem, {.request = Request::everything});
   find("proof_and_answer", proving, proved, own_fault(problem, proving, proved));
   if (judged.finding || law::agree(answer, proved, method.unit_roundoff)) return judged;
