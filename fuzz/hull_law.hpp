@@ -19,9 +19,9 @@
 
 namespace graze::fuzz {
 
-// The points as far as the building promises something of them: those that are finite, all made smaller by one
-// power of two where a magnitude exceeds 1e60, of float 2^126, and a coordinate taken for zero where another is
-// so much greater that the prepared coordinates would not be exact.
+// The points as far as the building promises something of them: those that are finite, all made smaller by
+// one power of two where a magnitude exceeds 1e60, of float 2^126, and a coordinate taken for zero where
+// another is so much greater that the prepared coordinates would not be exact.
 template <Scalar S>
 [[nodiscard]] std::vector<Vec3<S>> as_hull_question(std::span<const Vec3<double>> points);
 
