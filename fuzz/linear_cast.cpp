@@ -32,7 +32,7 @@ constexpr std::uint64_t kOracleOneIn = 1000, kArbitratedOneIn = 32;
 struct Seldom {
   std::uint64_t exact, certified, compared;  // one time in so many
 };
-constexpr Seldom kOfExactQuestions = {8, 32, 4}, kOfOthers = {1, 256, 64};
+constexpr Seldom kOfExactQuestions = {8, 64, 8}, kOfOthers = {1, 256, 64};
 
 // A choice is spent digit by digit, so that no two decisions hang together.
 class Choice {
