@@ -37,7 +37,8 @@ class Random {
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
   // low .. high, both included.
   int integer(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::uint64_t>(high - low) + 1));
+    const std::int64_t from = low, width = high - from;  // wider than int
+    return static_cast<int>(from + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(width) + 1)));
   }
   // True once in n.
   bool once_in(std::uint64_t n) { return below(n) == 0; }

@@ -232,7 +232,7 @@ TEST(Mutator, a_body_is_swapped_for_another_cases) {
                              law::outline(after.b.shape) != law::outline(problem.b.shape);
                   }),
             200);
-  EXPECT_GE(other, 150);
+  EXPECT_GE(other, 130);  // about 150, by the compiler; the others are swapped for their like
 }
 
 TEST(Mutator, every_move_applies_to_some_case_and_leaves_the_domain_to_none) {

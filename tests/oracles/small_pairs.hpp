@@ -42,26 +42,38 @@ class SmallPairs {
 
   Shape<double> shape(int dimension) {
     if (dimension == 0 && random.once_in(2)) return Point<double>{};
-    if (dimension == 3 && random.once_in(2))
-      return Box<double>{Vec(random.integer(1, 3), random.integer(1, 3), random.integer(1, 3))};
+    if (dimension == 3 && random.once_in(2)) {
+      const double z = random.integer(1, 3), y = random.integer(1, 3), x = random.integer(1, 3);
+      return Box<double>{Vec(x, y, z)};
+    }
     return hull(dimension, random.integer(dimension + 1, 6), 3);
   }
 
+  // One draw a statement, so that every compiler draws the same.
   // Points, segments, triangles, tetrahedra and, with `levels` of combinators above them, what these make of
   // them. Few vertices, no radius.
   Shape<double> composed(int levels) {
     if (levels > 0) {
       switch (random.integer(0, 5)) {
-        case 0:
-          return posed<double>(composed(levels - 1), point(2), planar_ ? Quaternion<double>() : quaternion());
+        case 0: {
+          const Quaternion<double> turn = planar_ ? Quaternion<double>() : quaternion();
+          const Vec at = point(2);
+          return posed<double>(composed(levels - 1), at, turn);
+        }
         case 1:
           return rounded<double>(composed(levels - 1), 0);
-        case 2:
-          return hull_of<double>(composed(levels - 1), composed(levels - 1));
-        case 3:
-          return swept<double>(leaf(), point(2));
-        default:
-          return sum<double>(leaf(), composed(levels - 1));
+        case 2: {
+          const Shape<double> second = composed(levels - 1);
+          return hull_of<double>(composed(levels - 1), second);
+        }
+        case 3: {
+          const Vec by = point(2);
+          return swept<double>(leaf(), by);
+        }
+        default: {
+          const Shape<double> second = composed(levels - 1);
+          return sum<double>(leaf(), second);
+        }
       }
     }
     return leaf();
