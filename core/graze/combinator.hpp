@@ -5,8 +5,9 @@
 // radii, what a part has beyond the least of them is its `excess`, a ball that belongs to the core.
 //
 // Positions add up as sums of two doubles, and vertices are compared by their differences, so large offsets
-// that cancel cost nothing unless a rotation comes between: u |position| 23 k under k rotations, quickly, or
-// nothing, where the rotations are composed in two doubles as well (Turning::accurate: for proofs).
+// that cancel cost next to nothing (kTwoDoublesOfANode) unless a rotation comes between: u |position| 23 k
+// under k rotations, quickly, or as little, where the rotations are composed in two doubles as well
+// (Turning::accurate: for proofs).
 #pragma once
 
 #include <algorithm>
@@ -142,8 +143,8 @@ bool is_curved(const Shape<S>& shape) {
 // The matrix of a rotation as quickly as its error allows, or as accurately as doubles can hold it.
 enum class Turning : std::uint8_t { quick, accurate };
 
-// What rounds in a tree besides the last sum, over u: a point per component, and how far the one chosen along
-// a unit n may lie below the greatest.
+// What rounds in a tree besides the last sum and sums of two doubles, over u: a point per component, and how
+// far the one chosen along a unit n may lie below the greatest.
 struct TreeRounding {
   double point = 0, choice = 0;
 };
@@ -211,6 +212,48 @@ TreeRounding tree_rounding(const Shape<S>& shape, Turning turning, int k = 0) {
           }},
       shape);
 }
+
+// Shapes in the tree.
+template <Scalar S>
+int nodes_of(const Shape<S>& shape) {
+  return std::visit(
+      [](const auto& s) {
+        int nodes = 1;
+        if constexpr (requires { s.shapes; }) {
+          for (const auto& part : s.shapes) nodes += nodes_of<S>(part->shape);
+        } else if constexpr (requires { s.shape->shape; }) {
+          nodes += nodes_of<S>(s.shape->shape);
+        }
+        return nodes;
+      },
+      shape);
+}
+// The sum of all lengths that the shape is made of: a walk to a point of it adds up no more.
+template <Scalar S>
+double lengths_of(const Shape<S>& shape) {
+  const auto size = [](const Vec3<S>& x) { return x.template cast<double>().cwiseAbs().sum(); };
+  const auto all = [](const auto& parts) {
+    double total = 0;
+    for (const auto& part : parts) total += lengths_of<S>(part->shape);
+    return total;
+  };
+  return std::visit(
+      Overloaded{[](const Point<S>&) { return 0.0; }, [](const Sphere<S>& s) { return double(s.radius); },
+                 [&](const Segment<S>& s) { return size(s.a) + size(s.b); },
+                 [&](const Triangle<S>& s) { return size(s.a) + size(s.b) + size(s.c); },
+                 [&](const Box<S>& s) { return size(s.half_extents); },
+                 [&](const Ellipsoid<S>& s) { return size(s.radii); },
+                 [&](const Hull<S>& s) { return 4 * double(s.largest()); },
+                 [&](const Posed<S>& s) { return size(s.position) + lengths_of<S>(s.shape->shape); },
+                 [&](const Rounded<S>& s) { return double(s.radius) + lengths_of<S>(s.shape->shape); },
+                 [&](const Sum<S>& s) { return all(s.shapes); },
+                 [&](const HullOf<S>& s) { return all(s.shapes); },
+                 [](const auto& s) { return 2 * double(s.radius) + 2 * double(s.half_height); }},
+      shape);
+}
+// A turn, a placement and a sum of two doubles each cost 2^-96 to 2^-100 of the lengths that they see
+// (offset.hpp), a few of each for a node of the tree: a point is within this times nodes times lengths.
+inline constexpr double kTwoDoublesOfANode = 0x1p-95;
 
 struct TreePoint {
   Vec3<double> x = Vec3<double>::Zero(), lo = Vec3<double>::Zero();  // the point is x + lo + excess n

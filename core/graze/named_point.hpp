@@ -7,54 +7,14 @@
 //   n.w >= h(n) - 32 u extent |n|   or so; nothing rests on that but how near a portal comes.
 //
 // Evaluated in sums of two doubles, and, where that leaves a sign open, exactly. The difference of the
-// positions is exact; a turn, a placement and a sum cost 2^-96 to 2^-100 of the lengths that they see
-// (offset.hpp), a few of each for a node of either tree: all within 2^-95 nodes (|p_A - p_B| + lengths),
-// `lengths` the sum of all that the shapes are made of. Units: internal, as in cso.hpp.
+// positions is exact; what the trees cost is in combinator.hpp: all within 2^-95 nodes (|p_A - p_B| +
+// lengths). Units: internal, as in cso.hpp.
 #pragma once
 
 #include <graze/exact/vectors.hpp>
 #include <graze/prove.hpp>
 
 namespace graze::detail {
-
-// Shapes in the tree.
-template <Scalar S>
-int nodes_of(const Shape<S>& shape) {
-  return std::visit(
-      [](const auto& s) {
-        int nodes = 1;
-        if constexpr (requires { s.shapes; }) {
-          for (const auto& part : s.shapes) nodes += nodes_of<S>(part->shape);
-        } else if constexpr (requires { s.shape->shape; }) {
-          nodes += nodes_of<S>(s.shape->shape);
-        }
-        return nodes;
-      },
-      shape);
-}
-// The lengths that a walk to a point of the shape adds up, at most.
-template <Scalar S>
-double lengths_of(const Shape<S>& shape) {
-  const auto size = [](const Vec3<S>& x) { return x.template cast<double>().cwiseAbs().sum(); };
-  const auto all = [](const auto& parts) {
-    double total = 0;
-    for (const auto& part : parts) total += lengths_of<S>(part->shape);
-    return total;
-  };
-  return std::visit(
-      Overloaded{[](const Point<S>&) { return 0.0; }, [](const Sphere<S>& s) { return double(s.radius); },
-                 [&](const Segment<S>& s) { return size(s.a) + size(s.b); },
-                 [&](const Triangle<S>& s) { return size(s.a) + size(s.b) + size(s.c); },
-                 [&](const Box<S>& s) { return size(s.half_extents); },
-                 [&](const Ellipsoid<S>& s) { return size(s.radii); },
-                 [&](const Hull<S>& s) { return 4 * double(s.largest()); },
-                 [&](const Posed<S>& s) { return size(s.position) + lengths_of<S>(s.shape->shape); },
-                 [&](const Rounded<S>& s) { return double(s.radius) + lengths_of<S>(s.shape->shape); },
-                 [&](const Sum<S>& s) { return all(s.shapes); },
-                 [&](const HullOf<S>& s) { return all(s.shapes); },
-                 [](const auto& s) { return 2 * double(s.radius) + 2 * double(s.half_height); }},
-      shape);
-}
 
 // x of the part in its own frame, exactly, by its name. `curved` walks along the feature's curved points.
 template <Scalar S>
@@ -125,7 +85,7 @@ class NamedPoints {
       : c_(context), counters_(counters), unit_(power_of_two(-context.cso.length_exponent())) {
     const double apart = (wide(context.b.position) - wide(context.a.position)).cwiseAbs().sum();
     const double lengths = apart + lengths_of(context.a.shape) + lengths_of(context.b.shape) + context.radius;
-    error_ = 0x1p-95 * (nodes_of(context.a.shape) + nodes_of(context.b.shape)) * unit_ * lengths;
+    error_ = kTwoDoublesOfANode * (nodes_of(context.a.shape) + nodes_of(context.b.shape)) * unit_ * lengths;
     target_ = context.cso.to_length(context.cso.target());
   }
 

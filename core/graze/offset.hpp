@@ -1,11 +1,12 @@
 // The offset between two posed frames, with large common parts removed before they can cost accuracy.
 //
-//   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 4 u |offset| + 2^-98 (|p_A| + |p_B| + |c_A| +
-//   |c_B|),
+//   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 2 u |offset| + 2^-97 (|c_A| + |c_B|),
 //
-// computed as an unevaluated sum hi + lo of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Sums are
-// Knuth's; products use std::fma where the compiler has it (and may contract), else Veltkamp's splitting (and
-// it cannot): contraction changes no result. The splitting is exact for |x| < 2^996.
+// as p_B - p_A is exact, the turns are within 2^-98 of |c| and the two sums after them within 2^-100 of what
+// they add up, at most |offset| + 2 (|c_A| + |c_B|). Computed as an unevaluated sum hi + lo of two doubles
+// (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Sums are Knuth's; products use std::fma where the compiler has it
+// (and may contract), else Veltkamp's splitting (and it cannot): contraction changes no result. The splitting
+// is exact for |x| < 2^996.
 #pragma once
 
 #include <array>
@@ -77,6 +78,9 @@ inline TwoDoubles3 scaled_by(TwoDoubles3 x, double power) {
   for (TwoDoubles& one : x) one = {one.hi * power, one.lo * power};
   return x;
 }
+
+// The part of that error which the centres leave, over their lengths, however near they cancel.
+inline constexpr double kOffsetOfCenters = 0x1p-97;
 
 // R(q) c with relative error below 2^-98 |c|:  c + 2 (w (u x c) + u x (u x c)) / |q|^2,  q = (w, u).
 inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<double>& c) {
@@ -172,7 +176,7 @@ inline Vec3<double> accurate_offset(const Vec3<double>& p_a, const Quaternion<do
   return out;
 }
 
-// p + R(q) c, within 4 u of itself and 2^-98 of |p| + |c|. For a body whose centre is farther from its origin
+// p + R(q) c, within 2 u of itself and 2^-97 of |c|. For a body whose centre is farther from its origin
 // than it is large: its position may cancel what the rotation makes of the centre.
 inline Vec3<double> placed_center(const Vec3<double>& p, const Quaternion<double>& q, const Vec3<double>& c) {
   const Vec3<double> zero = Vec3<double>::Zero();

@@ -196,8 +196,11 @@ bool name_feature(const Body<S>& body, const Side<double>& side, std::uint32_t v
     out.offset = e * (radius * (1 - inside_slack(body)));
     return true;
   }
-  TreeWalk<S> walk(unit(side.to_own(n)), &out);
-  const TreePoint p = walk(body.shape, Placement{}, &vertex);
+  // Turned and scaled as the side did it, to the bit: where two points of a part tie, as at the rims of a
+  // cylinder seen from its side, another rounding of n names the other.
+  const Vec3<double> own = side.to_own(n);
+  TreeWalk<S> walk(side.shape ? unit(own) : own, &out);
+  const TreePoint p = walk(body.shape, Placement{side.turning}, &vertex);
   out.offset = unit(n) * ((radius + p.excess.hi) * (1 - inside_slack(body)));
   return walk.curved_parts() <= kCurvedParts;
 }

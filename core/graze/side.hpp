@@ -203,6 +203,12 @@ SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   return {(side.tree_unit * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
 }
 
+// An error in internal units: where it is far above the scale it is all the same how far.
+template <Scalar S>
+S capped(double error) {
+  return static_cast<S>(std::min(error, 0x1p100));
+}
+
 // How a side's core answers. Rounding of a curved leaf: leaf.hpp.
 inline constexpr int kCurvedRounding = 6;
 
@@ -255,8 +261,10 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                           // In double whatever S is; then rounded to S once.
                           const TreeRounding own = tree_rounding(shape, side.turning);
                           const double u = kUnitRoundoff<double> * unit;
-                          side.blur = static_cast<S>(u * own.point) + kUnitRoundoff<S> * side.reach();
-                          side.slip = static_cast<S>(u * own.choice);
+                          const double fine =
+                              unit * kTwoDoublesOfANode * nodes_of<Given>(shape) * lengths_of<Given>(shape);
+                          side.blur = capped<S>(u * own.point + fine) + kUnitRoundoff<S> * side.reach();
+                          side.slip = capped<S>(u * own.choice + 2 * fine);
                         }},
              shape);
 }
@@ -282,6 +290,8 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning 
   side.middle = (unit * bounds.middle).template cast<S>();
   side.radius = static_cast<S>(unit * bounds.radius);
   set_core(side, body.shape, k);
+  // What the offset of the pair owes to this centre.
+  side.blur += capped<S>(unit * kOffsetOfCenters * bounds.center.norm());
   // A point's rotation about itself, and so a sphere's, cannot be seen.
   const Vec3<double> off = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
   side.rotated = !body.orientation.is_identity() && off.maxCoeff() > 0;

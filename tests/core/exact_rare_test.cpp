@@ -163,6 +163,24 @@ TEST(ExactRare, AQueryTooComplexIsRefused) {
   EXPECT_GT(refused, 10);
 }
 
+// --- witnesses that pairs of doubles cannot tell
+
+// A needle of 2^190 flies along itself past a sheet of 2^61: the sides of their contact are 2^-126 of what
+// they are summed up from.
+TEST(ExactRare, WitnessesOfANeedleTouch) {
+  constexpr double kLong = 0x1p190;
+  const Body<double> sheet{
+      .shape = Hull<double>{{0, 0, 0.5}, {0, 0x1p61, -0.5}, {0, -0.25, -0.25}, {0, -0.25, 12.75}},
+      .displacement = {52, 52, 52}};
+  const Body<double> needle{.shape = Hull<double>{{1, 1, 0}, {1 - kU, 1, 0}, {kLong, kLong, kLong}},
+                            .displacement = {-kLong, -kLong, -kLong}};
+  const auto r = exactly(sheet, needle);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_GT(r.toi_lower, 0.5);
+  EXPECT_LT(r.toi_upper, 1);
+  EXPECT_LE((r.point_a - r.point_b).norm(), 64 * kU * kLong);
+}
+
 // --- what a term's kind does not need is not read
 
 // The grid of a point of C's inside is that of the four vertices in it. A fifth, off every coarse grid, would

@@ -51,6 +51,25 @@ TEST(RoundingBounds, ATurnCountsForTheErrorOfPoints) {
   EXPECT_GE(error({1, 2, 3, 4}), plain + detail::kQuickTurn * kU * 0.5);
 }
 
+// Points that cancel all but 2^-80 of where they were put are no better than sums of two doubles: 2^-98 of a
+// turned centre (offset.hpp), and of the places inside of a combinator.
+TEST(RoundingBounds, WhatCancelsIsNoBetterThanSumsOfTwoDoubles) {
+  const V far(0x1p80, 0, 0);
+  const Body<double> origin{.shape = Point<double>{}, .position = {1, 0, 0}};
+  const auto error = [&](const Shape<double>& shape, const V& place, const Quaternion<double>& turn) {
+    const Cso<double> cso({.shape = shape, .position = place, .orientation = turn}, origin, 0.0,
+                          detail::Turning::accurate);
+    return cso.to_length(cso.point_error());
+  };
+  const Quaternion<double> half_turn{0, 0, 0, 1};
+  EXPECT_GE(error(Segment<double>{far, far}, far, half_turn), 0x1p-98 * far.norm());
+  const Shape<double> there = translated<double>(Point<double>{}, far);
+  const Shape<double> back = posed<double>(there, far, half_turn);
+  EXPECT_GE(error(back, V::Zero(), {1, 0, 0, 0}), 0x1p-98 * far.norm());
+  // What does not cancel has its own rounding, and no more.
+  EXPECT_LE(error(Box<double>{{1, 1, 1}}, V(4, 0, 0), {1, 2, 3, 4}), 0x1p-45);
+}
+
 TEST(RoundingBounds, ARateOfTurningIsNotBelowTheTrueOne) {
   Draw draw{211};
   for (int round = 0; round < 200; ++round) {
@@ -138,6 +157,33 @@ TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
       exactly[static_cast<int>(i)] = w[i].sign() == 0 ? 0 : std::ldexp(w[i].leading(), w[i].order() - order);
     // `exactly` is w times a positive weight: the same direction, rounded a few times.
     EXPECT_LE((unit(exactly) - unit(detail::rounded_once(p.w))).norm(), 8 * kU) << round;
+  }
+}
+
+// A name is of the point that was found, also along a direction where two points of a part tie: the rims of
+// a cylinder seen from its side, the apex of a cone and its rim.
+TEST(RoundingBounds, ANameIsOfThePointThatWasFound) {
+  const Shape<double> cylinder = Cylinder<double>{1, 2}, cone = Cone<double>{3, 2};
+  const V from_side(0.6, 0.8, 0), over_slant = V(0.36, 0.48, 0.45) / 0.75;
+  const auto at = [](const V& place, const Quaternion<double>& turn, const V& x) -> V {
+    return place + detail::rotation_matrix(turn) * x;
+  };
+  Draw draw{213};
+  for (int round = 0; round < 2000; ++round) {
+    const bool lone = round % 2 == 0, is_cone = round % 4 < 2;
+    const Quaternion<double> turn = draw.turn<double>(), inner = draw.turn<double>();
+    const V place = draw.vector<double>(4), within = draw.vector<double>(4);
+    const Shape<double> part = is_cone ? cone : cylinder;
+    const Body<double> a{
+        .shape = lone ? part : posed<double>(part, within, inner), .position = place, .orientation = turn};
+    const Named named{a, {.shape = Point<double>{}}};
+    const V own = is_cone ? over_slant : from_side;
+    const V n = at(V::Zero(), turn, lone ? own : at(V::Zero(), inner, own));
+    SupportPair pair;
+    const CsoPoint<double> found = named.cso.rounded_support(unit(n));
+    ASSERT_TRUE(detail::name_pair(named.context, found, pair));
+    const V x = pair.a.curved[0], said = at(place, turn, lone ? x : at(within, inner, x));
+    EXPECT_LE((said - named.cso.to_length(1) * found.w).norm(), 1e-12) << round;
   }
 }
 

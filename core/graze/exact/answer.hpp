@@ -3,8 +3,8 @@
 // Normal: -(f_1 x f_2) / |.|, each component within 2 u of the true one. The cross product is within 2^-88 of
 // its factors' sizes in pairs of doubles; where it is smaller than 2^-30 of them it is formed exactly, so
 // that its direction is within 2^-57, and the unit vector rounds by u and a little. Witnesses: the weights of
-// the line's point in the facet are quotients of sides (walk.hpp) in pairs. Proof: nothing in it is rounded
-// but the times, outward (proof.hpp).
+// the line's point in the facet are quotients of sides (walk.hpp), in pairs where those tell them, else
+// exactly. Proof: nothing in it is rounded but the times, outward (proof.hpp).
 #pragma once
 
 #include <graze/exact/facet.hpp>
@@ -43,30 +43,52 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
   return n / std::sqrt(square.hi);
 }
 
-// The weights, >= 0 with sum 1, of the line's point in the facet's corners.
+// Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, `third` is the
+// axis that it is seen along (edge_on.hpp), f_2: det(v, c_1, f_2), det(v, f_2, c_0).
+template <class V, class Value>
+std::array<Value, 3> facet_sides(const Facet& facet, const V& motion, const std::array<V, 3>& c) {
+  const auto side = [&](std::size_t i, std::size_t j) { return dot(motion.x, cross(c[i].x, c[j].x)); };
+  return {side(1, 2), side(2, 0), facet.size == 3 ? side(0, 1) : Value{}};
+}
+
+// The weights, >= 0 with sum 1 and within 2^-52, of the line's point in the facet's corners.
 template <Scalar S>
 std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, const Term& v) {
-  std::array<double, 3> weight = {1, 0, 0};
-  if (facet.size == 1) return weight;
-  const Fine motion = scene.fine(v);
-  std::array<Fine, 3> c;
-  const std::size_t size = static_cast<std::size_t>(facet.size);
-  for (std::size_t i = 0; i < std::min<std::size_t>(size, 3); ++i) {
-    c[i] = scene.fine(Term::point(facet.corner[i]));
-  }
-  // Seen as a segment: its second factor is the axis (edge_on.hpp) that takes the place of a third corner.
-  if (size == 2) c[2] = scene.fine(facet.f2);
-  const auto side = [&](std::size_t i, std::size_t j) {
-    return std::max(rounded(dot(motion.x, cross(c[i].x, c[j].x))), 0.0);
+  if (facet.size == 1) return {1, 0, 0};
+  const auto corner = [&](std::size_t i) {
+    return facet.size == 2 && i == 2 ? facet.f2 : Term::point(facet.corner[i]);
   };
-  double total = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    // Of a segment e = c_1 - c_0: det(c_1, x, v) and -det(c_0, x, v), both >= 0.
-    weight[i] = size == 3 ? side((i + 1) % 3, (i + 2) % 3) : i == 0 ? side(1, 2) : side(2, 0);
-    total += weight[i];
+  std::array<double, 3> weight{};
+  double total = 0, size = 0;  // of what the sides are summed up from
+  if (scene.has_fine()) {
+    const Fine motion = scene.fine(v);
+    const std::array<Fine, 3> c = {scene.fine(corner(0)), scene.fine(corner(1)), scene.fine(corner(2))};
+    const auto sides = facet_sides<Fine, Pair>(facet, motion, c);
+    for (std::size_t i = 0; i < 3; ++i) {
+      weight[i] = std::max(rounded(sides[i]), 0.0);
+      total += weight[i];
+      size = std::max(size, motion.size * c[i].size * c[(i + 1) % 3].size);
+    }
+  }
+  const bool in_range = size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize;
+  if (!(in_range && total > Scene<S>::kFineError * 0x1p53 * size)) {
+    scene.count_exact_decision();
+    const std::array<Exact, 3> c = {scene.exact(corner(0)), scene.exact(corner(1)), scene.exact(corner(2))};
+    const auto sides = facet_sides<Exact, Dyadic>(facet, scene.exact(v), c);
+    int order = std::numeric_limits<int>::min();
+    for (const Dyadic& x : sides) {
+      if (!x.valid()) scene.invalidate();
+      if (x.sign() > 0) order = std::max(order, x.order());
+    }
+    total = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Dyadic& x = sides[i];
+      weight[i] = x.sign() > 0 ? std::ldexp(x.leading(), std::max(x.order() - order, -1100)) : 0;
+      total += weight[i];
+    }
   }
   if (!(total > 0)) return {1, 0, 0};
-  for (std::size_t i = 0; i < size; ++i) weight[i] /= total;
+  for (double& one : weight) one /= total;
   return weight;
 }
 
