@@ -28,20 +28,16 @@ bool has_spin(const Case& problem) {
 
 std::vector<double> scalars(const Case& problem) {
   std::vector<double> all;
-  (void)map_scalars(problem, [&](Slot, double x) {
-    all.push_back(x);
-    return x;
-  });
+  visit_scalars(problem, [&](Slot, double x) { all.push_back(x); });
   return all;
 }
 
 bool in_domain(const Case& problem) {
   if (must_be_refused(problem)) return false;
   bool inside = true;
-  (void)map_scalars(problem, [&](Slot slot, double x) {
+  visit_scalars(problem, [&](Slot slot, double x) {
     const double size = std::abs(x);
     if (slot != Slot::horizon) inside = inside && (size == 0 || (size >= 1e-60 && size <= 1e60));
-    return x;
   });
   return inside;
 }
@@ -50,14 +46,13 @@ bool must_be_refused(const Case& problem) {
   if (is_malformed(problem.a.shape) || is_malformed(problem.b.shape)) return true;
   if (zero(problem.a.orientation) || zero(problem.b.orientation)) return true;
   bool bad = false;
-  (void)map_scalars(problem, [&](Slot slot, double x) {
+  visit_scalars(problem, [&](Slot slot, double x) {
     if (slot == Slot::horizon) {
       bad = bad || !(x >= 0);
     } else {
       bad = bad || !std::isfinite(x);
       if (slot == Slot::extent || slot == Slot::target) bad = bad || x < 0;
     }
-    return x;
   });
   return bad;
 }

@@ -33,6 +33,15 @@ void map_spin(corpus::Spin& spin, F& f) {
   spin.pivot = map.vector(Slot::pivot, spin.pivot);
 }
 
+template <class F>
+void visit_body(const Body<double>& body, F& f) {
+  const ShapeVisit<F> visit{f};
+  std::visit(visit, body.shape);
+  visit.vector(Slot::position, body.position);
+  visit.quaternion(body.orientation);
+  visit.vector(Slot::displacement, body.displacement);
+}
+
 }  // namespace detail
 
 // A rotation or a pivot is given, seen or not.
@@ -52,6 +61,21 @@ template <class F>
     detail::map_spin(problem.spin_b, f);
   }
   return problem;
+}
+
+// f(slot, x) for every scalar, in the same order.
+template <class F>
+void visit_scalars(const corpus::Case& problem, F&& f) {
+  detail::visit_body(problem.a, f);
+  detail::visit_body(problem.b, f);
+  f(Slot::horizon, problem.t_max);
+  f(Slot::target, problem.target_distance);
+  if (!has_spin(problem)) return;
+  const detail::ShapeVisit<std::remove_reference_t<F>> visit{f};
+  for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
+    visit.vector(Slot::rotation, spin->rotation);
+    visit.vector(Slot::pivot, spin->pivot);
+  }
 }
 
 // Every scalar, in the order of the visit.

@@ -85,7 +85,7 @@ struct ShapeMap {
       v = vector(Slot::vertex, v);
       for (int i = 0; i < 3; ++i) changed = changed || !same_bits(before[i], v[i]);
     }
-    // Most visits only read: what they see needs no new adjacency.
+    // What is left as it was needs no new adjacency.
     if (!changed) return h;
     const bool sound =
         std::all_of(vertices.begin(), vertices.end(), [](const Vec3<double>& v) { return v.allFinite(); });
@@ -126,6 +126,60 @@ template <class F>
 Shape<double> map_shape(const Shape<double>& shape, F& f) {
   return std::visit(detail::ShapeMap<F>{f}, shape);
 }
+
+namespace detail {
+
+// The same visit, of who only reads: no shape is copied.
+template <class F>
+struct ShapeVisit {
+  F& f;
+
+  void vector(Slot slot, const Vec3<double>& v) const {
+    for (int i = 0; i < 3; ++i) f(slot, v[i]);
+  }
+  void quaternion(const Quaternion<double>& q) const {
+    for (const double x : {q.w, q.x, q.y, q.z}) f(Slot::orientation, x);
+  }
+  void part(const SharedShape<double>& given) const {
+    if (given) std::visit(*this, given->shape);
+  }
+
+  void operator()(const Point<double>&) const {}
+  void operator()(const Segment<double>& s) const {
+    for (const Vec3<double>* x : {&s.a, &s.b}) vector(Slot::vertex, *x);
+  }
+  void operator()(const Triangle<double>& t) const {
+    for (const Vec3<double>* x : {&t.a, &t.b, &t.c}) vector(Slot::vertex, *x);
+  }
+  void operator()(const Sphere<double>& s) const { f(Slot::extent, s.radius); }
+  void operator()(const Box<double>& b) const { vector(Slot::extent, b.half_extents); }
+  void operator()(const Ellipsoid<double>& e) const { vector(Slot::extent, e.radii); }
+  void operator()(const Hull<double>& h) const {
+    for (const Vec3<double>& v : h.vertices()) vector(Slot::vertex, v);
+  }
+  void operator()(const Posed<double>& p) const {
+    part(p.shape);
+    vector(Slot::position, p.position);
+    quaternion(p.orientation);
+  }
+  void operator()(const Rounded<double>& r) const {
+    part(r.shape);
+    f(Slot::extent, r.radius);
+  }
+  template <class Round>
+  requires requires(Round s) { s.half_height; }
+  void operator()(const Round& s) const {
+    f(Slot::extent, s.radius);
+    f(Slot::extent, s.half_height);
+  }
+  template <class Combinator>
+  requires requires(Combinator s) { s.shapes; }
+  void operator()(const Combinator& s) const {
+    for (const SharedShape<double>& one : s.shapes) part(one);
+  }
+};
+
+}  // namespace detail
 
 // The parts of a combinator; nothing for a leaf.
 [[nodiscard]] std::vector<SharedShape<double>> parts_of(const Shape<double>& shape);

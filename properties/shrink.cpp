@@ -151,11 +151,10 @@ struct Lengths {
 Lengths lengths_of(const Case& problem) {
   double largest = 0;
   Lengths lengths;
-  (void)map_scalars(problem, [&](Slot slot, double x) {
-    if (!is_length(slot)) return x;
+  visit_scalars(problem, [&](Slot slot, double x) {
+    if (!is_length(slot)) return;
     largest = std::max(largest, std::abs(x));
     lengths.fraction = std::max(lengths.fraction, fraction_bits(x));
-    return x;
   });
   (void)std::frexp(largest, &lengths.exponent);
   return lengths;

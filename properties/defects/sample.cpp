@@ -3,6 +3,7 @@
 #include "corpus/families.hpp"
 #include "properties/draw_case.hpp"
 #include "properties/draw_rotating.hpp"
+#include "properties/draw_round_tie.hpp"
 
 namespace graze::law {
 
@@ -30,8 +31,11 @@ std::vector<Case> linear_cases(int count) {
 std::vector<Case> near_ties(int count) {
   std::vector<Case> out;
   out.reserve(static_cast<std::size_t>(count));
-  corpus::Random random(20261122);
-  for (int i = 0; i < count; ++i) out.push_back(draw_near_tie(random));
+  corpus::Random random(20261122), round(20261123);
+  for (int i = 0; i < count; ++i) {
+    out.push_back(draw_near_tie(random));
+    if (i % 16 == 0) out.push_back(draw_round_tie(round));
+  }
   return out;
 }
 

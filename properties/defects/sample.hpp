@@ -15,7 +15,8 @@ struct Sample {
 };
 
 // Linear and query: half drawn, half from the easier half of the families' levels; near-ties, of linear laws
-// alone. Rotating: drawn, and every eighth from the rotating families; none are near-ties.
+// alone, and among them some on the flanks of round bodies. Rotating: drawn, and every eighth from the
+// rotating families; none are near-ties.
 [[nodiscard]] Sample sample_for(Kind kind, int count);
 
 }  // namespace graze::law

@@ -2,11 +2,12 @@
 // corpus.
 //
 // The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in the environment
-// draws others.
+// draws others, and as large a share of the families.
 #include <gtest/gtest.h>
 
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
+#include "properties/draw_round_tie.hpp"
 #include "properties/law_reach.hpp"
 #include "tests/properties/drawn_run.hpp"
 
@@ -17,7 +18,10 @@ const bool kGiven = takes_given_parameters("seed=20260117");
 
 // Cases a law; with an oracle a case costs milliseconds, without one microseconds.
 int budget(Needs needs) { return needs == Needs::oracle ? 2000 : 4000; }
-int family_seeds(Needs needs) { return needs == Needs::oracle ? 40 : 200; }
+int family_seeds(Needs needs) {
+  const int usual = needs == Needs::oracle ? 40 : 200;
+  return kGiven ? usual * rc::detail::configuration().testParams.maxSuccess / budget(needs) : usual;
+}
 
 class Laws : public testing::TestWithParam<Law> {};
 
@@ -47,6 +51,17 @@ TEST_P(Laws, hold_for_the_families) {
   }
   run.print();
   EXPECT_EQ(run.shortfall_over_families(), "");
+}
+
+TEST_P(Laws, hold_for_flanks_of_round_bodies) {
+  LawRun run(any(GetParam()), "flanks");
+  corpus::Random random(20260118);
+  for (int i = 0; i < family_seeds(GetParam().needs) / 4; ++i) {
+    if (run.holds_for(draw_round_tie(random))) continue;
+    run.minimise();
+    FAIL() << run.report("flank " + std::to_string(i));
+  }
+  run.print();
 }
 
 TEST_P(Laws, hold_for_the_curated_corpus) {
