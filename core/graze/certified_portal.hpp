@@ -230,7 +230,8 @@ class ProvedView {
       if (i == nearest) continue;
       const TwoDoubles left = (p[i].z + -by.z) + -(slope_x * (p[i].x + -by.x) + slope_y * (p[i].y + -by.y));
       above = above + w.l[i] * left;
-      doubt += 2 * (w.error[i] + w.errors * std::abs(value(w.l[i])) / total) / total * std::abs(value(left));
+      const double share = std::abs(value(w.l[i])) / total;
+      doubt += 2 * (w.error[i] + w.errors * share) / total * std::abs(value(left));
     }
     const double at = value((by.z + -(slope_x * by.x + slope_y * by.y)) + above / w.sum);
     doubt += 4 * error_ * (1 + std::abs(slope_x.hi) + std::abs(slope_y.hi)) + 0x1p-92 * std::abs(along[2]) +

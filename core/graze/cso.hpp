@@ -54,7 +54,7 @@ class Cso {
     const double apart = (d + turn(body_b, b.middle) - turn(body_a, a.middle)).cwiseAbs().maxCoeff();
     const double scale = std::max({size_a, size_b, apart});
     k_ = scale > 0 ? exponent_of(scale) : 0;
-    // Squares must hold a target distance, however far beyond the bodies.
+    // Cubes must hold a target distance, however far beyond the bodies.
     if (target_distance > 0) k_ = std::max(k_, exponent_of(target_distance) - kRoom);
     scale_ = scale > 0 ? static_cast<S>(scale * power_of_two(-k_)) : S(0);
     a_ = detail::make_side<S>(body_a, a, k_, turning);
@@ -153,8 +153,9 @@ class Cso {
   detail::Side<S> a_, b_;
   Vec3<S> d_ = Vec3<S>::Zero(), r_ = Vec3<S>::Zero();
   S radius_ = 0, target_ = 0, scale_ = 0;
-  // Twice this, and what a few terms add, is below the largest exponent: 1023, 127.
-  static constexpr int kRoom = sizeof(S) == 8 ? 400 : 50;
+  // Thrice this, and what a few terms add, is below the largest exponent of a double that splits into halves
+  // (offset.hpp), 996: a portal's height is a sum of products of three. In float twice this, below 127.
+  static constexpr int kRoom = sizeof(S) == 8 ? 300 : 50;
   int k_ = 0, j_ = 0;
   bool curved_ = false;
 };

@@ -1,4 +1,5 @@
-// What tier certified says where a start can neither be proved nor refuted: nothing, consistently.
+// What tier certified says where a start can neither be proved nor refuted: nothing, consistently. And where
+// the target distance is the whole scale.
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
@@ -65,6 +66,18 @@ TEST(CertifiedRare, AnOpenStartIsNoVerdict) {
   }
   EXPECT_GT(open, 0);
   EXPECT_GT(over, 100);
+}
+
+// Points as near as the domain has them, and target distances up to its end: cubes of their ratio would
+// overflow.
+TEST(CertifiedRare, ATargetDistanceFarBeyondTheBodiesIsContact) {
+  for (const double margin : {1.0, 0x1p101, 0x1p150, 0x1p199}) {
+    for (const double apart : {0x1p-199, 0x1p-192, 0x1p-100, 0x1p-10}) {
+      const Body<double> a{.shape = Point<double>{}}, b{.shape = Point<double>{}, .position = {0, 0, apart}};
+      const auto r = cast(a, b, {.tier = Tier::certified, .target_distance = margin});
+      EXPECT_EQ(r.outcome, Outcome::initially_overlapping) << margin << " " << apart;
+    }
+  }
 }
 
 }  // namespace
