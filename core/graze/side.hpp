@@ -203,10 +203,10 @@ SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   return {(side.tree_unit * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
 }
 
-// An error in internal units: where it is far above the scale it is all the same how far.
+// A bound in S: all that S can hold, but for room to add a few, where it is beyond that.
 template <Scalar S>
 S capped(double error) {
-  return static_cast<S>(std::min(error, 0x1p100));
+  return static_cast<S>(std::min(error, static_cast<double>(std::numeric_limits<S>::max()) / 64));
 }
 
 // How a side's core answers. Rounding of a curved leaf: leaf.hpp.

@@ -43,7 +43,7 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
   return n / std::sqrt(square.hi);
 }
 
-// Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, `third` is the
+// Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, c_2 is the
 // axis that it is seen along (edge_on.hpp), f_2: det(v, c_1, f_2), det(v, f_2, c_0).
 template <class V, class Value>
 std::array<Value, 3> facet_sides(const Facet& facet, const V& motion, const std::array<V, 3>& c) {
