@@ -16,9 +16,4 @@ namespace graze::law {
 // size, 0 to 100, bounds the vertices of a hull (4 + size / 8) and the spread of exponents.
 [[nodiscard]] corpus::Case draw_case(corpus::Random& random, int size);
 
-// Polytopes whose every decision is a near-tie, for filters and last supports: faces whose corners lie in one
-// plane but for the rounding of their coordinates (boxes turned, then rounded), and a path aimed, up to
-// rounding, at a point of an edge or a vertex that C shows along v, or at a point of such a face.
-[[nodiscard]] corpus::Case draw_near_tie(corpus::Random& random);
-
 }  // namespace graze::law

@@ -2,18 +2,14 @@
 
 #include <cmath>
 
+#include "properties/draw_turn.hpp"
+
 namespace graze::law {
 
 using corpus::Case;
 using corpus::Random;
 
 namespace {
-
-// x -> q x conj(q) / |q|^2, rounded.
-Vec3<double> turned(const Quaternion<double>& q, const Vec3<double>& x) {
-  const Vec3<double> r(q.x, q.y, q.z);
-  return x + 2 * (q.w * r.cross(x) + r.cross(r.cross(x))) / (q.w * q.w + r.squaredNorm());
-}
 
 Vec3<double> vector(Random& random, double size) {
   Vec3<double> v;

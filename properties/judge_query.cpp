@@ -23,9 +23,8 @@ class QueryJudge {
   QueryJudge(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits)
       : truth_(truth), answer_(answer), limits_(limits) {
     const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
-    scale_ = (moves ? truth.moving() : truth.at_rest()).scale().high;
-    // A line meets C behind its start as well, as far as the target distance back.
-    if (truth.problem().query == Query::line) scale_ = std::max(scale_, truth.problem().target_distance);
+    scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
+                               (moves ? truth.moving() : truth.at_rest()).scale().high);
     limit_ = limits.kappa * limits.unit_roundoff * scale_ + unseen_of_trees(truth.problem(), scale_);
     judgement_.outcome = answer.outcome;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
@@ -254,6 +253,10 @@ const oracle::LinearTruth& QueryTruth::at_rest() {
 const oracle::PenetrationTruth& QueryTruth::penetration() {
   if (!penetration_) penetration_ = std::make_unique<oracle::PenetrationTruth>(rest(problem_));
   return *penetration_;
+}
+
+double scale_of_question(corpus::Query query, double target_distance, double scale_of_pair) {
+  return query == Query::line ? std::max(scale_of_pair, target_distance) : scale_of_pair;
 }
 
 QueryJudgement judge_query(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits) {

@@ -58,6 +58,10 @@ class QueryTruth {
   std::unique_ptr<oracle::PenetrationTruth> penetration_;
 };
 
+// What a limit is relative to, from the scale of the pair. A line meets C behind its start as well, as far as
+// the target distance back.
+[[nodiscard]] double scale_of_question(corpus::Query query, double target_distance, double scale_of_pair);
+
 [[nodiscard]] QueryJudgement judge_query(QueryTruth& truth, const engine::QueryAnswer& answer,
                                          const QueryLimits& limits);
 

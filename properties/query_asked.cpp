@@ -77,8 +77,7 @@ std::string text(const std::optional<Vec3<double>>& v) { return v ? hex(*v) : "n
 double limit_of(const QueryMethod& method, const Case& seen) {
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
   const double kappa = row != nullptr ? row->kappa(seen) : kInfinity<double>;
-  const double scale =
-      method.query == Query::line ? std::max(scale_of(seen), seen.target_distance) : scale_of(seen);
+  const double scale = scale_of_question(method.query, seen.target_distance, scale_of(seen));
   return kappa == 0 ? 0 : kappa * unit_roundoff(method) * scale + unseen_of_trees(seen, scale);
 }
 

@@ -199,7 +199,7 @@ bool name_feature(const Body<S>& body, const Side<double>& side, std::uint32_t v
   // Turned and scaled as the side did it, to the bit: where two points of a part tie, as at the rims of a
   // cylinder seen from its side, another rounding of n names the other.
   const Vec3<double> own = side.to_own(n);
-  TreeWalk<S> walk(side.shape ? unit(own) : own, &out);
+  TreeWalk<S> walk(side.is_curved_tree() ? walked_along(own) : own, &out);
   const TreePoint p = walk(body.shape, Placement{side.turning}, &vertex);
   out.offset = unit(n) * ((radius + p.excess.hi) * (1 - inside_slack(body)));
   return walk.curved_parts() <= kCurvedParts;

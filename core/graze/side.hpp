@@ -136,6 +136,8 @@ struct Side {
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& x) const { return rotated ? Vec3<S>(rotation * x) : x; }
   // A rotation other than the given orientation; a point's about itself cannot be seen.
   void turn_to(const Mat3<S>& r);
+  // Of a combinator with curved parts.
+  [[nodiscard]] bool is_curved_tree() const { return curved && shape; }
   // Bounds |x| over the core.
   [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
 };
@@ -195,10 +197,15 @@ SidePoint<S> climb_of_side(const Side<S>& side, const Vec3<S>& d, const std::uin
   }
   return {side.unit * hull_vertex<S>(hull, k), k};
 }
+// The direction in which a combinator's parts are asked.
+template <Scalar S>
+Vec3<double> walked_along(const Vec3<S>& d) {
+  return unit(wide(d));
+}
 template <Scalar S, Scalar Given>
 SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint32_t* chosen) {
   const auto& shape = *static_cast<const Shape<Given>*>(side.shape);
-  const Vec3<double> n = unit(wide(d));
+  const Vec3<double> n = walked_along(d);
   const TreePoint p = TreeWalk<Given>(n)(shape, Placement{side.turning}.moved(-side.center), chosen);
   return {(side.tree_unit * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
 }

@@ -2,6 +2,7 @@
 
 #include "corpus/families.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_near_tie.hpp"
 #include "properties/draw_rotating.hpp"
 #include "properties/draw_round_tie.hpp"
 

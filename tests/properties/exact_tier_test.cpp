@@ -12,6 +12,7 @@
 #include "oracles/linear_program.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_near_tie.hpp"
 #include "properties/judge.hpp"
 #include "properties/laws_exact.hpp"
 
