@@ -3,11 +3,10 @@
 // Where the filters' bounds are void (filters_hold.hpp) they are left out, and GMP decides.
 #include "oracles/check_proof.hpp"
 
-#include <cstdio>
-
 #include "oracles/double_double.hpp"
 #include "oracles/dyadic.hpp"
 #include "oracles/filters_hold.hpp"
+#include "oracles/number_text.hpp"
 #include "oracles/tree_axis.hpp"
 
 namespace graze::oracle {
@@ -192,12 +191,6 @@ class Cascade {
 }
 
 // ---- messages ---------------------------------------------------------------------------------------------
-
-[[nodiscard]] std::string text(double x) {
-  char buffer[80];
-  std::snprintf(buffer, sizeof buffer, "%a (%.17g)", x, x);
-  return buffer;
-}
 
 // About h(n) and n.v, to some 15 digits.
 struct AxisValues {

@@ -12,7 +12,7 @@
 //   The contact at toi_upper, which is at most t_max: the pairs' points where the bodies carry them, by the
 //   weights or by strict containment, in balls. Or the crossing of the origin through the triangle of three
 //   pairs between contact_from and toi_upper: by the sign of a volume at its two ends, and balls that hold
-//   all times between (check_rotating_proof.cpp has the argument); it is cut in halves as a slice is.
+//   all times between (crossing_claim.hpp has the argument); it is cut in halves as a slice is.
 //
 // What it costs (tests/oracles/rotating_trial_test.cpp prints it; balls, boxes, segments, all three frames):
 // a slice 0.9 microseconds in double and 12 to 15 in balls, as often as it is cut; a proof 15 more, for

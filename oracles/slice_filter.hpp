@@ -1,5 +1,5 @@
 // A slice of a rotating proof in double with running error bounds (filtered.hpp): proves it, or leaves it to
-// the balls of check_rotating_proof.cpp.
+// the balls of slice_claim.hpp.
 //
 // Notation   u = w/|w|, the axis of a body's rotation;   theta = |w| t;   arm = R(orientation) pivot.
 //   R(t) n = cos n + sin u x n + (1 - cos)(u.n) u, and R(t)^-1 n by -sin; cos and sin are balls rounded once.

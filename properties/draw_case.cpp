@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "corpus/families/draw.hpp"
 #include "properties/case_edit.hpp"
-#include "properties/draw_turn.hpp"
 
 namespace graze::law {
 
@@ -258,7 +258,7 @@ class Drawing {
   }
   Vec3<double> feature_of(const Hull<double>& h) { return h.vertex(random_.below(h.size())); }
   Vec3<double> feature_of(const Posed<double>& p) {
-    return p.position + turned(p.orientation, feature_of_part(p.shape));
+    return p.position + corpus::rotate(p.orientation, feature_of_part(p.shape));
   }
   Vec3<double> feature_of(const Rounded<double>& r) {
     const Vec3<double> x = feature_of_part(r.shape);
@@ -293,8 +293,8 @@ class Drawing {
     // A feature of B meets a feature of A at time t.
     constexpr std::array kTimes = {0.0, 0.25, 0.5, 1.0, 1.0, 2.0};
     const double t = kTimes[random_.below(kTimes.size())];
-    const Vec3<double> a = turned(problem.a.orientation, feature(problem.a.shape));
-    const Vec3<double> b = turned(problem.b.orientation, feature(problem.b.shape));
+    const Vec3<double> a = corpus::rotate(problem.a.orientation, feature(problem.a.shape));
+    const Vec3<double> b = corpus::rotate(problem.b.orientation, feature(problem.b.shape));
     problem.b.position = problem.a.position + a - b - t * v;
   }
 

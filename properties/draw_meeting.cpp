@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "corpus/families/draw.hpp"
+#include "corpus/support_value.hpp"
+#include "properties/case_edit.hpp"
 
 namespace graze::law {
 
@@ -11,6 +13,18 @@ Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin, const Q
   const Vec3<double> pivot = corpus::rotate(body.orientation, spin.pivot);
   const Vec3<double> arm = corpus::rotate(body.orientation, x) - pivot;
   return corpus::rotate(turn, arm) + pivot + t * body.displacement;
+}
+
+Vec3<double> draw_feature(corpus::Random& random, const Shape<double>& shape) {
+  constexpr std::size_t kMost = 64;
+  if (const auto vertices = exact_vertices(shape, kMost); vertices && !vertices->empty()) {
+    return (*vertices)[random.below(vertices->size())];
+  }
+  const corpus::Bounds box = corpus::bounds(shape);
+  Vec3<double> x = (box.low + box.high) / 2;
+  const int i = random.integer(0, 2);
+  x[i] = random.once_in(2) ? box.low[i] : box.high[i];
+  return x;
 }
 
 double draw_beside(corpus::Random& random) {

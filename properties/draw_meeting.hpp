@@ -11,6 +11,9 @@ namespace graze::law {
 [[nodiscard]] Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin,
                                    const Quaternion<double>& turn, double t, const Vec3<double>& x);
 
+// A point to meet at: a vertex, or a point on a side of the bounds, in the shape's own frame.
+[[nodiscard]] Vec3<double> draw_feature(corpus::Random& random, const Shape<double>& shape);
+
 // A distance that makes of a meeting a near miss, or a shallow overlap: 2^-8 or 2^-24, of either sign.
 [[nodiscard]] double draw_beside(corpus::Random& random);
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "properties/draw_turn.hpp"
+#include "corpus/families/draw.hpp"
 
 namespace graze::law {
 
@@ -76,13 +76,13 @@ class NearTie {
               {{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}}};
           const auto& corner = kHexagon[static_cast<std::size_t>(i % 6)];
           vertices.push_back(
-              turned(q, half.cwiseProduct(Vec3<double>(corner[0], corner[1], i < 6 ? 1 : -1)) / 2));
+              corpus::rotate(q, half.cwiseProduct(Vec3<double>(corner[0], corner[1], i < 6 ? 1 : -1)) / 2));
         }
         break;
       case 2:
         for (int i = 0; i < 8; ++i) {
           const Vec3<double> signs(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-          vertices.push_back(turned(q, half.cwiseProduct(signs)));
+          vertices.push_back(corpus::rotate(q, half.cwiseProduct(signs)));
         }
         break;
       default:
@@ -102,9 +102,9 @@ class NearTie {
       const auto vertices = std::get<Hull<double>>(body.shape).vertices();
       corners.assign(vertices.begin(), vertices.end());
     }
-    Vec3<double> best = turned(body.orientation, corners[0]);
+    Vec3<double> best = corpus::rotate(body.orientation, corners[0]);
     for (const Vec3<double>& corner : corners) {
-      const Vec3<double> x = turned(body.orientation, corner);
+      const Vec3<double> x = corpus::rotate(body.orientation, corner);
       if (d.dot(x) > d.dot(best)) best = x;
     }
     return best;

@@ -3,12 +3,13 @@
 #include <array>
 #include <cmath>
 
+#include "corpus/families/draw.hpp"
 #include "corpus/families/turning.hpp"
-#include "corpus/support_value.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
 #include "properties/draw_lash.hpp"
 #include "properties/draw_meeting.hpp"
+#include "properties/draw_propeller.hpp"
 
 namespace graze::law {
 
@@ -53,7 +54,7 @@ class TurningDrawing {
     } else if (manner_ == Manner::lash) {
       place_lash(random_, lash_, problem, turn_a_, turn_b_, meeting_ * horizon);
     } else if (manner_ == Manner::propeller) {
-      propeller(problem, horizon);
+      place_propeller(random_, turns_a_ > 0, problem, horizon);
     } else if (!random_.once_in(3)) {
       place(problem, meeting_ * horizon);
     } else if (random_.once_in(3)) {
@@ -135,8 +136,8 @@ class TurningDrawing {
       problem.a.orientation = problem.b.orientation = {};
       if (random_.once_in(2)) problem.a.position = problem.a.position.array().round();
     }
-    const Vec3<double> a = corpus::rotate(problem.a.orientation, feature(problem.a.shape)),
-                       b = corpus::rotate(problem.b.orientation, feature(problem.b.shape));
+    const Vec3<double> a = corpus::rotate(problem.a.orientation, draw_feature(random_, problem.a.shape)),
+                       b = corpus::rotate(problem.b.orientation, draw_feature(random_, problem.b.shape));
     if (!random_.once_in(3)) problem.b.position = problem.a.position + a - b - t * apart;
     if (const std::optional<Case> alike = moved_as_one(problem)) {
       problem = *alike;
@@ -163,57 +164,18 @@ class TurningDrawing {
     if (random_.once_in(3)) problem.b.displacement = problem.a.displacement;
   }
 
-  // A vertex, or a point on a side of the bounds.
-  Vec3<double> feature(const Shape<double>& shape) {
-    constexpr std::size_t kMost = 64;
-    if (const auto vertices = exact_vertices(shape, kMost); vertices && !vertices->empty()) {
-      return (*vertices)[random_.below(vertices->size())];
-    }
-    const corpus::Bounds box = corpus::bounds(shape);
-    Vec3<double> x = (box.low + box.high) / 2;
-    const int i = random_.integer(0, 2);
-    x[i] = random_.once_in(2) ? box.low[i] : box.high[i];
-    return x;
-  }
-
   void place(Case& problem, double t) {
     const bool now = t == 0;
     const Quaternion<double> still;
     const Vec3<double> a =
-        carried(problem.a, problem.spin_a, now ? still : turn_a_, t, feature(problem.a.shape));
+        carried(problem.a, problem.spin_a, now ? still : turn_a_, t, draw_feature(random_, problem.a.shape));
     const Vec3<double> b =
-        carried(problem.b, problem.spin_b, now ? still : turn_b_, t, feature(problem.b.shape));
+        carried(problem.b, problem.spin_b, now ? still : turn_b_, t, draw_feature(random_, problem.b.shape));
     problem.b.position = problem.a.position + a - b;
     if (random_.once_in(4)) {
       const double beside = draw_beside(random_);
       problem.b.position[random_.integer(0, 2)] += beside;
     }
-  }
-
-  // One body turns many times, and the other stays above what it sweeps, or comes near along the axis, or
-  // meets it. The closest axis of what is swept is the one of rotation, as far as can be told; that of the
-  // bodies leans.
-  void propeller(Case& problem, double horizon) {
-    const bool is_a = turns_a_ > 0;
-    Body<double>&moving = is_a ? problem.a : problem.b, &other = is_a ? problem.b : problem.a;
-    const Spin& spin = is_a ? problem.spin_a : problem.spin_b;
-    if (spin.rotation.isZero(0)) return;  // rounded away
-    const Vec3<double> axis = spin.rotation / spin.rotation.norm();
-    const auto own = [](const Body<double>& body, const Vec3<double>& n) {
-      const Quaternion<double>& q = body.orientation;
-      return corpus::rotate({q.w, -q.x, -q.y, -q.z}, n);
-    };
-    const Vec3<double> n = own(moving, axis);
-    const double gap = std::scalbn(1.0, random_.integer(-3, 2)),
-                 height = corpus::support_value(moving.shape, n) - n.dot(spin.pivot) + gap +
-                          corpus::support_value(other.shape, own(other, -axis));
-    // On the axis, or where a point passes, or a quarter of a turn before or after that, or between.
-    const Vec3<double> arm = corpus::rotate(moving.orientation, feature(moving.shape) - spin.pivot),
-                       across = axis.cross(arm), out = random_.once_in(2) ? across : across.cross(axis);
-    other.position = moving.position + corpus::rotate(moving.orientation, spin.pivot) + height * axis;
-    if (random_.once_in(2)) other.position += random_.integer(-4, 4) / 4.0 * out;
-    constexpr std::array kNearer = {0.0, 1.0, 2.0, 4.0, 8.0};  // over the gap, at the horizon
-    other.displacement = moving.displacement - kNearer[random_.below(kNearer.size())] * gap / horizon * axis;
   }
 
   Random& random_;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "properties/draw_turn.hpp"
+#include "corpus/families/draw.hpp"
 
 namespace graze::law {
 
@@ -57,7 +57,9 @@ Case draw_round_tie(Random& random) {
   problem.a.shape = posed<double>(part, inside, inner);
   problem.a.position = vector(random, 8);
   problem.a.orientation = outer;
-  const auto to_world = [&](const Vec3<double>& x) { return turned(outer, turned(inner, x)); };
+  const auto to_world = [&](const Vec3<double>& x) {
+    return corpus::rotate(outer, corpus::rotate(inner, x));
+  };
   const Vec3<double> n = to_world(flank.normal).normalized();
   const double ball = random.once_in(2) ? random.uniform(0.1, 1) : 0;
   if (ball > 0) problem.b.shape = Sphere<double>{ball};
@@ -65,7 +67,8 @@ Case draw_round_tie(Random& random) {
   if (v.dot(n) > 0) v = -v;
   problem.b.displacement = v;
   const double t = random.uniform(0.25, 0.75);
-  problem.b.position = problem.a.position + turned(outer, inside) + to_world(flank.at) + ball * n - t * v;
+  problem.b.position =
+      problem.a.position + corpus::rotate(outer, inside) + to_world(flank.at) + ball * n - t * v;
   return problem;
 }
 
