@@ -2,7 +2,8 @@
 // corpus.
 //
 // The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in the environment
-// draws others, and as large a share of the families.
+// draws others, and as large a share of the families; with a small one a law may meet no case of a family
+// that it applies to, and says so.
 #include <gtest/gtest.h>
 
 #include "corpus/case_io.hpp"
