@@ -9,6 +9,7 @@
 #include <graze/rotating/rotating_proof.hpp>
 
 #include "oracles/pair_motion.hpp"
+#include "oracles/tree_support.hpp"
 
 namespace graze::oracle {
 
@@ -32,18 +33,11 @@ struct ContactAnswer {
   double first = 0, last = 0;      // one_side: about the height at contact_from and at toi_upper
 };
 
-[[nodiscard]] inline Sign sign_of(const Ball& x) {
-  if (x.is_positive()) return Sign::positive;
-  if (x.is_negative()) return Sign::negative;
-  return x.is_zero() ? Sign::zero : Sign::unknown;
-}
-
 // Is 0 strictly inside the hull of four points? The barycentric coordinates of 0 are, up to their sum, the
 // determinants of three of them, with alternating signs: inside iff all are of one sign.
 [[nodiscard]] inline Answer holds_origin(const std::array<BallVec, 4>& c) {
-  const std::array<Sign, 4> signs = {
-      sign_of(dot(c[1], cross(c[2], c[3]))), sign_of(dot(c[0], cross(c[3], c[2]))),
-      sign_of(dot(c[0], cross(c[1], c[3]))), sign_of(dot(c[0], cross(c[2], c[1])))};
+  const std::array<Sign, 4> signs = {sign(dot(c[1], cross(c[2], c[3]))), sign(dot(c[0], cross(c[3], c[2]))),
+                                     sign(dot(c[0], cross(c[1], c[3]))), sign(dot(c[0], cross(c[2], c[1])))};
   Answer answer = Answer::yes;
   for (const Sign s : signs) {
     const Answer same = s == Sign::zero ? Answer::no

@@ -46,7 +46,7 @@ class CrossingClaim {
     if (!length.is_positive()) return {.finding = ContactFinding::open};
     const BallVec n((Ball(1) / length * normal).mid_double());
 
-    const Sign side = sign_of(height_part(n, middle, 0));
+    const Sign side = sign(height_part(n, middle, 0));
     if (side == Sign::unknown) return {.finding = ContactFinding::open};
     ContactAnswer answer = pierced(side == Sign::negative ? -n : n);
     if (answer.finding == ContactFinding::holds) answer = changes_side(n);
@@ -108,7 +108,7 @@ class CrossingClaim {
   [[nodiscard]] ContactAnswer changes_side(const BallVec& n) const {
     const Triangle3 begin = triangle(from_), end = triangle(to_);
     const Ball first = dot(begin[0], cross(begin[1], begin[2])), last = dot(end[0], cross(end[1], end[2]));
-    const Sign before = sign_of(first), after = sign_of(last);
+    const Sign before = sign(first), after = sign(last);
     if (before == Sign::zero || after == Sign::zero) return {};
     if (before == Sign::unknown || after == Sign::unknown) return {.finding = ContactFinding::open};
     if (before != after) return {};

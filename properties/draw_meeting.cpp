@@ -15,6 +15,13 @@ Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin, const Q
   return corpus::rotate(turn, arm) + pivot + t * body.displacement;
 }
 
+Quaternion<double> draw_orientation(corpus::Random& random) {
+  Quaternion<double> q;
+  const bool plain = random.once_in(3);
+  for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = plain ? random.integer(1, 4) : random.uniform(-1, 1);
+  return q;
+}
+
 Vec3<double> draw_feature(corpus::Random& random, const Shape<double>& shape) {
   constexpr std::size_t kMost = 64;
   if (const auto vertices = exact_vertices(shape, kMost); vertices && !vertices->empty()) {

@@ -1,4 +1,4 @@
-// What every drawn meeting of turning bodies needs.
+// What drawn meetings share.
 #pragma once
 
 #include "corpus/case.hpp"
@@ -10,6 +10,9 @@ namespace graze::law {
 // position.
 [[nodiscard]] Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin,
                                    const Quaternion<double>& turn, double t, const Vec3<double>& x);
+
+// Of integers of 1 to 4, or within [-1, 1]: not of length 1.
+[[nodiscard]] Quaternion<double> draw_orientation(corpus::Random& random);
 
 // A point to meet at: a vertex, or a point on a side of the bounds, in the shape's own frame.
 [[nodiscard]] Vec3<double> draw_feature(corpus::Random& random, const Shape<double>& shape);

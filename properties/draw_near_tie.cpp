@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "corpus/families/draw.hpp"
+#include "properties/draw_meeting.hpp"
 
 namespace graze::law {
 
@@ -23,7 +24,7 @@ class NearTie {
     problem.family = "near ties";
     for (Body<double>* body : {&problem.a, &problem.b}) {
       body->shape = shape();
-      if (random_.once_in(2)) body->orientation = quaternion();
+      if (random_.once_in(2)) body->orientation = draw_orientation(random_);
       if (random_.once_in(2)) body->position = vector();
     }
     const Vec3<double> v = vector();
@@ -57,15 +58,9 @@ class NearTie {
     const double x = number(), y = number(), z = number();
     return {x, y, z};
   }
-  Quaternion<double> quaternion() {
-    const bool plain = random_.once_in(3);
-    const auto part = [&] { return plain ? random_.integer(1, 4) : random_.uniform(-1, 1); };
-    const double w = part(), x = part(), y = part(), z = part();
-    return {w, x, y, z};
-  }
   Shape<double> shape() {
     const Vec3<double> half = vector().cwiseAbs();
-    const Quaternion<double> q = quaternion();
+    const Quaternion<double> q = draw_orientation(random_);
     std::vector<Vec3<double>> vertices;
     switch (random_.below(4)) {
       case 0:

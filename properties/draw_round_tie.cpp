@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "corpus/families/draw.hpp"
+#include "properties/draw_meeting.hpp"
 
 namespace graze::law {
 
@@ -15,13 +16,6 @@ Vec3<double> vector(Random& random, double size) {
   Vec3<double> v;
   for (int i = 0; i < 3; ++i) v[i] = random.uniform(-size, size);
   return v;
-}
-
-Quaternion<double> quaternion(Random& random) {
-  Quaternion<double> q;
-  const bool plain = random.once_in(3);
-  for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x = plain ? random.integer(1, 4) : random.uniform(-1, 1);
-  return q;
 }
 
 // A point of the surface, and the normal there, of any length.
@@ -52,7 +46,7 @@ Case draw_round_tie(Random& random) {
   const Shape<double> part = is_cone ? Shape<double>(Cone<double>{radius, half_height})
                                      : Shape<double>(Cylinder<double>{radius, half_height});
   const Flank flank = flank_of(random, radius, is_cone ? 0 : radius, half_height);
-  const Quaternion<double> inner = quaternion(random), outer = quaternion(random);
+  const Quaternion<double> inner = draw_orientation(random), outer = draw_orientation(random);
   const Vec3<double> inside = vector(random, 4);
   problem.a.shape = posed<double>(part, inside, inner);
   problem.a.position = vector(random, 8);
