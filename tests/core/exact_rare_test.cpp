@@ -181,6 +181,38 @@ TEST(ExactRare, WitnessesOfANeedleTouch) {
   EXPECT_LE((r.point_a - r.point_b).norm(), 64 * kU * kLong);
 }
 
+// --- weights beyond doubles
+
+// Twenty triangles, each under 15 turns by a third of a circle about (1, 1, 1), whose weights of 12.25
+// multiply to 2^1084: in pairs of doubles their directions are NaN. Turned by five whole circles they are as
+// if they were not turned, and so is every answer, to the bit.
+TEST(ExactRare, WeightsOfManyTurnsOutgrowDoubles) {
+  Draw draw{907};
+  const Quaternion<double> third{1.75, 1.75, 1.75, 1.75};
+  int hits = 0;
+  for (int round = 0; round < 6; ++round) {
+    Sum<double> plain, turned;
+    for (int part = 0; part < 20; ++part) {
+      const auto corner = [&] { return Vec3<double>((draw.vector<double>(8)).array().round()); };
+      const Shape<double> triangle = Hull<double>{corner(), corner(), corner()};
+      Shape<double> nested = triangle;
+      for (int level = 0; level < 15; ++level)
+        nested = posed<double>(std::move(nested), Vec3<double>::Zero(), third);
+      plain.shapes.push_back(share(triangle));
+      turned.shapes.push_back(share(nested));
+    }
+    const Vec3<double> way = 512 * unit(draw.vector<double>(1));
+    const Body<double> ball{.shape = Box<double>{{1, 2, 3}}, .position = -way, .displacement = 2 * way};
+    const auto one = exactly({.shape = plain}, ball), other = exactly({.shape = turned}, ball);
+    ASSERT_EQ(one.outcome, other.outcome) << round << ' ' << static_cast<int>(other.invalid);
+    EXPECT_EQ(one.toi_lower, other.toi_lower) << round;
+    EXPECT_EQ(one.toi_upper, other.toi_upper) << round;
+    EXPECT_LE((one.normal - other.normal).cwiseAbs().maxCoeff(), 4 * kU) << round;
+    hits += one.outcome == Outcome::hit;
+  }
+  EXPECT_GT(hits, 2);
+}
+
 // --- what a term's kind does not need is not read
 
 // The grid of a point of C's inside is that of the four vertices in it. A fifth, off every coarse grid, would

@@ -1,10 +1,11 @@
 // What an exact passage says besides the time: the normal, the witnesses, and the proof.
 //
 // Normal: -(f_1 x f_2) / |.|, each component within 2 u of the true one. The cross product is within 2^-88 of
-// its factors' sizes in pairs of doubles; where it is smaller than 2^-30 of them it is formed exactly, so
-// that its direction is within 2^-57, and the unit vector rounds by u and a little. Witnesses: the weights of
-// the line's point in the facet are quotients of sides (walk.hpp), in pairs where those tell them, else
-// exactly. Proof: nothing in it is rounded but the times, outward (proof.hpp).
+// its factors' sizes in pairs of doubles; where it is smaller than 2^-30 of them, or a point has more parts
+// than pairs are proved for, it is formed exactly, so that its direction is within 2^-57, and the unit vector
+// rounds by u and a little. Witnesses: the weights of the line's point in the facet are quotients of sides
+// (walk.hpp), in pairs where those tell them, else exactly. Proof: nothing in it is rounded but the times,
+// outward (proof.hpp).
 #pragma once
 
 #include <graze/exact/facet.hpp>
@@ -18,7 +19,7 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
   const Fine p = scene.fine(facet.f1), q = scene.fine(facet.f2);
   const double size = p.size * q.size;
   Vec3<double> n = Vec3<double>::Zero();
-  if (size > Scene<S>::kLeastSize) {
+  if (scene.has_fine() && size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize) {
     const Pair3 fine = cross(p.x, q.x);
     for (int i = 0; i < 3; ++i) n[i] = rounded(fine[static_cast<std::size_t>(i)]);
   }

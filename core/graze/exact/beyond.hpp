@@ -25,6 +25,13 @@ struct Direction {
   Vec3<double> approx = Vec3<double>::Zero(), error = Vec3<double>::Zero();
 };
 
+// Of which doubles know nothing; finite, so that no product with a 0 is NaN.
+inline Direction unknown_direction(const Term& f1, const Term& f2, int sign) {
+  Direction out{f1, f2, sign};
+  out.error.setConstant(0x1p600);
+  return out;
+}
+
 // The direction of two terms, rounded from pairs of doubles; for directions that are not at hand in doubles.
 template <Scalar S>
 Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, int sign) {
@@ -35,10 +42,14 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   const Pair3 n = cross(scaled(x.x, scale_x), scaled(y.x, scale_y));
   Direction out{f1, f2, sign};
   for (int i = 0; i < 3; ++i) out.approx[i] = sign * rounded(n[static_cast<std::size_t>(i)]);
-  // Factors below 4, within 2^-90 of that each (2^-82 for as many leaves as there may be, 4096, each of which
-  // adds four roundings of 2^-99); and the rounding of the result.
-  out.error.setConstant((scene.has_fine() ? 0x1p-85 : 0x1p-77) +
+  // Factors below 4, within 2^-90 of that each; and the rounding of the result. Of more parts, kMaxParts =
+  // 2^12 of them at most, the low halves grow to 2^-40 of the size, and each of as many sums loses 2^-92 of
+  // it and each product 2^-79: within 2^-78 a factor.
+  out.error.setConstant((scene.has_fine() ? 0x1p-85 : 0x1p-72) +
                         kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
+  // Weights of many leaves, each deep in rotations, outgrow doubles: nothing is known then, and every sign is
+  // decided exactly.
+  if (!(out.approx.cwiseAbs().sum() < kInfinity<double>)) out = unknown_direction(f1, f2, sign);
   return out;
 }
 

@@ -2,7 +2,9 @@
 //
 // Nothing is normalised: |lo| may be a few u of what was added up, which cancellation in hi does not shrink,
 // so errors are bounded by sizes, not by values. With |x| <= X, |x.lo| <= 2^-49 X, and likewise y:
-//   x + y    within 2^-101 (X + Y):  the sum of the high parts is exact, two roundings among the low ones;
+//   x + y    within 2^-100 (X + Y):  the sum of the high parts is exact, its error 2^-53 (X + Y); two
+//   roundings
+//            of what is below (2^-49 + 2^-53) (X + Y), 2^-100.9 (X + Y) in all;
 //   x y      within 2^-97 X Y:       the product of the high parts is exact, lo lo is left out (2^-98 X Y),
 //   three
 //            roundings of what is below 2^-47 X Y.

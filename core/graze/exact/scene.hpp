@@ -76,8 +76,9 @@ class Scene {
   }
 
   static constexpr double kLeastSize = 0x1p-700, kMostSize = 0x1p700, kFineError = 0x1p-87;
-  static constexpr std::size_t kFineLeaves = 16;
-  [[nodiscard]] bool has_fine() const { return leaves_.size() <= kFineLeaves; }
+  // What is added up for a point: a part of each leaf, each shift, and the bodies' positions.
+  static constexpr std::size_t kFineParts = 16;
+  [[nodiscard]] bool has_fine() const { return leaves_.size() + shifts_.size() + 1 <= kFineParts; }
 
   // False once a number outgrew Dyadic: no sign may be trusted then.
   [[nodiscard]] bool valid() const { return valid_; }
