@@ -19,7 +19,7 @@ namespace detail {
 inline constexpr double kRotatingStop = 4;
 // Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and
 // the part of it that either end may take.
-inline constexpr double kCertifiedWidth = 1e-9, kWidthPart = 1.0 / 16;
+inline constexpr double kCertifiedTurningWidth = 1e-9, kWidthPart = 1.0 / 16;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
@@ -86,7 +86,7 @@ class RotatingCast {
     const double rounding = kRotatingStop * pair_->error();
     double width = static_cast<double>(options_.tolerance);
     if (options_.tier == Tier::certified)
-      width = width > 0 ? std::min(width, kCertifiedWidth) : kCertifiedWidth;
+      width = width > 0 ? std::min(width, kCertifiedTurningWidth) : kCertifiedTurningWidth;
     return std::max(rounding, kWidthPart * width * scale());
   }
   [[nodiscard]] double noise() const {
@@ -111,7 +111,7 @@ class RotatingCast {
     } else {
       const double asked =
           options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
-      out_.plan = plan_of(*pair_, options_.economies, {t_end(), noise(), asked});
+      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
     if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
@@ -130,7 +130,7 @@ class RotatingCast {
     if (options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report) return false;
     Economies without = options_.economies;
     without.bounds = false;
-    return plan_of(*pair_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
+    return plan_of(*pair_, a_, b_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
   }
 
   void follow_plan() {
@@ -257,9 +257,10 @@ class RotatingCast {
     double apart = found.apart;
     if (found.upper < kInfinity<double> && found.upper > found.lower) {
       // Contact is at upper: what is left of the way bounds the distance as well.
-      apart = std::min(apart, pair_->top_speed() * (found.upper - found.lower) * (1 + 0x1p-50));
+      apart = std::min(apart, pair_->approach_speed(t_end()) * (found.upper - found.lower) * (1 + 0x1p-50));
     }
-    apart += pair_->top_speed() * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
+    apart +=
+        pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
     // Of a way that outgrew the doubles nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));

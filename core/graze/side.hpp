@@ -35,11 +35,12 @@ Vec3<double> wide(const Vec3<S>& x) {
 template <Scalar S>
 Bounds bounds(const Shape<S>& shape);
 
-// Of a combinator: by its own support points, first about its origin, then about the centre.
+// Of a combinator: by its own support points, first about its origin, then about the centre; with rotations
+// in two doubles, as parts that are put far out and turned back would leave 23 u of their way here.
 template <Scalar S>
 Bounds bounds_of_tree(const Shape<S>& shape) {
   const auto between = [&](const Vec3<double>& center, Vec3<double>& low, Vec3<double>& high) {
-    const Placement at = Placement{}.moved(-center);
+    const Placement at = Placement{Turning::accurate}.moved(-center);
     for (int i = 0; i < 3; ++i) {
       for (const double sign : {1.0, -1.0}) {
         const Vec3<double> n = sign * Vec3<double>::Unit(i);

@@ -7,6 +7,7 @@
 // there.
 #pragma once
 
+#include <graze/exact/vectors.hpp>
 #include <graze/rotating/rotating_result.hpp>
 #include <graze/rotating/spheres.hpp>
 
@@ -32,14 +33,46 @@ Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, c
 }
 
 // Both bodies turn alike about one axis, and move alike: they stand still to each other, but for how far the
-// pivots' difference swings.
+// pivots' difference c swings: |c x w| / |w| times the turn's chord.
 inline double swing_as_one(const MovingPair& pair, double t_end) {
   const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
   if (a.w != b.w || pair.velocity() != Vec3<double>::Zero()) return kInfinity<double>;
-  return std::min(a.rate * t_end, 2.0) * pair.pivots().cross(unit(a.w)).norm();
+  const double across = pair.swing_of_pivots(a) / a.w.norm() * (1 + 8 * kUnitRoundoff<double>);
+  return std::min(a.rate * t_end, 2.0) * across;
 }
 
-inline Plan plan_of(const MovingPair& pair, const Economies& economies, const PlanLimits& limits) {
+// Is the pivots' difference exactly parallel to w, which both bodies turn by? What two doubles lost is
+// decided in dyadic numbers: a posed pivot is rational (exact/vectors.hpp).
+template <Scalar S>
+bool swing_about_one_line(const RotatingBody<S>& a, const RotatingBody<S>& b) {
+  const auto pivot_of = [](const RotatingBody<S>& moving) {
+    exact::Exact out = exact::Exact::of(wide(moving.pivot));
+    if (!moving.body.orientation.is_identity()) exact::ExactTurn{as_double(moving.body.orientation)}(out);
+    out.add(exact::Exact::of(wide(moving.body.position)), false);
+    return out;
+  };
+  exact::Exact apart = pivot_of(b);
+  apart.add(pivot_of(a), true);
+  const exact::Dyadic3 w = exact::Exact::of(wide(a.rotation)).x;
+  for (const exact::Dyadic& one : exact::cross(apart.x, w)) {
+    if (!one.valid() || one.sign() != 0) return false;
+  }
+  return true;
+}
+
+// The bodies turn as one as far as the noise lets one see, or where there is none exactly.
+template <Scalar S>
+bool turn_as_one(const MovingPair& pair, const RotatingBody<S>& a, const RotatingBody<S>& b,
+                 const PlanLimits& limits) {
+  const double swing = swing_as_one(pair, limits.t_end);
+  if (swing <= limits.noise) return true;
+  // A chord is 2 at most: what swings by more than was lost, swings.
+  return swing <= 4 * pair.swing_lost() && swing_about_one_line(a, b);
+}
+
+template <Scalar S>
+Plan plan_of(const MovingPair& pair, const RotatingBody<S>& a_given, const RotatingBody<S>& b_given,
+             const Economies& economies, const PlanLimits& limits) {
   Plan out;
   const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
   if (economies.bounds && !cast_spheres(pair, limits.t_end, limits.noise).meet) {
@@ -47,7 +80,7 @@ inline Plan plan_of(const MovingPair& pair, const Economies& economies, const Pl
     out.add(PlanReason::bounds_never_meet);
     return out;
   }
-  if (economies.as_one && swing_as_one(pair, limits.t_end) <= limits.noise) {
+  if (economies.as_one && turn_as_one(pair, a_given, b_given, limits)) {
     out.effects = Effects::at_rest;
     out.add(PlanReason::as_one);
     return out;

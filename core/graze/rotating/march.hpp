@@ -145,8 +145,12 @@ class Marcher {
 
   double stride_on() {
     const bool known = axis_ != Vec3<double>::Zero();  // not of a start in contact
-    const double fast = known ? std::max(pair_.closing(axis_), pair_.closing(-axis_)) : pair_.top_speed();
-    const double bend = known ? pair_.bend(axis_) : pair_.top_bend();
+    double fast = pair_.approach_speed(limits_.end), bend = pair_.top_bend();
+    if (known) {
+      fast = std::min(fast, std::max(pair_.closing(axis_), pair_.closing(-axis_)));
+      for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b})
+        bend = std::min(bend, pair_.bend(frame, axis_, limits_.end));
+    }
     const double first = fast > 0 ? 2 * limits_.stop / fast : kInfinity<double>;
     const double most = std::max(bend > 0 ? std::sqrt(8 * limits_.stop / bend) : kInfinity<double>, first);
     stride_ = stride_ > 0 ? 2 * stride_ : first;

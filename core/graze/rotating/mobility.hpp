@@ -13,12 +13,36 @@
 //   velocity <= |n x w| |c_perp| + |w x a| r,     acceleration <= |w| |n x w| |c_perp| + |w x a|(|w x a| +
 //   |s|) r.
 // The lesser of both bounds counts.   [Mirtich 1996, 2.3: the first bound, with |w| rho for |n x w| rho.]
+//
+// Rounding. Each number here is raised above what it stands for. Two of them vanish where their operands are
+// parallel or cancel, and no factor raises a 0:
+//   n x w    is formed from exact products (`length_of_cross`): it is 0 only where n and w are parallel;
+//   arms     x - pivot: the difference is exact, hi + lo, what is left out counts whole (`Arm`).
+// tests/bounds holds each against ball arithmetic.
 #pragma once
 
 #include <graze/rotating/rotating_body.hpp>
 #include <graze/side.hpp>
 
 namespace graze::detail {
+
+// |l x r|, not below, and above by 16 u at most; 0 only if the cross product is. A difference of two exact
+// products is within 2^-100 of itself (offset.hpp), however much cancels. Components of r are 0 or above
+// 2^-200, so products are exact unless one of l's is below 2^-700: that part of l is then counted whole.
+inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
+  constexpr double kExact = 0x1p-700;
+  Vec3<double> c;
+  double vanishing = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const TwoDoubles difference = two_product(l[j], r[k]) + -two_product(l[k], r[j]);
+    c[i] = std::abs(difference.hi);
+    if (l[i] != 0 && std::abs(l[i]) < kExact) vanishing = 4 * kExact;
+  }
+  const double most = c.maxCoeff(), size = r.cwiseAbs().maxCoeff();
+  const double length = most > 0 ? most * (c / most).norm() : 0.0;
+  return (length + vanishing * size) * (1 + 12 * kUnitRoundoff<double>);
+}
 
 struct Mobility {
   Vec3<double> w = Vec3<double>::Zero();
@@ -35,17 +59,19 @@ struct Mobility {
   double revolved_reach = 0;  // r
 
   [[nodiscard]] bool turns() const { return rate > 0; }
+  // |n x w|
+  [[nodiscard]] double across(const Vec3<double>& n) const { return length_of_cross(n, w); }
   // Of the turn alone, the motion that all points share not counted.
   [[nodiscard]] double speed(const Vec3<double>& n) const {
     if (!turns()) return 0;
-    const double across = n.cross(w).norm(), plain = across * rho;
-    return revolves ? std::min(plain, across * center_rho + tilt_rate * revolved_reach) : plain;
+    const double sine = across(n), plain = sine * rho;
+    return revolves ? std::min(plain, sine * center_rho + tilt_rate * revolved_reach) : plain;
   }
   [[nodiscard]] double acceleration(const Vec3<double>& n) const {
     if (!turns()) return 0;
-    const double across = rate * n.cross(w).norm(), plain = across * rho;
+    const double sine = rate * across(n), plain = sine * rho;
     if (!revolves) return plain;
-    return std::min(plain, across * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach);
+    return std::min(plain, sine * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach);
   }
   // How far the body as a set gets from where it was, at most, within time t.
   [[nodiscard]] double sway(double t) const {
@@ -87,6 +113,17 @@ bool is_ball(const Shape<S>& shape) {
   return e && e->radii[0] == e->radii[1] && e->radii[1] == e->radii[2];
 }
 
+// The shape without what rounds it and without poses that do nothing: of the same core, and often a leaf,
+// whose bounds are exact.
+template <Scalar S>
+const Shape<S>& unwrapped(const Shape<S>& shape) {
+  if (const auto* rounded = std::get_if<Rounded<S>>(&shape)) return unwrapped<S>(rounded->shape->shape);
+  if (const auto* posed = std::get_if<Posed<S>>(&shape);
+      posed && posed->orientation.is_identity() && posed->position == Vec3<S>::Zero())
+    return unwrapped<S>(posed->shape->shape);
+  return shape;
+}
+
 // Is w exactly along the body's own axis? Without an orientation, or with one that permutes the axes, that
 // can be read off the numbers.
 template <Scalar S>
@@ -94,107 +131,135 @@ bool is_along_own_axis(const RotatingBody<S>& moving, int own) {
   const Quaternion<double> q = as_double(moving.body.orientation);
   if (!permutes_axes(q)) return false;
   const Vec3<double> a = rotation_matrix(q).col(own).array().round();
-  return a.cross(wide(moving.rotation)) == Vec3<double>::Zero();
+  return length_of_cross(a, wide(moving.rotation)) == 0;
 }
 
-// Is the body's point x exactly on the axis of rotation? As above.
+// From the pivot to the body's point base + rest, own frame: near it by `lost` at most, |base| + |rest| and
+// |pivot| of any size.
+struct Arm {
+  Vec3<double> x;
+  double lost = 0;
+
+  Arm(const Vec3<double>& base, const Vec3<double>& rest, const Vec3<double>& pivot) {
+    for (int i = 0; i < 3; ++i) {
+      const TwoDoubles out = two_sum(base[i], -pivot[i]), all = two_sum(out.hi, rest[i]);
+      x[i] = all.hi;
+      lost += std::abs(all.lo) + std::abs(out.lo);
+    }
+  }
+  [[nodiscard]] bool is_zero() const { return lost == 0 && x == Vec3<double>::Zero(); }
+};
+
+// Is the arm's end exactly on the axis of rotation? As above.
 template <Scalar S>
-bool is_on_axis(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Vec3<double>& x) {
-  if (x == pivot) return true;
+bool is_on_axis(const RotatingBody<S>& moving, const Arm& arm) {
+  if (arm.is_zero()) return true;
   const Quaternion<double> q = as_double(moving.body.orientation);
-  if (!permutes_axes(q)) return false;
+  if (arm.lost > 0 || !permutes_axes(q)) return false;
   const Vec3<double> w = rotation_matrix(q).array().round().matrix().transpose() * wide(moving.rotation);
-  Vec3<double> arm;
-  for (int i = 0; i < 3; ++i) {
-    const TwoDoubles difference = two_sum(x[i], -pivot[i]);
-    if (difference.lo != 0) return false;
-    arm[i] = difference.hi;
-  }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const TwoDoubles one = two_product(w[j], arm[k]), other = two_product(w[k], arm[j]);
-    if (one.hi != other.hi || one.lo != other.lo) return false;
-  }
-  return true;
+  return length_of_cross(arm.x, w) == 0;
 }
 
-// Calls visit(x) for points in the body's own frame whose hull holds the core: its vertices, or the corners
-// of its bounds.
+// Calls visit(base, rest) for points base + rest in the body's own frame whose hull holds the core, as far as
+// `beyond_bounds` says: its vertices, or the corners of its bounds.
 template <Scalar S, class Visit>
 void for_each_outer_point(const Shape<S>& shape, const Bounds& bounds, const Visit& visit) {
+  const Vec3<double> zero = Vec3<double>::Zero();
   if (const auto* hull = std::get_if<Hull<S>>(&shape)) {
     const double unit = power_of_two(hull->exponent());
     for (std::uint32_t k = 0; k < hull->size(); ++k) {
-      visit(Vec3<double>(bounds.center + unit * hull_vertex<double>(*hull, k)));
+      visit(bounds.center, Vec3<double>(unit * hull_vertex<double>(*hull, k)));
     }
   } else if (const auto* segment = std::get_if<Segment<S>>(&shape)) {
-    visit(wide(segment->a));
-    visit(wide(segment->b));
+    visit(wide(segment->a), zero);
+    visit(wide(segment->b), zero);
   } else if (const auto* triangle = std::get_if<Triangle<S>>(&shape)) {
-    visit(wide(triangle->a));
-    visit(wide(triangle->b));
-    visit(wide(triangle->c));
+    visit(wide(triangle->a), zero);
+    visit(wide(triangle->b), zero);
+    visit(wide(triangle->c), zero);
   } else {
     for (std::uint32_t k = 0; k < 8; ++k) {
-      visit(Vec3<double>(bounds.center + bounds.middle + box_vertex(bounds.half, k)));
+      visit(bounds.center, Vec3<double>(bounds.middle + box_vertex(bounds.half, k)));
     }
   }
 }
 
-inline constexpr double kMobilityRounding = 8;
+// How far a point of the core may lie from the hull of the outer points. Of a leaf nothing rounds; a
+// combinator's bounds come from its own support points, one u of their coordinates each for the last sum, the
+// rest as combinator.hpp counts it; points and choice both, as a greatest coordinate is either's.
+template <Scalar S>
+double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
+  const bool combined = std::holds_alternative<Posed<S>>(shape) ||
+                        std::holds_alternative<Rounded<S>>(shape) || std::holds_alternative<Sum<S>>(shape) ||
+                        std::holds_alternative<HullOf<S>>(shape);
+  if (!combined) return 0;
+  const TreeRounding own = tree_rounding(shape, Turning::accurate);
+  return 2 * (kUnitRoundoff<double> *
+                  (own.point + own.choice + 8 * (bounds.half + bounds.middle.cwiseAbs()).sum()) +
+              3 * kTwoDoublesOfANode * nodes_of<S>(shape) * lengths_of<S>(shape));
+}
 
-// unit: what one world length is. Errors: a rotated vector is within 0.6 sqrt(3) u and a product's 3 u, a
-// cross product adds 3 u, so each number is raised by kMobilityRounding u of the lengths in it. pivot: the
-// centre of the rotation, or any point for a body that does not turn.
+// What is made of an arm: a rotated vector is within 0.6 sqrt(3) u and a product's 3 u, a cross product with
+// a unit vector, itself within 4 u, adds 7 u: 12 u in all.
+inline constexpr double kMobilityRounding = 16;
+
+// Of a body that does not turn only the reach counts, from a point of its own frame, within 8 u of itself.
+inline double reach_at_rest(const Bounds& bounds, double beyond, const Vec3<double>& from) {
+  const Arm middle(bounds.center, bounds.middle, from);
+  const Vec3<double> most = bounds.half + middle.x.cwiseAbs();
+  return (most.norm() + middle.lost + beyond) * (1 + kMobilityRounding * kUnitRoundoff<double>);
+}
+
+// unit: what one world length is; `bounds` are those of the unwrapped shape. pivot: the centre of the
+// rotation, or any point for a body that does not turn.
 template <Scalar S>
 Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Bounds& bounds,
                   double unit) {
+  constexpr double noise = kMobilityRounding * kUnitRoundoff<double>, raise = 1 + noise;
+  const Shape<S>& shape = unwrapped<S>(moving.body.shape);
+  const double beyond = beyond_bounds<S>(shape, bounds);
   Mobility out;
   out.w = wide(moving.rotation);
-  out.rate = out.w.norm();
+  out.rate = out.w.norm() * raise;
   if (!out.turns()) {
-    const Vec3<double> middle = bounds.center + bounds.middle;
-    out.reach = unit * (bounds.half + (middle - pivot).cwiseAbs()).norm() *
-                (1 + kMobilityRounding * kUnitRoundoff<double>);
+    out.reach = unit * reach_at_rest(bounds, beyond, pivot);
     return out;
   }
-  const double raise = 1 + kMobilityRounding * kUnitRoundoff<double>;
-  out.rate *= raise;
   const Mat3<double> turn = moving.body.orientation.is_identity()
                                 ? Mat3<double>(Mat3<double>::Identity())
                                 : accurate_rotation_matrix(as_double(moving.body.orientation));
   const Vec3<double> axis = graze::unit(out.w);
   out.low = kInfinity<double>;
   out.high = -kInfinity<double>;
-  for_each_outer_point(moving.body.shape, bounds, [&](const Vec3<double>& x) {
-    const Vec3<double> arm = turn * (x - pivot);
-    const double slack =
-        kMobilityRounding * kUnitRoundoff<double> * (x.cwiseAbs().sum() + pivot.cwiseAbs().sum());
-    out.rho = std::max(out.rho, is_on_axis(moving, pivot, x) ? 0.0 : unit * (axis.cross(arm).norm() + slack));
-    out.reach = std::max(out.reach, x == pivot ? 0.0 : unit * (arm.norm() + slack));
+  for_each_outer_point(shape, bounds, [&](const Vec3<double>& base, const Vec3<double>& rest) {
+    const Arm own(base, rest, pivot);
+    const Vec3<double> arm = turn * own.x;
+    const double slack = noise * own.x.cwiseAbs().sum() + own.lost * raise + beyond;
+    const bool on_axis = beyond == 0 && is_on_axis(moving, own);
+    out.rho = std::max(out.rho, on_axis ? 0.0 : unit * (axis.cross(arm).norm() + slack));
+    out.reach = std::max(out.reach, unit * (arm.norm() + slack));
     out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
     out.high = std::max(out.high, unit * (axis.dot(arm) + slack));
   });
-  if (is_ball(moving.body.shape)) {
+  const Vec3<double> zero = Vec3<double>::Zero();
+  if (is_ball<S>(shape)) {
     // About an axis along w: it turns with its centre.
-    const Vec3<double> center = Vec3<double>::Zero();
+    const Arm center(zero, zero, pivot);
     out.revolves = true;
     out.own_rate = out.rate;
     out.revolved_reach = unit * bounds.half.norm() * raise;
-    out.center_rho = is_on_axis(moving, pivot, center)
+    out.center_rho = is_on_axis(moving, center)
                          ? 0.0
-                         : unit * (axis.cross(turn * pivot).norm() +
-                                   kMobilityRounding * kUnitRoundoff<double> * pivot.cwiseAbs().sum());
-  } else if (const int own = axis_of_revolution(moving.body.shape); own >= 0) {
+                         : unit * (axis.cross(turn * pivot).norm() + noise * pivot.cwiseAbs().sum());
+  } else if (const int own = axis_of_revolution<S>(shape); own >= 0) {
     out.revolves = true;
     const Vec3<double> a = turn.col(own);
-    const double noise = kMobilityRounding * kUnitRoundoff<double>;
     out.tilt_rate = is_along_own_axis(moving, own) ? 0.0 : out.w.cross(a).norm() + noise * out.rate;
     out.own_rate = std::abs(out.w.dot(a)) * raise + noise * out.rate;
     Vec3<double> foot = -pivot;  // of the pivot on the axis, about the pivot
     foot[own] = 0;
     out.center_rho =
-        foot == Vec3<double>::Zero() ? 0.0 : unit * (axis.cross(turn * foot).norm() + noise * foot.norm());
+        foot == zero ? 0.0 : unit * (axis.cross(turn * foot).norm() + noise * foot.cwiseAbs().sum());
     const Vec3<double> most = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();
     out.revolved_reach = unit * std::hypot(most[(own + 1) % 3], most[own] + std::abs(pivot[own])) * raise;
   }

@@ -24,6 +24,7 @@ struct TurningSide {
   TwoDoubles3 arm{};                          // internal units
   bool has_arm = false;
   Mobility mobility;
+  double swing = 0;  // |w x (c_B - c_A)| at t = 0
 
   struct Placed {
     Mat3<double> rotation = Mat3<double>::Identity();
@@ -61,10 +62,12 @@ class MovingPair {
     radius_ = cso_.radius() + target_;
     prepare(a, cso_.side_a(), unit, a_);
     prepare(b, cso_.side_b(), unit, b_);
-    pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
-    start_offset_ = cso_.offset();
     start_lengths_ = unit * (lengths_of(a, cso_.side_a()) + lengths_of(b, cso_.side_b()));
     lengths_ = start_lengths_ + unit * (a_.pivot.norm() + b_.pivot.norm());
+    pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
+    a_.swing = swing_of_pivots(a_.mobility);
+    b_.swing = swing_of_pivots(b_.mobility);
+    start_offset_ = cso_.offset();
     for (std::size_t i = 0; i < 3; ++i) {
       const int k = static_cast<int>(i);
       const TwoDoubles v = two_sum(double(b.body.displacement[k]), -double(a.body.displacement[k]));
@@ -100,10 +103,24 @@ class MovingPair {
   [[nodiscard]] const Mobility& mobility_a() const { return a_.mobility; }
   [[nodiscard]] const Mobility& mobility_b() const { return b_.mobility; }
   [[nodiscard]] Vec3<double> velocity() const { return rounded_once(velocity_); }
-  // c_B - c_A at t = 0.
+  // c_B - c_A at t = 0, within u of itself and pivots_error(): what is left where far pivots cancel.
   [[nodiscard]] Vec3<double> pivots() const { return rounded_once(pivots_); }
+  [[nodiscard]] double pivots_error() const { return 0x1p-96 * lengths_; }
   // Own frame, world lengths: the given centre of rotation, or a point of a body that does not turn.
   [[nodiscard]] const Vec3<double>& pivot_a() const { return a_.pivot; }
+  // |w x (c_B - c_A)|, and what the two doubles that it is formed in may have lost, over |w|.
+  [[nodiscard]] double swing_of_pivots(const Mobility& body) const {
+    if (!body.turns()) return 0;
+    Vec3<double> product;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const double w_j = body.w[static_cast<int>(j)], w_k = body.w[static_cast<int>(k)];
+      product[static_cast<int>(i)] =
+          (pivots_[j] * TwoDoubles{w_k, 0} + -(pivots_[k] * TwoDoubles{w_j, 0})).hi;
+    }
+    return product.stableNorm() * (1 + 16 * kUnitRoundoff<double>)+body.rate * swing_lost();
+  }
+  [[nodiscard]] double swing_lost() const { return pivots_error() + 0x1p-96 * pivots().norm(); }
   // From A's pivot to the centres of the sides (cso.hpp) as placed.
   [[nodiscard]] const Vec3<double>& center_a() const { return arm_a_; }
   [[nodiscard]] const Vec3<double>& center_b() const { return arm_b_; }
@@ -114,10 +131,12 @@ class MovingPair {
   [[nodiscard]] double error() const {
     return cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
   }
-  // Of the offset, where it is what is left of lengths that cancel. Turned arms are within 2^-90 of their
-  // lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
+  // Of the offset, where it is what is left of lengths that cancel. Turned arms are within turn_error of
+  // their lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
   [[nodiscard]] double offset_error() const {
-    return t_ == 0 ? 0x1p-96 * start_lengths_ : 0x1p-89 * (lengths_ + speed_ * t_);
+    if (t_ == 0) return 0x1p-96 * start_lengths_;
+    const double angle = std::max(a_.mobility.rate, b_.mobility.rate) * t_;
+    return 2 * turn_error(angle) * lengths_ + 0x1p-89 * speed_ * t_;
   }
   // min over B of n.b - max over A of n.a, less the target distance: not above the true one, n unit.
   [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
@@ -151,20 +170,37 @@ class MovingPair {
   [[nodiscard]] double frame_error(AxisFrame frame) const {
     return frame == AxisFrame::world ? 0.0 : 64 * kUnitRoundoff<double> * (cso_.extent() + radius_);
   }
-  // As bend(), for an axis that turns with a body, n as it stands now, for times up to t_end. With A,
+  // As bend(), for an axis that turns with a body, n as it stands now, within 64 u (to_world, to_own and
+  // to_start), for times up to t_end. With A,
   // positions are taken from the path of its pivot, in its axes: x = R_A^T (R_B p + c + v t). A's points
   // stand still, and
-  //   |n.x''| <= |w_B - w_A| (|w_A| + |w_B|) |p| + |w_A x n| (2 |v| + |w_A| |c + v t|),
+  //   |n.x''| <= |w_B - w_A| (|w_A| + |w_B|) |p| + |w_A x n| (2 |v| + |w_A x c| + |w_A x v| t),
   // since (R_A^T R_B)'' = R_A^T ([d][w_B] - [w_A][d]) R_B, d = w_B - w_A, and (R_A^T y)'' = R_A^T (y'' - 2
   // w_A x y' + w_A x (w_A x y)).
   [[nodiscard]] double bend(AxisFrame frame, const Vec3<double>& n, double t_end) const {
     if (frame == AxisFrame::world) return bend(n);
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
-    const double speed = velocity().norm(), apart = pivots().norm() + speed * t_end;
+    const Vec3<double> v = velocity();
+    const double swing = (frame == AxisFrame::a ? a_ : b_).swing + with.across(v) * t_end;
+    const double across = with.across(n) + 64 * kUnitRoundoff<double> * with.rate;
     return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
-            with.w.cross(n).norm() * (2 * speed + with.rate * apart)) *
+            across * (2 * v.norm() + swing)) *
            (1 + 64 * kUnitRoundoff<double>);
+  }
+  // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
+  // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance
+  // of the bodies is the same in all axes, so it changes no faster, however fast both turn as one.
+  [[nodiscard]] double relative_speed(AxisFrame frame, double t_end) const {
+    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
+                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
+    const Vec3<double> v = velocity();
+    return ((other.w - with.w).norm() * other.reach + v.norm() + (frame == AxisFrame::a ? a_ : b_).swing +
+            with.across(v) * t_end) *
+           (1 + 64 * kUnitRoundoff<double>);
+  }
+  [[nodiscard]] double approach_speed(double t_end) const {
+    return std::min({top_speed(), relative_speed(AxisFrame::a, t_end), relative_speed(AxisFrame::b, t_end)});
   }
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
@@ -194,7 +230,7 @@ class MovingPair {
   static void prepare(const RotatingBody<S>& given, const Side<double>& side, double unit, TurningSide& out) {
     out.turns = TurnsAbout(wide(given.rotation));
     out.start = near_one(given.body.orientation);
-    const Bounds bounds = detail::bounds(given.body.shape);
+    const Bounds bounds = detail::bounds(unwrapped<S>(given.body.shape));
     // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
     out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
     out.has_arm = side.center != out.pivot;

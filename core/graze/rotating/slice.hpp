@@ -3,7 +3,8 @@
 // Lengths: internal; n unit, world axes, from A to B. The gap along n at time t is s(t) = min over B of n.b -
 // max over A of n.a, less the target distance; positive: apart. From a time t_0 with the bodies apart, either
 //   conservative:  s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp), so the slice is
-//                  s_0 / L long;
+//                  s_0 / L long; or along an axis that turns with a body, L how fast the other's points move
+//                  in its axes (moving_pair.hpp);
 //   bilateral:     every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M the sum of the
 //                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
 //                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2).
@@ -64,9 +65,7 @@ class SliceSearch {
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
     Slice out;
-    out.axis = now.near.n;
-    const double rest = limits_.end - now.t, safe = conservative(now);
-    out.end = safe >= rest ? limits_.end : not_after(now.t, safe);
+    const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (before && towards_contact(now, *before, safe, out)) return out;
     // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
@@ -84,13 +83,31 @@ class SliceSearch {
  private:
   // Leaves the slice's end apart by as much as a proof may round.
   static constexpr double kShort = 1 - 0x1p-10;
+  // An axis that turns costs rounding, here and in every proof: it must give as many times the length.
+  static constexpr double kWorthAFrame = 2;
 
   void place(double t) {
     if (pair_.time() != t) pair_.place(t);
   }
-  [[nodiscard]] double conservative(const Seen& now) const {
-    const double closing = pair_.closing(now.near.n);
-    return closing > 0 ? kShort * now.near.gap / closing : kInfinity<double>;
+  // The longest conservative slice, and its length.
+  double conservative(const Seen& now, Slice& out) {
+    const double rest = limits_.end - now.t;
+    const auto length = [](double gap, double closing) {
+      return closing > 0 ? kShort * gap / closing : kInfinity<double>;
+    };
+    double best = length(now.near.gap, pair_.closing(now.near.n));
+    out.axis = now.near.n;
+    for (const AxisFrame frame : {AxisFrame::a, AxisFrame::b}) {
+      const double gap = now.near.gap - pair_.frame_error(frame);
+      const double h = length(gap, pair_.relative_speed(frame, limits_.end));
+      if (!(best < rest && gap > 0 && h > kWorthAFrame * best)) continue;
+      place(now.t);
+      best = h;
+      out.axis = pair_.to_start(frame, pair_.to_own(frame, now.near.n));
+      out.frame = frame;
+    }
+    out.end = best >= rest ? limits_.end : not_after(now.t, best);
+    return best;
   }
   // A frame in which an axis can stand still, and sqrt(M/2).
   struct Frame {

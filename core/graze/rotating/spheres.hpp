@@ -3,9 +3,9 @@
 // Internal lengths. Contact of the bodies needs |c + v t| <= R, c = c_B - c_A, R both reaches, radii and the
 // target distance: no turn can change that. [The lecture's idea for MPR: a bounding sphere's linear cast as a
 // first guess, here as a proved lower bound.]
-// Rounding: the least |c + v t| is computed as the part of c across v, within 8 u |c|; R is raised by 32 u
-// (|c|
-// + R), so the half chord sqrt(R^2 - across^2) only grows.
+// Rounding: c is within u |c| and pivots_error() of itself; the least |c + v t| is computed as the part of c
+// across v, within 8 u |c|; R is raised by 32 u (|c| + R) and pivots_error(), so the half chord
+// sqrt(R^2 - across^2) only grows.
 #pragma once
 
 #include <graze/rotating/moving_pair.hpp>
@@ -23,7 +23,7 @@ inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more
   const Vec3<double> c = pair.pivots(), v = pair.velocity();
   const double apart = c.norm();
   const double R = (pair.mobility_a().reach + pair.mobility_b().reach + pair.radius() + more) * (1 + 32 * u) +
-                   32 * u * apart;
+                   32 * u * apart + 2 * pair.pivots_error();
   SphereCast out;
   if (apart <= R) return out;
   const double along = c.dot(v), speed_sq = v.squaredNorm();
