@@ -213,6 +213,31 @@ TEST(ExactRare, WeightsOfManyTurnsOutgrowDoubles) {
   EXPECT_GT(hits, 2);
 }
 
+// The direction of two such differences: doubles know nothing of it, and say so by a bound that is finite.
+TEST(ExactRare, ADirectionBeyondDoublesIsUnknown) {
+  Sum<double> turned;
+  for (int part = 0; part < 20; ++part) {
+    Shape<double> nested = Hull<double>{{0, 0, 0}, {1.0 + part, 2, 3}, {4, 5.0 - part, 6}};
+    for (int level = 0; level < 15; ++level)
+      nested = posed<double>(std::move(nested), V::Zero(), {1.75, 1.75, 1.75, 1.75});
+    turned.shapes.push_back(share(nested));
+  }
+  const Body<double> a{.shape = turned}, b;
+  const exact::Scene<double> scene(a, b, 0, 0);
+  const auto vertex = [](std::uint32_t k) {
+    exact::Vertex v{};
+    v.a = k;
+    return v;
+  };
+  constexpr std::uint32_t kLast = 3486784400;  // 3^20 - 1: the last vertex of every part
+  const auto first = exact::Term::difference(vertex(0), vertex(kLast)),
+             second = exact::Term::difference(vertex(0), vertex(kLast / 2));
+  const exact::Direction n = exact::direction_of(scene, first, second, 1);
+  EXPECT_EQ(n.approx, V::Zero());
+  EXPECT_GT(n.error.minCoeff(), 1e100);
+  EXPECT_LT(n.error.maxCoeff(), kInfinity<double>);
+}
+
 // --- what a term's kind does not need is not read
 
 // The grid of a point of C's inside is that of the four vertices in it. A fifth, off every coarse grid, would
