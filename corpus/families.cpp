@@ -28,6 +28,9 @@ constexpr double kSpeedsLevels[] = {0, 1, 2, 3, 5, 8, 12, 16, 20, 25, 30, 40, 50
 constexpr double kMarginLevels[] = {-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4};
 constexpr double kScaledLevels[] = {0, 10, 20, 30, 40, 50, 75, 100};
 constexpr double kManyLevels[] = {5, 6, 7, 8, 9};
+constexpr double kMixedLevels[] = {1, 2, 3, 5, 8, 12, 16, 20, 30, 40, 50, 59};
+constexpr double kLevelPrismsLevels[] = {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
+constexpr double kOwnFrameLevels[] = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
 
 constexpr Family kFamilies[] = {
     {"random", "Two random bodies, one aimed near the other.", "the number of vertices of a hull",
@@ -98,6 +101,12 @@ constexpr Family kFamilies[] = {
      fill_smooth_graze},
     {"slivers", "Triangles and hulls with nearly collinear corners.",
      "k: a corner is within 10^-k of an edge, for shapes of size 4", kNoiseLevels, fill_slivers},
+    {"far_own_frame", "A random pair, near the origin, of bodies that lie far out in their own frames.",
+     "k: they are about 10^k out, for shapes of size 4", kOwnFrameLevels, fill_far_own_frame},
+    {"mixed_magnitudes", "Sums and nested poses of coordinates of very different size.",
+     "k: coordinates are 0, or 10^-k to 10^k in size, each by itself", kMixedLevels, fill_mixed_magnitudes},
+    {"level_prisms", "Prisms with level ends, whose edges are nearly parallel.",
+     "k: edges lean by 10^-k, for shapes of size 4", kLevelPrismsLevels, fill_level_prisms},
 };
 
 constexpr double kSpinningGrazeLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
@@ -107,6 +116,9 @@ constexpr double kEntersLevels[] = {2, 4, 6, 8, 10, 12, 14, 16};
 constexpr double kBothTurnLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 constexpr double kSlowSpinLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
 constexpr double kRandomRotatingLevels[] = {0, 1, 2, 3};
+constexpr double kFarTurningLevels[] = {10, 13, 16, 19, 22, 25, 28, 31, 34, 37, 40};
+constexpr double kLongArmsLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+constexpr double kSwungLevels[] = {0, 1, 2, 3, 4, 5, 6, 8, 10, 12};
 
 constexpr Family kRotatingFamilies[] = {
     {"spinning_graze",
@@ -131,6 +143,12 @@ constexpr Family kRotatingFamilies[] = {
     {"pure_spin", "No linear motion: a body meets the other by turning alone.",
      "k: the clearance is 2^-k, or the depth at most that, for an arm of 5 to 160", kSpinningGrazeLevels,
      fill_pure_spin, true},
+    {"far_own_frame_turning", "Bodies that lie far out in their own frames meet near the origin, turning.",
+     "k: they are about 2^k out, for shapes of size 4", kFarTurningLevels, fill_far_own_frame_turning, true},
+    {"long_arms", "Both bodies, on arms far longer than they are, turn as one but for the last digits.",
+     "k: the arms are about 2^k, for shapes of size 4", kLongArmsLevels, fill_long_arms, true},
+    {"swung_balls", "A ball, written as another shape, swings about a far pivot by up to a few turns.",
+     "k: the pivot is 2^k radii away", kSwungLevels, fill_swung_balls, true},
 };
 
 }  // namespace

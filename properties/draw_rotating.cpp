@@ -7,6 +7,7 @@
 #include "corpus/families/turning.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_far.hpp"
 #include "properties/draw_lash.hpp"
 #include "properties/draw_meeting.hpp"
 #include "properties/draw_propeller.hpp"
@@ -19,16 +20,17 @@ using corpus::Spin;
 
 namespace {
 
-enum class Manner { free, slow, many_turns, as_one, unseen, unturned, lash, propeller };
+enum class Manner { free, slow, many_turns, as_one, unseen, unturned, lash, propeller, far_rods, far_arms };
 
 class TurningDrawing {
  public:
   explicit TurningDrawing(Random& random) : random_(random) {
     constexpr std::array kManners = {
-        Manner::free,   Manner::free,   Manner::free,       Manner::free,      Manner::free,
-        Manner::slow,   Manner::slow,   Manner::as_one,     Manner::as_one,    Manner::as_one,
-        Manner::unseen, Manner::unseen, Manner::many_turns, Manner::unturned,  Manner::lash,
-        Manner::lash,   Manner::lash,   Manner::lash,       Manner::propeller, Manner::propeller};
+        Manner::free,     Manner::free,     Manner::free,       Manner::free,      Manner::free,
+        Manner::slow,     Manner::slow,     Manner::as_one,     Manner::as_one,    Manner::as_one,
+        Manner::unseen,   Manner::unseen,   Manner::many_turns, Manner::unturned,  Manner::lash,
+        Manner::lash,     Manner::lash,     Manner::lash,       Manner::propeller, Manner::propeller,
+        Manner::far_rods, Manner::far_rods, Manner::far_arms,   Manner::far_arms};
     manner_ = kManners[random_.below(kManners.size())];
   }
 
@@ -55,6 +57,10 @@ class TurningDrawing {
       place_lash(random_, lash_, problem, turn_a_, turn_b_, meeting_ * horizon);
     } else if (manner_ == Manner::propeller) {
       place_propeller(random_, turns_a_ > 0, problem, horizon);
+    } else if (manner_ == Manner::far_rods) {
+      place_far_rods(random_, problem, meeting_ * horizon);
+    } else if (manner_ == Manner::far_arms) {
+      place_far_arms(random_, problem);
     } else if (!random_.once_in(3)) {
       place(problem, meeting_ * horizon);
     } else if (random_.once_in(3)) {

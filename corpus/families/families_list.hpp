@@ -34,6 +34,9 @@ void fill_perpendicular(Draw& draw, double hardness, Case& problem);
 void fill_noisy_copy(Draw& draw, double hardness, Case& problem);
 void fill_smooth_graze(Draw& draw, double hardness, Case& problem);
 void fill_slivers(Draw& draw, double hardness, Case& problem);
+void fill_far_own_frame(Draw& draw, double hardness, Case& problem);
+void fill_mixed_magnitudes(Draw& draw, double hardness, Case& problem);
+void fill_level_prisms(Draw& draw, double hardness, Case& problem);
 
 void fill_spinning_graze(Draw& draw, double hardness, Case& problem);
 void fill_fast_spin(Draw& draw, double hardness, Case& problem);
@@ -43,6 +46,9 @@ void fill_both_turn(Draw& draw, double hardness, Case& problem);
 void fill_slow_spin(Draw& draw, double hardness, Case& problem);
 void fill_random_rotating(Draw& draw, double hardness, Case& problem);
 void fill_pure_spin(Draw& draw, double hardness, Case& problem);
+void fill_far_own_frame_turning(Draw& draw, double hardness, Case& problem);
+void fill_long_arms(Draw& draw, double hardness, Case& problem);
+void fill_swung_balls(Draw& draw, double hardness, Case& problem);
 
 // The path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at the height delta above
 // it. The horizon may be infinite.

@@ -85,7 +85,7 @@ void add_kinds(const Shape<double>& shape, std::set<std::size_t>& kinds) {
 }
 
 TEST(RotatingFamilies, AreApartFromTheLinearOnes) {
-  EXPECT_EQ(rotating_families().size(), 8u);
+  EXPECT_EQ(rotating_families().size(), 11u);
   for (const Family& family : rotating_families()) {
     EXPECT_TRUE(family.rotating) << family.name;
     EXPECT_EQ(find_family(family.name), &family);
@@ -124,9 +124,12 @@ TEST(RotatingFamilies, DrawEveryShapeBothBodiesAndFiniteSteps) {
   EXPECT_EQ(kinds.size(), 14u);
 }
 
-// At the easier levels, where a rough count tells: grazes by 1e-6 are for the oracle.
+// At the easier levels, where a rough count tells: grazes by 1e-6 are for the oracle, and so is what moves
+// far and comes no nearer (far_families_test.cpp).
 TEST(RotatingFamilies, MixOutcomes) {
+  const std::set<std::string_view> far = {"far_own_frame_turning", "long_arms", "swung_balls"};
   for (const Family& family : rotating_families()) {
+    if (far.contains(family.name)) continue;
     std::map<Outcome, std::size_t> outcomes;
     std::size_t total = 0;
     for (const double level : family.levels) {

@@ -1,0 +1,147 @@
+// far_own_frame_turning: bodies that lie 2^k out in their own frames, turning and at rest; positions bring
+// them back, and the pivots are out there with them. Hardness: k.
+//
+// Half of them are any shapes that meet. The others are rods that come tip to tip: a rod turns about a point
+// of its own through the line to the other, which rests on that line or comes through it at the same time,
+// and the tips pass at, or reach to, a few units in the last place of 2^k, 2^-34 at least: what a body's
+// reach is measured with when the size of its frame is forgotten. Balls about the pivots are as near there as
+// the rods. Tips and pivots are the differences of doubles that far out, so what was drawn is exact to the
+// rounding of a position, u 2^k.
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/families/families_list.hpp"
+#include "corpus/families/far_own_frame.hpp"
+#include "corpus/families/turning.hpp"
+
+namespace graze::corpus {
+namespace {
+
+// From base to tip, and as thick along y and z.
+Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip, double thick) {
+  Random& random = draw.random;
+  const Vec3<double> along(tip[0] - base[0], 0, 0);
+  const Vec3<double> middle((base[0] + tip[0]) / 2, tip[1], tip[2]);
+  switch (random.below(6)) {
+    case 0:
+      return Segment<double>{base, tip};
+    case 1:
+      return Triangle<double>{base, tip, Vec3<double>(base[0], base[1] + thick, base[2])};
+    case 2:
+      return swept<double>(translated<double>(Point<double>{}, base), along);
+    case 3:
+      return hull_of<double>(translated<double>(Box<double>{Vec3<double>(0, thick, thick)}, base),
+                             translated<double>(Point<double>{}, tip));
+    case 4:
+      return translated<double>(Box<double>{Vec3<double>(std::abs(along[0]) / 2, thick, thick)}, middle);
+    default: {
+      std::vector<Vec3<double>> list;
+      for (const double x : {base[0], tip[0]}) {
+        for (const double y : {-thick, thick}) {
+          for (const double z : {-thick, thick}) list.emplace_back(x, tip[1] + y, tip[2] + z);
+        }
+      }
+      return Hull<double>(std::span<const Vec3<double>>(list));
+    }
+  }
+}
+
+// A rod on the line through `pivot` along x, its tip at `side` times the returned reach from it, once turned
+// about z by the turn that is still to come.
+double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>& offset, double side) {
+  Random& random = draw.random;
+  const double length = random.uniform(1, 4), behind = random.uniform(-0.9, 0.9) * length;
+  const double thick = std::scalbn(1.0, -random.integer(6, 30));
+  const Vec3<double> tip(offset[0] + side * length, offset[1], offset[2]),
+      base(offset[0] - side * behind, offset[1], offset[2]);
+  body.shape = rod(draw, base, tip, thick);
+  spin.pivot = offset;
+  return side * (tip[0] - offset[0]);
+}
+
+void tip_to_tip(Draw& draw, double hardness, Case& problem) {
+  Random& random = draw.random;
+  const double size = power_of_two(static_cast<int>(hardness));
+  const int which = random.integer(0, 3);  // A, B, or both in half of them
+  const Vec3<double> out_a = which != 1 ? far_offset(draw, size) : Vec3<double>::Zero();
+  const Vec3<double> out_b = which != 0 ? far_offset(draw, size) : Vec3<double>::Zero();
+  const double reach_a = place_rod(draw, problem.a, problem.spin_a, out_a, 1),
+               reach_b = place_rod(draw, problem.b, problem.spin_b, out_b, -1);
+  const double fine = std::max(0x1p-34, power_of_two(static_cast<int>(hardness) - 51));
+  const double least = random.once_in(2) ? fine : -fine, gap = least * random.uniform(1, 8);
+
+  // A comes through the line at this time, or leaves it at t = 0.
+  const double t = meeting_time(draw) / 2;
+  const bool later = !random.once_in(5);
+  const auto come = [&](Body<double>& body, Spin& spin) {
+    Quaternion<double> turn;
+    turn.w = random.integer(1, 4);
+    const int sine = random.integer(1, 4);
+    turn.z = random.once_in(2) ? sine : -sine;
+    const Vec3<double> rotation = rotation_vector(turn, 0);
+    spin.rotation[2] = rotation[2] / t;
+    if (later) body.orientation = {turn.w, 0, 0, -turn.z};
+  };
+  come(problem.a, problem.spin_a);
+  if (!later && random.once_in(2)) problem.spin_a.rotation[2] /= 1024;
+  // B too, or it rests; its pivot then means nothing, wherever it is.
+  if (random.once_in(3)) {
+    come(problem.b, problem.spin_b);
+  } else {
+    if (random.once_in(2)) problem.spin_b.pivot = random.once_in(2) ? Vec3<double>::Zero() : draw.vector(8);
+  }
+  const Vec3<double> a = rotate(problem.a.orientation, out_a), b = rotate(problem.b.orientation, out_b);
+  for (int i = 0; i < 3; ++i) {
+    problem.a.position[i] = 0 - a[i];
+    problem.b.position[i] = 0 - b[i];
+  }
+  problem.b.position[0] = ((reach_a + reach_b) + gap) - b[0];
+  if (which == 0) {
+    // B's number is small, and has every digit of the gap.
+    set_motion(draw, problem, Vec3<double>::Zero());
+  }
+}
+
+void any_two(Draw& draw, double hardness, Case& problem, Coordinates kind) {
+  constexpr double kReach = 4;
+  Random& random = draw.random;
+  const double size = power_of_two(static_cast<int>(hardness));
+  draw.coordinates = kind;
+  problem.a.shape = any_shape(draw, kReach);
+  problem.b.shape = any_shape(draw, kReach);
+  problem.a.orientation = draw.pose();
+  problem.b.orientation = draw.pose();
+  problem.a.position = draw.vector(8);
+  for (Spin* spin : {&problem.spin_a, &problem.spin_b}) {
+    if (random.once_in(2)) spin->pivot = draw.vector(kReach);
+  }
+  Meeting meeting;
+  meeting.t = meeting_time(draw);
+  if (!random.once_in(3)) meeting.turn_a = some_turn(draw);
+  if (meeting.turn_a.is_identity() || !random.once_in(3)) meeting.turn_b = some_turn(draw);
+  const bool still = random.once_in(3);
+  const Vec3<double> v = draw.vector(16);
+  set_motion(draw, problem, still ? Vec3<double>::Zero() : v);
+  draw.coordinates = Coordinates::doubles;  // a float has no digit left of 4 at 2^26
+  const int which = random.integer(0, 3);
+  if (which != 1) push_out(problem.a, problem.spin_a, far_offset(draw, size));
+  if (which != 0) push_out(problem.b, problem.spin_b, far_offset(draw, size));
+  meet(draw, problem, meeting, random.once_in(2) ? 0.25 : kReach);
+}
+
+}  // namespace
+
+void fill_far_own_frame_turning(Draw& draw, double hardness, Case& problem) {
+  const Coordinates kind = draw.coordinates;
+  draw.coordinates = Coordinates::doubles;
+  if (draw.random.once_in(2)) {
+    tip_to_tip(draw, hardness, problem);
+    turn_exactly(draw, problem);
+  } else {
+    any_two(draw, hardness, problem, kind);
+  }
+  vary_horizon(draw, problem);
+  maybe_swap(draw, problem);
+}
+
+}  // namespace graze::corpus
