@@ -143,7 +143,7 @@ void RotatingTruth::Impl::measure() {
 // The longest slice from there that the axis proves s > least over, starting with `first_try`.
 std::optional<RotatingTruth::Impl::Step> RotatingTruth::Impl::step(const PairPose& from, Turning turning,
                                                                    const Ball& least, double first_try) {
-  constexpr int kTries = 64;
+  constexpr int kTries = 64, kPatient = 48;
   double h = first_try;
   for (int i = 0; i < kTries && slices < budget; ++i) {
     Ball t = (from.t + Ball(h)).mid();
@@ -165,7 +165,8 @@ std::optional<RotatingTruth::Impl::Step> RotatingTruth::Impl::step(const PairPos
     } else {
       shorter = by_curve < 1 ? std::max(by_chord, 0.5 * by_curve) : by_chord;
     }
-    h *= std::min(shorter, 0.9);
+    // Where s grows by nearly as much as the bound takes off, each try gains a tenth only, whatever is left.
+    h *= std::min(shorter, i < kPatient ? 0.9 : 0.5);
   }
   return {};
 }
