@@ -3,10 +3,10 @@
 //
 // Half of them are any shapes that meet. The others are rods that come tip to tip: a rod turns about a point
 // of its own through the line to the other, which rests on that line or comes through it at the same time,
-// and the tips pass at, or reach to, a few units in the last place of 2^k, 2^-34 at least: what a body's
-// reach is measured with when the size of its frame is forgotten. Balls about the pivots are as near there as
-// the rods. Tips and pivots are the differences of doubles that far out, so what was drawn is exact to the
-// rounding of a position, u 2^k.
+// and the tips pass at, or reach to, a few units in the last place of 2^k or a part of one, 2^-35 at least:
+// what a body's reach is measured with when the size of its frame is forgotten. Balls about the pivots are as
+// near there as the rods. Tips and pivots are the differences of doubles that far out, so what was drawn is
+// exact to the rounding of a position, u 2^k.
 #include <algorithm>
 #include <cmath>
 
@@ -17,12 +17,13 @@
 namespace graze::corpus {
 namespace {
 
-// From base to tip, and as thick along y and z.
-Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip, double thick) {
+// From base to tip; a solid one is as thick along y and z. Two that are not lie in one plane, and meet
+// without a depth.
+Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip, double thick, bool solid) {
   Random& random = draw.random;
   const Vec3<double> along(tip[0] - base[0], 0, 0);
   const Vec3<double> middle((base[0] + tip[0]) / 2, tip[1], tip[2]);
-  switch (random.below(6)) {
+  switch (solid ? 3 + random.below(3) : random.below(3)) {
     case 0:
       return Segment<double>{base, tip};
     case 1:
@@ -30,8 +31,8 @@ Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip,
     case 2:
       return swept<double>(translated<double>(Point<double>{}, base), along);
     case 3:
-      return hull_of<double>(translated<double>(Box<double>{Vec3<double>(0, thick, thick)}, base),
-                             translated<double>(Point<double>{}, tip));
+      return hull_of<double>(translated<double>(Point<double>{}, base),
+                             translated<double>(Box<double>{Vec3<double>(0, thick, thick)}, tip));
     case 4:
       return translated<double>(Box<double>{Vec3<double>(std::abs(along[0]) / 2, thick, thick)}, middle);
     default: {
@@ -48,13 +49,15 @@ Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip,
 
 // A rod on the line through `pivot` along x, its tip at `side` times the returned reach from it, once turned
 // about z by the turn that is still to come.
-double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>& offset, double side) {
+double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>& offset, double side,
+                 int exponent, bool solid) {
   Random& random = draw.random;
   const double length = random.uniform(1, 4), behind = random.uniform(-0.9, 0.9) * length;
-  const double thick = std::scalbn(1.0, -random.integer(6, 30));
+  // Wide enough that a position's rounding does not make tips pass side by side.
+  const double thick = std::scalbn(1.0, random.integer(std::max(-30, exponent - 48), -6));
   const Vec3<double> tip(offset[0] + side * length, offset[1], offset[2]),
       base(offset[0] - side * behind, offset[1], offset[2]);
-  body.shape = rod(draw, base, tip, thick);
+  body.shape = rod(draw, base, tip, thick, solid);
   spin.pivot = offset;
   return side * (tip[0] - offset[0]);
 }
@@ -65,10 +68,13 @@ void tip_to_tip(Draw& draw, double hardness, Case& problem) {
   const int which = random.integer(0, 3);  // A, B, or both in half of them
   const Vec3<double> out_a = which != 1 ? far_offset(draw, size) : Vec3<double>::Zero();
   const Vec3<double> out_b = which != 0 ? far_offset(draw, size) : Vec3<double>::Zero();
-  const double reach_a = place_rod(draw, problem.a, problem.spin_a, out_a, 1),
-               reach_b = place_rod(draw, problem.b, problem.spin_b, out_b, -1);
-  const double fine = std::max(0x1p-34, power_of_two(static_cast<int>(hardness) - 51));
-  const double least = random.once_in(2) ? fine : -fine, gap = least * random.uniform(1, 8);
+  const int exponent = static_cast<int>(hardness);
+  const int solid = random.integer(0, 2);  // A, B, or both
+  const double reach_a = place_rod(draw, problem.a, problem.spin_a, out_a, 1, exponent, solid != 1),
+               reach_b = place_rod(draw, problem.b, problem.spin_b, out_b, -1, exponent, solid != 0);
+  // From an eighth of a unit in the last place of 2^k to eight of them.
+  const double fine = std::max(0x1p-35, power_of_two(exponent - 53 + random.integer(-3, 3)));
+  const double gap = (random.once_in(2) ? fine : -fine);
 
   // A comes through the line at this time, or leaves it at t = 0.
   const double t = meeting_time(draw) / 2;
@@ -95,11 +101,9 @@ void tip_to_tip(Draw& draw, double hardness, Case& problem) {
     problem.a.position[i] = 0 - a[i];
     problem.b.position[i] = 0 - b[i];
   }
-  problem.b.position[0] = ((reach_a + reach_b) + gap) - b[0];
-  if (which == 0) {
-    // B's number is small, and has every digit of the gap.
-    set_motion(draw, problem, Vec3<double>::Zero());
-  }
+  // B's tip is at the origin, exactly where it rests; A's has every digit of the gap where A is not far out.
+  problem.a.position[0] = (0 - a[0]) - (reach_a + gap);
+  problem.b.position[0] = reach_b - b[0];
 }
 
 void any_two(Draw& draw, double hardness, Case& problem, Coordinates kind) {

@@ -7,16 +7,16 @@
 //   pivots   one w, a multiple of small integers, and pivots apart by nearly a multiple of it, or by nearly
 //            nothing: they leave its direction by a few units in the last place of 2^k;
 //   axes     one pivot, to rounding, and axes that are parallel but for a few units in the last place; half
-//   of
-//            these are round bodies one behind the other along w, where n x w comes out as 0;
+//            have round bodies, one behind the other along w, where n x w comes out as 0;
 //   speeds   one pivot, and rotation vectors that differ by 2^-j of 1/2^k, j drawn.
-// What B moves by so is `swing`, 2^-33 at least, and the bodies start within 1.5 of it of each other, half of
-// it deep at most: about a quarter in contact at the start, and as many meet later.
+// What B moves by so is `swing`, 2^-33 at least, and the bodies start within 0.9 of it of each other, or up
+// to 0.3 of it deep: about a quarter in contact at the start, and as many meet later.
 #include <algorithm>
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/turning.hpp"
+#include "corpus/support_value.hpp"
 
 namespace graze::corpus {
 namespace {
@@ -51,11 +51,17 @@ Vec3<double> across(Random& random, const Vec3<double>& along) {
 // One above the other, along z: A's origin, B's is where the gap says, and `swing` times what was drawn
 // apart.
 void stack(Draw& draw, Case& problem, double swing) {
-  const Capped below = draw.capped(4), above = draw.capped_below(4);
+  const auto is_flat = [](const Capped& one) {
+    const Bounds box = bounds(one.shape);
+    return box.low[2] == box.high[2];
+  };
+  Capped below = draw.capped(4), above = draw.capped_below(4);
+  // Two that are flat meet without a depth.
+  while (is_flat(below) && is_flat(above)) below = draw.capped(4);
   problem.a.shape = below.shape;
   problem.b.shape = above.shape;
   problem.a.position = Vec3<double>(0, 0, 0 + (below.lift - above.lift));
-  problem.b.position = Vec3<double>(0, 0, draw.real(swing * draw.random.uniform(-0.5, 1.5)));
+  problem.b.position = Vec3<double>(0, 0, draw.real(swing * draw.random.uniform(-0.3, 0.9)));
 }
 
 // Round bodies, one behind the other along `along`.
@@ -77,7 +83,7 @@ void line_up(Draw& draw, Case& problem, const Vec3<double>& along, double swing)
         break;
     }
   }
-  const double far = (between + swing * random.uniform(-0.5, 1.5)) / length_of(along);
+  const double far = (between + swing * random.uniform(-0.3, 0.9)) / length_of(along);
   problem.b.position = Vec3<double>(far * along[0], far * along[1], far * along[2]);
 }
 

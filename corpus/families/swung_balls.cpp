@@ -72,8 +72,9 @@ void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   }
   // A start some 8 from there: on an arc of two half angles 1 / w.
   Quaternion<double> start;
-  start.w = std::max(1.0, std::floor(ring / random.integer(6, 16)));
+  start.w = std::max(1.0, std::floor(ring / random.integer(4, 12)));
   start.x = random.once_in(2) ? 1 : -1;
+  if (random.once_in(8)) start = {};  // or there
   problem.a.orientation = start;
   problem.spin_a.pivot = Vec3<double>(center[0], center[1], center[2] - ring);
   const Vec3<double> pivot = rotate(start, problem.spin_a.pivot);
@@ -115,7 +116,7 @@ void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   Vec3<double> v = Vec3<double>::Zero();
   if (random.once_in(3)) {
     // Into the ring, or out of it, by that much.
-    const double by = draw.real(2 * delta);
+    const double by = draw.real(1.5 * delta);
     v = Vec3<double>(-by * away[0], 0, -by * away[2]);
   }
   // A turn about the normal through the lowest feature moves no height.
