@@ -1,0 +1,167 @@
+// How far out a turning body reaches, and how fast its points and it as a set can move (mobility.hpp),
+// against balls. Every field and every function of Mobility is a bound of the quantity that its header
+// defines.
+#include <gtest/gtest.h>
+
+#include <graze/rotating/moving_pair.hpp>
+
+#include "oracles/ball_motion.hpp"
+#include "tests/bounds/describe.hpp"
+#include "tests/bounds/tally.hpp"
+#include "tests/bounds/true_mobility.hpp"
+
+namespace graze::test {
+namespace {
+
+using detail::is_on_axis;
+using detail::Mobility;
+using oracle::WorkingPrecision;
+
+// One body of a pair, as it is bounded and as it is.
+struct Looked {
+  const RotatingBody<double>& given;
+  detail::MovingPair pair;
+  const Mobility& m;
+  Ball unit;  // internal length of one world length
+  TrueBody truth;
+
+  Looked(const RotatingBody<double>& body, const RotatingBody<double>& other, double target)
+      : given(body),
+        pair(body, other, target),
+        m(pair.mobility_a()),
+        unit(two_to(-pair.cso().length_exponent())),
+        truth(body, pair.pivot_a()) {}
+};
+
+constexpr int kScenes = 1200;
+
+template <class Visit>
+void for_each_body(std::uint64_t seed, int scenes, const Visit& visit) {
+  const WorkingPrecision precision(kTruthBits);
+  HostileDraw draw(seed);
+  for (int i = 0; i < scenes; ++i) {
+    const HostileScene scene = draw.scene();
+    visit(Looked(scene.a, scene.b, scene.target), scene, draw);
+    visit(Looked(scene.b, scene.a, scene.target), scene, draw);
+  }
+}
+
+TEST(MobilityBounds, NoPointIsFartherOut) {
+  Tally reach("Mobility::reach"), still("Mobility::reach, at rest"), rho("Mobility::rho"),
+      high("Mobility::high"), low("-Mobility::low"), rate("Mobility::rate");
+  for_each_body(1, rounds(kScenes), [&](const Looked& body, const HostileScene& scene, HostileDraw&) {
+    const auto with = [&] { return describe(scene); };
+    const TrueBody& truth = body.truth;
+    (truth.turns ? reach : still).add(body.m.reach, body.unit * truth.reach(), with);
+    if (!truth.turns) return;
+    rate.add(body.m.rate, truth.rate, with);
+    rho.add(body.m.rho, body.unit * truth.rho(), with);
+    high.add(body.m.high, body.unit * truth.high(), with);
+    low.add(-body.m.low, -(body.unit * truth.low()), with);
+  });
+  for (Tally* one : {&reach, &rho, &high, &low, &rate}) one->finish(500);
+  still.finish(50);
+}
+
+TEST(MobilityBounds, ASolidOfRevolutionTurnsAboutItsOwnAxisNoSlower) {
+  Tally tilt("Mobility::tilt_rate"), own("Mobility::own_rate"), center("Mobility::center_rho"),
+      around("Mobility::revolved_reach");
+  for_each_body(2, rounds(kScenes), [&](const Looked& body, const HostileScene& scene, HostileDraw&) {
+    if (!body.m.turns() || !body.m.revolves) return;
+    const auto with = [&] { return describe(scene); };
+    const Revolved truth(body.truth, body.given.body.shape, body.pair.pivot_a());
+    tilt.add(body.m.tilt_rate, truth.tilt, with);
+    own.add(body.m.own_rate, truth.own, with);
+    center.add(body.m.center_rho, body.unit * truth.center, with);
+    around.add(body.m.revolved_reach, body.unit * truth.around, with);
+  });
+  for (Tally* one : {&tilt, &own, &center, &around}) one->finish(100);
+}
+
+// By the header's formulas, in balls.
+TEST(MobilityBounds, NoPointIsFasterThanItsFormula) {
+  Tally speed("Mobility::speed"), acceleration("Mobility::acceleration"), sway("Mobility::sway"),
+      top_speed("Mobility::top_speed"), top_acceleration("Mobility::top_acceleration");
+  for_each_body(3, rounds(kScenes), [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
+    if (!body.truth.turns) return;
+    const TrueMobility truth(body.truth, body.given, body.pair.pivot_a(), body.unit);
+    for (int k = 0; k < 4; ++k) {
+      const Vec3<double> n = draw.direction(scene);
+      const double t = draw.time(scene);
+      const auto with = [&] { return describe(scene, n, t); };
+      speed.add(body.m.speed(n), truth.speed(BallVec(n)), with);
+      acceleration.add(body.m.acceleration(n), truth.acceleration(BallVec(n)), with);
+      sway.add(body.m.sway(t), truth.sway(body.truth.chord(t)), with);
+    }
+    const auto with = [&] { return describe(scene); };
+    top_speed.add(body.m.top_speed(), truth.top_speed(), with);
+    top_acceleration.add(body.m.top_acceleration(), truth.top_acceleration(), with);
+  });
+  for (Tally* one : {&speed, &acceleration, &sway, &top_speed, &top_acceleration}) one->finish(500);
+}
+
+// Whatever the formulas: how fast the set's greatest n.x goes, and how its slope falls, by differences. With
+// h(t) = max n.x over the set, its common motion aside, |h'| <= speed, and h + acceleration t^2/2 is convex.
+TEST(MobilityBounds, NoSetIsFasterByDifferences) {
+  Tally speed("Mobility::speed, of the set"), acceleration("Mobility::acceleration, of the set"),
+      sway("Mobility::sway, of the set");
+  for_each_body(4, rounds(300), [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
+    if (!body.truth.turns) return;
+    const oracle::BallMotion motion(body.given.body, {body.given.rotation, body.given.pivot});
+    for (int k = 0; k < 2; ++k) {
+      const Vec3<double> n = draw.direction(scene);
+      const double t = draw.time(scene);
+      const auto with = [&] { return describe(scene, n, t); };
+      const BallVec along(n);
+      const auto height = [&](const Ball& at) {
+        return body.unit * (motion.support(along, at).reach - dot(along, at * body.truth.v));
+      };
+      const Ball d = two_to(-200), before = height(Ball(t) - d), now = height(t), after = height(Ball(t) + d);
+      speed.add(body.m.speed(n), abs(after - before) / (d + d), with);
+      acceleration.add(body.m.acceleration(n), (now + now - before - after) / (d * d), with);
+      sway.add(body.m.sway(t), abs(now - height(0)) / norm(along), with);
+    }
+  });
+  for (Tally* one : {&speed, &acceleration, &sway}) one->finish(100);
+}
+
+// Is the body's point x said to be on the axis of rotation? By the arm, where core asks so.
+template <class Body>
+bool is_said_on_axis(const Body& a, const Vec3<double>& x) {
+  if constexpr (requires { is_on_axis(a, a.pivot, x); }) {
+    return is_on_axis(a, a.pivot, x);
+  } else {
+    return is_on_axis(a, {x, Vec3<double>::Zero(), a.pivot});
+  }
+}
+
+// What is said to be on the axis of rotation, or along it, is.
+TEST(MobilityBounds, WhatIsOnTheAxisIsExactlyOnIt) {
+  const WorkingPrecision precision(kTruthBits);
+  HostileDraw draw(5);
+  int on = 0, along = 0;
+  for (int i = 0; i < rounds(4000); ++i) {
+    const HostileScene scene = draw.scene();
+    const RotatingBody<double>& a = scene.a;
+    const BallRotation turn(a.body.orientation);
+    Vec3<double> x = a.pivot;
+    if (draw.chance(0.5)) x += draw.power(-3, 40) * unit(a.rotation);
+    if (draw.chance(0.5)) x = draw.nudged(x);
+    if (a.rotation != Vec3<double>::Zero() && is_said_on_axis(a, x)) {
+      const BallVec off = cross(BallVec(a.rotation), turn.apply(BallVec(x) - BallVec(a.pivot)));
+      EXPECT_FALSE(norm(off).is_positive()) << describe(scene) << " x " << describe(x);
+      on += x != a.pivot;
+    }
+    const int own = static_cast<int>(draw.below(3));
+    if (detail::is_along_own_axis(a, own)) {
+      const BallVec axis = turn.apply(BallVec(Vec3<double>(Vec3<double>::Unit(own))));
+      EXPECT_FALSE(norm(cross(axis, BallVec(a.rotation))).is_positive()) << describe(scene) << own;
+      along += a.rotation != Vec3<double>::Zero();
+    }
+  }
+  EXPECT_GT(on, 50);
+  EXPECT_GT(along, 50);
+}
+
+}  // namespace
+}  // namespace graze::test
