@@ -286,20 +286,24 @@ class RotatingCast {
     }
     const double t = static_cast<double>(out_.toi_lower);
     pair_->place(t);
-    const Vec3<double> rel_a = pair_->center_a() + cso.side_a().to_world(x_a) + cso.side_a().radius * found.n;
-    const Vec3<double> rel_b = pair_->center_b() + cso.side_b().to_world(x_b) - cso.side_b().radius * found.n;
-    // From the pivot of A to the world.
+    const Vec3<double> rel_a = cso.side_a().to_world(x_a) + cso.side_a().radius * found.n;
+    const Vec3<double> rel_b = cso.side_b().to_world(x_b) - cso.side_b().radius * found.n;
+    // From the centre to the pivot of A and to the world: long arms cancel, so nothing is rounded before the
+    // end.
+    const double length = power_of_two(cso.length_exponent());
+    const TwoDoubles3 at_a = scaled_by(pair_->center_a_in_two(), length),
+                      at_b = scaled_by(pair_->center_b_in_two(), length);
     const TwoDoubles3 turned = posed(near_one(a_.body.orientation), pair_->pivot_a());
     for (int i = 0; i < 3; ++i) {
-      const TwoDoubles origin =
-          (two_sum(double(a_.body.position[i]), 0) + turned[static_cast<std::size_t>(i)]) +
-          times({double(a_.body.displacement[i]), 0}, t);
-      const auto world = [&](double rel) {
-        const TwoDoubles sum = origin + TwoDoubles{cso.to_length(rel), 0};
+      const auto k = static_cast<std::size_t>(i);
+      const TwoDoubles origin = (two_sum(double(a_.body.position[i]), 0) + turned[k]) +
+                                times({double(a_.body.displacement[i]), 0}, t);
+      const auto world = [&](const TwoDoubles& center, double rel) {
+        const TwoDoubles sum = (origin + center) + TwoDoubles{cso.to_length(rel), 0};
         return static_cast<S>(sum.hi + sum.lo);
       };
-      out_.point_a[i] = world(rel_a[i]);
-      out_.point_b[i] = world(rel_b[i]);
+      out_.point_a[i] = world(at_a[k], rel_a[i]);
+      out_.point_b[i] = world(at_b[k], rel_b[i]);
     }
   }
 

@@ -88,8 +88,8 @@ class MovingPair {
                t == 0 ? start_offset_ : rounded_once(d + (b.arm + -a.arm)));
     rotation_a_ = a.rotation;
     rotation_b_ = b.rotation;
-    arm_a_ = rounded_once(a.arm);
-    arm_b_ = rounded_once(d + b.arm);
+    arm_a_ = a.arm;
+    arm_b_ = d + b.arm;
     pivot_b_ = rounded_once(d);
     ++poses_;
   }
@@ -122,8 +122,11 @@ class MovingPair {
   }
   [[nodiscard]] double swing_lost() const { return pivots_error() + 0x1p-96 * pivots().norm(); }
   // From A's pivot to the centres of the sides (cso.hpp) as placed.
-  [[nodiscard]] const Vec3<double>& center_a() const { return arm_a_; }
-  [[nodiscard]] const Vec3<double>& center_b() const { return arm_b_; }
+  [[nodiscard]] Vec3<double> center_a() const { return rounded_once(arm_a_); }
+  [[nodiscard]] Vec3<double> center_b() const { return rounded_once(arm_b_); }
+  // Unrounded: far from the pivot, a point of the body is as near its centre as the body is large.
+  [[nodiscard]] const TwoDoubles3& center_a_in_two() const { return arm_a_; }
+  [[nodiscard]] const TwoDoubles3& center_b_in_two() const { return arm_b_; }
   // And to B's pivot.
   [[nodiscard]] const Vec3<double>& pivot_b_now() const { return pivot_b_; }
 
@@ -241,8 +244,8 @@ class MovingPair {
   Cso<double> cso_;
   TurningSide a_, b_;
   Mat3<double> rotation_a_ = Mat3<double>::Identity(), rotation_b_ = Mat3<double>::Identity();
-  TwoDoubles3 pivots_{}, velocity_{};
-  Vec3<double> arm_a_ = Vec3<double>::Zero(), arm_b_ = Vec3<double>::Zero(), pivot_b_ = Vec3<double>::Zero();
+  TwoDoubles3 pivots_{}, velocity_{}, arm_a_{}, arm_b_{};
+  Vec3<double> pivot_b_ = Vec3<double>::Zero();
   double radius_ = 0, target_ = 0, t_ = 0;
   Vec3<double> start_offset_ = Vec3<double>::Zero();
   double start_lengths_ = 0, lengths_ = 0, speed_ = 0;
