@@ -418,10 +418,11 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
     // A steep plane bounds z only to its gap over n_z, and a portal beyond what is asked for says nothing of
     // what is before it: there a wide gap is closed as far as rounding allows.
-    const bool told = search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
-    const S gap = told ? limits.gap : std::min(limits.gap, S(4 * noise));
-    if (!(reach - face > gap)) {
-      search.state = State::entered;
+    const auto told = [&] {
+      return search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
+    };
+    const S fine = std::min(limits.gap, S(4 * noise));
+    if (!(reach - face > (told() ? limits.gap : fine))) {
       search.lambda = portal_weights(search.portal);
       // Where the plane is steep its height is rounding over n_z. The portal's own point, which the witnesses
       // are made of, is not, while it is on the line.
@@ -429,8 +430,13 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
           length_across(own[0], own[1]) <= 2 * noise) {
         search.upper = own[2];
       }
-      search.facing = view.world(n);
-      return;
+      // That point may lie later than the plane told: then, too, only the fine gap will do, since from a
+      // portal that tells no more its users conclude that its point is no deeper in C than that.
+      if (told() || !(reach - face > fine)) {
+        search.state = State::entered;
+        search.facing = view.world(n);
+        return;
+      }
     }
     if (size == 1) return;  // the foremost point was not: only rounding can say so
     if (size == 2) {
