@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
@@ -15,6 +16,7 @@ namespace graze::tool {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double over_scale(double length, double scale) {
   if (length == 0) return 0;
@@ -34,6 +36,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
       row.lower.resize(hits.size());
       row.upper.resize(hits.size());
       row.width.resize(hits.size());
+      row.denied.resize(hits.size());
       rows.push_back(std::move(row));
     }
   }
@@ -48,9 +51,10 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
         const engine::Answer answer =
             methods[r / per_method]->cast(hits[i]->problem(), {.tolerance = rows[r].tolerance});
         const auto error = [&](double t) {
-          return t < kInf ? over_scale(exact.backward_error(t).high, scale) : kInf;
+          return t < kInf ? over_scale(exact.backward_error(t).high, scale) : kNone;
         };
         stalled[r][i] = answer.outcome == Outcome::not_converged ? 1 : 0;
+        rows[r].denied[i] = answer.outcome == Outcome::miss ? over_scale(exact.depth().high, scale) : kNone;
         rows[r].lower[i] = error(answer.toi_lower);
         rows[r].upper[i] = answer.toi_upper == answer.toi_lower ? rows[r].lower[i] : error(answer.toi_upper);
         rows[r].width[i] = std::fmax(rows[r].lower[i], rows[r].upper[i]);
@@ -61,6 +65,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t i = 0; i < hits.size(); ++i) {
       rows[r].not_converged += static_cast<std::size_t>(stalled[r][i]);
+      rows[r].missed += std::isnan(rows[r].denied[i]) ? 0 : 1;
       rows[r].ns.push_back(
           methods[r / per_method]->time_ns(hits[i]->problem(), {.tolerance = rows[r].tolerance}, 3));
     }
@@ -73,6 +78,8 @@ std::string tolerance_table(const std::vector<ToleranceRow>& rows) {
                {"tolerance"},
                {"cases"},
                {"not con-\nverged"},
+               {"missed"},
+               {"\nup to"},
                {"lower end\nmedian"},
                {"\nworst"},
                {"upper end\nmedian"},
@@ -87,7 +94,8 @@ std::string tolerance_table(const std::vector<ToleranceRow>& rows) {
     const double fraction =
         row.cases > 0 ? static_cast<double>(row.not_converged) / static_cast<double>(row.cases) : 0;
     table.add_row({row.method, fmt::format("{:.0e}", row.tolerance), fmt::to_string(row.cases),
-                   fmt::format("{:.1f} %", 100 * fraction), short_number(median(row.lower)),
+                   fmt::format("{:.1f} %", 100 * fraction), row.missed > 0 ? fmt::to_string(row.missed) : "-",
+                   short_number(worst(row.denied)), short_number(median(row.lower)),
                    short_number(worst(row.lower)), short_number(median(row.upper)),
                    short_number(worst(row.upper)), short_number(median(row.width)),
                    short_number(worst(row.width)), fmt::format("{:.0f}", median(row.ns))});
@@ -103,7 +111,8 @@ std::string draw_tolerances(const std::vector<ToleranceRow>& rows, const std::st
   OutputFile data(stem.string() + ".dat"), script(stem.string() + ".gp");
   data.write_line(
       "# a block a method: tolerance, median ns, median and worst backward error of the lower end over "
-      "scale");
+      "scale, hits\n# that are said to miss and the greatest depth that one denies; NaN: there is none");
+  script.write_line("f(x) = x != x ? NaN : x > 0 ? x : 1e-18");
   script.write_line("set terminal svg size 800,520 font 'sans-serif,13'");
   script.write_line("set output 'error_against_time.svg'");
   script.write_line("set logscale y; set format y '10^{%L}'; set grid; set key top right");
@@ -118,13 +127,13 @@ std::string draw_tolerances(const std::vector<ToleranceRow>& rows, const std::st
       if (r > 0) data.write_line("\n");
       data.write_line("# " + row.method);
       plots += fmt::format(
-          "{}'error_against_time.dat' index {} using 2:($3>0?$3:1e-18) with linespoints lw 2 title "
-          "'{} median', '' index {} using 2:($4>0?$4:1e-18) with points title '{} worst'",
+          "{}'error_against_time.dat' index {} using 2:(f($3)) with linespoints lw 2 title "
+          "'{} median', '' index {} using 2:(f($4)) with points title '{} worst'",
           plots.empty() ? "plot " : ", ", block, row.method, block, row.method);
       ++block;
     }
-    data.write_line(
-        fmt::format("{} {} {} {}", row.tolerance, median(row.ns), median(row.lower), worst(row.lower)));
+    data.write_line(fmt::format("{} {} {} {} {} {}", row.tolerance, median(row.ns), median(row.lower),
+                                worst(row.lower), row.missed, worst(row.denied)));
   }
   script.write_line(plots);
   data.close();

@@ -13,9 +13,12 @@ struct ToleranceRow {
   std::string method;
   double tolerance = 0;  // over scale
   std::size_t cases = 0, not_converged = 0;
-  // Over scale, by the exact oracle: the backward errors of the bracket's lower and of its finite upper ends.
+  std::size_t missed = 0;  // hits that are said to miss: within the tolerance nothing decides a graze
+  // Over scale, by the exact oracle: the backward errors of the bracket's lower and of its finite upper ends;
+  // NaN where there is no such end. A miss has none, and denies the depth in its place.
   std::vector<double> lower = {}, upper = {};
-  std::vector<double> width = {};  // the larger of the two; infinite without an upper end
+  std::vector<double> width = {};   // the larger of the two
+  std::vector<double> denied = {};  // of a miss: the depth of the path; else NaN
   std::vector<double> ns = {};
 };
 
