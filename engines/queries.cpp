@@ -45,18 +45,19 @@ QueryAnswer of_overlap(const OverlapResult<S>& result) {
   return answer;
 }
 template <Scalar S>
-QueryAnswer overlap_by_gjk(const Case& c, Request) {
+QueryAnswer overlap_by_gjk(const Case& c, const QueryAsk&) {
   return of_overlap(overlap_gjk(round_to<S>(c.a), round_to<S>(c.b)));
 }
 template <Scalar S>
-QueryAnswer overlap_by_mpr(const Case& c, Request) {
+QueryAnswer overlap_by_mpr(const Case& c, const QueryAsk&) {
   return of_overlap(overlap_mpr(round_to<S>(c.a), round_to<S>(c.b)));
 }
 
 template <Scalar S>
-QueryAnswer distance_by_gjk(const Case& c, Request request) {
+QueryAnswer distance_by_gjk(const Case& c, const QueryAsk& ask) {
   const DistanceResult<S> result =
-      distance(round_to<S>(c.a), round_to<S>(c.b), DistanceOptions<S>{.request = request});
+      distance(round_to<S>(c.a), round_to<S>(c.b),
+               DistanceOptions<S>{.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)});
   const bool apart = result.lower > 0;
   QueryAnswer answer = begun(result, apart               ? Outcome::miss
                                      : result.upper == 0 ? Outcome::initially_overlapping
@@ -66,7 +67,7 @@ QueryAnswer distance_by_gjk(const Case& c, Request request) {
   answer.stalled = result.stalled;
   if (apart) {
     answer.normal = widened(result.normal);
-    add_points(answer, result, request);
+    add_points(answer, result, ask.request);
   }
   return answer;
 }
@@ -84,26 +85,31 @@ QueryAnswer of_penetration(const PenetrationResult<S>& result, Request request) 
   return answer;
 }
 template <Scalar S>
-QueryAnswer penetration_by_epa(const Case& c, Request request) {
-  const PenetrationOptions<S> options{.request = request};
-  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b), options), request);
+PenetrationOptions<S> penetration_options(const QueryAsk& ask) {
+  return {.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)};
 }
 template <Scalar S>
-QueryAnswer penetration_along_by_mpr(const Case& c, Request request) {
-  const PenetrationOptions<S> options{.request = request};
-  return of_penetration(
-      penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction), options), request);
+QueryAnswer penetration_by_epa(const Case& c, const QueryAsk& ask) {
+  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b), penetration_options<S>(ask)),
+                        ask.request);
+}
+template <Scalar S>
+QueryAnswer penetration_along_by_mpr(const Case& c, const QueryAsk& ask) {
+  return of_penetration(penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction),
+                                          penetration_options<S>(ask)),
+                        ask.request);
 }
 
 template <Scalar S>
-QueryAnswer overlap_exactly(const Case& c, Request) {
+QueryAnswer overlap_exactly(const Case& c, const QueryAsk&) {
   return of_overlap(overlap_exact(round_to<S>(c.a), round_to<S>(c.b)));
 }
 
 template <Scalar S>
-LineOptions<S> line_options(const Case& c, Request request) {
+LineOptions<S> line_options(const Case& c, const QueryAsk& ask) {
   LineOptions<S> options;
-  options.request = request;
+  options.request = ask.request;
+  options.tolerance = static_cast<S>(ask.tolerance);
   options.target_distance = static_cast<S>(c.target_distance);
   return options;
 }
@@ -121,12 +127,12 @@ QueryAnswer of_line(const LineResult<S>& result) {
 }
 
 template <Scalar S>
-QueryAnswer line_by_mpr(const Case& c, Request request) {
-  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, request)));
+QueryAnswer line_by_mpr(const Case& c, const QueryAsk& ask) {
+  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, ask)));
 }
 template <Scalar S>
-QueryAnswer line_exactly(const Case& c, Request request) {
-  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, request)));
+QueryAnswer line_exactly(const Case& c, const QueryAsk& ask) {
+  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, ask)));
 }
 
 template <Scalar S>
@@ -144,13 +150,13 @@ QueryAnswer of_swept(const SweptOverlapResult<S>& result) {
 }
 
 template <Scalar S, SweptMethod kMethod>
-QueryAnswer swept_overlap_by(const Case& c, Request) {
+QueryAnswer swept_overlap_by(const Case& c, const QueryAsk&) {
   SweptOverlapOptions<S> options = swept_options<S>(c);
   options.method = kMethod;
   return of_swept(swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options));
 }
 template <Scalar S>
-QueryAnswer swept_overlap_exactly(const Case& c, Request) {
+QueryAnswer swept_overlap_exactly(const Case& c, const QueryAsk&) {
   return of_swept(swept_overlap_exact(round_to<S>(c.a), round_to<S>(c.b), swept_options<S>(c)));
 }
 
@@ -187,6 +193,8 @@ std::span<const QueryMethod> query_methods() {
 }
 
 std::string unsupported_query(const Case& problem) {
+  const bool along_the_path = problem.query == Query::line || problem.query == Query::swept_overlap;
+  if (!along_the_path) return {};
   for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
     if (spin->rotation != Vec3<double>::Zero()) return "a rotating motion";
   }

@@ -25,16 +25,25 @@ struct QueryAnswer {
   Counters counters;
 };
 
+struct QueryAsk {
+  // A request alone is asked without a tolerance.
+  QueryAsk(Request wanted, double within = 0) : request(wanted), tolerance(within) {}
+
+  Request request;
+  double tolerance;  // over scale; 0: the method's rounding bound
+};
+
 struct QueryMethod {
   corpus::Query query;
   std::string name;    // "gjk", "mpr", "epa", ..., "exact"
   std::string scalar;  // "float", "double"
   std::string tier;    // "standard", "exact"
-  // An overlap and a swept overlap have nothing to ask for: their axis comes with the verdict.
-  QueryAnswer (*ask)(const corpus::Case&, Request);
+  // An overlap and a swept overlap have nothing to ask for: their axis comes with the verdict. They have no
+  // tolerance, either, and tier exact needs none.
+  QueryAnswer (*ask)(const corpus::Case&, const QueryAsk&);
 
-  [[nodiscard]] QueryAnswer answer(const corpus::Case& problem) const {
-    return ask(problem, Request::normal | Request::witnesses);
+  [[nodiscard]] QueryAnswer answer(const corpus::Case& problem, double tolerance = 0) const {
+    return ask(problem, {Request::normal | Request::witnesses, tolerance});
   }
   [[nodiscard]] std::string full_name() const { return name + "/" + scalar; }
   [[nodiscard]] bool is_exact() const { return tier == "exact"; }
@@ -43,7 +52,8 @@ struct QueryMethod {
 // The first of a query, in double, is its default.
 [[nodiscard]] std::span<const QueryMethod> query_methods();
 
-// What in a case no method here answers ("a rotating motion", ...); empty when all of its query do.
+// What in a case no method here answers ("a rotating motion" along whose path is asked); empty when all of
+// its query do. What is asked of t = 0 sees no turn.
 [[nodiscard]] std::string unsupported_query(const corpus::Case& problem);
 
 }  // namespace graze::engine

@@ -20,6 +20,9 @@ std::string json_number(double x) {
   return text;
 }
 
+// Of a time, which may be infinite of either sign.
+std::string json_time(double t) { return std::isinf(t) ? corpus::json_number(t) : json_number(t); }
+
 std::string json_vector(const Vec3<double>& v) {
   return fmt::format("[{}, {}, {}]", json_number(v.x()), json_number(v.y()), json_number(v.z()));
 }
@@ -31,6 +34,28 @@ bool has_times(const Answer& answer) {
   return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
 }
 
+// Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
+template <class Answer>
+std::string reason_of(const Answer& answer) {
+  if (answer.outcome == Outcome::invalid_input) return invalid_text(answer.invalid);
+  if constexpr (requires { answer.passed_over; }) {
+    if (answer.passed_over) return "the motion leaves or slides from its start in contact";
+  }
+  return {};
+}
+
+std::string json_text(const std::string& text) { return text.empty() ? "null" : corpus::json_quote(text); }
+
+// Who answered, in JSON without braces.
+template <class AnyMethod>
+std::string method_fields(const AnyMethod& method) {
+  return fmt::format(R"("method": "{}", "scalar": "{}", "tier": "{}")", method.name, method.scalar,
+                     method.tier);
+}
+std::string work_fields(const Counters& counters) {
+  return fmt::format(R"("iterations": {}, "supports": {})", counters.iterations, counters.supports);
+}
+
 // What the answers of linear and rotating casts have in common, in JSON without braces.
 template <class Answer>
 std::string cast_fields(const corpus::Case& problem, const Answer& answer) {
@@ -39,24 +64,22 @@ std::string cast_fields(const corpus::Case& problem, const Answer& answer) {
                               ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
                                             json_number(answer.toi_upper))
                               : "null";
-  return fmt::format(R"("id": {}, "outcome": "{}", "toi": {}, "normal": {}, "point_a": {}, "point_b": {})",
-                     corpus::json_quote(problem.id), corpus::name_of(answer.outcome), toi,
-                     hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
-                     hit ? json_vector(answer.point_b) : "null");
+  return fmt::format(
+      R"("id": {}, "outcome": "{}", "because": {}, "toi": {}, "normal": {}, "point_a": {}, "point_b": {})",
+      corpus::json_quote(problem.id), corpus::name_of(answer.outcome), json_text(reason_of(answer)), toi,
+      hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
+      hit ? json_vector(answer.point_b) : "null");
 }
 
 std::string line(const char* name, const std::string& value) {
-  return fmt::format("  {:<10}{}\n", name, value);
+  return fmt::format("  {:<9} {}\n", name, value);
 }
 
 // The same as lines of text.
 template <class Answer>
 std::string cast_lines(const Answer& answer) {
   std::string text = line("outcome", std::string(corpus::name_of(answer.outcome)));
-  if (answer.outcome == Outcome::invalid_input) text += line("because", invalid_text(answer.invalid));
-  if (answer.passed_over) {
-    text += line("because", "the motion leaves or slides from its start in contact");
-  }
+  if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
   if (has_times(answer)) text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
   if (answer.outcome == Outcome::hit) {
     text += line("normal", vector_text(answer.normal));
@@ -100,7 +123,7 @@ std::string invalid_text(Invalid invalid) {
     case Invalid::bad_target:
       return "a target distance below zero or out of range";
     case Invalid::bad_tolerance:
-      return "a tolerance below zero, or a budget below one";
+      return "a tolerance below zero or beyond the scalar's range, or a budget below one";
     case Invalid::not_exact:
       return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
              "which tier exact does not know";
@@ -120,8 +143,8 @@ std::string answer_block(const corpus::Case& problem, const engine::EngineMethod
 
 std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
                         const engine::Answer& answer) {
-  return fmt::format(R"({{{}, "method": "{}", "tier": "{}", "iterations": {}}})",
-                     cast_fields(problem, answer), method.name, method.tier, answer.counters.iterations);
+  return fmt::format("{{{}, {}, {}}}", cast_fields(problem, answer), method_fields(method),
+                     work_fields(answer.counters));
 }
 
 namespace {
@@ -140,8 +163,11 @@ struct NamedVector {
   const char* name;
   const std::optional<Vec3<double>>& value;
 };
-std::array<NamedVector, 3> vectors(const engine::QueryAnswer& answer) {
-  return {NamedVector{"normal", answer.normal}, {"point_a", answer.point_a}, {"point_b", answer.point_b}};
+std::array<NamedVector, 4> vectors(const engine::QueryAnswer& answer) {
+  return {NamedVector{"normal", answer.normal},
+          {"normal_out", answer.normal_out},
+          {"point_a", answer.point_a},
+          {"point_b", answer.point_b}};
 }
 
 }  // namespace
@@ -152,7 +178,7 @@ std::string answer_block(const corpus::Case& problem, const engine::QueryMethod&
   text += line("query", std::string(corpus::name_of(problem.query)));
   text += method_line(method);
   text += line("outcome", std::string(corpus::name_of(answer.outcome)));
-  if (answer.outcome == Outcome::invalid_input) text += line("because", invalid_text(answer.invalid));
+  if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
   for (const auto& [name, value] : intervals(answer)) {
     if (value) text += line(name, fmt::format("[{}, {}]", value->lower, value->upper));
   }
@@ -166,19 +192,19 @@ std::string answer_block(const corpus::Case& problem, const engine::QueryMethod&
 
 std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
                         const engine::QueryAnswer& answer) {
-  std::string text =
-      fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}")", corpus::json_quote(problem.id),
-                  corpus::name_of(problem.query), corpus::name_of(answer.outcome));
+  std::string text = fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}", "because": {})",
+                                 corpus::json_quote(problem.id), corpus::name_of(problem.query),
+                                 corpus::name_of(answer.outcome), json_text(reason_of(answer)));
   for (const auto& [name, value] : intervals(answer)) {
     if (!value) continue;
-    text += fmt::format(R"(, "{}": {{"lower": {}, "upper": {}}})", name, json_number(value->lower),
-                        json_number(value->upper));
+    text += fmt::format(R"(, "{}": {{"lower": {}, "upper": {}}})", name, json_time(value->lower),
+                        json_time(value->upper));
   }
+  text += fmt::format(R"(, "stalled": {})", answer.stalled);
   for (const auto& [name, value] : vectors(answer)) {
     text += fmt::format(R"(, "{}": {})", name, value ? json_vector(*value) : "null");
   }
-  return text + fmt::format(R"(, "method": "{}", "tier": "{}", "iterations": {}}})", method.name, method.tier,
-                            answer.counters.iterations);
+  return text + fmt::format(", {}, {}}}", method_fields(method), work_fields(answer.counters));
 }
 
 namespace {
@@ -226,9 +252,9 @@ std::string answer_block(const corpus::Case& problem, const engine::RotatingEngi
 
 std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
                         const engine::RotatingAnswer& answer) {
-  return fmt::format(R"({{{}, {}, "hidden_motion": {}, "method": "{}", "tier": "{}", "iterations": {}}})",
-                     cast_fields(problem, answer), plan_fields(answer.plan),
-                     json_number(answer.hidden_motion), method.name, method.tier, answer.counters.iterations);
+  return fmt::format(R"({{{}, {}, "hidden_motion": {}, {}, {}, "poses": {}}})", cast_fields(problem, answer),
+                     plan_fields(answer.plan), json_number(answer.hidden_motion), method_fields(method),
+                     work_fields(answer.counters), answer.counters.poses);
 }
 
 std::string plan_block(const corpus::Case& problem, const Plan& plan) {

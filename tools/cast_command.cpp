@@ -1,6 +1,7 @@
 // graze cast: the answer of a method to each case of the files.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -17,6 +18,7 @@ namespace {
 struct Settings {
   std::vector<std::string> files;
   std::string method, scalar = "double", tier = "standard", proofs;
+  double tolerance = 0;
   bool json = false, plan = false;
 };
 
@@ -33,6 +35,11 @@ void check(const Settings& settings) {
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
         fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
+  }
+  if (!(settings.tolerance >= 0 && std::isfinite(settings.tolerance))) {
+    throw std::runtime_error(
+        fmt::format("--tolerance: {} is no tolerance; it is a length over the scale of the bodies, 0 or more",
+                    settings.tolerance));
   }
   if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
     throw std::runtime_error(
@@ -89,6 +96,7 @@ class Run {
     const Request request =
         Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
     ask_.request = request;
+    ask_.tolerance = given.tolerance;
   }
 
   int operator()() {
@@ -135,7 +143,7 @@ class Run {
     const bool turns = engine::turns(problem);
     if (!turns && !linear_.empty()) {
       for (const engine::EngineMethod* method : linear_)
-        cast_by(*method, engine::Ask{.request = ask_.request}, file, problem);
+        cast_by(*method, engine::Ask{.request = ask_.request, .tolerance = ask_.tolerance}, file, problem);
     } else if (!rotating_.empty()) {
       for (const engine::RotatingEngineMethod* method : rotating_) cast_by(*method, ask_, file, problem);
     } else if (turns) {
@@ -195,7 +203,7 @@ class Run {
         continue;
       }
       answered = true;
-      const engine::QueryAnswer answer = method->answer(problem);
+      const engine::QueryAnswer answer = method->answer(problem, settings_.tolerance);
       if (!is_left_out(answer.invalid)) show(file, problem, *method, answer);
     }
     if (answered) return;
@@ -241,8 +249,15 @@ void add_cast_command(CLI::App& app, int& exit_code) {
           "standard (the default); certified: a proved bracket; or exact: polytopes, to the last bit. "
           "The same as --method certified, --method exact")
       ->type_name("NAME");
+  command
+      ->add_option(
+          "--tolerance", settings->tolerance,
+          "The search may stop once the bracket is as narrow, a length over the scale of the bodies; "
+          "0 (the default): where rounding ends it. Tier exact and whether bodies overlap need none")
+      ->type_name("X");
   command->add_flag("--json", settings->json,
-                    "One JSON object a line, whose numbers read back to the same bits");
+                    "One JSON object a line, which says all that the text says; numbers read back to the "
+                    "same bits");
   command->add_flag("--plan", settings->plan,
                     "Only say what must be simulated, nothing, static, linear or rotating, and why");
   command
@@ -279,8 +294,9 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "  graze cast pair.json\n"
       "  graze cast --plan --json cases.jsonl\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
-      "Exit code: 0, or 2 if a file or a case could not be read or answered; the others are answered all the "
-      "same.");
+      "Exit code: 0, or 2 if a file or a case could not be read or answered, or an output not be written; "
+      "the "
+      "other\ncases are answered all the same.");
   command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
 }
 

@@ -78,8 +78,9 @@ TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same
       const Json json = Json::parse(line);
       std::set<std::string> keys;
       for (const auto& [key, value] : json.items()) keys.insert(key);
-      EXPECT_EQ(keys, (std::set<std::string>{"id", "outcome", "toi", "normal", "point_a", "point_b", "method",
-                                             "tier", "iterations"}));
+      EXPECT_EQ(keys,
+                (std::set<std::string>{"id", "outcome", "because", "toi", "normal", "point_a", "point_b",
+                                       "method", "scalar", "tier", "iterations", "supports"}));
       EXPECT_EQ(json["id"], "test/hit");
       EXPECT_EQ(json["outcome"], "hit");
       const engine::EngineMethod* method =
