@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <map>
 #include <span>
 
 #include "corpus/case_json.hpp"
@@ -12,31 +11,25 @@
 namespace graze::corpus {
 namespace {
 
-void read_one(std::string_view text, const std::string& name, int line, ReadResult& result) {
+void read_one(std::string_view text, const std::string& name, int line, Ids& ids, ReadResult& result) {
   const ParsedJson parsed = parse_json(text);
   if (parsed.error) {
     result.errors.push_back({name, line, parsed.error->path, parsed.error->what});
     return;
   }
   try {
-    result.cases.push_back(case_from_json(parsed.value, ""));
+    Case problem = case_from_json(parsed.value, "");
+    const std::string place = line > 0 ? name + ":" + std::to_string(line) : name;
+    if (const std::string first = ids.taken(problem.id, place); !first.empty()) {
+      result.errors.push_back(
+          {name, line, "id",
+           json_quote(problem.id) + " was already read from " + first + "; every case has its own id"});
+      return;
+    }
+    result.cases.push_back(std::move(problem));
   } catch (const Malformed& error) {
     result.errors.push_back({name, line, error.path, error.what});
   }
-}
-
-// An id names one case. Reports the second of two, and drops it.
-void drop_repeated_ids(std::vector<Case>& cases, std::map<std::string, std::string>& seen,
-                       const std::string& file, std::vector<ReadError>& errors) {
-  std::erase_if(cases, [&](const Case& problem) {
-    const auto [first, inserted] = seen.emplace(problem.id, file);
-    if (!inserted) {
-      errors.push_back({file, 0, "id",
-                        json_quote(problem.id) + " was already read from " + first->second +
-                            "; every case has its own id"});
-    }
-    return !inserted;
-  });
 }
 
 // The fields of a case in the order of the schema; `starts_line` in the pretty form.
@@ -170,14 +163,17 @@ std::string ReadError::text() const {
   return text + what;
 }
 
-ReadResult read_text(std::string_view text, const std::string& name, bool jsonl) {
+std::string Ids::taken(const std::string& id, const std::string& place) {
+  const auto [first, inserted] = places_.emplace(id, place);
+  return inserted ? "" : first->second;
+}
+
+ReadResult read_text(std::string_view text, const std::string& name, bool jsonl, Ids& ids) {
   ReadResult result;
   if (jsonl) {
-    for (const TextLine& line : split_lines(text)) read_one(line.text, name, line.number, result);
-    std::map<std::string, std::string> seen;
-    drop_repeated_ids(result.cases, seen, name, result.errors);
+    for (const TextLine& line : split_lines(text)) read_one(line.text, name, line.number, ids, result);
   } else if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) {
-    read_one(text, name, 0, result);
+    read_one(text, name, 0, ids, result);
   }
   if (result.cases.empty() && result.errors.empty()) {
     result.errors.push_back({name, 0, "", "holds no case; one JSON object, or one a line in a .jsonl file"});
@@ -185,13 +181,28 @@ ReadResult read_text(std::string_view text, const std::string& name, bool jsonl)
   return result;
 }
 
-ReadResult read_file(const std::filesystem::path& path) {
+ReadResult read_file(const std::filesystem::path& path, Ids& ids) {
   FileText file = read_whole_file(path.string());
   if (!file.error.empty()) return {{}, {{path.string(), 0, "", std::move(file.error)}}};
-  return read_text(file.text, path.string(), path.extension() == ".jsonl");
+  return read_text(file.text, path.string(), path.extension() == ".jsonl", ids);
+}
+
+ReadResult read_text(std::string_view text, const std::string& name, bool jsonl) {
+  Ids ids;
+  return read_text(text, name, jsonl, ids);
+}
+
+ReadResult read_file(const std::filesystem::path& path) {
+  Ids ids;
+  return read_file(path, ids);
 }
 
 ReadResult read_directory(const std::filesystem::path& directory) {
+  Ids ids;
+  return read_directory(directory, ids);
+}
+
+ReadResult read_directory(const std::filesystem::path& directory, Ids& ids) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (std::filesystem::recursive_directory_iterator it(directory, error), end; !error && it != end;
@@ -202,10 +213,8 @@ ReadResult read_directory(const std::filesystem::path& directory) {
   ReadResult all;
   if (error) all.errors.push_back({directory.string(), 0, "", "cannot be read: " + error.message()});
   std::sort(files.begin(), files.end());
-  std::map<std::string, std::string> seen;
   for (const auto& path : files) {
-    ReadResult one = read_file(path);
-    drop_repeated_ids(one.cases, seen, path.string(), one.errors);
+    ReadResult one = read_file(path, ids);
     std::move(one.cases.begin(), one.cases.end(), std::back_inserter(all.cases));
     std::move(one.errors.begin(), one.errors.end(), std::back_inserter(all.errors));
   }

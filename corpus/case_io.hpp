@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string_view>
 
 #include "corpus/case.hpp"
@@ -28,11 +29,27 @@ struct ReadResult {
   [[nodiscard]] bool ok() const { return errors.empty(); }
 };
 
-// A file holds one object, or one a line if its name ends in .jsonl. No case at all is an error.
+// The ids that were read so far. An id names one case in everything that is read together.
+class Ids {
+ public:
+  // The place that has this id already, "x.jsonl:3" or "x.json"; empty if none has, and then `place` has it.
+  [[nodiscard]] std::string taken(const std::string& id, const std::string& place);
+
+ private:
+  std::map<std::string, std::string> places_;
+};
+
+// A file holds one object, or one a line if its name ends in .jsonl. No case at all is an error, and so is an
+// id that was already read: the first case keeps it, and the other is left out. Files that are read together
+// share their `ids`.
+[[nodiscard]] ReadResult read_file(const std::filesystem::path& path, Ids& ids);
+[[nodiscard]] ReadResult read_text(std::string_view text, const std::string& name, bool jsonl, Ids& ids);
+// Every .json and .jsonl file under a directory, in the order of their paths. A directory without a case is
+// an error.
+[[nodiscard]] ReadResult read_directory(const std::filesystem::path& directory, Ids& ids);
+// By themselves.
 [[nodiscard]] ReadResult read_file(const std::filesystem::path& path);
 [[nodiscard]] ReadResult read_text(std::string_view text, const std::string& name, bool jsonl);
-// Every .json and .jsonl file under a directory, in the order of their paths. An id that appears twice, and a
-// directory without a case, are errors.
 [[nodiscard]] ReadResult read_directory(const std::filesystem::path& directory);
 
 // One line, without the newline at its end.

@@ -20,9 +20,10 @@ namespace {
 using Files = std::vector<std::string>;
 
 int rewrite(const Files& files, bool fill) {
+  corpus::Ids ids;
   bool bad = false;
   for (const std::string& name : files) {
-    std::optional<std::vector<corpus::Case>> cases = read_sound(name);
+    std::optional<std::vector<corpus::Case>> cases = read_sound(name, ids);
     bad = bad || !cases;
     if (!cases) continue;
     try {
@@ -40,11 +41,12 @@ int rewrite(const Files& files, bool fill) {
 }
 
 int validate(const Files& files) {
+  corpus::Ids ids;
   std::size_t count = 0;
   bool bad = false;
   for (const std::string& name : files) {
-    const corpus::ReadResult result =
-        std::filesystem::is_directory(name) ? corpus::read_directory(name) : corpus::read_file(name);
+    const corpus::ReadResult result = std::filesystem::is_directory(name) ? corpus::read_directory(name, ids)
+                                                                          : corpus::read_file(name, ids);
     for (const corpus::ReadError& error : result.errors) complain(error.text());
     bad = bad || !result.ok();
     count += result.cases.size();

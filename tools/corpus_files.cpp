@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "corpus/case_io.hpp"
 #include "corpus/location.hpp"
 #include "oracles/derive.hpp"
 #include "tools/inputs.hpp"
@@ -15,7 +14,12 @@
 namespace graze::tool {
 
 std::optional<std::vector<corpus::Case>> read_sound(const std::string& name) {
-  corpus::ReadResult result = corpus::read_file(name);
+  corpus::Ids ids;
+  return read_sound(name, ids);
+}
+
+std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, corpus::Ids& ids) {
+  corpus::ReadResult result = corpus::read_file(name, ids);
   for (const corpus::ReadError& error : result.errors) complain(error.text());
   if (!result.ok()) return std::nullopt;
   return std::move(result.cases);

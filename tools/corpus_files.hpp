@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case.hpp"
+#include "corpus/case_io.hpp"
 
 namespace graze::tool {
 
-// The cases of a file, or nothing if there is an error in it, which is complained about.
+// The cases of a file, or nothing if there is an error in it, which is complained about. An id that is taken
+// already is one.
+[[nodiscard]] std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, corpus::Ids& ids);
 [[nodiscard]] std::optional<std::vector<corpus::Case>> read_sound(const std::string& name);
 
 // Writes the canonical form beside the file first, then in its place: an interrupted run loses nothing.

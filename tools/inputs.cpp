@@ -29,13 +29,14 @@ std::string read_stdin() {
 
 CaseFiles read_case_files(const std::vector<std::string>& names) {
   CaseFiles files;
+  corpus::Ids ids;
   for (const std::string& name : names) {
     corpus::ReadResult result;
     if (name == "-") {
       const std::string text = read_stdin();
-      result = corpus::read_text(text, "standard input", looks_like_lines(text));
+      result = corpus::read_text(text, "standard input", looks_like_lines(text), ids);
     } else {
-      result = corpus::read_file(name);
+      result = corpus::read_file(name, ids);
     }
     for (const corpus::ReadError& error : result.errors) complain(error.text());
     files.bad = files.bad || !result.ok();

@@ -26,7 +26,8 @@ struct CaseFiles {
   bool bad = false;  // something was complained about
 };
 
-// "-" is standard input, which may hold one object or one a line.
+// "-" is standard input, which may hold one object or one a line. An id is read once: a case that has it
+// again, in the same file or in another, is complained about and left out.
 [[nodiscard]] CaseFiles read_case_files(const std::vector<std::string>& names);
 
 // The whole of standard input.
