@@ -15,6 +15,7 @@
 #include "tools/certification.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/intake.hpp"
 #include "tools/law_command.hpp"
 #include "tools/query_certification.hpp"
 #include "tools/rotating_certification.hpp"
@@ -58,37 +59,26 @@ std::vector<engine::Guarantee> guarantee_rows(const Arguments& arguments) {
   }
 }
 
-// The suites to judge: linear casts, and those in which a body turns. A question about overlap or distance is
-// judged as the cast of the same bodies, which is the harder question; any other is complained about, or only
-// counted in our own corpus.
-struct Intake {
-  std::vector<Suite> linear, rotating;
-  std::size_t recast = 0, skipped = 0;
+std::filesystem::path curated_directory(const Arguments& arguments) {
+  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
+                                  : std::filesystem::path(arguments.corpus);
+}
+std::filesystem::path known_failures() { return corpus::corpus_directory() / "known_failures.jsonl"; }
 
-  void take(const std::string& name, const std::string& file, const std::vector<corpus::Case>& cases,
-            bool ours) {
-    Suite straight{.family = name}, turning{.family = name};
-    for (corpus::Case problem : cases) {
-      const bool turns = engine::turns(problem);
-      if (!turns && (problem.query == corpus::Query::overlap || problem.query == corpus::Query::distance)) {
-        problem.query = corpus::Query::cast;
-        ++recast;
-      }
-      const std::string why = turns ? engine::unsupported_rotating(problem) : engine::unsupported(problem);
-      if (why.empty()) {
-        (turns ? turning : straight).cases.push_back(std::move(problem));
-        continue;
-      }
-      ++skipped;
-      if (!ours) {
-        complain(fmt::format("{}: case {}: has {}, which this version does not judge; give a cast", file,
-                             problem.id, why));
-      }
-    }
-    if (straight.size() > 0) linear.push_back(std::move(straight));
-    if (turning.size() > 0) rotating.push_back(std::move(turning));
+// Casts that the command line names no method for. Those of files are said to be left out.
+void leave_out(std::vector<Suite>& suites, Intake& intake, const CaseFiles& files) {
+  for (const Suite& suite : suites) {
+    const bool is_given = std::any_of(files.files.begin(), files.files.end(),
+                                      [&](const CaseFile& file) { return file.name == suite.family; });
+    if (!is_given) continue;
+    intake.left_out += suite.size();
+    intake.why.push_back(fmt::format(
+        "{}: {} casts are not judged, in which {} body turns: the command line leaves no method for "
+        "them",
+        suite.family, suite.size(), engine::turns(suite.at(0)) ? "a" : "no"));
   }
-};
+  suites.clear();
+}
 
 Suite generated_suite(const corpus::Family& family, const Arguments& arguments, std::size_t count) {
   Suite suite = drawn_suite(family, family.levels, count, arguments.seed);
@@ -106,7 +96,7 @@ std::vector<Truth*> studied_hits(const std::vector<std::unique_ptr<Truth>>& hits
 // What is known to be wrong and not mended yet: judged and shown in every run, and held against no row. A
 // case leaves this file for corpus/cases when its mechanism is mended.
 void print_known_failures(const Settings& settings) {
-  const std::filesystem::path file = corpus::corpus_directory() / "known_failures.jsonl";
+  const std::filesystem::path file = known_failures();
   if (!std::filesystem::exists(file)) return;
   const corpus::ReadResult known = corpus::read_file(file.string());
   for (const corpus::ReadError& error : known.errors) complain(error.text());
@@ -119,16 +109,12 @@ void print_known_failures(const Settings& settings) {
 }
 
 void print_tables(const Certification& certification, const Settings& settings,
-                  const std::vector<ToleranceRow>& study, const QueryCertification& queries,
-                  const Intake& intake) {
+                  const std::vector<ToleranceRow>& study) {
   std::size_t judged = 0;
   for (const Tally& tally : certification.tallies) judged += tally.cases;
   fmt::print(
       "Certification: {} casts judged, by proof first; {} cases answered by the exact oracle as well.\n",
       judged, certification.oracle_cases);
-  if (intake.recast > 0)
-    fmt::print("{} questions about overlap or distance are judged as casts.\n", intake.recast);
-  if (intake.skipped > 0) fmt::print("{} cases are no casts, and were left out.\n", intake.skipped);
   fmt::print("\n{}\n", tally_table(certification.tallies));
   fmt::print(
       "wrong, late, off, contact off: by more than kappa u scale of the method's row, in the case as the "
@@ -157,12 +143,16 @@ void print_tables(const Certification& certification, const Settings& settings,
         study.front().cases, tolerance_table(study));
   }
   fmt::print("Guarantees\n\n{}\n", guarantee_table(certification, settings));
-  if (!queries.tallies.empty()) {
-    fmt::print(
-        "Queries beside the cast, on the same bodies where the exact oracles know them, and their "
-        "rows\n\n{}\n",
-        query_table(queries, settings.guarantees));
+}
+
+// What was given beside casts, and what of all that nothing judges.
+void print_intake(const Intake& intake) {
+  if (!intake.asked.empty()) {
+    fmt::print("{} questions beside the cast are judged as they are asked.\n", intake.asked.size());
   }
+  if (intake.recast > 0) fmt::print("{} of contact are judged as casts, too.\n", intake.recast);
+  if (intake.left_out > 0) fmt::print("{} cases are not judged.\n", intake.left_out);
+  if (intake.asked.size() + intake.recast + intake.left_out > 0) fmt::print("\n");
 }
 
 void print_rotating(const RotatingCertification& certification, const RotatingSettings& settings) {
@@ -239,16 +229,14 @@ int run(const Arguments& arguments) {
   Intake intake;
   bool bad = false;
   if (arguments.files.empty() && arguments.families.empty()) {
-    const corpus::ReadResult curated =
-        corpus::read_directory(arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
-                                                        : std::filesystem::path(arguments.corpus));
+    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
     for (const corpus::ReadError& error : curated.errors) complain(error.text());
     bad = !curated.ok();
-    intake.take("curated", "", curated.cases, true);
+    intake.take("curated", curated.cases, true);
   }
   const CaseFiles files = read_case_files(arguments.files);
-  for (const CaseFile& file : files.files) intake.take(file.name, file.name, file.cases, false);
-  bad = bad || files.bad || (!arguments.files.empty() && intake.skipped > 0);
+  for (const CaseFile& file : files.files) intake.take(file.name, file.cases, false);
+  bad = bad || files.bad;
   for (const corpus::Family* family : families) {
     const std::size_t count = family->rotating ? rotating_count : linear_count;
     if (count > 0) {
@@ -256,15 +244,18 @@ int run(const Arguments& arguments) {
           .push_back(generated_suite(*family, arguments, count));
     }
   }
-  if (rotating_count == 0 || selected.rotating.empty()) intake.rotating.clear();
-  if (selected.linear.empty()) intake.linear.clear();
-  if (intake.linear.empty() && intake.rotating.empty()) {
+  if (rotating_count == 0 || selected.rotating.empty()) leave_out(intake.rotating, intake, files);
+  if (selected.linear.empty()) leave_out(intake.linear, intake, files);
+  if (intake.empty()) {
     if (!bad) {
-      complain("there is no case to judge; give a file with one, or a count above 0, and a method for it");
+      complain(fmt::format(
+          "{}there is no case to judge; give a file with one, or a count above 0, and a method for it",
+          intake.why.empty() ? "" : fmt::format("{}; ", fmt::join(intake.why, "; "))));
     }
     return 2;
   }
 
+  for (const std::string& line : intake.why) complain(line);
   const Certification certification = certify(intake.linear, settings);
   // Float cannot follow a tolerance below its own u, and the proved tiers know none: the study is of double.
   std::vector<const engine::EngineMethod*> studied = settings.methods;
@@ -275,12 +266,21 @@ int run(const Arguments& arguments) {
     study = study_tolerances(studied, studied_hits(certification.hits), settings.threads);
   }
   QueryCertification queries;
-  if (arguments.queries > 0) {
-    queries = certify_queries(intake.linear, arguments.queries, settings.guarantees, settings.threads);
+  if (!intake.asked.empty() || arguments.queries > 0) {
+    queries = certify_queries(
+        intake.asked, intake.linear,
+        {.count = arguments.queries, .guarantees = settings.guarantees, .threads = settings.threads});
   }
   const RotatingCertification rotating = certify_rotating(intake.rotating, turning);
   if (arguments.files.empty() && arguments.families.empty()) print_known_failures(settings);
-  if (!intake.linear.empty()) print_tables(certification, settings, study, queries, intake);
+  print_intake(intake);
+  if (!intake.linear.empty()) print_tables(certification, settings, study);
+  if (!queries.tallies.empty()) {
+    fmt::print(
+        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact oracles "
+        "know them; and their rows\n\n{}\n",
+        query_table(queries, settings.guarantees));
+  }
   if (!intake.rotating.empty()) print_rotating(rotating, turning);
   bool kept = true;
   for (const std::vector<std::string>& breaches :
@@ -292,10 +292,11 @@ int run(const Arguments& arguments) {
                           : "A method breaks its row of the guarantee table.");
   if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(study, arguments.plot));
   if (save) {
-    for (const std::vector<corpus::Case>& convicted :
-         {certification.convicted, queries.convicted, rotating.convicted}) {
-      for (const corpus::Case& problem : convicted) save->write_line(corpus::write_case(problem));
+    std::vector<corpus::Case> found = certification.convicted;
+    for (const std::vector<corpus::Case>& more : {queries.convicted, rotating.convicted}) {
+      found.insert(found.end(), more.begin(), more.end());
     }
+    for (const corpus::Case& problem : with_own_ids(found)) save->write_line(corpus::write_case(problem));
     save->close();
   }
   if (bad) return 2;
@@ -310,10 +311,12 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "certify", "How accurate, fast and safe is each method? Judges it against its guarantee.");
   command
       ->add_option("files", arguments->files,
-                   "Case files to judge instead of what is built in; - is standard input")
+                   "Case files to judge instead of what is built in, casts and other queries; - is standard "
+                   "input")
       ->type_name("FILE");
   command->add_option("--family", arguments->families, "Judge cases of this family (may be repeated)")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   command
       ->add_option(
           "--count", arguments->count,
@@ -329,7 +332,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                    fmt::format("{}; of rotating casts {}; one with its scalar (mpr/float), or all (may be "
                                "repeated)",
                                linear_names(), rotating_names()))
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   command
       ->add_option("--oracle-every", arguments->oracle_every,
                    "Also measure every N-th generated case by the exact oracle (20); of files, all are")
@@ -375,7 +379,9 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "Without files or families: the curated corpus and every generated family. An answer is judged by its "
       "proof\n"
       "first; the exact oracle decides what is refused or unproved, and measures the errors on a sample.\n"
-      "docs/guarantees.md says what each column means.\n\n"
+      "docs/guarantees.md says what each column means. Of files, a query beside the cast is judged as it is "
+      "asked; what\n"
+      "nothing judges (a line of bodies that turn) is said, and leaves the exit code to the others.\n\n"
       "  graze certify\n"
       "  graze certify --family grazing_face --count 20000 --method mpr/float --save hard.jsonl\n"
       "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
@@ -384,7 +390,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "  graze certify --stability --plot curves   how error grows with hardness, and where methods break\n"
       "  graze certify --laws --family grazing_edge --count 500   every law instead, for every method\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table (--laws: every law holds), 1 if one "
-      "does not,\n2 for bad input.");
+      "does not,\n2 for bad input, and if there is nothing to judge.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -189,6 +189,7 @@ void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& n
           kLinearCases, kRotatingCases));
   command.add_option("--law", names, "Of the laws, this one (may be repeated)")
       ->type_name("NAME")
+      ->allow_extra_args(false)
       ->needs(all);
   for (const char* other : {"--stability", "--plot", "--guarantees", "--oracle-every", "--queries"}) {
     all->excludes(command.get_option(other));

@@ -1,7 +1,11 @@
-// Certification of the queries beside the cast: each method on the families' bodies, by the exact oracles.
+// Certification of the queries beside the cast: each method on the families' bodies and on the cases that ask
+// one: by the exact oracles, and of shapes that those do not represent by proved brackets.
 #pragma once
 
+#include <span>
+
 #include "engines/guarantees.hpp"
+#include "engines/queries.hpp"
 #include "tools/certification.hpp"
 
 namespace graze::tool {
@@ -16,14 +20,25 @@ struct QueryTally {
 struct QueryCertification {
   std::vector<QueryTally> tallies;  // by method
   std::vector<std::string> breaches;
-  std::vector<corpus::Case> convicted;  // each case on which a method is at fault, as it was asked
+  std::vector<corpus::Case> convicted;  // as asked, where a method is at fault or stalls: for each method
 };
 
-// The bodies of up to `count` cases of each suite, those that the exact oracles represent, are asked every
-// query: those at rest with B at rest somewhere along its path.
-[[nodiscard]] QueryCertification certify_queries(const std::vector<Suite>& suites, std::size_t count,
-                                                 std::span<const engine::Guarantee> guarantees,
-                                                 unsigned threads);
+// Why the query of a case cannot be judged; empty if it can.
+[[nodiscard]] std::string why_unjudged(const corpus::Case& problem);
+
+struct QuerySettings {
+  std::span<const engine::QueryMethod> methods = engine::query_methods();
+  std::size_t count = 0;  // of the bodies of a suite
+  std::span<const engine::Guarantee> guarantees = {};
+  unsigned threads = 1;  // the result does not depend on them
+};
+
+// The cases `asked` are asked their own query, as they are. The bodies of up to `count` cases of each suite,
+// those that the exact oracles represent, are asked every query: those at rest with B at rest somewhere along
+// its path.
+[[nodiscard]] QueryCertification certify_queries(const std::vector<corpus::Case>& asked,
+                                                 const std::vector<Suite>& suites,
+                                                 const QuerySettings& settings);
 
 [[nodiscard]] std::string query_table(const QueryCertification& certification,
                                       std::span<const engine::Guarantee> guarantees);
