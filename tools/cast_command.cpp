@@ -70,6 +70,7 @@ class Run {
  public:
   explicit Run(const Settings& given) : settings_(given) {
     check(given);
+    will_read(given.files);
     if (given.tier != "standard") settings_.method = given.tier;
     std::set<std::string> names = {"all"};
     const auto take = [&](const auto& all, auto& chosen, const char* by_default) {

@@ -49,6 +49,7 @@ struct Arguments {
 
 std::vector<engine::Guarantee> guarantee_rows(const Arguments& arguments) {
   if (arguments.guarantees.empty()) return {engine::guarantees().begin(), engine::guarantees().end()};
+  will_read({arguments.guarantees});
   std::ifstream file(arguments.guarantees);
   if (!file) throw std::runtime_error(arguments.guarantees + ": cannot be read");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -217,6 +218,10 @@ int run(const Arguments& arguments) {
                                          : std::max(1U, std::thread::hardware_concurrency())};
   const RotatingSettings turning{
       .methods = selected.rotating, .guarantees = rows, .threads = settings.threads};
+  will_read(arguments.files);
+  if (arguments.files.empty() && arguments.families.empty() && !arguments.stability) {
+    will_read({curated_directory(arguments), known_failures().string()});
+  }
   if (arguments.stability) return show_stability(arguments, settings, turning);
   const std::size_t linear_count = arguments.count.value_or(kLinearCases);
   const std::size_t rotating_count = arguments.rotating.value_or(kRotatingCases);

@@ -108,6 +108,8 @@ std::vector<Case> read_target(const std::string& file) {
 }  // namespace
 
 int add_cases(const Addition& addition) {
+  will_read({addition.input});
+  if (!addition.dry_run) require_own_file(addition.known ? known_failures_file() : addition.into);
   CaseFiles given = read_case_files({addition.input});
   if (given.bad) return 2;
   std::vector<Case> findings = std::move(given.files[0].cases);

@@ -19,7 +19,9 @@ namespace {
 
 using Files = std::vector<std::string>;
 
+// The files themselves are rewritten, and nothing else that is read.
 int rewrite(const Files& files, bool fill) {
+  will_read(files);
   corpus::Ids ids;
   bool bad = false;
   for (const std::string& name : files) {
@@ -41,6 +43,7 @@ int rewrite(const Files& files, bool fill) {
 }
 
 int validate(const Files& files) {
+  will_read(files);
   corpus::Ids ids;
   std::size_t count = 0;
   bool bad = false;

@@ -27,6 +27,7 @@ std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, cor
 
 void replace_file(const std::string& name, const std::vector<corpus::Case>& cases) {
   const std::string beside = name + ".new";
+  require_own_file(beside);
   const bool lines = std::filesystem::path(name).extension() == ".jsonl";
   {
     std::ofstream out(beside, std::ios::binary | std::ios::trunc);

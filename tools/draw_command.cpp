@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -119,6 +120,7 @@ int run(const Settings& settings) {
   if (settings.files.empty()) {
     throw std::runtime_error("graze draw: no case is given; name a case file, or - for standard input");
   }
+  will_read(settings.files);
   const CaseFiles inputs = read_case_files(settings.files);
   bool bad = inputs.bad;
   std::vector<std::pair<std::string, const corpus::Case*>> cases;
@@ -131,6 +133,7 @@ int run(const Settings& settings) {
   }
   const bool into_folder = many || std::filesystem::is_directory(settings.out);
   if (into_folder) make_folder(settings.out);
+  std::map<std::string, std::string> drawn;  // the pictures, and the ids that they show
   for (const auto& [file, problem] : cases) {
     if (const std::string why = why_refused(*problem); !why.empty()) {
       complain(fmt::format("{}: case {}: cannot be drawn: {}", file, problem->id, why));
@@ -139,6 +142,12 @@ int run(const Settings& settings) {
     }
     const std::string name =
         into_folder ? (std::filesystem::path(settings.out) / file_name(problem->id)).string() : settings.out;
+    if (const auto [first, is_new] = drawn.emplace(name, problem->id); !is_new) {
+      complain(fmt::format("{}: case {}: {} shows {} already; draw this one by itself", file, problem->id,
+                           name, first->second));
+      bad = true;
+      continue;
+    }
     write_picture(name, draw::draw_svg(*problem, how));
   }
   return bad ? 2 : 0;

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <iostream>
-#include <iterator>
 #include <stdexcept>
 
 namespace graze::tool {
@@ -21,10 +20,16 @@ bool looks_like_lines(const std::string& text) {
 
 }  // namespace
 
-void complain(const std::string& what) { fmt::print(stderr, "graze: {}\n", what); }
+void complain(const std::string& what) { std::fputs(("graze: " + what + "\n").c_str(), stderr); }
 
 std::string read_stdin() {
-  return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  std::string text;
+  std::array<char, 1 << 16> part;
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), stdin)) {
+    text.append(part.data(), size);
+  }
+  if (std::ferror(stdin) != 0) throw std::runtime_error("standard input: cannot be read; give a file");
+  return text;
 }
 
 CaseFiles read_case_files(const std::vector<std::string>& names) {
@@ -43,20 +48,6 @@ CaseFiles read_case_files(const std::vector<std::string>& names) {
     files.files.push_back({name, std::move(result.cases)});
   }
   return files;
-}
-
-OutputFile::OutputFile(std::string name) : name_(std::move(name)), is_stdout_(name_ == "-") {
-  if (is_stdout_) return;
-  file_.open(name_, std::ios::trunc);
-  if (!file_) throw std::runtime_error(name_ + ": cannot be written; name a file in a folder that can");
-}
-
-void OutputFile::write_line(const std::string& line) { (is_stdout_ ? std::cout : file_) << line << '\n'; }
-
-void OutputFile::close() {
-  std::ostream& stream = is_stdout_ ? std::cout : file_;
-  stream.flush();
-  if (!stream) throw std::runtime_error(name_ + ": could not be written to its end");
 }
 
 namespace {

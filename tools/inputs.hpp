@@ -1,8 +1,6 @@
 // The files of a command line: what was wrong in one goes to stderr, a line each, and the others are read.
 #pragma once
 
-#include <fstream>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -10,10 +8,11 @@
 #include "corpus/proof_io.hpp"
 #include "engines/method.hpp"
 #include "engines/rotating.hpp"
+#include "tools/outputs.hpp"
 
 namespace graze::tool {
 
-// `graze: what` on stderr.
+// `graze: what` on stderr. Where nothing can be written there, nothing is said.
 void complain(const std::string& what);
 
 struct CaseFile {
@@ -30,21 +29,8 @@ struct CaseFiles {
 // again, in the same file or in another, is complained about and left out.
 [[nodiscard]] CaseFiles read_case_files(const std::vector<std::string>& names);
 
-// The whole of standard input.
+// The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
 [[nodiscard]] std::string read_stdin();
-
-// A file to write, "-" for standard output. Throws std::runtime_error with one line to show.
-class OutputFile {
- public:
-  explicit OutputFile(std::string name);
-  void write_line(const std::string& line);
-  void close();  // throws if anything could not be written
-
- private:
-  std::string name_;
-  std::ofstream file_;
-  bool is_stdout_ = false;
-};
 
 // The casts that `names` select: "mpr" all scalars of it, "mpr/float" that one, "all" every one; in the order
 // of the engine tables. A name may stand for a linear method and a rotating one. Throws std::runtime_error

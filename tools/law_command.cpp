@@ -111,7 +111,18 @@ void print_idle(const LawCertification& certification, const LawSettings& settin
 
 }  // namespace
 
+namespace {
+
+std::filesystem::path curated_directory(const LawArguments& arguments) {
+  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
+                                  : std::filesystem::path(arguments.corpus);
+}
+
+}  // namespace
+
 int run_laws(const LawArguments& arguments) {
+  const bool takes_curated = arguments.files.empty() && arguments.families.empty();
+  will_read(takes_curated ? std::vector{curated_directory(arguments).string()} : arguments.files);
   LawSettings settings;
   settings.laws = wanted_laws(arguments.laws);
   check_methods(arguments.methods, settings.laws);
@@ -128,10 +139,8 @@ int run_laws(const LawArguments& arguments) {
 
   std::vector<LawSuite> suites;
   bool bad = false;
-  if (arguments.files.empty() && arguments.families.empty()) {
-    const corpus::ReadResult curated =
-        corpus::read_directory(arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
-                                                        : std::filesystem::path(arguments.corpus));
+  if (takes_curated) {
+    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
     for (const corpus::ReadError& error : curated.errors) complain(error.text());
     bad = !curated.ok();
     take(suites, "curated", curated.cases);

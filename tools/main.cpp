@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <system_error>
 
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
@@ -11,48 +12,64 @@
 #include "tools/corpus_command.hpp"
 #endif
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   int exit_code = 0;
-  try {
-    CLI::App app(
-        "graze: certified casts for convex shapes. It casts a moving shape against another, proves its\n"
-        "answers, checks proofs, and certifies how accurate, how fast and how safe each method is.",
-        "graze");
-    app.set_version_flag("--version", "graze " GRAZE_VERSION);
-    app.require_subcommand(1);
-    app.footer(
-        "  graze certify               judges our methods on the hard cases and families that are built in\n"
-        "  graze cast pair.json        answers a case of your own; docs/case-format.md says how to write "
-        "one\n"
-        "  graze COMMAND --help        says more about each command\n\n"
-        "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input, which one line on stderr "
-        "explains.");
-    graze::tool::add_cast_command(app, exit_code);
-    graze::tool::add_check_command(app, exit_code);
-    graze::tool::add_certify_command(app, exit_code);
-    graze::tool::add_campaign_command(app, exit_code);
-    graze::tool::add_merge_command(app, exit_code);
-    graze::tool::add_generate_command(app, exit_code);
-    graze::tool::add_draw_command(app, exit_code);
-    graze::tool::add_laws_command(app, exit_code);
+  CLI::App app(
+      "graze: certified casts for convex shapes. It casts a moving shape against another, proves its\n"
+      "answers, checks proofs, and certifies how accurate, how fast and how safe each method is.",
+      "graze");
+  app.set_version_flag("--version", "graze " GRAZE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "  graze certify               judges our methods on the hard cases and families that are built in\n"
+      "  graze cast pair.json        answers a case of your own; docs/case-format.md says how to write "
+      "one\n"
+      "  graze COMMAND --help        says more about each command\n\n"
+      "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input and for output that cannot "
+      "be\n"
+      "written, which one line on stderr explains. A file that is read is never written over.");
+  graze::tool::add_cast_command(app, exit_code);
+  graze::tool::add_check_command(app, exit_code);
+  graze::tool::add_certify_command(app, exit_code);
+  graze::tool::add_campaign_command(app, exit_code);
+  graze::tool::add_merge_command(app, exit_code);
+  graze::tool::add_generate_command(app, exit_code);
+  graze::tool::add_draw_command(app, exit_code);
+  graze::tool::add_laws_command(app, exit_code);
 #ifdef GRAZE_HAS_CORPUS_COMMAND
-    graze::tool::add_corpus_command(app, exit_code);
+  graze::tool::add_corpus_command(app, exit_code);
 #endif
-    const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
-    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {
-      throw std::runtime_error(std::string(argv[1]) + " is no command; graze --help lists them");
-    }
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::Success& help) {
-      return app.exit(help);
-    } catch (const CLI::ParseError& error) {
-      graze::tool::complain(std::string(error.what()) + "; see graze --help");
-      return 2;
-    }
-  } catch (const std::exception& error) {
-    graze::tool::complain(error.what());
-    return 2;
+  const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {
+    throw std::runtime_error(std::string(argv[1]) + " is no command; graze --help lists them");
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(std::string(error.what()) + "; see graze --help");
   }
   return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  graze::tool::secure_standard_streams();
+  try {
+    const int exit_code = run(argc, argv);
+    graze::tool::close_standard_output();
+    return exit_code;
+  } catch (const std::system_error& error) {
+    // fmt::print does not say which file it could not write.
+    graze::tool::complain(std::ferror(stdout) == 0 ? error.what()
+                                                   : "standard output: could not be written to its end: " +
+                                                         error.code().message());
+  } catch (const std::exception& error) {
+    graze::tool::complain(error.what());
+  }
+  return 2;
 }

@@ -3,6 +3,7 @@
 
 #include "tools/campaign_summary.hpp"
 #include "tools/commands.hpp"
+#include "tools/outputs.hpp"
 
 namespace graze::tool {
 namespace {
@@ -14,6 +15,10 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
+  will_read(arguments.parts);
+  // A state is written beside its place first.
+  const std::string& json = arguments.outputs.json;
+  require_own_files({json, json.empty() ? "" : json + ".new", arguments.outputs.save});
   std::vector<NamedState> parts;
   for (const std::string& name : arguments.parts) parts.push_back({name, read_state(name)});
   return hand_out(merge_states(parts, arguments.partial), arguments.outputs);

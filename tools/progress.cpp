@@ -11,7 +11,7 @@ Progress::Progress(std::string label, std::size_t total)
     : label_(std::move(label)), total_(total), visible_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (visible_) fmt::print(stderr, "\r\033[K");
+  if (visible_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::step() {
@@ -24,7 +24,7 @@ void Progress::step() {
 }
 
 void Progress::show() {
-  fmt::print(stderr, "\r\033[K{}: {} of {}", label_, done_, total_);
+  std::fputs(fmt::format("\r\033[K{}: {} of {}", label_, done_, total_).c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -31,9 +31,13 @@ std::string Folder::read(const std::string& name) const {
 }
 
 CommandRun Folder::graze(const std::string& arguments, const std::string& input) const {
+  return shell("graze " + arguments, input);
+}
+
+CommandRun Folder::shell(const std::string& line, const std::string& input) const {
   write("stdin", input);
-  const std::string command =
-      "cd '" + path_.string() + "' && '" GRAZE_COMMAND "' " + arguments + " <stdin >stdout 2>stderr";
+  const std::string command = "cd '" + path_.string() + "' && graze() { '" GRAZE_COMMAND "' \"$@\"; } && { " +
+                              line + "; } <stdin >stdout 2>stderr";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout"), read("stderr")};
 }

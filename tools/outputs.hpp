@@ -1,0 +1,49 @@
+// What a run writes. Two promises hold for every output of every command: nothing that the run reads is
+// written over, whatever spelling, symlink or hard link names it; and what cannot be written to its end is an
+// error.
+//
+// A command says first what it will read. An output says what it is when it is opened, before anything is
+// emptied.
+#pragma once
+
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace graze::tool {
+
+// The files that this run reads, "-" for standard input; of a folder, its files of cases (.json, .jsonl).
+// From then on none of them is an output. Throws std::runtime_error if standard output goes to one.
+void will_read(const std::vector<std::string>& names);
+
+// Throws std::runtime_error, in one line, if to write this file were to write over what is read, or over an
+// output that is still open. Devices and pipes are neither.
+void require_own_file(const std::string& name);
+// Of each of the outputs of a run, and no two of them are one file. "-" and "" are none.
+void require_own_files(const std::vector<std::string>& names);
+
+// A file to write, "-" for standard output. Throws std::runtime_error with one line to show.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string name);
+  void write_line(const std::string& line);  // throws where it is seen at once that it cannot be written
+  void close();                              // throws if anything could not be written
+
+ private:
+  [[nodiscard]] std::ostream& stream();
+
+  std::string name_;
+  std::ofstream file_;
+  bool is_stdout_ = false;
+  std::shared_ptr<const std::string> open_;  // while it lives the name is that of an open output
+};
+
+// Before anything is opened: a descriptor 0, 1 or 2 that the caller closed is not given to a file, and a pipe
+// that nobody reads is an error to report, not the end of the process.
+void secure_standard_streams();
+
+// At the end of a run: throws std::runtime_error if standard output could not be written to its end.
+void close_standard_output();
+
+}  // namespace graze::tool
