@@ -6,10 +6,23 @@
 
 namespace graze::tool {
 
+namespace {
+
+// Each kind has a word of the seed's own stream.
+std::uint64_t key_of(std::uint64_t seed, PartKind kind) {
+  corpus::Random words(seed);
+  for (int i = 0; i < static_cast<int>(kind); ++i) words.bits();
+  return words.bits();
+}
+
+}  // namespace
+
 CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families,
-                             const engine::EngineMethod& method, std::uint64_t seed,
+                             std::vector<Contender> contenders, std::uint64_t seed,
                              std::uint64_t oracle_every)
-    : method_(&method), key_(corpus::Random(seed).bits()), oracle_every_(oracle_every) {
+    : contenders_(std::move(contenders)),
+      key_(key_of(seed, contenders_.at(0).kind())),
+      oracle_every_(oracle_every) {
   for (const corpus::Family* family : families) {
     const std::size_t first = slots_.size();
     std::string levels;
@@ -32,17 +45,18 @@ CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families,
   first_.push_back(slots_.size());
 }
 
-bool CampaignCases::is_question(const corpus::Case& problem) const {
-  if (!method_->is_exact()) return engine::unsupported(problem).empty();
-  // In double a case is seen as it is.
-  return method_->scalar == "double" ? engine::is_exact_question(problem)
-                                     : engine::is_exact_question(method_->seen(problem));
+std::vector<std::string> CampaignCases::families() const {
+  std::vector<std::string> names;
+  for (const Slot& slot : slots_) {
+    if (names.empty() || names.back() != slot.family->name) names.emplace_back(slot.family->name);
+  }
+  return names;
 }
 
 bool CampaignCases::is_asked(const Slot& slot) const {
   int questions = 0;
   for (std::uint64_t seed = 0; seed < kSample; ++seed) {
-    if (is_question(slot.family->generate(slot.level, seed))) ++questions;
+    if (is_question(contenders_, slot.family->generate(slot.level, seed))) ++questions;
   }
   return questions * kRareQuestion >= kSample;
 }
@@ -58,7 +72,7 @@ DrawnCase CampaignCases::draw(std::uint64_t index) const {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     drawn.seed = random.bits();
     drawn.problem = slot.family->generate(slot.level, drawn.seed);
-    if (is_question(drawn.problem)) return drawn;
+    if (is_question(contenders_, drawn.problem)) return drawn;
   }
   drawn.is_question = false;
   return drawn;

@@ -1,9 +1,9 @@
-// The cases of a campaign: number i is a pure function of the seed, i and the families that are asked.
+// The cases of a part of a campaign: number i is a pure function of the seed, i and the families that are
+// asked.
 //
-// Families in turn, and the levels of each in turn. A method is asked only what is a question for its tier:
-// of tier exact, pairs of polytopes without a target distance; of the others, every case. A level is left out
-// if fewer than 1 in kRareQuestion of a sample of it are questions; elsewhere case i is the first question
-// among the cases that the generator of i draws.
+// Families in turn, and the levels of each in turn. Only what is a question for every contender is drawn. A
+// level is left out if fewer than 1 in kRareQuestion of a sample of it are questions; elsewhere case i is the
+// first question among the cases that the generator of i draws.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "corpus/families.hpp"
-#include "engines/method.hpp"
+#include "tools/campaign_contender.hpp"
 
 namespace graze::tool {
 
@@ -35,20 +35,23 @@ class CampaignCases {
   static constexpr int kRareQuestion = 4;    // asked if 1 in so many is a question
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
-  // oracle_every: one case in so many is sampled; 0 for none.
-  CampaignCases(const std::vector<const corpus::Family*>& families, const engine::EngineMethod& method,
+  // oracle_every: one case in so many is sampled; 0 for none. The contenders are of one kind, each of which
+  // has its own stream of seeds.
+  CampaignCases(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
                 std::uint64_t seed, std::uint64_t oracle_every);
 
   [[nodiscard]] DrawnCase draw(std::uint64_t index) const;
+  [[nodiscard]] const std::vector<Contender>& contenders() const { return contenders_; }
   [[nodiscard]] const std::vector<Slot>& slots() const { return slots_; }
+  // Of those that are asked, in the order of the table.
+  [[nodiscard]] std::vector<std::string> families() const;
   // The levels left out, a family each: "curved", if it is all of them, or "combinators h4 h5".
   [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
-  [[nodiscard]] bool is_question(const corpus::Case& problem) const;
   [[nodiscard]] bool is_asked(const Slot& slot) const;
 
-  const engine::EngineMethod* method_;
+  std::vector<Contender> contenders_;
   std::uint64_t key_, oracle_every_;
   std::vector<Slot> slots_;         // by family, then by level
   std::vector<std::size_t> first_;  // of each family asked, its first slot; and the end

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -25,36 +27,52 @@ constexpr std::uint64_t kCasts = 60'000'000;
 // An exact answer takes the oracle 4 ms, over the families, and a cast and its judgement 50 microseconds: of
 // one in 2048 they are 4 % of the time.
 constexpr std::uint64_t kOracleEvery = 2048;
-// A block takes a tenth of a second, so that a run stops at once and loses little.
-constexpr std::uint64_t kBlock = 4096;
+// A block takes a tenth of a second, so that a run stops at once and loses little. Other answers than linear
+// casts take a hundred times as long.
+constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
+// Of a case of turning bodies the oracle takes 10 ms and more, the casts and the checks of their proofs 1 ms.
+constexpr std::uint64_t kRotatingOracleEvery = 64;
 
 struct Arguments {
-  std::uint64_t casts = kCasts, seed = 1, oracle_every = kOracleEvery, block = kBlock;
-  std::vector<std::string> families;
-  std::string method = "exact", shard = "1/1", state;
+  std::optional<std::uint64_t> casts, rotating, per_family, rotating_per_family, queries;
+  std::optional<std::uint64_t> oracle_every, block;
+  std::uint64_t seed = 1;
+  std::vector<std::string> families, methods;
+  std::string shard = "1/1", state;
   unsigned threads = 0;  // 0: as many as the machine has
   CampaignOutputs outputs;
+
+  [[nodiscard]] bool casts_linear() const {
+    const bool other = rotating || rotating_per_family || queries;
+    return casts || per_family || !other;
+  }
+  [[nodiscard]] bool casts_rotating() const { return rotating || rotating_per_family; }
 };
 
 // Those named, in the order of the table, so that the order of the options says nothing.
-std::vector<const corpus::Family*> chosen_families(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
+std::vector<const corpus::Family*> chosen_families(const std::vector<std::string>& names,
+                                                   std::span<const corpus::Family> all) {
+  std::vector<const corpus::Family*> chosen;
+  for (const corpus::Family& family : all) {
+    if (names.empty() || std::find(names.begin(), names.end(), family.name) != names.end())
+      chosen.push_back(&family);
+  }
+  return chosen;
+}
+
+void check_families(const Arguments& arguments) {
+  for (const std::string& name : arguments.families) {
     const corpus::Family* family = corpus::find_family(name);
     if (family == nullptr) {
       throw std::runtime_error(
           fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
     }
-    if (family->rotating) {
+    if (family->rotating && !arguments.casts_rotating())
+      throw std::runtime_error(fmt::format("--family: bodies of {} turn; they are cast by --rotating", name));
+    if (!family->rotating && !arguments.casts_linear() && !arguments.queries)
       throw std::runtime_error(
-          fmt::format("--family: bodies of {} turn; a campaign casts the linear families", name));
-    }
+          fmt::format("--family: no body of {} turns, and --rotating casts those", name));
   }
-  std::vector<const corpus::Family*> chosen;
-  for (const corpus::Family& family : corpus::families()) {
-    if (names.empty() || std::find(names.begin(), names.end(), family.name) != names.end())
-      chosen.push_back(&family);
-  }
-  return chosen;
 }
 
 Shard parse_shard(const std::string& text) {
@@ -94,7 +112,7 @@ CampaignState initial_state(const Arguments& arguments, const CampaignState& fre
     what = fmt::format("the shard is {}/{} here and {}/{} there", fresh.shard.index, fresh.shard.count,
                        kept.shard.index, kept.shard.count);
   }
-  if (what.empty() && kept.levels != fresh.levels) what = "its levels are not those of this build";
+  if (what.empty() && kept.cells != fresh.cells) what = "its levels are not those of this build";
   if (!what.empty()) {
     throw std::runtime_error(
         fmt::format("--state: {} is of another campaign: {}; name another file", arguments.state, what));
@@ -120,43 +138,54 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
   return 128 + signal;
 }
 
+// What is asked, part by part.
+CampaignPlan plan_of(const Arguments& arguments) {
+  for (const auto& [option, count] : {std::pair("--casts", arguments.casts),
+                                      {"--per-family", arguments.per_family},
+                                      {"--rotating", arguments.rotating},
+                                      {"--rotating-per-family", arguments.rotating_per_family},
+                                      {"--queries", arguments.queries},
+                                      {"--block", arguments.block}}) {
+    if (count) require_count(option, *count);
+  }
+  const auto only_one = [](const char* one, const char* other, bool both) {
+    if (both) throw std::runtime_error(fmt::format("{}: says with {} how many casts; give one", one, other));
+  };
+  only_one("--casts", "--per-family", arguments.casts && arguments.per_family);
+  only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
+  check_families(arguments);
+  CampaignPlan plan(arguments.seed);
+  const auto add = [&](PartKind kind, std::optional<std::uint64_t> each, std::uint64_t count,
+                       std::uint64_t oracle_every) {
+    const auto all = kind == PartKind::rotating ? corpus::rotating_families() : corpus::families();
+    const auto families = chosen_families(arguments.families, all);
+    std::vector<Contender> contenders = chosen_contenders(kind, arguments.methods);
+    oracle_every = arguments.oracle_every.value_or(oracle_every);
+    if (each)
+      plan.add_per_family(families, std::move(contenders), *each, oracle_every);
+    else
+      plan.add(families, std::move(contenders), count, oracle_every);
+  };
+  if (arguments.casts_linear())
+    add(PartKind::casts, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
+  if (arguments.queries) add(PartKind::queries, arguments.queries, 0, 1);
+  if (arguments.casts_rotating())
+    add(PartKind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
+        kRotatingOracleEvery);
+  return plan;
+}
+
 int run(const Arguments& arguments) {
-  require_count("--casts", arguments.casts);
-  require_count("--block", arguments.block);
   const Shard shard = parse_shard(arguments.shard);
-  const engine::EngineMethod* method = engine::find_method(arguments.method);
-  if (method == nullptr) {
-    throw std::runtime_error(fmt::format(
-        "--method: {} is no method for linear casts; it is {}, or one of them with its scalar (mpr/float)",
-        arguments.method, linear_names()));
-  }
-  for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save})
+  for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save,
+                                  &arguments.outputs.save_undecided})
     require_writable(*name);
+  const CampaignPlan plan = plan_of(arguments);
+  const bool slow = arguments.queries || arguments.casts_rotating();
+  const std::uint64_t block = arguments.block.value_or(slow ? kSlowBlock : kBlock);
+  CampaignState state = initial_state(arguments, fresh_state(plan, block, shard));
 
-  const CampaignCases cases(chosen_families(arguments.families), *method, arguments.seed,
-                            arguments.oracle_every);
-  if (cases.slots().empty()) {
-    throw std::runtime_error(
-        fmt::format("--family: hardly a case of these is a question for {}; name another family, or a method "
-                    "of another tier",
-                    method->full_name()));
-  }
-  CampaignSettings settings{.method = method->full_name(),
-                            .families = {},
-                            .casts = arguments.casts,
-                            .seed = arguments.seed,
-                            .oracle_every = arguments.oracle_every,
-                            .block = arguments.block,
-                            .fingerprint = fingerprint(cases, *method)};
-  for (const Slot& slot : cases.slots()) {
-    if (settings.families.empty() || settings.families.back() != slot.family->name)
-      settings.families.emplace_back(slot.family->name);
-  }
-  CampaignState state = initial_state(arguments, fresh_state(std::move(settings), shard, cases));
-
-  const CampaignJob job{.cases = &cases,
-                        .method = method,
-                        .row = engine::find_guarantee(engine::guarantees(), *method),
+  const CampaignJob job{.plan = &plan,
                         .threads = arguments.threads > 0 ? arguments.threads
                                                          : std::max(1U, std::thread::hardware_concurrency()),
                         .state_file = arguments.state,
@@ -183,14 +212,39 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("campaign", "Millions of generated casts, each judged; can be stopped and resumed.");
-  command->add_option("--casts", arguments->casts, "How many (60000000)")
+  command
+      ->add_option("--casts", arguments->casts,
+                   "Linear casts (60000000, unless other questions are asked for)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--per-family", arguments->per_family,
+                   "N of each family, by each method, in place of --casts")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_option("--rotating", arguments->rotating, "Casts of turning bodies")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--rotating-per-family", arguments->rotating_per_family,
+                   "N of each family, by each method, in place of --rotating")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--queries", arguments->queries,
+                   "Ask each other query N times in each linear family, of each method")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
       ->add_option("--family", arguments->families,
-                   "Cast cases of this family (may be repeated); without it, all linear ones")
+                   "Ask about cases of this family (may be repeated); without it, of all")
       ->type_name("NAME");
-  command->add_option("--method", arguments->method, fmt::format("{} (exact)", linear_names()))
+  command
+      ->add_option(
+          "--method,--methods", arguments->methods,
+          fmt::format("Of linear casts {} (exact), of turning bodies {} (plan and certified, both scalars), "
+                      "or of a query (each with a row); standard: every row of that tier; may be repeated",
+                      linear_names(), rotating_names()))
       ->type_name("NAME");
   command->add_option("--seed", arguments->seed, "Another campaign of the same kind (1)")
       ->check(CLI::NonNegativeNumber)
@@ -198,8 +252,9 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--oracle-every", arguments->oracle_every,
-          fmt::format("The exact oracle judges one cast in N besides, chosen at random ({}); 0: none",
-                      kOracleEvery))
+          fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
+                      "of queries, which have no proofs, it judges one in N alone (1); 0: none",
+                      kOracleEvery, kRotatingOracleEvery))
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
@@ -213,11 +268,18 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command->add_option("--shard", arguments->shard, "Only share I of N, from 1; `graze merge` joins them")
       ->type_name("I/N");
   command
-      ->add_option("--block", arguments->block, fmt::format("Casts that are done or not at all ({})", kBlock))
+      ->add_option(
+          "--block", arguments->block,
+          fmt::format("Casts that are done or not at all ({}; other than linear {})", kBlock, kSlowBlock))
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command->add_option("--save", arguments->outputs.save, "Write the cases of failures to this file")
       ->type_name("OUT.jsonl");
+  command
+      ->add_option("--save-undecided", arguments->outputs.save_undecided,
+                   "Write the cases that the oracle left undecided to this file")
+      ->type_name("OUT.jsonl");
+  command->add_flag("--levels", arguments->outputs.levels, "Show every level of hardness");
   command
       ->add_option("--json", arguments->outputs.json, "Write the result to this file; - is standard output")
       ->type_name("OUT");
@@ -226,6 +288,8 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       "The summary does not depend on threads, stops or shards. docs/campaigns.md says more.\n\n"
       "  graze campaign --state campaign.json\n"
       "  graze campaign --casts 100000 --family grazing_face --method mpr/float --save hard.jsonl\n"
+      "  graze campaign --casts 2000000 --queries 2000 --methods standard --state standard.json\n"
+      "  graze campaign --rotating 2000000 --state rotating.json\n"
       "  graze campaign --state part3.json --shard 3/8      on one of eight machines; graze merge "
       "part*.json\n\n"
       "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input; 130 or 143 if stopped by a signal.");

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "tools/inputs.hpp"
@@ -109,9 +110,9 @@ class Run {
 
   void work() {
     try {
-      CampaignTally tally(state_.levels.size());
+      CampaignTally tally(state_.cells.size());
       for (std::uint64_t block = take(); block < end_; block = take()) {
-        tally = CampaignTally(state_.levels.size());
+        tally = CampaignTally(state_.cells.size());
         run_block(job_, state_.settings, block, tally);
         const std::lock_guard lock(mutex_);
         state_.tally.merge(tally);
@@ -168,13 +169,21 @@ class Run {
 void run_block(const CampaignJob& job, const CampaignSettings& settings, std::uint64_t block,
                CampaignTally& tally) {
   const std::uint64_t first = block * settings.block;
-  const std::uint64_t count = std::min(settings.block, settings.casts - first);
+  const std::uint64_t count = std::min(settings.block, settings.casts() - first);
+  std::optional<CaseJudge> judge;
+  CampaignPlan::Place last;
   for (std::uint64_t index = first; index < first + count; ++index) {
-    const DrawnCase drawn = job.cases->draw(index);
+    const CampaignPlan::Place place = job.plan->place(index);
+    if (!judge || place.part != last.part || place.number != last.number)
+      judge.emplace(place.part->cases.draw(place.number));
+    last = place;
+    const DrawnCase& drawn = judge->drawn();
+    const std::size_t cell = place.cell(drawn);
     if (drawn.is_question) {
-      tally.add(index, drawn, campaign_cast(drawn.problem, *job.method, job.row, drawn.sampled));
+      const Contender& contender = place.part->cases.contenders()[place.contender];
+      tally.add(index, cell, contender, drawn, judge->ask(contender));
     } else {
-      tally.add_not_asked(drawn);
+      tally.add_not_asked(cell);
     }
   }
 }

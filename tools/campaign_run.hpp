@@ -5,15 +5,12 @@
 #include <filesystem>
 #include <functional>
 
-#include "engines/guarantees.hpp"
 #include "tools/campaign_state.hpp"
 
 namespace graze::tool {
 
 struct CampaignJob {
-  const CampaignCases* cases = nullptr;
-  const engine::EngineMethod* method = nullptr;
-  const engine::Guarantee* row = nullptr;  // the method's, if it has one
+  const CampaignPlan* plan = nullptr;
   unsigned threads = 1;
   std::filesystem::path state_file = {};  // empty: none is written
   std::chrono::steady_clock::duration save_every = std::chrono::seconds(30);
@@ -21,7 +18,7 @@ struct CampaignJob {
   std::function<bool()> stop = [] { return false; };
 };
 
-// The tally of one block: casts [block size, (block + 1) size) of the campaign.
+// The tally of one block: answers [block size, (block + 1) size) of the campaign.
 void run_block(const CampaignJob& job, const CampaignSettings& settings, std::uint64_t block,
                CampaignTally& tally);
 

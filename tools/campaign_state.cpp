@@ -3,63 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-
-#include "corpus/case_io.hpp"
-#include "corpus/random.hpp"
 
 namespace graze::tool {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "graze.campaign/1";
-// Cases of a level that the fingerprint holds.
-constexpr std::uint64_t kFingerprintCases = 4;
+constexpr const char* kSchema = "graze.campaign/2";
 
 }  // namespace
-
-std::string difference(const CampaignSettings& here, const CampaignSettings& there) {
-  const auto say = [](const char* field, const auto& l, const auto& r) {
-    return fmt::format("{} is {} here and {} there", field, l, r);
-  };
-  if (here.method != there.method) return say("the method", here.method, there.method);
-  if (here.casts != there.casts) return say("the number of casts", here.casts, there.casts);
-  if (here.seed != there.seed) return say("the seed", here.seed, there.seed);
-  if (here.oracle_every != there.oracle_every)
-    return say("oracle-every", here.oracle_every, there.oracle_every);
-  if (here.block != there.block) return say("the block", here.block, there.block);
-  if (here.families != there.families) {
-    const auto list = [](const std::vector<std::string>& names) {
-      return fmt::format("{}", fmt::join(names, ","));
-    };
-    return say("the list of families", list(here.families), list(there.families));
-  }
-  if (here.fingerprint != there.fingerprint)
-    return "they were made by builds whose cases or answers are not the same";
-  return {};
-}
-
-std::string fingerprint(const CampaignCases& cases, const engine::EngineMethod& method) {
-  std::uint64_t sum = 0, number = 0;
-  for (const Slot& slot : cases.slots()) {
-    for (std::uint64_t seed = 0; seed < kFingerprintCases; ++seed) {
-      const corpus::Case problem = slot.family->generate(slot.level, seed);
-      const engine::Answer answer = method.cast(problem, {.request = Request::everything});
-      sum += answer_hash(corpus::fnv1a(corpus::write_case(problem)) + number++, answer);
-    }
-  }
-  return fmt::format("{:016x}", sum);
-}
 
 std::uint64_t CampaignState::casts_done() const {
   const std::uint64_t casts = blocks_done() * settings.block;
   const std::uint64_t last = settings.blocks() - 1,
-                      missing = settings.blocks() * settings.block - settings.casts;
+                      missing = settings.blocks() * settings.block - settings.casts();
   return boost::icl::contains(done, last) ? casts - missing : casts;
 }
 
@@ -67,15 +28,13 @@ bool CampaignState::is_complete() const {
   return boost::icl::is_empty(share()) || boost::icl::contains(done, share());
 }
 
-CampaignState fresh_state(CampaignSettings settings, Shard shard, const CampaignCases& cases) {
-  CampaignState state{.settings = std::move(settings),
-                      .shard = shard,
-                      .levels = {},
-                      .left_out = cases.left_out(),
-                      .done = {},
-                      .tally = CampaignTally(cases.slots().size())};
-  for (const Slot& slot : cases.slots()) state.levels.emplace_back(slot.family->name, slot.level);
-  return state;
+CampaignState fresh_state(const CampaignPlan& plan, std::uint64_t block, Shard shard) {
+  return {.settings = plan.settings(block),
+          .shard = shard,
+          .cells = plan.cells(),
+          .left_out = plan.left_out(),
+          .done = {},
+          .tally = CampaignTally(plan.cells().size())};
 }
 
 namespace {
@@ -84,6 +43,7 @@ Json findings_json(const std::vector<Finding>& findings) {
   Json list = Json::array();
   for (const Finding& finding : findings) {
     list.push_back({{"index", finding.index},
+                    {"method", finding.method},
                     {"family", finding.family},
                     {"level", finding.level},
                     {"seed", finding.seed},
@@ -102,6 +62,7 @@ std::vector<Finding> findings_of(const Json& list) {
   std::vector<Finding> findings;
   for (const Json& finding : list) {
     findings.push_back({.index = whole_number(finding.at("index")),
+                        .method = finding.at("method"),
                         .family = finding.at("family"),
                         .level = finding.at("level"),
                         .seed = whole_number(finding.at("seed")),
@@ -123,15 +84,19 @@ CampaignState state_of(const Json& json) {
   }
   CampaignState state;
   const Json& settings = json.at("settings");
-  state.settings = {.method = settings.at("method"),
-                    .families = settings.at("families"),
-                    .casts = whole_number(settings.at("casts")),
+  state.settings = {.parts = {},
                     .seed = whole_number(settings.at("seed")),
-                    .oracle_every = whole_number(settings.at("oracle_every")),
                     .block = whole_number(settings.at("block")),
                     .fingerprint = settings.at("fingerprint")};
-  if (state.settings.casts == 0 || state.settings.block == 0) {
-    throw std::runtime_error("settings.casts and settings.block must be 1 or more");
+  for (const Json& part : settings.at("parts")) {
+    state.settings.parts.push_back({.kind = part.at("kind"),
+                                    .methods = part.at("methods"),
+                                    .families = part.at("families"),
+                                    .count = whole_number(part.at("count")),
+                                    .oracle_every = whole_number(part.at("oracle_every"))});
+  }
+  if (state.settings.casts() == 0 || state.settings.block == 0) {
+    throw std::runtime_error("the counts of settings.parts and settings.block must be 1 or more");
   }
   state.shard = {.index = whole_number(json.at("shard").at(0)),
                  .count = whole_number(json.at("shard").at(1))};
@@ -148,13 +113,16 @@ CampaignState state_of(const Json& json) {
   }
   state.tally.digest = hex_of(json.at("digest"));
   for (const Json& level : json.at("levels")) {
-    state.levels.emplace_back(level.at("family"), level.at("level"));
+    state.cells.push_back(
+        {.method = level.at("method"), .family = level.at("family"), .level = level.at("level")});
     CampaignCounts counts;
+    counts.widest = level.at("widest");
     for (const CountField& field : kCountFields) counts.*field.value = whole_number(level.at(field.name));
     state.tally.counts.push_back(counts);
   }
   state.tally.faults = findings_of(json.at("faults"));
   state.tally.stalls = findings_of(json.at("stalls"));
+  state.tally.undecided = findings_of(json.at("undecided"));
   const CampaignCounts total = state.tally.total();
   if (total.casts + total.not_asked != state.casts_done()) {
     throw std::runtime_error(fmt::format("the levels count {} casts, the blocks that are done have {}",
@@ -169,11 +137,8 @@ std::string state_text(const CampaignState& state) {
   const CampaignSettings& settings = state.settings;
   Json json = {{"schema", kSchema},
                {"settings",
-                {{"method", settings.method},
-                 {"families", settings.families},
-                 {"casts", settings.casts},
+                {{"parts", Json::array()},
                  {"seed", settings.seed},
-                 {"oracle_every", settings.oracle_every},
                  {"block", settings.block},
                  {"fingerprint", settings.fingerprint}}},
                {"shard", {state.shard.index, state.shard.count}},
@@ -182,11 +147,21 @@ std::string state_text(const CampaignState& state) {
                {"digest", fmt::format("{:016x}", state.tally.digest)},
                {"levels", Json::array()},
                {"faults", findings_json(state.tally.faults)},
-               {"stalls", findings_json(state.tally.stalls)}};
+               {"stalls", findings_json(state.tally.stalls)},
+               {"undecided", findings_json(state.tally.undecided)}};
+  for (const PartSettings& part : settings.parts) {
+    json["settings"]["parts"].push_back({{"kind", part.kind},
+                                         {"methods", part.methods},
+                                         {"families", part.families},
+                                         {"count", part.count},
+                                         {"oracle_every", part.oracle_every}});
+  }
   for (const BlockRange& range : state.done) json["done"].push_back({range.lower(), range.upper()});
-  for (std::size_t slot = 0; slot < state.levels.size(); ++slot) {
-    Json level = {{"family", state.levels[slot].first}, {"level", state.levels[slot].second}};
-    for (const CountField& field : kCountFields) level[field.name] = state.tally.counts[slot].*field.value;
+  for (std::size_t i = 0; i < state.cells.size(); ++i) {
+    const Cell& cell = state.cells[i];
+    Json level = {{"method", cell.method}, {"family", cell.family}, {"level", cell.level}};
+    for (const CountField& field : kCountFields) level[field.name] = state.tally.counts[i].*field.value;
+    level["widest"] = state.tally.counts[i].widest;
     json["levels"].push_back(std::move(level));
   }
   return json.dump(1) + "\n";
@@ -236,7 +211,7 @@ CampaignState merge_states(const std::vector<NamedState>& parts, bool partial) {
       throw std::runtime_error(fmt::format("{} and {} both hold block {}; give each shard once",
                                            parts[j].name, parts[i].name, both.begin()->lower()));
     }
-    if (part.levels != whole.levels) {
+    if (part.cells != whole.cells) {
       throw std::runtime_error(fmt::format("{} and {} count other levels", parts[i].name, first.name));
     }
     whole.done += part.done;

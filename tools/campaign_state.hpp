@@ -9,29 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/campaign_plan.hpp"
 #include "tools/campaign_tally.hpp"
 
 namespace graze::tool {
-
-// What the result is a function of.
-struct CampaignSettings {
-  std::string method;                 // "exact/double"
-  std::vector<std::string> families;  // those asked, in the order of the table
-  std::uint64_t casts = 0, seed = 1;
-  std::uint64_t oracle_every = 0;  // 0: no sample
-  std::uint64_t block = 0;         // casts
-  // Hash of cases of every level and of the answers to them: of a build that generates other cases, or
-  // answers them otherwise, it is another.
-  std::string fingerprint;
-
-  [[nodiscard]] std::uint64_t blocks() const { return casts / block + (casts % block != 0 ? 1 : 0); }
-  friend bool operator==(const CampaignSettings&, const CampaignSettings&) = default;
-};
-
-// "seed is 2 here and 1 there": the first field that differs; empty if none does.
-[[nodiscard]] std::string difference(const CampaignSettings& here, const CampaignSettings& there);
-
-[[nodiscard]] std::string fingerprint(const CampaignCases& cases, const engine::EngineMethod& method);
 
 // Share i of n, from 1: the blocks [blocks (i - 1) / n, blocks i / n).
 struct Shard {
@@ -56,9 +37,8 @@ using BlockRange = BlockSet::interval_type;
 struct CampaignState {
   CampaignSettings settings;
   Shard shard;
-  // The levels of `tally.counts`, and those that were left out.
-  std::vector<std::pair<std::string, double>> levels;
-  std::vector<std::string> left_out;
+  std::vector<Cell> cells;            // of `tally.counts`
+  std::vector<std::string> left_out;  // levels and families
   BlockSet done;
   CampaignTally tally;
 
@@ -72,7 +52,7 @@ struct CampaignState {
 };
 
 // Nothing is done yet.
-[[nodiscard]] CampaignState fresh_state(CampaignSettings settings, Shard shard, const CampaignCases& cases);
+[[nodiscard]] CampaignState fresh_state(const CampaignPlan& plan, std::uint64_t block, Shard shard);
 
 // JSON, the same text for the same state. Reading throws std::runtime_error with one line that names the file
 // and the field. Writing goes beside the file first and then in its place, and throws if it cannot.

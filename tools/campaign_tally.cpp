@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-
-#include "corpus/random.hpp"
+#include <cmath>
+#include <map>
 
 namespace graze::tool {
 namespace {
@@ -16,40 +15,30 @@ void merge_findings(std::vector<Finding>& mine, const std::vector<Finding>& othe
   mine.insert(mine.end(), other.begin(), other.end());
   std::inplace_merge(mine.begin(), mine.begin() + middle, mine.end(),
                      [](const Finding& l, const Finding& r) { return l.index < r.index; });
-  if (mine.size() > CampaignTally::kFindings) mine.resize(CampaignTally::kFindings);
-}
-
-std::string reason_of(const Judgement& judgement) {
-  for (const std::string* why :
-       {&judgement.wrong, &judgement.late, &judgement.off, &judgement.bad_contact, &judgement.false_proof}) {
-    if (!why->empty()) return *why;
+  if (mine.size() <= CampaignTally::kFindings) return;
+  std::map<std::pair<std::string, std::string>, std::size_t> seen;
+  std::vector<Finding> kept;
+  for (Finding& finding : mine) {
+    if (++seen[{finding.method, finding.family}] <= CampaignTally::kFindings)
+      kept.push_back(std::move(finding));
   }
-  return "did not converge";
+  mine = std::move(kept);
 }
 
 }  // namespace
 
 CampaignCounts& CampaignCounts::operator+=(const CampaignCounts& other) {
   for (const CountField& field : kCountFields) this->*field.value += other.*field.value;
+  widest = std::max(widest, other.widest);
   return *this;
 }
 
 std::string Finding::id() const { return fmt::format("{}/h{}/s{}", family, level, seed); }
 
-std::uint64_t answer_hash(std::uint64_t index, const engine::Answer& answer) {
-  // A NaN has many patterns of bits and is one answer.
-  const auto bits = [](double t) { return t == t ? std::bit_cast<std::uint64_t>(t) : ~std::uint64_t{0}; };
-  std::uint64_t hash = corpus::Random(index).bits();
-  for (const std::uint64_t word :
-       {static_cast<std::uint64_t>(answer.outcome), bits(answer.toi_lower), bits(answer.toi_upper)}) {
-    hash = corpus::Random(hash ^ word).bits();
-  }
-  return hash;
-}
-
-void CampaignTally::add(std::uint64_t index, const DrawnCase& drawn, const CampaignCast& cast) {
-  CampaignCounts& count = counts[drawn.slot];
-  const Judgement& judgement = cast.judgement;
+void CampaignTally::add(std::uint64_t index, std::size_t cell, const Contender& contender,
+                        const DrawnCase& drawn, const CampaignCast& cast) {
+  CampaignCounts& count = counts[cell];
+  if (cast.not_asked) return add_not_asked(cell);
   ++count.casts;
   switch (cast.answer.outcome) {
     case Outcome::initially_overlapping:
@@ -68,27 +57,37 @@ void CampaignTally::add(std::uint64_t index, const DrawnCase& drawn, const Campa
       ++count.refused;
       break;
   }
-  if (judgement.proof == ProofState::accepted) ++count.proved;
-  if (judgement.by_oracle) ++count.by_oracle;
-  if (judgement.by_oracle && drawn.sampled) ++count.sampled;
-  if (judgement.excused) ++count.excused;
+  if (cast.proof == ProofState::accepted) ++count.proved;
+  if (cast.by_oracle) ++count.by_oracle;
+  if (cast.by_oracle && drawn.sampled) ++count.sampled;
+  if (cast.undecided) ++count.undecided;
+  if (cast.excused) ++count.excused;
+  count.widest = std::fmax(count.widest, cast.widest);
+  constexpr std::array kByFault = {
+      &CampaignCounts::wrong,       &CampaignCounts::late,           &CampaignCounts::off,
+      &CampaignCounts::contact_off, &CampaignCounts::proofs_refused, &CampaignCounts::unproved};
+  static_assert(kByFault.size() == kFaults);
+  for (std::size_t i = 0; i < kFaults; ++i) count.*kByFault[i] += cast.faults[i].empty() ? 0 : 1;
   digest += answer_hash(index, cast.answer);
-  if (!judgement.faulty() && !judgement.stalled) return;
-  // Of tier exact a stall is a fault; it is counted once.
-  ++(judgement.faulty() ? count.faults : count.stalls);
-  const Finding finding{.index = index,
-                        .family = drawn.problem.family,
-                        .level = drawn.problem.hardness.value_or(0),
-                        .seed = drawn.seed,
-                        .reason = reason_of(judgement)};
-  merge_findings(judgement.faulty() ? faults : stalls, {finding});
+  const auto note = [&](std::vector<Finding>& findings, std::string reason) {
+    merge_findings(findings, {{.index = index,
+                               .method = contender.name(),
+                               .family = drawn.problem.family,
+                               .level = drawn.problem.hardness.value_or(0),
+                               .seed = drawn.seed,
+                               .reason = std::move(reason)}});
+  };
+  if (cast.faulty()) ++count.faults, note(faults, cast.reason());
+  if (cast.stalled) ++count.stalls, note(stalls, cast.reason());
+  if (cast.undecided) note(undecided, "the oracle cannot tell");
 }
 
 void CampaignTally::merge(const CampaignTally& other) {
-  for (std::size_t slot = 0; slot < counts.size(); ++slot) counts[slot] += other.counts[slot];
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) counts[cell] += other.counts[cell];
   digest += other.digest;
   merge_findings(faults, other.faults);
   merge_findings(stalls, other.stalls);
+  merge_findings(undecided, other.undecided);
 }
 
 CampaignCounts CampaignTally::total() const {

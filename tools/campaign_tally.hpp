@@ -1,4 +1,5 @@
-// What a campaign keeps of its casts: counts by family and level, a digest, and the first findings.
+// What a campaign keeps of its answers: counts by contender, family and level, a digest, and the first
+// findings.
 //
 // Tallies form a commutative monoid under merge(): the whole does not depend on how the casts were shared out
 // to threads, blocks, runs and machines, nor on their order.
@@ -9,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/campaign_cases.hpp"
 #include "tools/campaign_cast.hpp"
 
 namespace graze::tool {
@@ -21,10 +21,14 @@ struct CampaignCounts {
   std::uint64_t proved = 0;     // the proof was accepted and shows the verdict
   std::uint64_t by_oracle = 0;  // judged by the oracle, too
   std::uint64_t sampled = 0;    // of those, chosen before the answer was known
-  std::uint64_t faults = 0;     // wrong, late, off, a bad contact or a false proof
+  std::uint64_t undecided = 0;  // of those, the oracle could not tell
+  // By fault, the first six; an answer may have several.
+  std::uint64_t wrong = 0, late = 0, off = 0, contact_off = 0, proofs_refused = 0, unproved = 0;
+  std::uint64_t faults = 0;     // answers with any of them
   std::uint64_t stalls = 0;     // not_converged, and not excused; its frequency is capped by the row
   std::uint64_t excused = 0;    // decided by less than the row's limit
   std::uint64_t not_asked = 0;  // no question was found; not among the casts
+  double widest = 0;            // the largest error that the oracle measured, over what the row grants
 
   CampaignCounts& operator+=(const CampaignCounts& other);
   friend bool operator==(const CampaignCounts&, const CampaignCounts&) = default;
@@ -35,7 +39,7 @@ struct CountField {
   const char* name;
   std::uint64_t CampaignCounts::*value;
 };
-inline constexpr std::array<CountField, 13> kCountFields = {{
+inline constexpr std::array<CountField, 20> kCountFields = {{
     {"casts", &CampaignCounts::casts},
     {"overlapping", &CampaignCounts::overlapping},
     {"hits", &CampaignCounts::hits},
@@ -45,16 +49,24 @@ inline constexpr std::array<CountField, 13> kCountFields = {{
     {"proved", &CampaignCounts::proved},
     {"by_oracle", &CampaignCounts::by_oracle},
     {"sampled", &CampaignCounts::sampled},
+    {"undecided", &CampaignCounts::undecided},
+    {"wrong", &CampaignCounts::wrong},
+    {"late", &CampaignCounts::late},
+    {"off", &CampaignCounts::off},
+    {"contact_off", &CampaignCounts::contact_off},
+    {"proofs_refused", &CampaignCounts::proofs_refused},
+    {"unproved", &CampaignCounts::unproved},
     {"faults", &CampaignCounts::faults},
     {"stalls", &CampaignCounts::stalls},
     {"excused", &CampaignCounts::excused},
     {"not_asked", &CampaignCounts::not_asked},
 }};
 
-// A cast that was found wanting. Its case is find_family(family)->generate(level, seed).
+// An answer that was found wanting, or that the oracle could not tell about. Its case is that of (family,
+// level, seed), as the contender is asked it.
 struct Finding {
-  std::uint64_t index = 0;  // of the case in the campaign
-  std::string family;
+  std::uint64_t index = 0;  // of the answer in the campaign
+  std::string method, family;
   double level = 0;
   std::uint64_t seed = 0;
   std::string reason;
@@ -64,23 +76,21 @@ struct Finding {
 };
 
 struct CampaignTally {
-  // Those of least index are kept; all are counted.
+  // Of each contender and family, those of least index are kept; all are counted.
   static constexpr std::size_t kFindings = 100;
 
-  std::vector<CampaignCounts> counts;  // by slot of the campaign
-  // The sum, mod 2^64, of a hash of each cast's index, outcome and bracket.
+  std::vector<CampaignCounts> counts;  // by cell of the plan
+  // The sum, mod 2^64, of a hash of each answer's index, outcome and numbers.
   std::uint64_t digest = 0;
-  std::vector<Finding> faults = {}, stalls = {};  // by index
+  std::vector<Finding> faults = {}, stalls = {}, undecided = {};  // by index
 
-  explicit CampaignTally(std::size_t slots = 0) : counts(slots) {}
-  void add(std::uint64_t index, const DrawnCase& drawn, const CampaignCast& cast);
-  void add_not_asked(const DrawnCase& drawn) { ++counts[drawn.slot].not_asked; }
+  explicit CampaignTally(std::size_t cells = 0) : counts(cells) {}
+  void add(std::uint64_t index, std::size_t cell, const Contender& contender, const DrawnCase& drawn,
+           const CampaignCast& cast);
+  void add_not_asked(std::size_t cell) { ++counts[cell].not_asked; }
   void merge(const CampaignTally& other);  // of the same campaign
   [[nodiscard]] CampaignCounts total() const;
   friend bool operator==(const CampaignTally&, const CampaignTally&) = default;
 };
-
-// Of one cast: its index, its outcome and the bits of its bracket.
-[[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const engine::Answer& answer);
 
 }  // namespace graze::tool

@@ -38,6 +38,11 @@ void add_merge_command(CLI::App& app, int& exit_code) {
   command->add_option("--save", arguments->outputs.save, "Write the cases of failures to this file")
       ->type_name("OUT.jsonl");
   command
+      ->add_option("--save-undecided", arguments->outputs.save_undecided,
+                   "Write the cases that the oracle left undecided to this file")
+      ->type_name("OUT.jsonl");
+  command->add_flag("--levels", arguments->outputs.levels, "Show every level of hardness");
+  command
       ->add_option("--json", arguments->outputs.json, "Write the result to this file; - is standard output")
       ->type_name("OUT");
   command->footer(

@@ -36,9 +36,6 @@ std::size_t differences(const Case& problem) {
 bool is_represented(const Case& problem) {
   return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape);
 }
-bool is_small(const Case& problem) {
-  return is_represented(problem) && differences(problem) <= kMostDifferences;
-}
 
 // Bodies to ask about: by their own query or, the `pick`-th of a sample, by every one.
 struct Question {
@@ -87,6 +84,10 @@ Judgements judge_all(const Question& bodies, const QuerySettings& settings, std:
 }
 
 }  // namespace
+
+bool is_small(const Case& problem) {
+  return is_represented(problem) && differences(problem) <= kMostDifferences;
+}
 
 std::string why_unjudged(const Case& problem) {
   if (const std::string why = why_invalid(problem); !why.empty()) return why;

@@ -23,6 +23,9 @@ struct QueryCertification {
   std::vector<corpus::Case> convicted;  // as asked, where a method is at fault or stalls: for each method
 };
 
+// Bodies that the exact oracles represent, and small enough for them to answer in a tenth of a second.
+[[nodiscard]] bool is_small(const corpus::Case& problem);
+
 // Why the query of a case cannot be judged; empty if it can.
 [[nodiscard]] std::string why_unjudged(const corpus::Case& problem);
 

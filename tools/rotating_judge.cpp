@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "properties/judge_rotating.hpp"
+#include "tools/judge_proof.hpp"
 
 namespace graze::tool {
 namespace {
@@ -34,6 +36,35 @@ bool proves(const RotatingProof& proof, const RotatingAnswer& answer) {
   return false;
 }
 
+// Do accepted proofs leave nothing open about the verdict, the times and the width of an answer?
+//
+// With l <= TOI <= u proved and V the top speed of a point of one body against the other: the bodies are no
+// farther apart at t than (u - t) V, and before t no deeper in each other than (t - l) V. Both are rounded
+// outward, and so is the comparison: what is then within the row is so without doubt.
+bool settled_by(const ProvedBracket& proved, const RotatingAnswer& answer, const law::RotatingRow& row) {
+  const double speed = row.speed * kSlack;
+  const double apart = std::max(0.0, proved.upper - answer.toi_lower) * speed,
+               deep = std::max(0.0, answer.toi_upper - proved.lower) * speed;
+  switch (answer.outcome) {
+    case Outcome::miss:
+      return proved.lower == kInfinity<double>;
+    case Outcome::initially_overlapping:
+      return proved.upper == 0;
+    case Outcome::hit: {
+      if (!(proved.upper < kInfinity<double>)) return false;
+      const double late = std::max(0.0, answer.toi_lower - proved.lower) * speed,
+                   early = std::max(0.0, proved.upper - answer.toi_upper) * speed;
+      return late * kSlack <= (row.strict ? 0 : row.limit) && early * kSlack <= (row.strict ? 0 : row.wide) &&
+             apart * kSlack <= row.wide + row.rounding_at(answer.toi_lower) &&
+             deep * kSlack <= row.wide + row.rounding_at(answer.toi_upper);
+    }
+    case Outcome::not_converged:
+    case Outcome::invalid_input:
+      break;
+  }
+  return false;
+}
+
 class RotatingJudge {
  public:
   RotatingJudge(TurningTruth& truth, const RotatingAnswer& answer, const RotatingLimits& limits,
@@ -42,7 +73,8 @@ class RotatingJudge {
     judgement_.outcome = answer.outcome;
   }
 
-  RotatingJudgement operator()() {
+  // With `oracle` it is asked whatever the proofs say.
+  RotatingJudgement operator()(bool oracle) {
     if (settled_at_the_door()) return judgement_;
     const corpus::Case& problem = truth_.problem();
     if (std::string why = senseless(answer_.outcome, answer_.toi_lower, answer_.toi_upper, problem.t_max);
@@ -51,6 +83,8 @@ class RotatingJudge {
       return judgement_;
     }
     proof();
+    if (settled(problem) && !oracle) return judgement_;
+    judgement_.by_oracle = true;
     const RotatingTruth& truth = truth_.bracket();
     row_ = law::row_of(*limits_.method, *limits_.row, problem, truth.scale().high);
     judgement_.open = truth.outcome() == Outcome::not_converged;
@@ -96,10 +130,18 @@ class RotatingJudge {
     return refused || !invalid.empty();
   }
 
+  // By the scale in rounded doubles, brought below the true one.
+  bool settled(const corpus::Case& problem) {
+    const law::RotatingRow row =
+        law::row_of(*limits_.method, *limits_.row, problem, law::scale_of(problem) / kSlack);
+    return settled_by(truth_.proved(), answer_, row) ||
+           (truth_.learn_from_reference() && settled_by(truth_.proved(), answer_, row));
+  }
+
   void proof() {
     if (answer_.proof) {
-      const oracle::RotatingVerdict verdict = oracle::check_rotating_proof(truth_.problem(), *answer_.proof);
-      if (!verdict.accepted()) {
+      const oracle::RotatingVerdict verdict = truth_.check(*answer_.proof);
+      if (!verdict.accepted() || !verdict.detail.empty()) {
         judgement_.proof = ProofState::refused;
         judgement_.false_proof = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
       } else if (proves(*answer_.proof, answer_)) {
@@ -130,6 +172,7 @@ class RotatingJudge {
     }
     late(truth);
     take(&law::early_error, truth, judgement_.early);
+    judgement_.width_limit = in_scale(row_.wide + row_.rounding_at(answer_.toi_upper));
     judgement_.width = in_scale(take(&law::width_error, truth, judgement_.wide).length);
     take(&law::distance_error, truth, judgement_.wide);
     if (answer_.outcome != Outcome::hit) return;
@@ -172,6 +215,33 @@ const RotatingTruth& TurningTruth::bracket() {
   return *bracket_;
 }
 
+oracle::RotatingVerdict TurningTruth::check(const RotatingProof& proof) {
+  oracle::RotatingVerdict verdict = oracle::check_rotating_proof(problem_, proof);
+  if (!verdict.accepted()) return verdict;
+  const ProvedBracket both{.lower = std::max(proved_.lower, proof.toi_lower),
+                           .upper = std::min(proved_.upper, proof.toi_upper)};
+  if (both.lower > both.upper) {
+    verdict.detail = fmt::format(
+        "it says that contact comes in [{:.17g}, {:.17g}], another that was "
+        "accepted, in [{:.17g}, {:.17g}]",
+        proof.toi_lower, proof.toi_upper, proved_.lower, proved_.upper);
+    return verdict;
+  }
+  proved_ = both;
+  return verdict;
+}
+
+bool TurningTruth::learn_from_reference() {
+  if (reference_ == nullptr) return false;
+  const RotatingAnswer answer =
+      std::exchange(reference_, nullptr)->cast(problem_, {.request = Request::everything});
+  if (!answer.proof) return false;
+  const oracle::RotatingVerdict verdict = check(*answer.proof);
+  if (verdict.accepted() && verdict.detail.empty()) return true;
+  reference_refused_ = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
+  return false;
+}
+
 RotatingLimits limits_of(const engine::RotatingEngineMethod& method, const engine::Guarantee* row) {
   static const engine::Guarantee kPlain{.method = {},
                                         .scalar = {},
@@ -193,7 +263,12 @@ const std::string& RotatingJudgement::fault() const {
 
 RotatingJudgement judge_rotating(TurningTruth& truth, const RotatingAnswer& answer,
                                  const RotatingLimits& limits, Request request) {
-  return RotatingJudge(truth, answer, limits, request)();
+  return RotatingJudge(truth, answer, limits, request)(true);
+}
+
+RotatingJudgement judge_rotating_by_proof(TurningTruth& truth, const RotatingAnswer& answer,
+                                          const RotatingLimits& limits, Request request, bool measure) {
+  return RotatingJudge(truth, answer, limits, request)(measure);
 }
 
 }  // namespace graze::tool

@@ -5,6 +5,9 @@
 // The errors and what a row leaves open are those of the laws (properties/judge_rotating.hpp). Here they are
 // put together: what is a fault, what is excused, and how large it was. Where the oracle itself is undecided
 // (clearance and depth below its width, or its budget at an end), no verdict is wrong.
+//
+// A campaign looks at proofs first: those that the checker accepts bracket the first contact, and where that
+// bracket settles the answer the oracle, a thousand times as dear, is not asked.
 #pragma once
 
 #include <memory>
@@ -18,15 +21,34 @@
 
 namespace graze::tool {
 
+// What accepted proofs have shown of a case: no contact before `lower`, contact by `upper`.
+struct ProvedBracket {
+  double lower = 0, upper = kInfinity<double>;
+};
+
 // One case and what is true of it, found out when it is first asked for. One thread at a time.
 class TurningTruth {
  public:
-  explicit TurningTruth(corpus::Case problem) : problem_(std::move(problem)) {}
+  // `reference`: a method whose proof of this case may be asked for; nullptr for none.
+  explicit TurningTruth(corpus::Case problem, const engine::RotatingEngineMethod* reference = nullptr)
+      : problem_(std::move(problem)), reference_(reference) {}
   [[nodiscard]] const corpus::Case& problem() const { return problem_; }
   [[nodiscard]] const oracle::RotatingTruth& bracket();
 
+  // The checker's verdict on a proof. What it accepts narrows proved(); a claim that contradicts what was
+  // accepted before comes back with a detail and no refusal.
+  oracle::RotatingVerdict check(const RotatingProof& proof);
+  // The same for the proof of the reference, once; false if there was nothing new to learn.
+  bool learn_from_reference();
+  [[nodiscard]] const ProvedBracket& proved() const { return proved_; }
+  // Why the reference's proof was not accepted; empty where it was, or was never asked for.
+  [[nodiscard]] const std::string& reference_refused() const { return reference_refused_; }
+
  private:
   corpus::Case problem_;
+  const engine::RotatingEngineMethod* reference_;
+  std::string reference_refused_;
+  ProvedBracket proved_;
   std::unique_ptr<oracle::RotatingTruth> bracket_;
 };
 
@@ -55,6 +77,7 @@ struct RotatingJudgement {
   bool excused = false;    // a verdict that less than the limit decides
   bool hidden = false;     // a contact missed or passed that the row says may be
   bool open = false;       // the oracle is undecided
+  bool by_oracle = false;  // it was asked
   bool not_asked = false;  // an infinite t_max or the policy pass_over: no question for the oracle
   ProofState proof = ProofState::none;
   // Over scale, what is proved of each; NaN where the answer or the truth has no such length. width: of a
@@ -62,6 +85,7 @@ struct RotatingJudgement {
   // contact that a miss denies or toi_lower has passed.
   double width = std::numeric_limits<double>::quiet_NaN();
   double passed = std::numeric_limits<double>::quiet_NaN();
+  double width_limit = std::numeric_limits<double>::quiet_NaN();  // that the row grants `width`
   // normal: by how much it fails to separate the bodies at the first contact. witness: the larger distance of
   // the two from their bodies at toi_lower.
   double normal = std::numeric_limits<double>::quiet_NaN();
@@ -74,5 +98,13 @@ struct RotatingJudgement {
 // `truth` is about the case as the method saw it.
 [[nodiscard]] RotatingJudgement judge_rotating(TurningTruth& truth, const engine::RotatingAnswer& answer,
                                                const RotatingLimits& limits, Request request);
+
+// The same, by what proofs have shown of the case: the answer's own, then the reference's. The oracle is
+// asked about what they leave open and, if `measure`, in any case. Unasked, nobody looks at the normal, the
+// witnesses and the stated distance, of which a proof says nothing.
+[[nodiscard]] RotatingJudgement judge_rotating_by_proof(TurningTruth& truth,
+                                                        const engine::RotatingAnswer& answer,
+                                                        const RotatingLimits& limits, Request request,
+                                                        bool measure);
 
 }  // namespace graze::tool
