@@ -1,12 +1,19 @@
-// What a judged cast costs, the unit of a campaign: a case of the families `hulls` and `hulls_rotated`, 8 to
-// 16 vertices, is generated, cast by tier exact asked for everything, and judged by its proof to the last
-// bit. One thread.
+// What a judged cast costs, the unit of a campaign. One thread.
+//
+// Linear: a case of the families `hulls` and `hulls_rotated`, 8 to 16 vertices, is generated, cast by tier
+// exact asked for everything, and judged by its proof to the last bit.
 //
 //   judged      the three together: casts per second of CPU time, and the share of each, by the clock; `open`
 //               is the share of casts that the proof leaves to the oracle, which is not asked here;
 //   campaign    a block of `graze campaign`, which does the same and keeps count;
 //   generate, cast, judge      each alone;   hulls, convert, search, accept   parts of them: the two hulls
 //               from their vertices, the case in the method's scalar, core's cast, the first proof check.
+//
+// Turning bodies, a rotating family each, its levels in turn:
+//   turning     a block of `graze campaign --rotating`: plan and certified, in double and in float;
+//   stages      the milliseconds of processor time of a case in its parts: generated, cast by the plan and by
+//   tier certified,
+//               the check of that proof, and the oracle's bracket.
 //
 // Each alone runs over the same cases again and again, so what it needs has been used before; the shares are
 // of cases met once.
@@ -15,13 +22,18 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <graze/cast.hpp>
 #include <iostream>
+#include <limits>
 #include <vector>
 
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
+#include "engines/rotating.hpp"
+#include "oracles/check_rotating_proof.hpp"
+#include "oracles/rotating_truth.hpp"
 #include "properties/exact_answer.hpp"
 #include "tools/campaign_run.hpp"
 
@@ -107,22 +119,69 @@ void judged(benchmark::State& state) {
   state.counters["share_judge"] = spent[2] / all;
 }
 
-void campaign(benchmark::State& state) {
-  const tool::CampaignCases cases({&family_of(state)}, method(), 1, 0);
-  tool::CampaignJob job;
-  job.cases = &cases;
-  job.method = &method();
-  job.row = engine::find_guarantee(engine::guarantees(), method());
-  tool::CampaignSettings settings;
-  settings.block = 1000;
-  settings.casts = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t block = 0;
+// Blocks of a campaign; a fault is no measurement of its own, and is counted.
+void run_blocks(benchmark::State& state, const tool::CampaignPlan& plan, std::uint64_t size) {
+  const tool::CampaignJob job{.plan = &plan};
+  tool::CampaignSettings settings = plan.settings(size);
+  std::uint64_t block = 0, faults = 0, by_oracle = 0;
   for (auto _ : state) {
-    tool::CampaignTally tally(cases.slots().size());
+    tool::CampaignTally tally(plan.cells().size());
     tool::run_block(job, settings, block++, tally);
-    if (!tally.faults.empty()) give_up(tally.faults[0].id() + ": " + tally.faults[0].reason);
+    faults += tally.total().faults;
+    by_oracle += tally.total().by_oracle;
   }
-  set_rate(state, settings.block);
+  set_rate(state, size);
+  state.counters["faults"] = static_cast<double>(faults);
+  state.counters["by_oracle"] = static_cast<double>(by_oracle) / static_cast<double>(block * size);
+}
+
+constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+
+void campaign(benchmark::State& state) {
+  tool::CampaignPlan plan(1);
+  plan.add({&family_of(state)}, {tool::contender_of(method())}, kMost, 0);
+  run_blocks(state, plan, 1000);
+}
+
+const Family& rotating_family(benchmark::State& state) {
+  const Family& family = corpus::rotating_families()[static_cast<std::size_t>(state.range(0))];
+  state.SetLabel(std::string(family.name));
+  return family;
+}
+
+void turning(benchmark::State& state) {
+  tool::CampaignPlan plan(1);
+  plan.add({&rotating_family(state)}, tool::chosen_contenders(tool::PartKind::rotating, {}), kMost, 0);
+  run_blocks(state, plan, 64);
+}
+
+void stages(benchmark::State& state) {
+  const Family& family = rotating_family(state);
+  const engine::RotatingEngineMethod &planned = *engine::find_rotating_method("plan"),
+                                     &certified = *engine::find_rotating_method("certified");
+  const engine::RotatingAsk everything{.request = Request::everything};
+  std::array<double, 5> spent{};
+  std::uint64_t seed = 0;
+  for (auto _ : state) {
+    std::array<std::clock_t, 6> at{};
+    at[0] = std::clock();
+    const Case problem = family.generate(family.levels[seed % family.levels.size()], seed);
+    at[1] = std::clock();
+    benchmark::DoNotOptimize(planned.cast(problem, everything));
+    at[2] = std::clock();
+    const engine::RotatingAnswer answer = certified.cast(problem, everything);
+    at[3] = std::clock();
+    if (answer.proof) benchmark::DoNotOptimize(oracle::check_rotating_proof(problem, *answer.proof).refusal);
+    at[4] = std::clock();
+    benchmark::DoNotOptimize(oracle::RotatingTruth(problem).outcome());
+    at[5] = std::clock();
+    for (std::size_t k = 0; k < spent.size(); ++k)
+      spent[k] += static_cast<double>(at[k + 1] - at[k]) / CLOCKS_PER_SEC;
+    ++seed;
+  }
+  constexpr std::array kNames = {"ms_generate", "ms_plan", "ms_certified", "ms_check", "ms_oracle"};
+  for (std::size_t k = 0; k < spent.size(); ++k)
+    state.counters[kNames[k]] = 1000 * spent[k] / static_cast<double>(seed);
 }
 
 void generate(benchmark::State& state) {
@@ -176,7 +235,12 @@ void judge_alone(benchmark::State& state) {
 }
 
 void both(benchmark::internal::Benchmark* rows) { rows->ArgName("rotated")->Arg(0)->Arg(1); }
+void each_family(benchmark::internal::Benchmark* rows) {
+  rows->ArgName("family")->DenseRange(0, static_cast<int>(corpus::rotating_families().size()) - 1);
+}
 BENCHMARK(judged)->Apply(both);
+BENCHMARK(turning)->Apply(each_family)->Unit(benchmark::kMillisecond);
+BENCHMARK(stages)->Apply(each_family)->Unit(benchmark::kMillisecond);
 BENCHMARK(campaign)->Apply(both);
 BENCHMARK(generate)->Apply(both);
 BENCHMARK(hulls)->Apply(both);

@@ -173,7 +173,7 @@ CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const e
       refused = truth.reference_refused();
     asked.proof = judgement.proof;
     asked.by_oracle = judgement.by_oracle;
-    asked.undecided = judgement.by_oracle && judgement.open;
+    if (judgement.by_oracle && judgement.open) asked.undecided = truth.bracket().reason();
     asked.stalled = judgement.stalled || !judgement.undecided.empty();
     asked.excused = judgement.excused;
     if (judgement.width_limit > 0) asked.widest = judgement.width / judgement.width_limit;

@@ -31,10 +31,10 @@ struct CampaignCast {
   std::array<std::string, kFaults> faults = {};  // why, or empty
   ProofState proof = ProofState::none;
   bool by_oracle = false;
-  bool undecided = false;  // the oracle was asked and could not tell
-  bool stalled = false;    // not_converged, and not excused; its frequency is capped by the row
-  bool excused = false;    // decided by less than the row's limit
-  bool not_asked = false;  // no question for this contender
+  std::string undecided = {};  // why the oracle, which was asked, could not tell
+  bool stalled = false;        // not_converged, and not excused; its frequency is capped by the row
+  bool excused = false;        // decided by less than the row's limit
+  bool not_asked = false;      // no question for this contender
   // By the oracle: the error of the bracket's worse end, over what the row grants.
   double widest = std::numeric_limits<double>::quiet_NaN();
 

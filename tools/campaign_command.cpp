@@ -124,9 +124,13 @@ CampaignState initial_state(const Arguments& arguments, const CampaignState& fre
 void print_cost(std::uint64_t casts, double seconds, unsigned threads) {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  fmt::print(stderr, "{} casts in {:.1f} s: {:.0f} a second on {} thread{}; at most {} MiB of memory\n",
+  const double processor = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  fmt::print(stderr,
+             "{} casts in {:.1f} s: {:.0f} a second on {} thread{}; {:.1f} s of processor time; at most {} "
+             "MiB of memory\n",
              casts, seconds, static_cast<double>(casts) / std::max(seconds, 1e-9), threads,
-             threads == 1 ? "" : "s", usage.ru_maxrss / 1024);
+             threads == 1 ? "" : "s", processor, usage.ru_maxrss / 1024);
 }
 
 int stopped_by(int signal, const CampaignState& state, const std::string& file) {

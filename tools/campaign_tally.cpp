@@ -60,7 +60,7 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const Contender& 
   if (cast.proof == ProofState::accepted) ++count.proved;
   if (cast.by_oracle) ++count.by_oracle;
   if (cast.by_oracle && drawn.sampled) ++count.sampled;
-  if (cast.undecided) ++count.undecided;
+  if (!cast.undecided.empty()) ++count.undecided;
   if (cast.excused) ++count.excused;
   count.widest = std::fmax(count.widest, cast.widest);
   constexpr std::array kByFault = {
@@ -79,7 +79,7 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const Contender& 
   };
   if (cast.faulty()) ++count.faults, note(faults, cast.reason());
   if (cast.stalled) ++count.stalls, note(stalls, cast.reason());
-  if (cast.undecided) note(undecided, "the oracle cannot tell");
+  if (!cast.undecided.empty()) note(undecided, cast.undecided);
 }
 
 void CampaignTally::merge(const CampaignTally& other) {
