@@ -1,0 +1,41 @@
+// Does the checker accept a changed proof that is false?
+//
+//   1  decode; a case with a spin is asked as a rotating cast, any other as a linear one;
+//   2  take the proof of a method that the choice names;
+//   3  change it, the case under it and the claim, a few times (properties/attack/mutant.hpp);
+//   4  what the checker accepts must not be contradicted by the oracles, however it was made.
+//
+// made_up_proofs asks the same of proofs that are spoilt, of the case as it is.
+#include "fuzz/repair.hpp"
+#include "fuzz/target.hpp"
+#include "properties/attack/attack.hpp"
+#include "properties/case_edit.hpp"
+
+namespace graze::fuzz {
+
+namespace {
+
+// Bulk is for the program; here the case is what changes most.
+constexpr attack::Settings kFew = {.edited_cases = 2, .mutants_each = 3};
+
+Judged judge_mutants(const Input& input) {
+  const bool turning = law::has_spin(input.problem);
+  const corpus::Case problem = turning ? as_turning(input.problem) : as_linear(input.problem);
+  corpus::Random random(input.choice);
+  attack::Tally tally;
+  const std::vector<attack::Finding> found = attack::attack(problem, random, kFew, tally);
+  Judged judged;
+  judged.reached = tally.bases > 0;
+  judged.by_oracle = tally.all.agreed + tally.all.undecided > 0;
+  if (found.empty()) return judged;
+  const attack::Finding& first = found.front();
+  judged.finding = {"accepted_mutant_is_true", "checker", first.fault, first.record.problem,
+                    "proof: " + attack::text_of(first) + "\n"};
+  return judged;
+}
+
+}  // namespace
+
+const Target kTarget = {.name = "proof_attack", .judge = &judge_mutants};
+
+}  // namespace graze::fuzz

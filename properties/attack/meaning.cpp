@@ -1,0 +1,222 @@
+#include "properties/attack/meaning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "properties/case_edit.hpp"
+
+namespace graze::attack {
+namespace {
+
+using corpus::Case;
+using corpus::Spin;
+
+// Axes of a body that turns about them stay where they are.
+bool along(const Vec3<double>& n, const Vec3<double>& w) {
+  const Vec3<double> u = n / n.cwiseAbs().maxCoeff(), v = w / w.cwiseAbs().maxCoeff();
+  return u.cross(v).cwiseAbs().maxCoeff() <= kSameDirection;
+}
+
+struct Direction {
+  Vec3<double> n;
+
+  // Zero, and what is not finite, as it is.
+  explicit Direction(const Vec3<double>& given) : n(given) {
+    const double most = given.cwiseAbs().maxCoeff();
+    if (most > 0 && std::isfinite(most)) n = given / most;
+  }
+  [[nodiscard]] bool same_as(const Direction& other) const {
+    return (n - other.n).cwiseAbs().maxCoeff() <= kSameDirection;
+  }
+};
+
+class Writer {
+ public:
+  explicit Writer(Meaning& out) : out_(out) {}
+
+  void exact(double x) { out_.parts.push_back({x, false}); }
+  void rounded(double x) { out_.parts.push_back({x, true}); }
+  void point(const Vec3<double>& x) {
+    for (int i = 0; i < 3; ++i) exact(x[i]);
+  }
+  void direction(const Direction& of) {
+    for (int i = 0; i < 3; ++i) rounded(of.n[i]);
+  }
+  void feature(const Feature& of) {
+    exact(of.vertex);
+    point(of.offset);
+    for (const Vec3<double>& x : of.curved) point(x);
+  }
+  void pair(const SupportPair& of) {
+    feature(of.a);
+    feature(of.b);
+  }
+
+ private:
+  Meaning& out_;
+};
+
+void write_case(Writer& out, Case problem) {
+  for (const bool first : {true, false}) {
+    Spin& spin = first ? problem.spin_a : problem.spin_b;
+    if (spin.rotation.isZero(0)) spin.pivot.setZero();
+    Quaternion<double>& q = (first ? problem.a : problem.b).orientation;
+    double most = 0;
+    for (const double x : {q.w, q.x, q.y, q.z}) most = std::max(most, std::abs(x));
+    if (most > 0 && std::isfinite(most)) {
+      double least = std::ldexp(1.0, -std::ilogb(most));
+      for (const double x : {q.z, q.y, q.x, q.w})
+        if (x != 0) least = std::copysign(least, x);
+      for (double* x : {&q.w, &q.x, &q.y, &q.z}) *x *= least;
+    }
+    for (const std::uint32_t part : law::outline((first ? problem.a : problem.b).shape)) out.exact(part);
+  }
+  law::visit_scalars(problem, [&](law::Slot, double x) { out.exact(x); });
+  out.exact(static_cast<double>(problem.start_policy));
+}
+
+// The direction in world axes of t = 0 is what a slice holds; two slices are one where these are the same.
+void write_chain(Writer& out, const Case& problem, const RotatingProof& proof) {
+  struct Normal {
+    double end;
+    Direction axis;
+    AxisFrame frame;
+  };
+  std::vector<Normal> normal;
+  double begin = 0;
+  for (const TimeSlice& slice : proof.chain) {
+    if (slice.end == begin && !normal.empty()) continue;
+    begin = slice.end;
+    AxisFrame frame = slice.frame;
+    if (frame != AxisFrame::world && !slice.axis.isZero(0)) {
+      const Vec3<double>& w = (frame == AxisFrame::a ? problem.spin_a : problem.spin_b).rotation;
+      if (w.isZero(0) || along(slice.axis, w)) frame = AxisFrame::world;
+    }
+    const Direction axis(slice.axis);
+    if (!normal.empty() && normal.back().frame == frame && normal.back().axis.same_as(axis)) {
+      normal.back().end = slice.end;
+    } else {
+      normal.push_back({slice.end, axis, frame});
+    }
+  }
+  out.exact(static_cast<double>(normal.size()));
+  for (const Normal& slice : normal) {
+    out.exact(slice.end);
+    out.direction(slice.axis);
+    out.exact(static_cast<double>(slice.frame));
+  }
+}
+
+struct Weighted {
+  SupportPair pair;
+  double weight = 0;
+  Meaning written;
+};
+
+bool comes_before(const Meaning& l, const Meaning& r) {
+  return std::lexicographical_compare(l.parts.begin(), l.parts.end(), r.parts.begin(), r.parts.end(),
+                                      [](const auto& x, const auto& y) { return x.x < y.x; });
+}
+
+void write_pairs(Writer& out, std::vector<Weighted> pairs) {
+  for (Weighted& one : pairs) Writer(one.written).pair(one.pair);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Weighted& l, const Weighted& r) { return comes_before(l.written, r.written); });
+  out.exact(static_cast<double>(pairs.size()));
+  for (const Weighted& one : pairs) {
+    out.pair(one.pair);
+    out.rounded(one.weight);
+  }
+}
+
+void write_contact(Writer& out, const RotatingProof& proof) {
+  const int size = std::clamp(proof.contact_size, 0, 4);
+  double sum = 0;
+  for (int i = 0; i < size; ++i) sum += proof.weight[static_cast<std::size_t>(i)];
+  std::vector<Weighted> pairs;
+  for (int i = 0; i < size; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    // Three of a crossing and four that may hold the origin inside count without a weight.
+    const double weight = proof.crossing ? 0 : proof.weight[k] / sum;
+    if (size == 4 || proof.crossing || weight != 0) pairs.push_back({proof.contact[k], weight, {}});
+  }
+  out.exact(proof.crossing ? proof.contact_from : -1);
+  write_pairs(out, std::move(pairs));
+}
+
+void write_factors(Writer& out, const Proof& proof) {
+  struct Factor {
+    Meaning written;
+    double sign = 1;
+  };
+  const auto factor_of = [](const AxisFactor& of) {
+    Factor factor;
+    Writer writer(factor.written);
+    writer.exact(static_cast<double>(of.kind));
+    if (of.kind == AxisFactor::Kind::given) writer.direction(Direction(of.given));
+    if (of.kind == AxisFactor::Kind::difference) {
+      Meaning from, to;
+      Writer(from).pair(of.from);
+      Writer(to).pair(of.to);
+      if (comes_before(to, from)) {
+        std::swap(from, to);
+        factor.sign = -1;
+      }
+      for (const Meaning* one : {&from, &to})
+        factor.written.parts.insert(factor.written.parts.end(), one->parts.begin(), one->parts.end());
+    }
+    return factor;
+  };
+  Factor first = factor_of(proof.factor[0]), second = factor_of(proof.factor[1]);
+  double sign = proof.axis_sign * first.sign * second.sign;
+  if (comes_before(second.written, first.written)) {
+    std::swap(first, second);
+    sign = -sign;
+  }
+  out.exact(sign);
+  for (const Factor* one : {&first, &second})
+    for (const Meaning::Part& part : one->written.parts)
+      part.rounded ? out.rounded(part.x) : out.exact(part.x);
+}
+
+void write_linear(Writer& out, const Proof& proof) {
+  out.exact(proof.toi_lower);
+  out.exact(proof.toi_upper);
+  if (proof.toi_lower > 0) {
+    out.exact(proof.has_axis ? 1 + proof.symbolic : 0);
+    if (proof.has_axis && proof.symbolic) write_factors(out, proof);
+    if (proof.has_axis && !proof.symbolic) out.direction(Direction(proof.axis));
+  }
+  if (!(proof.toi_upper < kInfinity<double>)) return;
+  std::vector<Weighted> pairs;
+  for (int i = 0; i < std::clamp(proof.portal_size, 0, 4); ++i)
+    pairs.push_back({proof.portal[static_cast<std::size_t>(i)], 0, {}});
+  write_pairs(out, std::move(pairs));
+}
+
+}  // namespace
+
+Meaning meaning_of(const corpus::ProofRecord& record, bool with_outcome) {
+  Meaning meaning;
+  Writer out(meaning);
+  write_case(out, record.problem);
+  if (with_outcome) out.exact(static_cast<double>(record.outcome));
+  if (record.rotating) {
+    out.exact(record.rotating->toi_lower);
+    out.exact(record.rotating->toi_upper);
+    write_chain(out, record.problem, *record.rotating);
+    if (record.rotating->toi_upper < kInfinity<double>) write_contact(out, *record.rotating);
+  } else {
+    write_linear(out, record.proof);
+  }
+  return meaning;
+}
+
+bool same(const Meaning& one, const Meaning& other) {
+  return std::equal(one.parts.begin(), one.parts.end(), other.parts.begin(), other.parts.end(),
+                    [](const Meaning::Part& l, const Meaning::Part& r) {
+                      return l.rounded && r.rounded ? !(std::abs(l.x - r.x) > kSameDirection) : l.x == r.x;
+                    });
+}
+
+}  // namespace graze::attack
