@@ -7,7 +7,9 @@
 namespace graze::corpus {
 namespace {
 
-constexpr std::string_view kSchema = "graze.proof/1";
+constexpr std::string_view kSchema = "graze.proof/1", kCaseSchema = "graze.case/1";
+// Indexed by Tier.
+constexpr std::array<std::string_view, 3> kTierNames = {"standard", "certified", "exact"};
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
@@ -166,8 +168,19 @@ RotatingProof read_rotating_proof(const JsonValue& value, const std::string& pat
   return proof;
 }
 
+StatedBracket read_bracket(const JsonValue& value, const std::string& path) {
+  const Fields fields(value, path, {"lower", "upper"});
+  StatedBracket toi;
+  toi.lower = read_extended(fields.required("lower", "a time"), fields.path("lower"));
+  toi.upper = read_extended(fields.required("upper", "a time, or \"inf\""), fields.path("upper"));
+  if (!(toi.lower <= toi.upper)) {
+    throw Malformed{path, "lower is above upper; lower <= time of impact <= upper"};
+  }
+  return toi;
+}
+
 ProofRecord read_record(const JsonValue& value) {
-  const Fields fields(value, "", {"schema", "case", "method", "scalar", "outcome", "proof"});
+  const Fields fields(value, "", {"schema", "case", "method", "scalar", "tier", "outcome", "toi", "proof"});
   const JsonValue& schema = fields.required("schema", "\"graze.proof/1\"");
   if (read_string(schema, "schema") != kSchema) {
     throw Malformed{"schema", describe(schema) + "; this version reads " + json_quote(kSchema)};
@@ -177,8 +190,12 @@ ProofRecord read_record(const JsonValue& value) {
       case_from_json(fields.required("case", "the case that the proof is about, in full"), "case");
   record.method = read_string(fields.required("method", "the name of the method"), "method");
   record.scalar = read_string(fields.required("scalar", "\"float\" or \"double\""), "scalar");
+  if (const JsonValue* tier = fields.optional("tier")) {
+    record.tier = static_cast<Tier>(read_choice(*tier, "tier", kTierNames));
+  }
   record.outcome = static_cast<Outcome>(
       read_choice(fields.required("outcome", "one of " + joined(kOutcomeNames)), "outcome", kOutcomeNames));
+  if (const JsonValue* toi = fields.optional("toi")) record.toi = read_bracket(*toi, "toi");
   const JsonValue& proof = fields.required("proof", "an object with toi_lower and toi_upper");
   if (proof.find(kChain) != nullptr) {
     record.rotating = read_rotating_proof(proof, "proof");
@@ -258,12 +275,31 @@ std::string write_axis(const Proof& proof) {
          ", " + write_factor(proof.factor[1]) + "]}";
 }
 
+namespace {
+
+bool is_case(const JsonValue& value) {
+  const JsonValue* schema = value.kind == JsonValue::Kind::object ? value.find("schema") : nullptr;
+  return schema != nullptr && schema->kind == JsonValue::Kind::string && schema->text == kCaseSchema;
+}
+
+}  // namespace
+
 ProofReadResult read_proofs_text(std::string_view text, const std::string& name) {
   ProofReadResult result;
-  for (const TextLine& line : split_lines(text)) {
+  std::vector<TextLine> lines = split_lines(text);
+  // An object over many lines, as a case's file is: no line of it is one.
+  if (lines.size() > 1 && parse_json(lines[0].text).error && !parse_json(text).error) {
+    lines = {{lines[0].number, text}};
+  }
+  int cases = 0, first_case = 0;
+  for (const TextLine& line : lines) {
     const ParsedJson parsed = parse_json(line.text);
     if (parsed.error) {
       result.errors.push_back({name, line.number, parsed.error->path, parsed.error->what});
+      continue;
+    }
+    if (is_case(parsed.value)) {
+      if (++cases == 1) first_case = line.number;
       continue;
     }
     try {
@@ -272,6 +308,12 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
     } catch (const Malformed& error) {
       result.errors.push_back({name, line.number, error.path, error.what});
     }
+  }
+  if (cases > 0) {
+    result.errors.push_back({name, first_case, "schema",
+                             "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") +
+                                 " (graze.case/1), not proofs (graze.proof/1); `graze cast --proof PROOFS "
+                                 "CASES` writes the proofs of a file of cases"});
   }
   if (result.proofs.empty() && result.errors.empty()) {
     result.errors.push_back({name, 0, "", "holds no proof; one JSON object a line, schema graze.proof/1"});
@@ -288,7 +330,12 @@ ProofReadResult read_proofs_file(const std::filesystem::path& path) {
 std::string write_proof(const ProofRecord& record) {
   return "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +
          ", \"method\": " + json_quote(record.method) + ", \"scalar\": " + json_quote(record.scalar) +
+         (record.tier ? ", \"tier\": " + json_quote(kTierNames[static_cast<std::size_t>(*record.tier)])
+                      : "") +
          ", \"outcome\": " + json_quote(name_of(record.outcome)) +
+         (record.toi ? ", \"toi\": {\"lower\": " + json_number(record.toi->lower) +
+                           ", \"upper\": " + json_number(record.toi->upper) + "}"
+                     : "") +
          ", \"proof\": " + (record.rotating ? write_rotating(*record.rotating) : write_linear(record.proof)) +
          "}";
 }

@@ -11,6 +11,10 @@
 //   "axis": {"sign": -1, "cross": [{"from": {"a": {"vertex": 1}, "b": {"vertex": 0}},
 //                                   "to": {"a": {"vertex": 3}, "b": {"vertex": 0}}}, "motion"]}
 //
+// Two fields are left out where nothing is said: "tier", standard, certified or exact, what the answer was
+// given as; and "toi", {"lower": 0.25, "upper": 0.25}, the bracket that it states, which in tier standard may
+// be narrower than what the proof proves. oracles/check_record.hpp compares both with the proof.
+//
 // No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
 // proof claims is not judged here: a reader's proof may be false.
 //
@@ -35,11 +39,18 @@
 
 namespace graze::corpus {
 
+// toi_lower <= TOI <= toi_upper
+struct StatedBracket {
+  double lower = 0, upper = kInfinity<double>;
+};
+
 struct ProofRecord {
   Case problem;
   std::string method;  // "mpr"
   std::string scalar;  // "float", "double"
+  std::optional<Tier> tier;
   Outcome outcome = Outcome::not_converged;
+  std::optional<StatedBracket> toi;
   Proof proof;                            // of a linear answer; without a claim where it is rotating
   std::optional<RotatingProof> rotating;  // of a rotating answer
   int line = 0;                           // where it was read, from 1; not written
@@ -51,6 +62,7 @@ struct ProofReadResult {
   [[nodiscard]] bool ok() const { return errors.empty(); }
 };
 
+// One object a line, or one in all. A file of cases instead is one error, however many they are.
 [[nodiscard]] ProofReadResult read_proofs_file(const std::filesystem::path& path);
 [[nodiscard]] ProofReadResult read_proofs_text(std::string_view text, const std::string& name);
 

@@ -12,9 +12,11 @@
 // shape about a by any angle first moves no point out of it, so x(t) = c + t v + R(t) (o + Q(t) y), Q(t) the
 // turn about a by -(w.a) t, covers the same set. u(t) = R(t) Q(t) y turns with the angular velocity
 //   e(t) = w - (w.a) R(t) a,   |e| = |w x a|,   |e'| = |w.a| |w x a|
-// (w fixed, R a turning about w), and u'' = e' x u + e x (e x u). Hence
-//   |(n.(x - t v))'| <= |n x w| d_o + |n| |w x a| |y|,
-//   |(n.x)''| <= |w| |n x w| d_o + |n| |w x a| (|w.a| + |w x a|) |y|,
+// (w fixed, R a turning about w), and u'' = e' x u + e x (e x u). With s = w.a, e = |w x a|, and u = (u1, u2,
+// u3) along e/|e|, R a and their cross product, that is e (s u2, -s u1 - e u2, -e u3): e times a symmetric
+// matrix of u, up to signs, whose greatest eigenvalue is k = (e + sqrt(e^2 + 4 s^2))/2 >= e. Hence
+//   |(n.(x - t v))'| <= |n x w| d_o + |n| e |y|,
+//   |(n.x)''| <= |w| |n x w| d_o + |n| e k |y|,
 // d_o the distance of o from the axis of rotation. The lesser of the two bounds holds.
 //
 // An axis that turns with X: with m = R_X n, D = c_Y + t v_Y - c_X - t v_X, d = w_Y - w_X and u = R_Y r, the
@@ -73,9 +75,12 @@ Ball farthest(const BallVec& c, const std::array<BallVec, 3>& m, const Ball& str
   return sqrt(dot(c, c) + Ball(2) * norm(along) + stretch * stretch);
 }
 
-// A shape's blobs in the frame that `rotation` and `origin` place it in.
+// A shape's core as blobs, and the radius of the ball that is left out of it: the shape lies in the core and
+// that ball about its points. What a kind of shape leaves out of the one it adds to the other, here and
+// nowhere else.
 struct Blobs {
   std::vector<Blob> list;
+  Ball ball;
 
   static Blobs of(const Shape<double>& shape) {
     Blobs all;
@@ -90,7 +95,10 @@ struct Blobs {
   }
 
   void add(const Point<double>&) { vertex({}); }
-  void add(const Sphere<double>&) { vertex({}); }
+  void add(const Sphere<double>& s) {
+    vertex({});
+    ball = s.radius;
+  }
   void add(const Segment<double>& s) {
     for (const Vec3<double>& x : {s.a, s.b}) vertex(BallVec(x));
   }
@@ -99,6 +107,7 @@ struct Blobs {
   }
   void add(const Capsule<double>& s) {
     for (const double z : {-s.half_height, s.half_height}) vertex({0, 0, z});
+    ball = s.radius;
   }
   void add(const Box<double>& s) {
     const Vec3<double>& e = s.half_extents;
@@ -112,7 +121,10 @@ struct Blobs {
   void add(const Ellipsoid<double>& s) {
     const Vec3<double>& r = s.radii;
     vertex({});
-    if (r[0] == r[1] && r[1] == r[2]) return;  // a ball
+    if (r[0] == r[1] && r[1] == r[2]) {
+      ball = r[0];
+      return;
+    }
     list.back().ellipsoids.push_back({BallVec{r[0], 0, 0}, BallVec{0, r[1], 0}, BallVec{0, 0, r[2]}});
   }
   void add(const Cylinder<double>& s) {
@@ -128,10 +140,14 @@ struct Blobs {
     turn(BallRotation(s.orientation));
     move(BallVec(s.position));
   }
-  void add(const Rounded<double>& s) { *this = of(s.shape->shape); }
+  void add(const Rounded<double>& s) {
+    *this = of(s.shape->shape);
+    ball += s.radius;
+  }
   void add(const HullOf<double>& s) {
     for (const SharedShape<double>& part : s.shapes) {
       Blobs more = of(part->shape);
+      ball = max(ball, more.ball);
       for (Blob& blob : more.list) list.push_back(std::move(blob));
     }
   }
@@ -139,6 +155,7 @@ struct Blobs {
     vertex({});
     for (const SharedShape<double>& part : s.shapes) {
       Blobs more = of(part->shape);
+      ball += more.ball;
       if (list.size() * more.list.size() > kMostBlobs) {
         coarsen();
         more.coarsen();
@@ -174,6 +191,25 @@ struct Blobs {
     for (Blob& blob : list) blob.center = blob.center + by;
   }
 
+  // The greatest n.x of the core.
+  [[nodiscard]] Ball height(const BallVec& n) const {
+    std::optional<Ball> most;
+    for (const Blob& blob : list) {
+      Ball height = dot(n, blob.center) + blob.radius;
+      for (const auto& m : blob.ellipsoids) height += norm(BallVec{dot(m[0], n), dot(m[1], n), dot(m[2], n)});
+      most = most ? max(*most, height).high() : height.high();
+    }
+    return *most;
+  }
+  // The middle of the core's bounds along the axes, rounded; the origin where that is no double.
+  [[nodiscard]] Vec3<double> middle() const {
+    Vec3<double> x;
+    for (int i = 0; i < 3; ++i) {
+      const BallVec n(Vec3<double>(Vec3<double>::Unit(i)));
+      x[i] = (Ball(0.5) * (height(n) - height(-n))).mid_double();
+    }
+    return x.allFinite() ? x : Vec3<double>(Vec3<double>::Zero());
+  }
   // Of all points from the origin. Columns at right angles stretch by the longest.
   [[nodiscard]] Ball reach() const {
     return reach([](const BallVec& x) { return x; },
@@ -253,24 +289,28 @@ struct BallMotion::Naming {
 BallMotion::BallMotion(const Body<double>& body, const corpus::Spin& spin, const Vec3<double>& reference)
     : body_(body),
       naming_(std::make_unique<Naming>(body)),
+      spin_{finite(spin.rotation, "rotation"), Vec3<double>::Zero()},
       velocity_(body_.displacement()),
-      rotation_(finite(spin.rotation, "rotation")),
+      rotation_(spin_.rotation),
       rate_(norm(rotation_)) {
   const BallRotation orientation(body.orientation);
   orientation_ = orientation.mid_double();
-  // Of a body that does not turn any point serves: one far out would count in what bounds the motion.
-  const Vec3<double> given = finite(spin.pivot, "pivot"),
-                     pivot = spin.rotation.isZero(0) ? Vec3<double>(Vec3<double>::Zero()) : given;
-  arm_ = orientation.apply(BallVec(pivot));
-  pivot_ = exact_difference(body.position, finite(reference, "reference")) + arm_;
-  magnitude_ = body_.magnitude() + 2 * pivot.cwiseAbs().maxCoeff();
-
   Blobs blobs = Blobs::of(body.shape);
+  spin_.pivot = finite(spin.pivot, "pivot");
+  if (!turns()) spin_.pivot = blobs.middle();
+  arm_ = orientation.apply(BallVec(spin_.pivot));
+  pivot_ = exact_difference(body.position, finite(reference, "reference")) + arm_;
+  magnitude_ = body_.magnitude() + 2 * spin_.pivot.cwiseAbs().maxCoeff();
+
+  ball_ = blobs.ball.high();
   blobs.turn(orientation);
   blobs.move(-arm_);
   pivot_reach_ = blobs.reach();
   if (!turns()) return;
   axis_reach_ = blobs.reach_across(rotation_);
+  const BallVec along = (Ball(1) / rate_) * rotation_;
+  axis_high_ = blobs.height(along);
+  axis_low_ = -blobs.height(-along);
   if (const auto own = revolution(body.shape)) {
     const BallVec axis = orientation.apply(own->axis);
     const BallVec center = orientation.apply(own->center) - arm_;
@@ -331,7 +371,8 @@ Ball BallMotion::second_bound(const BallVec& n) const {
   const Ball across = rate_ * norm(cross(n, rotation_));
   const Ball followed = across * axis_reach_;
   if (!own_.exists) return followed;
-  const Ball tilting = own_.tilt * (own_.spin + own_.tilt) * own_.around;
+  const Ball most = Ball(0.5) * (own_.tilt + sqrt(own_.tilt * own_.tilt + Ball(4) * own_.spin * own_.spin));
+  const Ball tilting = own_.tilt * most * own_.around;
   return min(followed, across * own_.center + norm(n) * tilting);
 }
 
@@ -349,6 +390,13 @@ Ball second_bound_turning(const BallMotion& x, const BallMotion& y, const BallVe
 bool chord_stays_positive(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d) {
   if (!s0.is_positive() || !s1.is_positive()) return false;
   return certainly_less(d * sqrt(Ball(0.5) * bound), sqrt(s0) + sqrt(s1));
+}
+
+bool slopes_stay_positive(const Ball& s0, const Ball& s1, const Ball& f, const Ball& r, const Ball& d) {
+  if (!s0.is_positive() || !s1.is_positive()) return false;
+  if (certainly_at_most(f, Ball(0)) || certainly_at_most(r, Ball(0))) return true;
+  const Ball falls = f.high(), rises = r.high();
+  return certainly_less(d * falls * rises, s0 * rises + s1 * falls);
 }
 
 Ball chord_minimum(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d) {

@@ -8,9 +8,13 @@
 //
 // Points that are followed. Only the set counts, so the body may be covered at every t by any points that
 // stay in it; the bounds below hold for these curves:
-//   - a ball of a sphere, capsule or rounding does not turn: its points are centre(t) + a constant;
+//   - a ball of a sphere, capsule, rounding or ellipsoid of equal radii does not turn: its points are
+//     centre(t) + a constant. The centres are the body's *core*, and what is left out of it is ball();
 //   - a cylinder, cone or ellipsoid of revolution about its own axis a is followed in a frame that does not
 //     spin about a, where that bounds better (ball_motion.cpp).
+//
+// The pivot of a body that does not turn may be any point, whatever the case gives. One far from the body
+// would count in pivot_reach(), so it is one amid the body; spin() is the one place that says which.
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
 
@@ -75,15 +79,20 @@ class BallMotion {
   [[nodiscard]] const BallVec& velocity() const { return velocity_; }  // exact
   [[nodiscard]] const BallVec& rotation() const { return rotation_; }  // w, exact
   [[nodiscard]] const BallVec& pivot() const { return pivot_; }        // c at t = 0
+  // The same in doubles: w, and the pivot that counts, in the body's own frame.
+  [[nodiscard]] const corpus::Spin& spin() const { return spin_; }
   [[nodiscard]] bool turns() const { return !rotation_.is_zero(); }
   // An upper bound of the magnitudes of the numbers in it, the velocity and the reference aside.
   [[nodiscard]] double magnitude() const { return magnitude_; }
 
-  // Upper bounds. Of points without their balls, as above:
-  [[nodiscard]] const Ball& axis_reach() const {
-    return axis_reach_;
-  }  // from the axis of rotation; 0 for w = 0
-  [[nodiscard]] const Ball& pivot_reach() const { return pivot_reach_; }  // from the pivot
+  // Every point of the body is within ball() of one of its core's, as above. Bounds of the core: its points
+  // are no farther than that from the axis of rotation (0 for w = 0), and from the pivot, and between the
+  // heights low and high along w/|w| from the pivot (0 for w = 0).
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Ball& axis_reach() const { return axis_reach_; }
+  [[nodiscard]] const Ball& pivot_reach() const { return pivot_reach_; }
+  [[nodiscard]] const Ball& axis_low() const { return axis_low_; }
+  [[nodiscard]] const Ball& axis_high() const { return axis_high_; }
   // For n fixed in the world, of |(n.(x - t v))'| and of |(n.x)''| over the points x(t).
   [[nodiscard]] Ball first_bound(const BallVec& n) const;
   [[nodiscard]] Ball second_bound(const BallVec& n) const;
@@ -98,10 +107,11 @@ class BallMotion {
 
   BallBody body_;
   std::unique_ptr<Naming> naming_;
+  corpus::Spin spin_;
   BallVec velocity_, rotation_, arm_, pivot_;  // arm = R(orientation) pivot
   Mat3<double> orientation_;                   // rounded
   double magnitude_ = 0;
-  Ball rate_, axis_reach_, pivot_reach_;  // rate = |w|
+  Ball rate_, ball_, axis_reach_, pivot_reach_, axis_low_, axis_high_;  // rate = |w|
   OwnAxis own_;
 };
 
@@ -117,6 +127,12 @@ class BallMotion {
 // where it is outside, |s1 - s0| >= bound d^2 / 2, and s0, s1 > 0 already give that:
 // (sqrt s0 + sqrt s1)^2 > |s1 - s0|. So the one test says that g is positive; certain where it does.
 [[nodiscard]] bool chord_stays_positive(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d);
+// A function from s0 at 0 to s1 at d that falls no faster than f and rises no faster than r is above
+// s0 - f x and s1 - r (d - x). Both ends positive, it is positive on [0, d] if f <= 0 or r <= 0, or
+//   s0 / f + s1 / r > d,
+// as then the one is positive up to beyond where the other begins to be. Certain where it says so.
+[[nodiscard]] bool slopes_stay_positive(const Ball& s0, const Ball& s1, const Ball& f, const Ball& r,
+                                        const Ball& d);
 // A lower bound of the least g.
 [[nodiscard]] Ball chord_minimum(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d);
 

@@ -1,11 +1,9 @@
 // The door (is it a proof, of a case in range?), then each claim through the three arithmetics in turn.
-//
-// Where the filters' bounds are void (filters_hold.hpp) they are left out, and GMP decides.
 #include "oracles/check_proof.hpp"
 
+#include "oracles/default_environment.hpp"
 #include "oracles/double_double.hpp"
 #include "oracles/dyadic.hpp"
-#include "oracles/filters_hold.hpp"
 #include "oracles/number_text.hpp"
 #include "oracles/tree_axis.hpp"
 
@@ -115,33 +113,24 @@ struct VertexCounts {
 
 class Cascade {
  public:
-  explicit Cascade(CheckCost* cost) : cost_(cost), filters_(filters_hold()) {}
+  explicit Cascade(CheckCost* cost) : cost_(cost) {}
 
   // decide.operator()<N>() tells the finding over N; one that is open goes on to the next arithmetic.
   template <class Decide>
   [[nodiscard]] auto run(const Decide& decide) const {
-    if (filters_) {
-      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
-        if (cost_ != nullptr) ++cost_->double_decisions;
-        return found;
-      }
-      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
-        if (cost_ != nullptr) ++cost_->extended_decisions;
-        return found;
-      }
+    if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
+      if (cost_ != nullptr) ++cost_->double_decisions;
+      return found;
     }
-    if (cost_ != nullptr) ++cost_->exact_decisions;
-    return decide.template operator()<Dyadic>();
+    return run_close(decide);
   }
 
   // The same for two claims about neighbouring doubles at once, which plain doubles hardly ever tell apart.
   template <class Decide>
   [[nodiscard]] auto run_close(const Decide& decide) const {
-    if (filters_) {
-      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
-        if (cost_ != nullptr) ++cost_->extended_decisions;
-        return found;
-      }
+    if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
+      if (cost_ != nullptr) ++cost_->extended_decisions;
+      return found;
     }
     if (cost_ != nullptr) ++cost_->exact_decisions;
     return decide.template operator()<Dyadic>();
@@ -150,16 +139,14 @@ class Cascade {
   // The same for what may have square roots; it may stay unknown.
   template <class Decide>
   [[nodiscard]] auto run_with_roots(bool has_roots, const Decide& decide) const {
-    if (filters_) {
-      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
-        if (cost_ != nullptr) ++cost_->double_decisions;
+    if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
+      if (cost_ != nullptr) ++cost_->double_decisions;
+      return found;
+    }
+    if (!has_roots) {
+      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
+        if (cost_ != nullptr) ++cost_->extended_decisions;
         return found;
-      }
-      if (!has_roots) {
-        if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
-          if (cost_ != nullptr) ++cost_->extended_decisions;
-          return found;
-        }
       }
     }
     for (long bits = kFirstBits; bits <= kMostBits; bits *= 2) {
@@ -176,7 +163,6 @@ class Cascade {
 
  private:
   CheckCost* cost_;
-  bool filters_;
 };
 
 // |offset| <= radius
@@ -436,10 +422,12 @@ const char* to_string(Refusal refusal) {
 }
 
 Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
+  const DefaultEnvironment environment;
   return check(problem, proof, cost, nullptr);
 }
 
 Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBounds& moved, CheckCost* cost) {
+  const DefaultEnvironment environment;
   moved = {};
   if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
     return check(problem, proof, cost, nullptr);

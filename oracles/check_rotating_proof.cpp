@@ -7,7 +7,7 @@
 
 #include "oracles/contact_claim.hpp"
 #include "oracles/crossing_claim.hpp"
-#include "oracles/filters_hold.hpp"
+#include "oracles/default_environment.hpp"
 #include "oracles/number_text.hpp"
 #include "oracles/rotating_proof_form.hpp"
 #include "oracles/slice_claim.hpp"
@@ -26,27 +26,19 @@ class Claims {
 
   [[nodiscard]] RotatingVerdict chain() {
     if (proof_.chain.empty()) return {};
-    std::optional<SliceFilter> filter;
-    SliceFilter::Instant first;
-    if (filters_hold()) {
-      const WorkingPrecision working(kBits[0]);
-      const PairMotion& motion = at_precision(0);
-      filter.emplace(problem_, trees_.a, trees_.b, motion.a, motion.b);
-      first = filter->at(0);
-    }
+    const WorkingPrecision working(kBits[0]);
+    const PairMotion& motion = at_precision(0);
+    SliceFilter filter(problem_, trees_.a, trees_.b, motion.a, motion.b);
+    SliceFilter::Instant first = filter.at(0);
     double begin = 0;
     for (std::size_t i = 0; i < proof_.chain.size(); ++i) {
       const TimeSlice& slice = proof_.chain[i];
       if (slice.axis.isZero(0))
         return {RotatingRefusal::axis_missing, "slice " + std::to_string(i) + " has a zero axis"};
       ++cost_.slices;
-      bool proved = false;
-      if (filter) {
-        const WorkingPrecision working(kBits[0]);
-        const SliceFilter::Instant last = filter->at(slice.end);
-        proved = filter->proves(slice, first, last, kMostPieces, cost_.pieces);
-        first = last;
-      }
+      const SliceFilter::Instant last = filter.at(slice.end);
+      const bool proved = filter.proves(slice, first, last, kMostPieces, cost_.pieces);
+      first = last;
       if (proved) {
         ++cost_.in_double;
       } else if (const SliceAnswer answer = in_balls(slice, begin); answer.finding != SliceFinding::holds) {
@@ -196,6 +188,7 @@ const char* to_string(RotatingRefusal refusal) {
 
 RotatingVerdict check_rotating_proof(const corpus::Case& problem, const RotatingProof& proof,
                                      RotatingCheckCost* cost) {
+  const DefaultEnvironment environment;
   if (RotatingVerdict form = read_proof(proof); !form.accepted()) return form;
   const TreesOfCase trees(problem);
   if (RotatingVerdict form = read_case(problem, trees, proof); !form.accepted()) return form;

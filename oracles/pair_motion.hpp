@@ -17,8 +17,8 @@ struct PairMotion {
   explicit PairMotion(const corpus::Case& problem)
       : a(problem.a, problem.spin_a, problem.a.position),
         b(problem.b, problem.spin_b, problem.a.position),
-        swept_a(SweptBody::of(problem.a.shape, a)),
-        swept_b(SweptBody::of(problem.b.shape, b)),
+        swept_a(SweptBody::of(a)),
+        swept_b(SweptBody::of(b)),
         target_distance(problem.target_distance) {}
 };
 

@@ -3,7 +3,8 @@
 // With s(t) = min over B(t) of n(t).b - max over A(t) of n(t).a and M a bound on how fast the slope of any
 // point's n(t).x(t) changes, s lies at most M (t - t_0)(t_1 - t)/2 below its chord on [t_0, t_1]
 // (ball_motion.hpp proves it; in the frame of a body the points are taken relative to the path of its pivot,
-// which cancels in s). The slice wants s - m |n| > 0. A piece that the bound leaves open is cut in the
+// which cancels in s). The slice wants s - m |n| > 0. Along an axis of the world the speed of the points says
+// it too, and of a slice of very many radians it says more. A piece that both leave open is cut in the
 // middle; near a contact at t* that the bodies approach with a speed, halves as short as t* - t suffice, so
 // pieces grow with the logarithm of the gap only.
 //
@@ -34,6 +35,8 @@ class SliceClaim {
         frame_(slice.frame),
         margin_(motion.target_distance * norm(n_)),
         bound_(bound(begin, slice.end)),
+        turning_(motion.a.first_bound(n_) + motion.b.first_bound(n_)),
+        moving_(dot(n_, motion.b.velocity() - motion.a.velocity())),
         cost_(cost) {}
 
   [[nodiscard]] SliceAnswer prove(const PairInstant& begin, const PairInstant& end) const {
@@ -85,7 +88,10 @@ class SliceClaim {
 
   [[nodiscard]] bool holds(double begin, double end, const Ball& first, const Ball& last) const {
     if (begin == end) return true;
-    return chord_stays_positive(first, last, bound_, Ball(end) - Ball(begin));
+    const Ball d = Ball(end) - Ball(begin);
+    return chord_stays_positive(first, last, bound_, d) ||
+           (frame_ == AxisFrame::world &&
+            slopes_stay_positive(first, last, turning_ - moving_, turning_ + moving_, d));
   }
 
   // With one body, or both, at all angles at once; the other one's turn alone bends the separation.
@@ -116,8 +122,9 @@ class SliceClaim {
   const PairMotion& motion_;
   BallVec n_;
   AxisFrame frame_;
-  Ball margin_;  // m |n|
-  Ball bound_;   // M_A + M_B
+  Ball margin_;            // m |n|
+  Ball bound_;             // M_A + M_B
+  Ball turning_, moving_;  // of n.x, by the bodies' turns, and n.v: n as in the world
   RotatingCheckCost& cost_;
 };
 

@@ -5,9 +5,9 @@
 //   R(t) n = cos n + sin u x n + (1 - cos)(u.n) u, and R(t)^-1 n by -sin; cos and sin are balls rounded once.
 //   max over X(t) of n.x = h(R^-1 n) - (R^-1 n).arm + n.(position + arm + t v), h that of the shape about its
 //   position (tree_support.hpp). Only the difference of the two positions is taken, of exact doubles.
-// The bounds of second derivatives are those that ball_motion.cpp derives, without the one for a shape of
-// revolution about its own axis; where they do not suffice, that one is asked for as a ball.
-// For the oracles' own .cpp files (it includes Arb).
+// The bounds of derivatives are those that ball_motion.cpp derives, without the ones for a shape of
+// revolution about its own axis; where they do not suffice, that of second derivatives is asked for as a
+// ball. For the oracles' own .cpp files (it includes Arb).
 #pragma once
 
 #include "oracles/ball_motion.hpp"
@@ -32,8 +32,8 @@ class SliceFilter {
   // The trees and the motions live as long.
   SliceFilter(const corpus::Case& problem, const PartTree& tree_a, const PartTree& tree_b,
               const BallMotion& a, const BallMotion& b)
-      : a_(tree_a, a, problem.a, problem.spin_a),
-        b_(tree_b, b, problem.b, problem.spin_b),
+      : a_(tree_a, a, problem.a.orientation),
+        b_(tree_b, b, problem.b.orientation),
         between_(difference<Filtered>(problem.b.position, problem.a.position) + (b_.arm - a_.arm)),
         velocity_(difference<Filtered>(problem.b.displacement, problem.a.displacement)),
         target_distance_(problem.target_distance) {}
@@ -59,17 +59,21 @@ class SliceFilter {
     ++pieces;
     if (!(whole.first > 0 && whole.last > 0)) return false;
     if (begin.t == end.t) return true;
-    double bound = high(this->bound(slice.frame, n, length, begin.t, end.t));
-    if (stays_positive(whole, bound)) return true;
+    Slopes slopes{.bend = high(this->bound(slice.frame, n, length, begin.t, end.t))};
+    if (stays_positive(whole, slopes)) return true;
     if (slice.frame == AxisFrame::world) {
+      const Filtered turning = speed(n), moving = dot(n, velocity_);
+      slopes.falls = top(turning - moving);
+      slopes.rises = top(turning + moving);
       const BallVec axis(slice.axis);
-      bound = std::min(bound, (a_.motion.second_bound(axis) + b_.motion.second_bound(axis)).high_double());
+      slopes.bend =
+          std::min(slopes.bend, (a_.motion.second_bound(axis) + b_.motion.second_bound(axis)).high_double());
     }
     open_.assign(1, whole);
     for (int cuts = 1; !open_.empty();) {
       const Piece piece = open_.back();
       open_.pop_back();
-      if (stays_positive(piece, bound)) continue;
+      if (stays_positive(piece, slopes)) continue;
       const double middle = piece.begin + (piece.end - piece.begin) / 2;
       if (!(piece.begin < middle && middle < piece.end) || ++cuts > most) return false;
       ++pieces;
@@ -91,7 +95,8 @@ class SliceFilter {
     Filtered rate, axis_reach, pivot_reach;
     Triple<Filtered> rotation, unit, arm;
 
-    Side(const PartTree& tree_, const BallMotion& motion_, const Body<double>& body, const corpus::Spin& spin)
+    // The turn is the motion's own: it says what pivot the body has.
+    Side(const PartTree& tree_, const BallMotion& motion_, const Quaternion<double>& orientation)
         : tree(tree_),
           motion(motion_),
           scans(tree.size()),
@@ -100,13 +105,13 @@ class SliceFilter {
           rate(filtered(rate_ball)),
           axis_reach(filtered(motion.axis_reach())),
           pivot_reach(filtered(motion.pivot_reach())),
-          rotation(triple<Filtered>(spin.rotation)),
+          rotation(triple<Filtered>(motion.spin().rotation)),
           unit(triple<Filtered>(Vec3<double>::Zero())),
-          arm(triple<Filtered>(spin.pivot)) {
+          arm(triple<Filtered>(motion.spin().pivot)) {
       if (turns) unit = filtered((Ball(1) / rate_ball) * motion.rotation());
-      if (body.orientation.is_identity()) return;
-      const Frame<Filtered> frame(true, scaled_to_one(body.orientation));
-      arm = frame.apply(spin.pivot);
+      if (orientation.is_identity()) return;
+      const Frame<Filtered> frame(true, scaled_to_one(orientation));
+      arm = frame.apply(motion.spin().pivot);
       arm = {arm.x / frame.weight, arm.y / frame.weight, arm.z / frame.weight};
     }
 
@@ -141,13 +146,25 @@ class SliceFilter {
   [[nodiscard]] static double high(const Filtered& x) {
     return (std::abs(x.value()) + x.error()) * Filtered::kUp;
   }
+  // Of a number of either sign, not let vanish.
+  [[nodiscard]] static double top(const Filtered& x) {
+    const double most = x.value() + x.error();
+    return most + 0x1p-50 * (std::abs(x.value()) + x.error()) + 0x1p-900;
+  }
 
-  // (sqrt s0 + sqrt s1)^2 > d^2 M / 2 keeps the chord from s0 to s1, both above 0, less M x (d - x) / 2 above
-  // 0. Each side has fewer than 10 roundings, which 2^-40 covers; M is not let vanish.
-  [[nodiscard]] static bool stays_positive(const Piece& piece, double bound) {
+  // Upper bounds over a slice: M, and how fast s falls and rises.
+  struct Slopes {
+    double bend, falls = kInfinity<double>, rises = kInfinity<double>;
+  };
+
+  // By (sqrt s0 + sqrt s1)^2 > d^2 M / 2, or s0 / f + s1 / r > d (ball_motion.hpp has both). Each side has
+  // fewer than 10 roundings, which 2^-40 covers; M is not let vanish.
+  [[nodiscard]] static bool stays_positive(const Piece& piece, const Slopes& slopes) {
     const double d = piece.end - piece.begin, roots = std::sqrt(piece.first) + std::sqrt(piece.last);
-    const double most = std::max(bound, 0x1p-900);
-    return d * (d * (most / 2)) * (1 + 0x1p-40) + Filtered::kTiny < roots * roots * (1 - 0x1p-40);
+    const double most = std::max(slopes.bend, 0x1p-900);
+    if (d * (d * (most / 2)) * (1 + 0x1p-40) + Filtered::kTiny < roots * roots * (1 - 0x1p-40)) return true;
+    return slopes.falls <= 0 || slopes.rises <= 0 ||  // NaN: neither
+           piece.first / slopes.falls + piece.last / slopes.rises > d * (1 + 0x1p-40) + Filtered::kTiny;
   }
 
   // min over B(t) of n(t).b - max over A(t) of n(t).a - m |n|
@@ -161,6 +178,14 @@ class SliceFilter {
     const Filtered apart = dot(n, between_ + scaled(Filtered(now.t), velocity_));
     const Filtered s = apart - (a_.reach(in_a, length) + b_.reach(-in_b, length));
     return target_distance_ > 0 ? s - length * target_distance_ : s;
+  }
+
+  // How fast n.x changes by the bodies' turns, n fixed in the world.
+  [[nodiscard]] Filtered speed(const Triple<Filtered>& n) const {
+    Filtered sum(0);
+    for (const Side* x : {&a_, &b_})
+      if (x->turns) sum = sum + norm(cross(n, x->rotation)) * x->axis_reach;
+    return sum;
   }
 
   [[nodiscard]] Filtered bound(AxisFrame frame, const Triple<Filtered>& n, const Filtered& length,

@@ -1,10 +1,11 @@
 // A turning body at all its angles at once: the cylinder that it sweeps about its axis of rotation, which
 // only moves along. What keeps clear of the cylinder keeps clear of the body, however many turns it makes.
 //
-// Notation   u = w/|w|;   c + t v the path of the pivot;   the body is a core plus a ball of radius r.
+// Notation   u = w/|w|;   c + t v the path of the pivot;   the body lies in a core and a ball of radius r
+//            about its points.
 //   max over the cylinder and the ball of n.x = n.(c + t v) + max(n.u high, n.u low) + |n x u| reach + r |n|,
 // high and low the core's greatest and least height along u from the pivot, which no turn changes, reach its
-// largest distance from the axis (ball_motion.hpp).
+// largest distance from the axis. All four are those of one core: BallMotion's (ball_motion.hpp).
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
 
@@ -16,18 +17,11 @@ namespace graze::oracle {
 
 class SweptBody {
  public:
-  // Nothing for a body that does not turn, and for a combinator, whose ball is not one.
-  static std::optional<SweptBody> of(const Shape<double>& shape, const BallMotion& body) {
-    const std::optional<double> radius = ball_of(shape);
-    if (!radius || !body.turns()) return std::nullopt;
+  // Nothing for a body that does not turn.
+  static std::optional<SweptBody> of(const BallMotion& body) {
+    if (!body.turns()) return std::nullopt;
     SweptBody out;
-    out.radius_ = Ball(*radius);
-    out.reach_ = body.axis_reach();
-    const BallVec& w = body.rotation();
-    out.axis_ = (Ball(1) / norm(w)) * w;
-    const BallMotion::Pose start = body.at(0);
-    out.high_ = start.support(out.axis_).reach - dot(out.axis_, body.pivot()) - out.radius_;
-    out.low_ = -(start.support(-out.axis_).reach + dot(out.axis_, body.pivot()) - out.radius_);
+    out.axis_ = (Ball(1) / norm(body.rotation())) * body.rotation();
     return out;
   }
 
@@ -35,22 +29,12 @@ class SweptBody {
   [[nodiscard]] Ball reach(const BallMotion& body, const BallVec& n, double t) const {
     const Ball along = dot(n, axis_);
     const BallVec pivot = body.pivot() + Ball(t) * body.velocity();
-    return dot(n, pivot) + max(along * high_, along * low_) + norm(cross(n, axis_)) * reach_ +
-           radius_ * norm(n);
+    return dot(n, pivot) + max(along * body.axis_high(), along * body.axis_low()) +
+           norm(cross(n, axis_)) * body.axis_reach() + norm(n) * body.ball();
   }
 
  private:
-  static std::optional<double> ball_of(const Shape<double>& shape) {
-    if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) return sphere->radius;
-    if (const auto* capsule = std::get_if<Capsule<double>>(&shape)) return capsule->radius;
-    const bool combined =
-        std::holds_alternative<Posed<double>>(shape) || std::holds_alternative<Rounded<double>>(shape) ||
-        std::holds_alternative<Sum<double>>(shape) || std::holds_alternative<HullOf<double>>(shape);
-    return combined ? std::nullopt : std::optional<double>(0);
-  }
-
   BallVec axis_;
-  Ball radius_, reach_, high_, low_;
 };
 
 }  // namespace graze::oracle

@@ -169,8 +169,15 @@ class Run {
     record.problem = method.seen(problem);
     record.method = method.name;
     record.scalar = method.scalar;
+    record.tier = method.tier == "certified" ? Tier::certified
+                  : method.tier == "exact"   ? Tier::exact
+                                             : Tier::standard;
     record.outcome = answer.outcome;
+    if (answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input) {
+      record.toi = {answer.toi_lower, answer.toi_upper};
+    }
     if constexpr (std::same_as<AnyMethod, engine::RotatingEngineMethod>) {
+      if (ask.tier) record.tier = ask.tier;
       record.rotating = answer.proof;
     } else {
       record.proof = *answer.proof;

@@ -68,10 +68,9 @@ TEST(BallMotion, PlacesPointsWhereTheFormulaDoes) {
 TEST(BallMotion, SmallAndManyTurns) {
   Body<double> body;
   body.shape = Segment<double>{Vec(0, 0, 0), Vec(2, 0, 0)};
-  const NamedPoint end = BallMotion(body, {}).named({.vertex = 1});
   for (const double w : {0.0, 1e-300, 1e-20, 1e-5, 1.0, 513.0, 1e4}) {
     const BallMotion motion(body, {.rotation = Vec(0, 0, w), .pivot = Vec::Zero()});
-    const BallVec at = motion.at(1).place(end);
+    const BallVec at = motion.at(1).place(motion.named({.vertex = 1}));
     EXPECT_NEAR(at.mid_double()[0], 2 * std::cos(w), 1e-15);
     EXPECT_NEAR(at.mid_double()[1], 2 * std::sin(w), 2e-15);
     EXPECT_LT((at.y.high() - at.y.low()).high_double(), 1e-30);
@@ -98,14 +97,17 @@ TEST(BallMotion, NamesPointsOfCombinators) {
   EXPECT_THROW(static_cast<void>(motion.named(feature)), std::invalid_argument);
 }
 
-// A body that does not turn is as it is about any point: nothing is measured from a pivot far out.
+// A body that does not turn is as it is about any point: nothing is measured from a pivot far out, but from
+// the middle of the body.
 TEST(BallMotion, ThePivotOfABodyThatDoesNotTurnIsIdle) {
   Body<double> body;
   body.shape = Segment<double>{Vec(0, 0, 0), Vec(2, 0, 0)};
   const corpus::Spin turning{.rotation = Vec(0, 0, 1), .pivot = Vec(1e9, 0, 0)};
   const corpus::Spin resting{.rotation = Vec::Zero(), .pivot = turning.pivot};
   EXPECT_EQ(BallMotion(body, turning).named({.vertex = 1}).from_pivot.mid_double(), Vec(2 - 1e9, 0, 0));
-  EXPECT_EQ(BallMotion(body, resting).named({.vertex = 1}).from_pivot.mid_double(), Vec(2, 0, 0));
+  EXPECT_EQ(BallMotion(body, resting).named({.vertex = 1}).from_pivot.mid_double(), Vec(1, 0, 0));
+  EXPECT_EQ(BallMotion(body, resting).spin().pivot, Vec(1, 0, 0));
+  EXPECT_EQ(BallMotion(body, turning).spin().pivot, turning.pivot);
   EXPECT_GT(BallMotion(body, turning).magnitude(), 1e9);
   EXPECT_LT(BallMotion(body, resting).magnitude(), 10);
 }
