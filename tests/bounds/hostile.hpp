@@ -221,8 +221,8 @@ class HostileDraw {
         return Box<double>{e};
     }
   }
-  Shape<double> tree(double size) {
-    const Shape<double> part = leaf(size);
+  Shape<double> tree(double size, int depth = 0) {
+    const Shape<double> part = depth < 3 && chance(0.3) ? tree(size, depth + 1) : leaf(size);
     switch (below(5)) {
       case 0:
         return sum<double>(part, Segment<double>{Vec3<double>::Zero(), draw_.vector<double>(size)});
