@@ -53,8 +53,11 @@ double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>&
                  int exponent, bool solid) {
   Random& random = draw.random;
   const double length = random.uniform(1, 4), behind = random.uniform(-0.9, 0.9) * length;
-  // Wide enough that a position's rounding does not make tips pass side by side.
-  const double thick = std::scalbn(1.0, random.integer(std::max(-30, exponent - 48), -6));
+  // Wide enough that a position's rounding does not make tips pass side by side; thin enough that the ball
+  // about a rod is no larger than the rod but by a unit in the last place, thick^2 / length.
+  const int widest = std::clamp((exponent - 56) / 2, -20, -6);
+  const double thick =
+      std::scalbn(1.0, random.integer(std::min(widest, std::max(-30, exponent - 48)), widest));
   const Vec3<double> tip(offset[0] + side * length, offset[1], offset[2]),
       base(offset[0] - side * behind, offset[1], offset[2]);
   body.shape = rod(draw, base, tip, thick, solid);
@@ -65,16 +68,22 @@ double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>&
 void tip_to_tip(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double size = power_of_two(static_cast<int>(hardness));
-  const int which = random.integer(0, 3);  // A, B, or both in half of them
-  const Vec3<double> out_a = which != 1 ? far_offset(draw, size) : Vec3<double>::Zero();
-  const Vec3<double> out_b = which != 0 ? far_offset(draw, size) : Vec3<double>::Zero();
+  const int which = random.integer(0, 3);  // A, both, or, in half of them, B
+  const auto offset = [&] {
+    Vec3<double> out = far_offset(draw, size);
+    if (!random.once_in(4)) out[0] = size * random.uniform(0.5, 1);  // along the rods
+    return out;
+  };
+  const Vec3<double> out_a = which < 2 ? offset() : Vec3<double>::Zero();
+  const Vec3<double> out_b = which != 0 ? offset() : Vec3<double>::Zero();
   const int exponent = static_cast<int>(hardness);
   const int solid = random.integer(0, 2);  // A, B, or both
   const double reach_a = place_rod(draw, problem.a, problem.spin_a, out_a, 1, exponent, solid != 1),
                reach_b = place_rod(draw, problem.b, problem.spin_b, out_b, -1, exponent, solid != 0);
-  // From an eighth of a unit in the last place of 2^k to eight of them.
-  const double fine = std::max(0x1p-35, power_of_two(exponent - 53 + random.integer(-3, 3)));
-  const double gap = (random.once_in(2) ? fine : -fine);
+  // From an eighth of a unit in the last place of 2^k to two of them; the middle of two vertices out there
+  // loses half of one.
+  const double fine = std::max(0x1p-35, power_of_two(exponent - 52 + random.integer(-4, 0)));
+  const double gap = random.once_in(3) ? fine : -fine;
 
   // A comes through the line at this time, or leaves it at t = 0.
   const double t = meeting_time(draw) / 2;

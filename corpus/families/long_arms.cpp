@@ -5,12 +5,12 @@
 // is the difference of the pivots: nothing but what of d lies across w. With rotation vectors that differ by
 // dw about one point, c away, it moves by about dw x c. So, a third of the cases each:
 //   pivots   one w, a multiple of small integers, and pivots apart by nearly a multiple of it, or by nearly
-//            nothing: they leave its direction by a few units in the last place of 2^k;
-//   axes     one pivot, to rounding, and axes that are parallel but for a few units in the last place; half
+//            nothing: they leave its direction by one or two units in the last place of 2^k;
+//   axes     one pivot, to rounding, and axes that are parallel but for a unit in the last place or two; half
 //            have round bodies, one behind the other along w, where n x w comes out as 0;
 //   speeds   one pivot, and rotation vectors that differ by 2^-j of 1/2^k, j drawn.
-// What B moves by so is `swing`, 2^-33 at least, and the bodies start within 0.9 of it of each other, or up
-// to 0.3 of it deep: about a quarter in contact at the start, and as many meet later.
+// What B moves by so is `swing`, 2^-34 at least, and the bodies start within half of it of each other, or
+// up to a fifth of it deep: about a quarter in contact at the start, and as many meet later.
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +48,15 @@ Vec3<double> across(Random& random, const Vec3<double>& along) {
   }
 }
 
+// One or two coordinates to a neighbouring double, or farther, by `least`, where the neighbours are nearer.
+void move_by_units(Random& random, Vec3<double>& x, double least) {
+  for (int moved = random.integer(1, 2); moved > 0; --moved) {
+    double& one = x[random.integer(0, 2)];
+    const double way = random.once_in(2) ? 1 : -1, next = std::nextafter(one, way * kInfinity<double>);
+    one = std::abs(next - one) < least ? one + way * least : next;
+  }
+}
+
 // One above the other, along z: A's origin, B's is where the gap says, and `swing` times what was drawn
 // apart.
 void stack(Draw& draw, Case& problem, double swing) {
@@ -61,7 +70,7 @@ void stack(Draw& draw, Case& problem, double swing) {
   problem.a.shape = below.shape;
   problem.b.shape = above.shape;
   problem.a.position = Vec3<double>(0, 0, 0 + (below.lift - above.lift));
-  problem.b.position = Vec3<double>(0, 0, draw.real(swing * draw.random.uniform(-0.3, 0.9)));
+  problem.b.position = Vec3<double>(0, 0, draw.real(swing * draw.random.uniform(-0.2, 0.5)));
 }
 
 // Round bodies, one behind the other along `along`.
@@ -83,7 +92,7 @@ void line_up(Draw& draw, Case& problem, const Vec3<double>& along, double swing)
         break;
     }
   }
-  const double far = (between + swing * random.uniform(-0.3, 0.9)) / length_of(along);
+  const double far = (between + swing * random.uniform(-0.2, 0.5)) / length_of(along);
   problem.b.position = Vec3<double>(far * along[0], far * along[1], far * along[2]);
 }
 
@@ -97,37 +106,37 @@ void set_pivots(Case& problem, const Vec3<double>& a, const Vec3<double>& b) {
 
 void pivots_apart(Draw& draw, double arm, double step, Case& problem) {
   Random& random = draw.random;
-  stack(draw, problem, 2 * step);
-  const Vec3<double> along = small_integers(random, random.once_in(2) ? 1 : 4);
+  stack(draw, problem, step);
+  const Vec3<double> along = small_integers(random, random.once_in(4) ? 4 : 1);
   problem.spin_a.rotation = exactly_along(along, random.uniform(0.5, 8));
   problem.spin_b.rotation = problem.spin_a.rotation;
   // About points beside the bodies, or out on an arm; apart along w by an arm, or not at all.
   Vec3<double> a = Vec3<double>::Zero();
-  if (random.once_in(2)) {
+  const bool far = random.once_in(2);
+  if (far) {
     const Vec3<double> way = direction(draw);
     for (int i = 0; i < 3; ++i) a[i] = std::floor(arm * way[i]);
   }
-  const double units = random.once_in(4) ? 0 : std::floor(arm * random.uniform(0.5, 1) / 4);
+  const double units = far && random.once_in(2) ? 0 : std::floor(arm * random.uniform(0.5, 1));
   Vec3<double> b;
-  for (int i = 0; i < 3; ++i) b[i] = (a[i] + units * along[i]) + step * random.integer(-2, 2);
+  for (int i = 0; i < 3; ++i) b[i] = a[i] + units * along[i];
+  move_by_units(random, b, 0x1p-34);
   set_pivots(problem, a, b);
 }
 
 void axes_apart(Draw& draw, double arm, double step, Case& problem) {
   Random& random = draw.random;
-  const Vec3<double> along = small_integers(random, random.once_in(2) ? 1 : 4);
+  const Vec3<double> along = small_integers(random, random.once_in(4) ? 4 : 1);
   problem.spin_a.rotation = exactly_along(along, random.uniform(0.5, 4));
   const Vec3<double> out = across(random, along);
   Vec3<double> c;
   for (int i = 0; i < 3; ++i) c[i] = std::floor(arm / length_of(out)) * out[i];
-  // Rotation vectors of up to 4 have units of 2^-50 there and below.
-  const double unit = std::max(0x1p-50, step / arm);
+  problem.spin_b.rotation = problem.spin_a.rotation;
+  if (random.once_in(2)) move_by_units(random, problem.spin_a.rotation, 0x1p-34 / arm);
+  move_by_units(random, problem.spin_b.rotation, 0x1p-34 / arm);
   Vec3<double> difference;
-  for (int i = 0; i < 3; ++i) {
-    difference[i] = unit * random.integer(-2, 2);
-    problem.spin_b.rotation[i] = problem.spin_a.rotation[i] + difference[i];
-  }
-  const double swing = std::max(length_of(difference), unit) * arm;
+  for (int i = 0; i < 3; ++i) difference[i] = problem.spin_b.rotation[i] - problem.spin_a.rotation[i];
+  const double swing = std::max(length_of(difference) * arm, step);
   if (random.once_in(2)) {
     line_up(draw, problem, along, swing);
   } else {

