@@ -72,6 +72,23 @@ TEST_F(CampaignCommand, merged_shards_print_what_one_piece_prints) {
   EXPECT_EQ(folder.read("joined.json"), folder.read("whole.json"));
 }
 
+TEST_F(CampaignCommand, other_methods_queries_and_turning_bodies_are_parts_of_one_campaign) {
+  const std::string command =
+      "campaign --casts 60 --queries 1 --rotating 12 --methods standard --family hulls --family slow_spin "
+      "--block 20 ";
+  const CommandRun whole = folder.graze(command + "--levels --json whole.json");
+  EXPECT_EQ(whole.exit_code, 0) << whole.out << whole.err;
+  for (const char* part :
+       {"Campaign: 60 casts by ca/double, gjk/double, mpr/double, ca/float, gjk/float, mpr/float, seed 1",
+        "\nswept_overlap mpr/float\n", "\nrotating plan/double\n", "  h8"}) {
+    EXPECT_NE(whole.out.find(part), std::string::npos) << part << "\n" << whole.out;
+  }
+  for (const std::string i : {"1", "2"})
+    EXPECT_EQ(folder.graze(command + "--shard " + i + "/2 --state part" + i + ".json").exit_code, 0);
+  EXPECT_EQ(folder.graze("merge --levels part2.json part1.json --json merged.json").out, whole.out);
+  EXPECT_EQ(folder.read("merged.json"), folder.read("whole.json"));
+}
+
 TEST_F(CampaignCommand, signals_stop_it_and_the_same_command_goes_on) {
   // Ended by signals again and again until it is done; 143 says that it kept what it had.
   const std::string command = "campaign --casts 600 --block 4 --family many_vertices ";
@@ -115,6 +132,12 @@ TEST_F(CampaignCommand, bad_input_is_named_in_one_line) {
   expect_one_complaint("campaign --threads -1", "--threads");
   expect_one_complaint("campaign --family grazzing", "grazzing is no family");
   expect_one_complaint("campaign --family fast_spin", "turn");
+  expect_one_complaint("campaign --rotating 8 --family hulls", "no body of hulls turns");
+  expect_one_complaint("campaign --rotating 8 --method mpr", "mpr is no method for casts of turning bodies");
+  expect_one_complaint("campaign --queries 8 --method plan", "plan is no method for queries");
+  expect_one_complaint("campaign --queries 0", "--queries");
+  expect_one_complaint("campaign --casts 5 --per-family 5", "give one");
+  expect_one_complaint("campaign --rotating 5 --rotating-per-family 5", "give one");
   expect_one_complaint("campaign --family curved", "exact/double");
   expect_one_complaint("campaign --method epa", "epa is no method");
   for (const std::string shard : {"0/3", "4/3", "1", "1/", "a/b", "1/3x", "/3"})
@@ -132,6 +155,9 @@ TEST_F(CampaignCommand, bad_input_is_named_in_one_line) {
   expect_one_complaint(kSmall + "--state kept.json --method exact/float", "the method");
   expect_one_complaint(kSmall + "--state kept.json --shard 1/2", "the shard is 1/2 here and 1/1 there");
   expect_one_complaint(kSmall + "--state odd.json", "odd.json");
+  expect_one_complaint("campaign --rotating 8 --state kept.json", "kept.json is of another campaign");
+  folder.write("older.json", "{\"schema\": \"graze.campaign/1\"}");
+  expect_one_complaint("merge older.json", "schema is \"graze.campaign/1\", not \"graze.campaign/2\"");
   EXPECT_EQ(folder.read("kept.json"), kept);
 }
 

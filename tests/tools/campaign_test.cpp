@@ -8,6 +8,7 @@
 
 #include "corpus/case_io.hpp"
 #include "corpus/families.hpp"
+#include "properties/query_case.hpp"
 #include "tools/campaign_run.hpp"
 #include "tools/campaign_summary.hpp"
 
@@ -23,29 +24,34 @@ std::vector<const corpus::Family*> some_families() {
           corpus::find_family("touching")};
 }
 
-// A small campaign of a method, and what is needed to run it.
+// A small campaign, and what is needed to run it.
 struct Small {
-  engine::EngineMethod method;
-  CampaignCases cases;
-  CampaignSettings settings;
-  CampaignJob job;
+  // So that the contender outlives a planted method's making.
+  engine::EngineMethod method = exact();
+  engine::RotatingEngineMethod turning = *engine::find_rotating_method("plan");
+  CampaignPlan plan;
+  CampaignJob job{.plan = &plan};
 
   explicit Small(const engine::EngineMethod& judged, std::uint64_t seed = 7, std::uint64_t casts = kCasts)
-      : method(judged),
-        cases(some_families(), method, seed, kOracleEvery),
-        settings{.method = method.full_name(),
-                 .families = {"random", "grazing_face", "touching"},
-                 .casts = casts,
-                 .seed = seed,
-                 .oracle_every = kOracleEvery,
-                 .block = kBlock,
-                 .fingerprint = fingerprint(cases, method)},
-        job{.cases = &cases, .method = &method, .row = engine::find_guarantee(engine::guarantees(), method)} {
+      : method(judged), plan(seed) {
+    plan.add(some_families(), {contender_of(method)}, casts, kOracleEvery);
+  }
+  // Every kind of part, of a few families.
+  explicit Small(std::uint64_t seed) : plan(seed) {
+    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 126, kOracleEvery);
+    plan.add_per_family(some_families(), chosen_contenders(PartKind::queries, {"standard"}), 2, 1);
+    plan.add({corpus::find_family("slow_spin"), corpus::find_family("random_rotating")},
+             chosen_contenders(PartKind::rotating, {}), 48, 6);
+  }
+  // One turning method.
+  Small(const engine::RotatingEngineMethod& judged, const char* family, std::uint64_t casts)
+      : turning(judged), plan(7) {
+    plan.add({corpus::find_family(family)}, {contender_of(turning)}, casts, 0);
   }
   Small(const Small&) = delete;
   Small& operator=(const Small&) = delete;
 
-  [[nodiscard]] CampaignState fresh(Shard shard = {}) const { return fresh_state(settings, shard, cases); }
+  [[nodiscard]] CampaignState fresh(Shard shard = {}) const { return fresh_state(plan, kBlock, shard); }
   [[nodiscard]] CampaignState run(unsigned threads = 1, Shard shard = {}) const {
     CampaignState state = fresh(shard);
     go_on(state, threads);
@@ -74,8 +80,8 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
   EXPECT_EQ(total.hits + total.misses + total.overlapping, kCasts);
   EXPECT_EQ(total.faults + total.stalls + total.not_asked, 0U);
   // Families in turn, and each one's levels: the shares differ by one at most.
-  for (std::size_t slot = 0; slot < state.levels.size(); ++slot) {
-    EXPECT_GT(state.tally.counts[slot].casts, 0U) << state.levels[slot].first << state.levels[slot].second;
+  for (std::size_t cell = 0; cell < state.cells.size(); ++cell) {
+    EXPECT_GT(state.tally.counts[cell].casts, 0U) << state.cells[cell].family << state.cells[cell].level;
   }
   // Every outcome is reached, by a proof for the most part, and the oracle had its sample.
   EXPECT_GT(total.hits, kCasts / 10);
@@ -84,12 +90,13 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
   EXPECT_GT(total.proved, kCasts / 2);
   EXPECT_GT(total.sampled, 0U);
   EXPECT_LT(total.sampled, kCasts / 10);
-  EXPECT_TRUE(campaign_failures(state, small.job.row).empty());
+  EXPECT_TRUE(campaign_failures(state).empty());
 }
 
 TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tier) {
-  const CampaignCases one(some_families(), exact(), 7, kOracleEvery),
-      again(some_families(), exact(), 7, kOracleEvery), other(some_families(), exact(), 8, kOracleEvery);
+  const std::vector<Contender> asked = {contender_of(exact())};
+  const CampaignCases one(some_families(), asked, 7, kOracleEvery),
+      again(some_families(), asked, 7, kOracleEvery), other(some_families(), asked, 8, kOracleEvery);
   for (std::uint64_t index = 0; index < 100; ++index) {
     const DrawnCase drawn = one.draw(index);
     EXPECT_TRUE(drawn.is_question);
@@ -104,11 +111,11 @@ TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tie
 TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   const std::vector<const corpus::Family*> families = {corpus::find_family("curved"),
                                                        corpus::find_family("grazing_face")};
-  const CampaignCases to_the_bit(families, exact(), 1, 0);
+  const CampaignCases to_the_bit(families, {contender_of(exact())}, 1, 0);
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
   // Tier standard is asked everything.
-  const CampaignCases standard(families, *engine::find_method("mpr"), 1, 0);
+  const CampaignCases standard(families, {contender_of(*engine::find_method("mpr"))}, 1, 0);
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
 }
@@ -171,7 +178,7 @@ TEST(Merge, shards_in_any_order_are_the_campaign_in_one_piece) {
   }
   const CampaignState merged = merge_states(parts, false);
   EXPECT_EQ(state_text(merged), state_text(whole));
-  EXPECT_EQ(campaign_summary(merged, small.job.row), campaign_summary(whole, small.job.row));
+  EXPECT_EQ(campaign_summary(merged), campaign_summary(whole));
 }
 
 TEST(Merge, what_is_missing_can_be_cast_afterwards) {
@@ -269,8 +276,8 @@ TEST(Planted, every_wrong_answer_is_counted_and_its_case_is_kept) {
     const CampaignState state = small.run(2);
     EXPECT_EQ(state.tally.total().faults, honest.hits);
     ASSERT_FALSE(state.tally.faults.empty());
-    EXPECT_FALSE(campaign_failures(state, small.job.row).empty());
-    EXPECT_NE(campaign_summary(state, small.job.row).find("FAILED"), std::string::npos);
+    EXPECT_FALSE(campaign_failures(state).empty());
+    EXPECT_NE(campaign_summary(state).find("FAILED"), std::string::npos);
     for (const corpus::Case& problem : found_cases(state)) {
       EXPECT_EQ(exact().cast(problem, {}).outcome, Outcome::hit) << problem.id;
       const corpus::ReadResult read = corpus::read_text(corpus::write_case(problem), "found", true);
@@ -282,7 +289,9 @@ TEST(Planted, every_wrong_answer_is_counted_and_its_case_is_kept) {
 
 TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   const auto denies = planted("exact", &denies_contact);
-  const Small small(denies, 7, 800);
+  Small small(denies, 7, 1);
+  small.plan = CampaignPlan(7);
+  small.plan.add({corpus::find_family("random")}, {contender_of(small.method)}, 400, kOracleEvery);
   const CampaignState one = small.run(1);
   const CampaignState shared = merge_states(
       {{"second", small.run(2, {.index = 2, .count = 2})}, {"first", small.run(3, {.index = 1, .count = 2})}},
@@ -296,31 +305,220 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   const std::uint64_t last = one.tally.faults.back().index;
   std::size_t hits = 0;
   for (std::uint64_t index = 0; index <= last; ++index) {
-    if (exact().cast(small.cases.draw(index).problem, {}).outcome == Outcome::hit) ++hits;
+    if (exact().cast(small.plan.parts()[0].cases.draw(index).problem, {}).outcome == Outcome::hit) ++hits;
   }
   EXPECT_EQ(hits, CampaignTally::kFindings);
 }
 
 TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
   const Small honest(*engine::find_method("mpr"), 7, 120), stalling(planted("mpr", &gives_up), 7, 120);
-  EXPECT_TRUE(campaign_failures(honest.run(2), honest.job.row).empty());
+  EXPECT_TRUE(campaign_failures(honest.run(2)).empty());
   const CampaignState state = stalling.run(2);
   EXPECT_GT(state.tally.total().stalls, 10U);
-  EXPECT_FALSE(campaign_failures(state, stalling.job.row).empty());
+  EXPECT_FALSE(campaign_failures(state).empty());
   EXPECT_EQ(state.tally.stalls.size(), state.tally.total().stalls);
+}
+
+// --- Parts: several methods, other queries, turning bodies.
+
+TEST(Parts, stops_shards_and_threads_do_not_change_a_byte) {
+  const Small small(7);
+  const CampaignState whole = small.run(1);
+  EXPECT_EQ(whole.tally.total().casts + whole.tally.total().not_asked, whole.settings.casts());
+  CampaignState stopped = small.fresh();
+  small.go_on_for(stopped, 2, 5);
+  EXPECT_FALSE(stopped.is_complete());
+  CampaignState read = parse_state(state_text(stopped), "kept.json");
+  small.go_on(read, 3);
+  EXPECT_EQ(state_text(read), state_text(whole));
+  const CampaignState merged = merge_states(
+      {{"second", small.run(2, {.index = 2, .count = 2})}, {"first", small.run(1, {.index = 1, .count = 2})}},
+      false);
+  EXPECT_EQ(state_text(merged), state_text(whole));
+  EXPECT_EQ(campaign_summary(merged, true), campaign_summary(whole, true));
+}
+
+TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
+  const Small small(7);
+  const CampaignState state = small.run(2);
+  ASSERT_EQ(state.settings.parts.size(), 3U);
+  EXPECT_EQ(state.settings.parts[0].methods.size(), 6U);
+  for (const PartSettings& part : state.settings.parts) {
+    for (const std::string& method : part.methods) {
+      for (const std::string& family : part.families) {
+        std::uint64_t asked = 0;
+        for (std::size_t i = 0; i < state.cells.size(); ++i) {
+          if (state.cells[i].method == method && state.cells[i].family == family)
+            asked += state.tally.counts[i].casts + state.tally.counts[i].not_asked;
+        }
+        EXPECT_EQ(asked, part.count / part.methods.size() / part.families.size()) << method << family;
+      }
+    }
+  }
+  EXPECT_EQ(state.settings.parts[1].count, 2 * 3 * state.settings.parts[1].methods.size());
+  EXPECT_EQ(state.settings.parts[2].families, (std::vector<std::string>{"slow_spin", "random_rotating"}));
+}
+
+TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
+  CampaignPlan plan(3);
+  plan.add({corpus::find_family("random_rotating")}, chosen_contenders(PartKind::rotating, {"certified"}), 40,
+           8);
+  CampaignState state = fresh_state(plan, kBlock, {});
+  run_campaign({.plan = &plan}, state);
+  const CampaignCounts total = state.tally.total();
+  EXPECT_EQ(total.faults + total.stalls, 0U) << campaign_summary(state);
+  EXPECT_GT(total.hits, 5U);
+  EXPECT_GT(total.misses, 5U);
+  EXPECT_GT(total.sampled, 0U);
+  EXPECT_LT(total.by_oracle, 20U);
+  // Every other case is asked with a proof.
+  EXPECT_GT(total.proved, 10U);
+  EXPECT_LT(total.proved, 30U);
+}
+
+// --- Turning methods and queries that are wrong in a known way.
+
+const engine::RotatingEngineMethod& turning(const char* name) { return *engine::find_rotating_method(name); }
+
+template <int kOff>  // in millionths of the step
+engine::RotatingAnswer moved_in_time(const corpus::Case& problem, const engine::RotatingAsk& ask) {
+  engine::RotatingAnswer answer = turning("plan").cast(problem, ask);
+  if (answer.outcome != Outcome::hit || answer.toi_lower < 1e-3) return answer;
+  answer.toi_lower += kOff * 1e-6 * problem.t_max;
+  answer.toi_upper += kOff * 1e-6 * problem.t_max;
+  answer.proof.reset();
+  return answer;
+}
+
+engine::RotatingAnswer turning_denies_contact(const corpus::Case& problem, const engine::RotatingAsk& ask) {
+  engine::RotatingAnswer answer = turning("certified").cast(problem, ask);
+  if (answer.outcome != Outcome::hit) return answer;
+  answer.outcome = Outcome::miss;
+  answer.toi_lower = answer.toi_upper = kInfinity<double>;
+  answer.proof.reset();
+  return answer;
+}
+
+// The chain claims more than its slices show.
+engine::RotatingAnswer forges_its_proof(const corpus::Case& problem, const engine::RotatingAsk& ask) {
+  engine::RotatingAnswer answer = turning("certified").cast(problem, ask);
+  if (answer.proof && answer.outcome == Outcome::hit)
+    answer.proof->toi_lower = 0.5 * (1 + problem.t_max) + answer.toi_upper;
+  return answer;
+}
+
+engine::RotatingEngineMethod planted_turning(const char* name,
+                                             engine::RotatingAnswer (*cast)(const corpus::Case&,
+                                                                            const engine::RotatingAsk&)) {
+  engine::RotatingEngineMethod method = turning(name);
+  method.cast = cast;
+  return method;
+}
+
+TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_kept) {
+  struct Planted {
+    engine::RotatingEngineMethod method;
+    std::uint64_t CampaignCounts::*kind;
+    bool with_proof;  // seen only where a proof was asked for
+  };
+  const std::uint64_t honest = Small(turning("certified"), "random_rotating", 48).run(2).tally.total().hits;
+  EXPECT_GT(honest, 10U);
+  for (const Planted& planted :
+       {Planted{planted_turning("plan", &moved_in_time<100>), &CampaignCounts::late, false},
+        Planted{planted_turning("plan", &moved_in_time<-100>), &CampaignCounts::off, false},
+        Planted{planted_turning("certified", &turning_denies_contact), &CampaignCounts::wrong, false},
+        Planted{planted_turning("certified", &forges_its_proof), &CampaignCounts::proofs_refused, true}}) {
+    const Small small(planted.method, "random_rotating", 48);
+    const CampaignState state = small.run(2);
+    const CampaignCounts total = state.tally.total();
+    EXPECT_GT(total.*planted.kind, honest / (planted.with_proof ? 4 : 2)) << campaign_summary(state);
+    EXPECT_FALSE(campaign_failures(state).empty());
+    EXPECT_EQ(state.tally.faults.size(), total.faults);
+    const std::vector<corpus::Case> found = found_cases(state);
+    EXPECT_EQ(found.size(), total.faults);
+    for (const corpus::Case& problem : found) {
+      EXPECT_EQ(turning("certified").cast(problem, {}).outcome, Outcome::hit) << problem.id;
+    }
+  }
+}
+
+// What answers a query beside the cast, off by a hundredth of itself.
+engine::QueryAnswer stretched_distance(const corpus::Case& problem, Request request) {
+  engine::QueryAnswer answer = law::default_method(corpus::Query::distance, "double").ask(problem, request);
+  if (answer.distance)
+    answer.distance = engine::Interval{1.01 * answer.distance->lower, 1.01 * answer.distance->upper};
+  return answer;
+}
+
+TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
+  engine::QueryMethod method = law::default_method(corpus::Query::distance, "double");
+  for (const bool honest : {true, false}) {
+    if (!honest) method.ask = &stretched_distance;
+    CampaignPlan plan(7);
+    plan.add_per_family(some_families(), {contender_of(method)}, 20, 1);
+    CampaignState state = fresh_state(plan, kBlock, {});
+    run_campaign({.plan = &plan, .threads = 2}, state);
+    const CampaignCounts total = state.tally.total();
+    EXPECT_EQ(total.casts, 60U);
+    EXPECT_EQ(total.by_oracle, 60U);
+    EXPECT_EQ(campaign_failures(state).empty(), honest) << campaign_summary(state);
+    if (honest) continue;
+    EXPECT_GT(total.off, 5U);
+    ASSERT_FALSE(found_cases(state).empty());
+    for (const corpus::Case& problem : found_cases(state)) {
+      EXPECT_EQ(problem.query, corpus::Query::distance);
+      EXPECT_GT(method.answer(problem).distance->lower, 0) << problem.id;
+    }
+  }
+}
+
+TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
+  const Small small(turning("certified"), "pure_spin", 32);
+  CampaignState state = small.run(2);
+  const DrawnCase drawn = small.plan.parts()[0].cases.draw(3);
+  CampaignCast open{.answer = {.outcome = Outcome::miss}, .by_oracle = true};
+  open.undecided = "clearance and depth are below the width";
+  const std::uint64_t before = state.tally.total().undecided;
+  state.tally.add(1000, 0, contender_of(small.turning), drawn, open);
+  EXPECT_EQ(state.tally.total().undecided, before + 1);
+  EXPECT_EQ(state.tally.total().faults, 0U);
+  // One of 33 is more than 1 in 1,000.
+  ASSERT_EQ(campaign_failures(state).size(), 1U);
+  EXPECT_NE(campaign_failures(state)[0].find("undecided"), std::string::npos);
+  EXPECT_NE(campaign_summary(state).find("undecided: " + drawn.problem.id), std::string::npos);
+  const std::vector<corpus::Case> cases = undecided_cases(state);
+  ASSERT_EQ(cases.size(), before + 1);
+  EXPECT_TRUE(corpus::same_case(cases.back(), drawn.problem));
+}
+
+TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
+  CampaignPlan plan(7);
+  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(PartKind::casts, {"ca/double"}), 2000, 0);
+  CampaignState state = fresh_state(plan, kBlock, {});
+  for (CampaignCounts& counts : state.tally.counts) counts.casts = 800;
+  EXPECT_TRUE(campaign_failures(state).empty());
+  // The row of ca allows 1 in 1,000: 1 of 800 in a level, and of the family's casts by their number.
+  state.tally.counts[0].stalls = 1;
+  EXPECT_TRUE(campaign_failures(state).empty());
+  state.tally.counts[0].stalls = 2;
+  ASSERT_EQ(campaign_failures(state).size(), 1U);
+  EXPECT_NE(campaign_failures(state)[0].find("grazing_edge h"), std::string::npos);
+  for (CampaignCounts& counts : state.tally.counts) counts.stalls = 1;
+  ASSERT_EQ(campaign_failures(state).size(), 1U);
+  EXPECT_EQ(campaign_failures(state)[0].find("grazing_edge: "), 0U);
 }
 
 TEST(Digest, one_bit_of_one_answer_changes_it_and_the_order_does_not) {
   const Small small(exact());
-  const DrawnCase drawn = small.cases.draw(0);
-  const engine::Answer answer = exact().cast(drawn.problem, {});
-  engine::Answer other = answer;
-  other.toi_lower = std::nextafter(other.toi_lower, -1.0);
+  const DrawnCase drawn = small.plan.parts()[0].cases.draw(0);
+  const AnswerWords answer = words_of(exact().cast(drawn.problem, {}));
+  AnswerWords other = answer;
+  other.numbers[0] = std::nextafter(other.numbers[0], -1.0);
   EXPECT_NE(answer_hash(0, answer), answer_hash(0, other));
   EXPECT_NE(answer_hash(0, answer), answer_hash(1, answer));
-  CampaignTally first(small.cases.slots().size()), second = first, both = first, turned = first;
-  first.add(0, drawn, {.answer = answer, .judgement = {}});
-  second.add(1, drawn, {.answer = other, .judgement = {}});
+  CampaignTally first(small.plan.cells().size()), second = first, both = first, turned = first;
+  first.add(0, 0, contender_of(exact()), drawn, {.answer = answer});
+  second.add(1, 0, contender_of(exact()), drawn, {.answer = other});
   both.merge(first);
   both.merge(second);
   turned.merge(second);
@@ -347,7 +545,9 @@ TEST(State, what_is_wrong_in_a_file_is_named) {
   };
   EXPECT_EQ(complaint_of(good), "");
   EXPECT_EQ(complaint_of("{").find("kept.json: is no state of a campaign: "), 0U);
-  EXPECT_NE(with("graze.campaign/1", "graze.case/1").find("schema"), std::string::npos);
+  EXPECT_NE(with("graze.campaign/2", "graze.campaign/1").find("schema"), std::string::npos);
+  EXPECT_NE(with("graze.campaign/2", "graze.case/1").find("schema"), std::string::npos);
+  EXPECT_NE(with("\"widest\"", "\"narrowest\"").find("widest"), std::string::npos);
   EXPECT_NE(with("\"seed\": 7", "\"seed\": -7").find("-7"), std::string::npos);
   EXPECT_NE(with("\"block\": 32", "\"block\": 16").find("the levels count"), std::string::npos);
   EXPECT_NE(with("\"block\"", "\"blocks\"").find("block"), std::string::npos);
