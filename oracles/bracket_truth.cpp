@@ -34,6 +34,7 @@
 
 #include "oracles/ball_body.hpp"
 #include "oracles/ball_search.hpp"
+#include "oracles/default_environment.hpp"
 
 namespace graze::oracle {
 namespace {
@@ -296,8 +297,10 @@ std::optional<bool> BracketTruth::Impl::leaves_or_slides() const {
   return {};
 }
 
-BracketTruth::BracketTruth(const corpus::Case& problem, double width)
-    : impl_(std::make_unique<Impl>(problem, width)) {}
+BracketTruth::BracketTruth(const corpus::Case& problem, double width) {
+  const DefaultEnvironment environment;
+  impl_ = std::make_unique<Impl>(problem, width);
+}
 BracketTruth::~BracketTruth() = default;
 BracketTruth::BracketTruth(BracketTruth&&) noexcept = default;
 BracketTruth& BracketTruth::operator=(BracketTruth&&) noexcept = default;
@@ -306,13 +309,18 @@ Outcome BracketTruth::outcome() const { return impl_->outcome; }
 bool BracketTruth::contact_proved() const { return impl_->contact; }
 
 double BracketTruth::toi_lower() const {
+  const DefaultEnvironment environment;
   if (impl_->contact) return impl_->lower.low_double();
   return impl_->outcome == Outcome::miss ? kInf : 0;
 }
 
-double BracketTruth::toi_upper() const { return impl_->contact ? impl_->upper.high_double() : kInf; }
+double BracketTruth::toi_upper() const {
+  const DefaultEnvironment environment;
+  return impl_->contact ? impl_->upper.high_double() : kInf;
+}
 
 RationalBracket BracketTruth::toi_bracket() const {
+  const DefaultEnvironment environment;
   if (!impl_->contact) throw std::logic_error("toi_bracket: contact is not proved");
   return {to_rational(impl_->lower), to_rational(impl_->upper)};
 }
@@ -320,6 +328,7 @@ RationalBracket BracketTruth::toi_bracket() const {
 double BracketTruth::width() const { return impl_->contact ? impl_->width_found : kInf; }
 
 int BracketTruth::compare(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) throw std::invalid_argument("compare: NaN is not a time");
   if (impl_->outcome == Outcome::miss) return -1;
   if (!impl_->contact) return t < 0 ? -1 : 0;
@@ -329,9 +338,13 @@ int BracketTruth::compare(double t) const {
   return certainly_less(impl_->upper, Ball(t)) ? 1 : 0;
 }
 
-Enclosure BracketTruth::scale() const { return impl_->scale.enclosure(); }
+Enclosure BracketTruth::scale() const {
+  const DefaultEnvironment environment;
+  return impl_->scale.enclosure();
+}
 
 Enclosure BracketTruth::clearance() const {
+  const DefaultEnvironment environment;
   if (impl_->contact) return {};
   if (!impl_->clearance) {
     const WorkingPrecision precision(impl_->bits);
@@ -349,6 +362,7 @@ Enclosure BracketTruth::clearance() const {
 }
 
 Enclosure BracketTruth::depth() const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss) return {};
   if (!impl_->depth) {
     const WorkingPrecision precision(impl_->bits);
@@ -368,6 +382,7 @@ Enclosure BracketTruth::depth() const {
 }
 
 Enclosure BracketTruth::distance_at(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
   const WorkingPrecision precision(impl_->bits);
   const Nearest3 near = impl_->distance_of(impl_->swept(0, impl_->target, Ball(t) * impl_->v));
@@ -375,6 +390,7 @@ Enclosure BracketTruth::distance_at(double t) const {
 }
 
 Enclosure BracketTruth::depth_before(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0 || compare(t) < 0) {
     if (t <= 0 || impl_->contact) return {};
@@ -385,6 +401,7 @@ Enclosure BracketTruth::depth_before(double t) const {
 }
 
 Enclosure BracketTruth::backward_error(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t) || t < 0) return kUnbounded;
   const Enclosure distance = distance_at(t);
   if (impl_->contact && compare(t) < 0) return distance;
@@ -393,6 +410,7 @@ Enclosure BracketTruth::backward_error(double t) const {
 }
 
 Enclosure BracketTruth::forward_error(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t) || impl_->outcome == Outcome::miss) return kUnbounded;
   if (!impl_->contact) return {0, kInf};
   const WorkingPrecision precision(impl_->bits);
@@ -402,6 +420,7 @@ Enclosure BracketTruth::forward_error(double t) const {
 }
 
 Enclosure BracketTruth::lateness(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (impl_->outcome == Outcome::miss) return {};
   const int order = compare(t);
@@ -412,6 +431,7 @@ Enclosure BracketTruth::lateness(double t) const {
 }
 
 Enclosure BracketTruth::normal_error(const Vec3<double>& n) const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss || !finite(n) || n.isZero(0)) return kUnbounded;
   if (!impl_->contact) return {0, kInf};
   const WorkingPrecision precision(impl_->bits);
@@ -423,6 +443,7 @@ Enclosure BracketTruth::normal_error(const Vec3<double>& n) const {
 }
 
 Enclosure BracketTruth::distance_from_body(char which, double t, const Vec3<double>& world_point) const {
+  const DefaultEnvironment environment;
   if (which != 'a' && which != 'b') throw std::invalid_argument("a body is 'a' or 'b'");
   if (!std::isfinite(t) || !finite(world_point)) return kUnbounded;
   const WorkingPrecision precision(impl_->bits);
@@ -442,6 +463,7 @@ Enclosure BracketTruth::distance_from_body(char which, double t, const Vec3<doub
 
 // The line is the path over [-T', T'].
 LineContact BracketTruth::contact_interval() const {
+  const DefaultEnvironment environment;
   const WorkingPrecision precision(impl_->bits);
   const Ball most = impl_->clipped(kInf);
   const BallVec before = (-most) * impl_->v;
@@ -467,6 +489,7 @@ LineContact BracketTruth::contact_interval() const {
 }
 
 ClosestPoints BracketTruth::closest_points() const {
+  const DefaultEnvironment environment;
   const WorkingPrecision precision(impl_->bits);
   const Nearest3 near = impl_->distance_of(impl_->swept(0, 0));
   ClosestPoints result;
@@ -478,14 +501,19 @@ ClosestPoints BracketTruth::closest_points() const {
   return result;
 }
 
-Enclosure BracketTruth::distance() const { return closest_points().distance; }
+Enclosure BracketTruth::distance() const {
+  const DefaultEnvironment environment;
+  return closest_points().distance;
+}
 
 double BracketTruth::nearest_distance() const {
+  const DefaultEnvironment environment;
   const Enclosure d = distance();
   return d.low + (d.high - d.low) / 2;
 }
 
 ClosestPoints BracketTruth::penetration(double slack) const {
+  const DefaultEnvironment environment;
   const WorkingPrecision precision(impl_->bits);
   const Depth3 depth = impl_->depth_of(impl_->swept(0, 0), slack);
   ClosestPoints result;

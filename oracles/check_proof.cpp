@@ -113,14 +113,16 @@ struct VertexCounts {
 
 class Cascade {
  public:
-  explicit Cascade(CheckCost* cost) : cost_(cost) {}
+  Cascade(CheckCost* cost, Stages stages) : cost_(cost), doubles_(stages == Stages::all) {}
 
   // decide.operator()<N>() tells the finding over N; one that is open goes on to the next arithmetic.
   template <class Decide>
   [[nodiscard]] auto run(const Decide& decide) const {
-    if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
-      if (cost_ != nullptr) ++cost_->double_decisions;
-      return found;
+    if (doubles_) {
+      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
+        if (cost_ != nullptr) ++cost_->double_decisions;
+        return found;
+      }
     }
     return run_close(decide);
   }
@@ -128,9 +130,11 @@ class Cascade {
   // The same for two claims about neighbouring doubles at once, which plain doubles hardly ever tell apart.
   template <class Decide>
   [[nodiscard]] auto run_close(const Decide& decide) const {
-    if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
-      if (cost_ != nullptr) ++cost_->extended_decisions;
-      return found;
+    if (doubles_) {
+      if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
+        if (cost_ != nullptr) ++cost_->extended_decisions;
+        return found;
+      }
     }
     if (cost_ != nullptr) ++cost_->exact_decisions;
     return decide.template operator()<Dyadic>();
@@ -139,11 +143,13 @@ class Cascade {
   // The same for what may have square roots; it may stay unknown.
   template <class Decide>
   [[nodiscard]] auto run_with_roots(bool has_roots, const Decide& decide) const {
-    if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
-      if (cost_ != nullptr) ++cost_->double_decisions;
-      return found;
+    if (doubles_) {
+      if (const auto found = decide.template operator()<Filtered>(); !is_open(found)) {
+        if (cost_ != nullptr) ++cost_->double_decisions;
+        return found;
+      }
     }
-    if (!has_roots) {
+    if (doubles_ && !has_roots) {
       if (const auto found = decide.template operator()<Extended>(); !is_open(found)) {
         if (cost_ != nullptr) ++cost_->extended_decisions;
         return found;
@@ -163,6 +169,7 @@ class Cascade {
 
  private:
   CheckCost* cost_;
+  bool doubles_;
 };
 
 // |offset| <= radius
@@ -326,8 +333,7 @@ class TreeBodies {
 // proof are sound.
 template <class Bodies>
 [[nodiscard]] Verdict check_claims(const corpus::Case& problem, const Proof& proof, const Bodies& bodies,
-                                   CheckCost* cost, MovedBounds* moved) {
-  const Cascade cascade(cost);
+                                   const Cascade& cascade, MovedBounds* moved) {
   if (Verdict points = bodies.points_fit(cascade, proof); !points.accepted()) return points;
 
   if (proof.toi_lower > 0) {
@@ -358,7 +364,7 @@ template <class Bodies>
 }
 
 // Apart, so that the polytopes' way stays small.
-[[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, CheckCost* cost,
+[[gnu::noinline]] Verdict check_trees(const corpus::Case& problem, const Proof& proof, const Cascade& cascade,
                                       MovedBounds* moved) {
   Door of_a, of_b;
   of_a.vector(problem.a.displacement);
@@ -370,19 +376,19 @@ template <class Bodies>
       entry.refusal != Refusal::none)
     return {entry.refusal, entry.reason};
   const TreePair pair{a, b, problem.a, problem.b};
-  return check_claims(problem, proof, TreeBodies(pair, proof), cost, moved);
+  return check_claims(problem, proof, TreeBodies(pair, proof), cascade, moved);
 }
 
-[[nodiscard]] Verdict check(const corpus::Case& problem, const Proof& proof, CheckCost* cost,
+[[nodiscard]] Verdict check(const corpus::Case& problem, const Proof& proof, const Cascade& cascade,
                             MovedBounds* moved) {
   Solid a, b;
   Door of_a, of_b;
   if (!read_solid(problem.a, a, of_a) || !read_solid(problem.b, b, of_b))
-    return check_trees(problem, proof, cost, moved);
+    return check_trees(problem, proof, cascade, moved);
   if (const Entry entry = read_case(problem, proof, of_a, of_b, {a.core.count(), b.core.count()});
       entry.refusal != Refusal::none)
     return {entry.refusal, entry.reason};
-  return check_claims(problem, proof, SolidBodies(a, b), cost, moved);
+  return check_claims(problem, proof, SolidBodies(a, b), cascade, moved);
 }
 
 }  // namespace
@@ -421,25 +427,26 @@ const char* to_string(Refusal refusal) {
   return "unknown refusal";
 }
 
-Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost) {
+Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost, Stages stages) {
   const DefaultEnvironment environment;
-  return check(problem, proof, cost, nullptr);
+  return check(problem, proof, Cascade(cost, stages), nullptr);
 }
 
 Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBounds& moved, CheckCost* cost) {
   const DefaultEnvironment environment;
+  const Cascade cascade(cost, Stages::all);
   moved = {};
   if (!(proof.toi_lower < proof.toi_upper && proof.toi_upper < kInfinity<double>))
-    return check(problem, proof, cost, nullptr);
+    return check(problem, proof, cascade, nullptr);
   // The door and the points ask nothing that a moved bound would change, once the lower one is above 0.
-  if (proof.toi_lower > 0 && problem.target_distance == 0) return check(problem, proof, cost, &moved);
-  Verdict verdict = check(problem, proof, cost, nullptr);
+  if (proof.toi_lower > 0 && problem.target_distance == 0) return check(problem, proof, cascade, &moved);
+  Verdict verdict = check(problem, proof, cascade, nullptr);
   if (!verdict.accepted()) return verdict;
   Proof raised = proof, lowered = proof;
   raised.toi_lower = proof.toi_upper;
   lowered.toi_upper = proof.toi_lower;
-  moved.lower_accepted = check(problem, raised, cost, nullptr).accepted();
-  moved.upper_accepted = check(problem, lowered, cost, nullptr).accepted();
+  moved.lower_accepted = check(problem, raised, cascade, nullptr).accepted();
+  moved.upper_accepted = check(problem, lowered, cascade, nullptr).accepted();
   return verdict;
 }
 

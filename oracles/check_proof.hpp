@@ -25,6 +25,7 @@
 #include <string>
 
 #include "corpus/case.hpp"
+#include "oracles/stages.hpp"
 
 namespace graze::oracle {
 
@@ -62,7 +63,8 @@ struct CheckCost {
   long long ball_decisions = 0;  // by balls of 128 to 4,096 bits
 };
 
-[[nodiscard]] Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost = nullptr);
+[[nodiscard]] Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost = nullptr,
+                                  Stages stages = Stages::all);
 
 // Of an accepted proof with toi_lower < toi_upper < infinity: would it be accepted with either bound moved to
 // the other? Tight bounds would not. False of any other proof.

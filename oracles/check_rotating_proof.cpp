@@ -21,24 +21,31 @@ constexpr std::array<long, 3> kBits = {128, 256, 512};
 class Claims {
  public:
   Claims(const corpus::Case& problem, const TreesOfCase& trees, const RotatingProof& proof,
-         RotatingCheckCost& cost)
-      : problem_(problem), trees_(trees), proof_(proof), cost_(cost) {}
+         RotatingCheckCost& cost, Stages stages)
+      : problem_(problem), trees_(trees), proof_(proof), cost_(cost), stages_(stages) {}
 
   [[nodiscard]] RotatingVerdict chain() {
     if (proof_.chain.empty()) return {};
     const WorkingPrecision working(kBits[0]);
     const PairMotion& motion = at_precision(0);
-    SliceFilter filter(problem_, trees_.a, trees_.b, motion.a, motion.b);
-    SliceFilter::Instant first = filter.at(0);
+    std::optional<SliceFilter> filter;
+    SliceFilter::Instant first;
+    if (stages_ == Stages::all) {
+      filter.emplace(problem_, trees_.a, trees_.b, motion.a, motion.b);
+      first = filter->at(0);
+    }
     double begin = 0;
     for (std::size_t i = 0; i < proof_.chain.size(); ++i) {
       const TimeSlice& slice = proof_.chain[i];
       if (slice.axis.isZero(0))
         return {RotatingRefusal::axis_missing, "slice " + std::to_string(i) + " has a zero axis"};
       ++cost_.slices;
-      const SliceFilter::Instant last = filter.at(slice.end);
-      const bool proved = filter.proves(slice, first, last, kMostPieces, cost_.pieces);
-      first = last;
+      bool proved = false;
+      if (filter) {
+        const SliceFilter::Instant last = filter->at(slice.end);
+        proved = filter->proves(slice, first, last, kMostPieces, cost_.pieces);
+        first = last;
+      }
       if (proved) {
         ++cost_.in_double;
       } else if (const SliceAnswer answer = in_balls(slice, begin); answer.finding != SliceFinding::holds) {
@@ -145,6 +152,7 @@ class Claims {
   const TreesOfCase& trees_;
   const RotatingProof& proof_;
   RotatingCheckCost& cost_;
+  Stages stages_;
   std::array<std::unique_ptr<PairMotion>, kBits.size()> motions_;
 };
 
@@ -187,14 +195,14 @@ const char* to_string(RotatingRefusal refusal) {
 }
 
 RotatingVerdict check_rotating_proof(const corpus::Case& problem, const RotatingProof& proof,
-                                     RotatingCheckCost* cost) {
+                                     RotatingCheckCost* cost, Stages stages) {
   const DefaultEnvironment environment;
   if (RotatingVerdict form = read_proof(proof); !form.accepted()) return form;
   const TreesOfCase trees(problem);
   if (RotatingVerdict form = read_case(problem, trees, proof); !form.accepted()) return form;
   if (RotatingVerdict reach = chain_reaches(problem, proof); !reach.accepted()) return reach;
   RotatingCheckCost ignored;
-  Claims claims(problem, trees, proof, cost != nullptr ? *cost : ignored);
+  Claims claims(problem, trees, proof, cost != nullptr ? *cost : ignored, stages);
   if (RotatingVerdict chain = claims.chain(); !chain.accepted()) return chain;
   return claims.contact();
 }

@@ -29,6 +29,7 @@
 #include <string>
 
 #include "corpus/case.hpp"
+#include "oracles/stages.hpp"
 
 namespace graze::oracle {
 
@@ -75,6 +76,7 @@ struct RotatingCheckCost {
 };
 
 [[nodiscard]] RotatingVerdict check_rotating_proof(const corpus::Case& problem, const RotatingProof& proof,
-                                                   RotatingCheckCost* cost = nullptr);
+                                                   RotatingCheckCost* cost = nullptr,
+                                                   Stages stages = Stages::all);
 
 }  // namespace graze::oracle

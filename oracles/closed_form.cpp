@@ -15,6 +15,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "oracles/default_environment.hpp"
 namespace graze::oracle {
 namespace {
 
@@ -329,6 +330,7 @@ int QuadraticRoot::sign_of(const Rational& alpha, const Rational& beta) const {
 }
 
 std::optional<ClosedForm> ClosedForm::of(const corpus::Case& problem) {
+  const DefaultEnvironment environment;
   if (!problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0)) return {};
   if (!(problem.t_max >= 0)) throw std::invalid_argument("t_max: it is below 0 or NaN");
   const auto path = path_of(problem);

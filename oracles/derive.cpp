@@ -8,6 +8,7 @@
 
 #include "oracles/bracket_truth.hpp"
 #include "oracles/closed_form.hpp"
+#include "oracles/default_environment.hpp"
 #include "oracles/exact_body.hpp"
 #include "oracles/linear_truth.hpp"
 #include "oracles/penetration_truth.hpp"
@@ -188,6 +189,7 @@ Expect rotating_expectation(corpus::Case problem) {
 }  // namespace
 
 Expect derive_expectation(const corpus::Case& given) {
+  const DefaultEnvironment environment;
   corpus::Case problem = given;
   if (turns(given)) {
     switch (given.query) {

@@ -28,6 +28,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "oracles/default_environment.hpp"
 #include "oracles/first_contact.hpp"
 #include "oracles/integer_scene.hpp"
 
@@ -259,7 +260,10 @@ Enclosure LinearTruth::Impl::end_error(double t, const Span& span) const {
   return {std::max(distance.low, depth.low), std::max(distance.high, depth.high)};
 }
 
-LinearTruth::LinearTruth(const corpus::Case& problem) : impl_(std::make_unique<Impl>(problem)) {}
+LinearTruth::LinearTruth(const corpus::Case& problem) {
+  const DefaultEnvironment environment;
+  impl_ = std::make_unique<Impl>(problem);
+}
 LinearTruth::~LinearTruth() = default;
 LinearTruth::LinearTruth(LinearTruth&&) noexcept = default;
 LinearTruth& LinearTruth::operator=(LinearTruth&&) noexcept = default;
@@ -271,16 +275,19 @@ int LinearTruth::dimension() const { return impl_->cso->hull().dimension; }
 bool LinearTruth::is_polytope() const { return sgn(impl_->radius) == 0; }
 
 std::string LinearTruth::toi_exact() const {
+  const DefaultEnvironment environment;
   return impl_->outcome != Outcome::miss && impl_->toi.exact ? impl_->toi.low.get_str() : std::string();
 }
 
 int LinearTruth::compare(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) throw std::invalid_argument("compare: NaN is not a time");
   if (std::isinf(t)) return t < 0 || impl_->outcome == Outcome::miss ? -1 : 1;
   return impl_->compare(Rational(t));
 }
 
 Enclosure LinearTruth::scale() const {
+  const DefaultEnvironment environment;
   const Box3 box_a = bounds(impl_->a), box_b = bounds(impl_->b);
   Rational largest =
       std::max(squared_length(minus(box_a.high, box_a.low)), squared_length(minus(box_b.high, box_b.low)));
@@ -292,6 +299,7 @@ Enclosure LinearTruth::scale() const {
 }
 
 Enclosure LinearTruth::clearance() const {
+  const DefaultEnvironment environment;
   if (impl_->outcome != Outcome::miss) return {};
   if (!impl_->is_passed_over) {
     return impl_->beyond(impl_->path_distance_sq(impl_->path(impl_->horizon)), impl_->radius);
@@ -302,6 +310,7 @@ Enclosure LinearTruth::clearance() const {
 }
 
 Enclosure LinearTruth::depth() const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss) return {};
   const Enclosure path = impl_->sweep_depth(impl_->path(impl_->horizon), impl_->radius);
   if (!impl_->passes_over) return path;
@@ -312,11 +321,13 @@ Enclosure LinearTruth::depth() const {
 }
 
 Enclosure LinearTruth::distance_at(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
   return impl_->beyond(impl_->at(Rational(t)).distance_sq, impl_->radius);
 }
 
 Enclosure LinearTruth::depth_before(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0) return {};
   return impl_->sweep_depth(impl_->path(std::isinf(t) ? OptionalTime() : OptionalTime(Rational(t))),
@@ -324,6 +335,7 @@ Enclosure LinearTruth::depth_before(double t) const {
 }
 
 Enclosure LinearTruth::backward_error(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t) || t < 0) return kUnbounded;
   const Enclosure distance = distance_at(t);
   // Outside C, a path that has not reached the TOI has made no contact: nothing lies behind it.
@@ -333,6 +345,7 @@ Enclosure LinearTruth::backward_error(double t) const {
 }
 
 Enclosure LinearTruth::forward_error(double t) const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss || !std::isfinite(t)) return kUnbounded;
   const Rational time(t), speed_sq = impl_->length_sq(Rational(dot(impl_->v, impl_->v)));
   const Rational d_low = time - impl_->toi.low, d_high = time - impl_->toi.high;
@@ -344,6 +357,7 @@ Enclosure LinearTruth::forward_error(double t) const {
 }
 
 Enclosure LinearTruth::lateness(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (impl_->outcome == Outcome::miss || compare(t) <= 0) return {};
   // A claimed miss, or a time beyond T, is late by the whole path that the case has.
@@ -352,6 +366,7 @@ Enclosure LinearTruth::lateness(double t) const {
 }
 
 Enclosure LinearTruth::normal_error(const Vec3<double>& n) const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss || !n.allFinite() || n.isZero(0)) return kUnbounded;
   const IntVec direction = homogeneous(rational(n)).x;
   const Integer most = support(impl_->cso->hull(), direction);
@@ -368,21 +383,28 @@ Enclosure LinearTruth::normal_error(const Vec3<double>& n) const {
 }
 
 Enclosure LinearTruth::distance_from_body(char body, double t, const Vec3<double>& world_point) const {
+  const DefaultEnvironment environment;
   return impl_->distance_from_body(body, t, world_point);
 }
 
 Enclosure LinearTruth::distance() const {
+  const DefaultEnvironment environment;
   return impl_->beyond(impl_->at(0).distance_sq, impl_->shape_radius);
 }
 
 double LinearTruth::nearest_distance() const {
+  const DefaultEnvironment environment;
   const Rational squared = impl_->length_sq(impl_->at(0).distance_sq);
   return std::max(0.0, nearest_sqrt_minus(squared, impl_->length(impl_->shape_radius)));
 }
 
-bool LinearTruth::leaves_or_slides() const { return impl_->leaves_or_slides(); }
+bool LinearTruth::leaves_or_slides() const {
+  const DefaultEnvironment environment;
+  return impl_->leaves_or_slides();
+}
 
 std::optional<ContactInterval> LinearTruth::contact_interval() const {
+  const DefaultEnvironment environment;
   if (impl_->v.is_zero()) {
     if (impl_->excess(0) > 0) return {};
     return ContactInterval{-kInf, kInf, {-kInf, -kInf}, {kInf, kInf}, "", ""};
@@ -402,6 +424,7 @@ std::optional<ContactInterval> LinearTruth::contact_interval() const {
 }
 
 Enclosure LinearTruth::entry_error(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (!std::isinf(t)) return impl_->end_error(t, {{}, Rational(t)});
   // A claim of contact from the beginning of time on, true of a body at rest; or of none at all.
@@ -410,15 +433,20 @@ Enclosure LinearTruth::entry_error(double t) const {
 }
 
 Enclosure LinearTruth::exit_error(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (!std::isinf(t)) return impl_->end_error(t, {Rational(t), {}});
   if (t > 0) return impl_->v.is_zero() ? line_clearance() : kUnbounded;
   return line_depth();
 }
 
-Enclosure LinearTruth::line_depth() const { return impl_->sweep_depth({}, impl_->radius); }
+Enclosure LinearTruth::line_depth() const {
+  const DefaultEnvironment environment;
+  return impl_->sweep_depth({}, impl_->radius);
+}
 
 Enclosure LinearTruth::line_clearance() const {
+  const DefaultEnvironment environment;
   return impl_->beyond(impl_->path_distance_sq({}), impl_->radius);
 }
 

@@ -18,6 +18,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "oracles/default_environment.hpp"
 #include "oracles/first_contact.hpp"
 #include "oracles/integer_scene.hpp"
 #include "oracles/linear_truth.hpp"
@@ -154,7 +155,10 @@ RootSum PenetrationTruth::Impl::reach(const Vec3<double>& n) const {
   return {length(radius), sgn(most), length_sq(fraction(most * most, dot(direction, direction))), 0, 0};
 }
 
-PenetrationTruth::PenetrationTruth(const corpus::Case& problem) : impl_(std::make_unique<Impl>(problem)) {}
+PenetrationTruth::PenetrationTruth(const corpus::Case& problem) {
+  const DefaultEnvironment environment;
+  impl_ = std::make_unique<Impl>(problem);
+}
 PenetrationTruth::~PenetrationTruth() = default;
 PenetrationTruth::PenetrationTruth(PenetrationTruth&&) noexcept = default;
 PenetrationTruth& PenetrationTruth::operator=(PenetrationTruth&&) noexcept = default;
@@ -163,11 +167,18 @@ bool PenetrationTruth::in_contact() const { return impl_->contact; }
 int PenetrationTruth::dimension() const { return impl_->cso->hull().dimension; }
 bool PenetrationTruth::is_polytope() const { return sgn(impl_->radius) == 0; }
 
-Enclosure PenetrationTruth::depth() const { return enclose(impl_->depth_in_contact()); }
-double PenetrationTruth::nearest_depth() const { return oracle::nearest_double(impl_->depth_in_contact()); }
+Enclosure PenetrationTruth::depth() const {
+  const DefaultEnvironment environment;
+  return enclose(impl_->depth_in_contact());
+}
+double PenetrationTruth::nearest_depth() const {
+  const DefaultEnvironment environment;
+  return oracle::nearest_double(impl_->depth_in_contact());
+}
 
 // (r + s sqrt q)^2 = r^2 + q + 2 s r sqrt q
 std::string PenetrationTruth::depth_sq_exact() const {
+  const DefaultEnvironment environment;
   const RootSum& d = impl_->depth_in_contact();
   const Rational mixed_sq = 4 * d.part * d.part * d.root;
   if (mpz_perfect_square_p(mixed_sq.get_num_mpz_t()) == 0 ||
@@ -180,11 +191,13 @@ std::string PenetrationTruth::depth_sq_exact() const {
 }
 
 const std::vector<Vec3<double>>& PenetrationTruth::normals() const {
+  const DefaultEnvironment environment;
   (void)impl_->depth_in_contact();
   return impl_->normals;
 }
 
 Enclosure PenetrationTruth::depth_error(double proposed) const {
+  const DefaultEnvironment environment;
   RootSum excess = impl_->depth_in_contact();
   if (!std::isfinite(proposed)) return kUnbounded;
   excess.part -= Rational(proposed);
@@ -192,6 +205,7 @@ Enclosure PenetrationTruth::depth_error(double proposed) const {
 }
 
 Enclosure PenetrationTruth::normal_error(const Vec3<double>& n) const {
+  const DefaultEnvironment environment;
   const RootSum& least = impl_->depth_in_contact();
   if (!n.allFinite() || n.isZero(0)) return kUnbounded;
   RootSum excess = impl_->reach(n);
@@ -202,25 +216,30 @@ Enclosure PenetrationTruth::normal_error(const Vec3<double>& n) const {
 }
 
 Enclosure PenetrationTruth::reach(const Vec3<double>& n) const {
+  const DefaultEnvironment environment;
   if (!n.allFinite() || n.isZero(0)) return kUnbounded;
   return enclose(impl_->reach(n));
 }
 
 Enclosure PenetrationTruth::distance_from_body(char body, const Vec3<double>& world_point) const {
+  const DefaultEnvironment environment;
   return impl_->distance_from_body(body, 0, world_point);
 }
 
 Enclosure PenetrationTruth::depth_after(const Vec3<double>& x) const {
+  const DefaultEnvironment environment;
   if (!x.allFinite()) return kUnbounded;
   return not_below_zero(enclose(impl_->depth_at(rational(x))));
 }
 
 Enclosure PenetrationTruth::distance_after(const Vec3<double>& x) const {
+  const DefaultEnvironment environment;
   if (!x.allFinite()) return kUnbounded;
   return not_below_zero(enclose(-impl_->depth_at(rational(x))));
 }
 
 Enclosure PenetrationTruth::pair_error(const Vec3<double>& point_a, const Vec3<double>& point_b) const {
+  const DefaultEnvironment environment;
   const RootSum& least = impl_->depth_in_contact();
   if (!point_a.allFinite() || !point_b.allFinite()) return kUnbounded;
   const RationalPoint a = rational(point_a), b = rational(point_b);
@@ -231,6 +250,7 @@ Enclosure PenetrationTruth::pair_error(const Vec3<double>& point_a, const Vec3<d
 }
 
 std::optional<DepthAlong> PenetrationTruth::along(const Vec3<double>& d) const {
+  const DefaultEnvironment environment;
   if (!d.allFinite() || d.isZero(0)) throw std::invalid_argument("direction: it is zero or not finite");
   // In integer units the line is {t D}, D = w unit d, w the weight, and s = w t.
   const HomogeneousPoint end = impl_->point(rational(d));
@@ -254,6 +274,7 @@ std::optional<DepthAlong> PenetrationTruth::along(const Vec3<double>& d) const {
 }
 
 Enclosure PenetrationTruth::along_error(const Vec3<double>& d, double s) const {
+  const DefaultEnvironment environment;
   if (!d.allFinite() || d.isZero(0)) throw std::invalid_argument("direction: it is zero or not finite");
   if (!std::isfinite(s) || s < 0) return kUnbounded;
   corpus::Case line = impl_->problem;

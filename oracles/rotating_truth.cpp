@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "oracles/case_truth.hpp"
+#include "oracles/default_environment.hpp"
 #include "oracles/rotating_pair.hpp"
 
 namespace graze::oracle {
@@ -358,8 +359,10 @@ Enclosure RotatingTruth::Impl::greatest_depth(const Ball& first, const Ball& las
   return {shown, std::max(shown, open.top().value)};
 }
 
-RotatingTruth::RotatingTruth(const corpus::Case& problem, double width, int budget)
-    : impl_(std::make_unique<Impl>(problem, width, budget)) {}
+RotatingTruth::RotatingTruth(const corpus::Case& problem, double width, int budget) {
+  const DefaultEnvironment environment;
+  impl_ = std::make_unique<Impl>(problem, width, budget);
+}
 RotatingTruth::~RotatingTruth() = default;
 RotatingTruth::RotatingTruth(RotatingTruth&&) noexcept = default;
 RotatingTruth& RotatingTruth::operator=(RotatingTruth&&) noexcept = default;
@@ -371,13 +374,18 @@ const std::string& RotatingTruth::reason() const { return impl_->reason; }
 int RotatingTruth::slices() const { return impl_->slices; }
 
 double RotatingTruth::toi_lower() const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss) return kInf;
   return std::max(0.0, impl_->lower.low_double());
 }
 
-double RotatingTruth::toi_upper() const { return impl_->contact ? impl_->upper.high_double() : kInf; }
+double RotatingTruth::toi_upper() const {
+  const DefaultEnvironment environment;
+  return impl_->contact ? impl_->upper.high_double() : kInf;
+}
 
 int RotatingTruth::compare(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) throw std::invalid_argument("compare: NaN is not a time");
   if (impl_->outcome == Outcome::miss) return -1;
   if (std::isinf(t)) return t < 0 ? -1 : (impl_->contact ? 1 : 0);
@@ -386,9 +394,13 @@ int RotatingTruth::compare(double t) const {
   return certainly_less(impl_->upper, Ball(t)) ? 1 : 0;
 }
 
-Enclosure RotatingTruth::scale() const { return impl_->scale.enclosure(); }
+Enclosure RotatingTruth::scale() const {
+  const DefaultEnvironment environment;
+  return impl_->scale.enclosure();
+}
 
 Enclosure RotatingTruth::clearance() const {
+  const DefaultEnvironment environment;
   if (impl_->contact) return {};
   if (!impl_->clearance) {
     const WorkingPrecision precision(impl_->bits);
@@ -402,6 +414,7 @@ Enclosure RotatingTruth::clearance() const {
 }
 
 Enclosure RotatingTruth::depth() const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss) return {};
   if (!impl_->depth) {
     const WorkingPrecision precision(impl_->bits);
@@ -411,6 +424,7 @@ Enclosure RotatingTruth::depth() const {
 }
 
 Enclosure RotatingTruth::distance_at(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
   const WorkingPrecision precision(impl_->bits);
   const Nearest3 found = impl_->pair->distance(impl_->pair->at(t), impl_->fine, kRelativeDistance);
@@ -418,6 +432,7 @@ Enclosure RotatingTruth::distance_at(double t) const {
 }
 
 Enclosure RotatingTruth::depth_before(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0 || compare(t) < 0) return {};
   if (t >= impl_->problem.t_max) return depth();
@@ -426,6 +441,7 @@ Enclosure RotatingTruth::depth_before(double t) const {
 }
 
 Enclosure RotatingTruth::backward_error(double t) const {
+  const DefaultEnvironment environment;
   if (!std::isfinite(t) || t < 0) return kUnbounded;
   const Enclosure distance = distance_at(t);
   const Enclosure depth = depth_before(t);
@@ -433,6 +449,7 @@ Enclosure RotatingTruth::backward_error(double t) const {
 }
 
 Enclosure RotatingTruth::lateness(double t) const {
+  const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   const int order = compare(t);
   if (order < 0) return {};
@@ -441,6 +458,7 @@ Enclosure RotatingTruth::lateness(double t) const {
 }
 
 Enclosure RotatingTruth::normal_error(const Vec3<double>& n) const {
+  const DefaultEnvironment environment;
   if (impl_->outcome == Outcome::miss || !finite(n) || n.isZero(0)) return kUnbounded;
   if (!impl_->contact) return {0, kInf};
   const WorkingPrecision precision(impl_->bits);
@@ -452,6 +470,7 @@ Enclosure RotatingTruth::normal_error(const Vec3<double>& n) const {
 }
 
 Enclosure RotatingTruth::distance_from_body(char body, double t, const Vec3<double>& world_point) const {
+  const DefaultEnvironment environment;
   if (body != 'a' && body != 'b') throw std::invalid_argument("a body is 'a' or 'b'");
   if (!std::isfinite(t) || !finite(world_point)) return kUnbounded;
   const WorkingPrecision precision(impl_->bits);

@@ -11,10 +11,11 @@ namespace graze::tool {
 
 struct Intake {
   std::vector<Suite> linear, rotating;
-  std::vector<corpus::Case>
-      asked;                 // questions beside the cast, at t = 0 without the turn that they do not see
-  std::size_t recast = 0;    // questions about contact that are judged as the cast of their bodies, too
-  std::size_t left_out = 0;  // cases that nothing judges
+  // Questions beside the cast; those at t = 0 without the turn that they do not see.
+  std::vector<corpus::Case> asked;
+  std::size_t recast = 0;        // questions about contact that are judged as the cast of their bodies, too
+  std::size_t left_out = 0;      // cases that nothing judges
+  std::vector<std::string> why;  // of files: which and why not, a line a reason
 
   // The cases of a file, or of our own corpus. Whether bodies touch, when, and how far apart they are, is
   // judged as the cast of the same bodies as well, which is the harder question.

@@ -91,6 +91,44 @@ TEST(ProofIo, ReadsBackWhatItWrote) {
   EXPECT_TRUE(std::signbit(result.proofs[0].proof.axis[0]));
 }
 
+TEST(ProofIo, KeepsTheTierAndTheBracketWhereARecordStatesThem) {
+  ProofRecord stated = example();
+  stated.tier = Tier::certified;
+  stated.toi = {5e-324, kInfinity<double>};
+  const ProofReadResult result = read_proofs_text(write_proof(stated) + "\n" + write_proof(example()), "p");
+  ASSERT_TRUE(result.ok()) << result.errors[0].text();
+  expect_same(result.proofs[0], stated);
+  EXPECT_EQ(result.proofs[0].tier, Tier::certified);
+  ASSERT_TRUE(result.proofs[0].toi);
+  EXPECT_EQ(result.proofs[0].toi->lower, 5e-324);
+  EXPECT_EQ(result.proofs[0].toi->upper, kInfinity<double>);
+  EXPECT_FALSE(result.proofs[1].tier);
+  EXPECT_FALSE(result.proofs[1].toi);
+  for (const auto& [from, to, message] :
+       {std::tuple("\"certified\"", "\"best\"", "p:1: tier: the string \"best\"; one of"),
+        std::tuple("\"upper\": \"inf\"", "\"upper\": 0", "p:1: toi: lower is above upper"),
+        std::tuple("\"upper\": \"inf\"", "\"uper\": 1", "p:1: toi: unknown field \"uper\"")}) {
+    std::string text = write_proof(stated);
+    text.replace(text.find(from), std::string(from).size(), to);
+    const ProofReadResult bad = read_proofs_text(text, "p");
+    ASSERT_EQ(bad.errors.size(), 1u);
+    EXPECT_EQ(bad.errors[0].text().substr(0, std::string(message).size()), message) << bad.errors[0].text();
+  }
+}
+
+TEST(ProofIo, AFileOfCasesIsOneError) {
+  const std::string line = write_case(example().problem), pretty = write_case_pretty(example().problem);
+  for (const std::string& text : {line, line + "\n" + line + "\n" + line, pretty}) {
+    const ProofReadResult result = read_proofs_text(text, "c.jsonl");
+    ASSERT_EQ(result.errors.size(), 1u);
+    EXPECT_EQ(result.errors[0].text().substr(0, 23), "c.jsonl:1: schema: hold");
+  }
+  const ProofReadResult mixed = read_proofs_text(write_proof(example()) + "\n" + line + "\n" + line, "m");
+  EXPECT_EQ(mixed.proofs.size(), 1u);
+  ASSERT_EQ(mixed.errors.size(), 1u);
+  EXPECT_EQ(mixed.errors[0].text().substr(0, 26), "m:2: schema: holds 2 cases");
+}
+
 TEST(ProofIo, RefusesWhatIsMalformedAndKeepsTheRest) {
   const std::string sound = write_proof(example());
   const auto replaced = [&](const std::string& from, const std::string& to) {

@@ -613,6 +613,14 @@ TEST(CheckProofDoor, EveryRefusalHasItsCause) {
   EXPECT_EQ(spoilt([](Good& g) { g.c.t_max = down(0.5); }), Refusal::upper_not_proved);
 }
 
+TEST(CheckProofDoor, WithoutDoublesEverythingIsLeftToGmp) {
+  const Good g = good();
+  CheckCost cost;
+  EXPECT_TRUE(check_proof(g.c, g.proof, &cost, oracle::Stages::without_doubles).accepted());
+  EXPECT_EQ(cost.double_decisions + cost.extended_decisions, 0);
+  EXPECT_GT(cost.exact_decisions, 0);
+}
+
 TEST(CheckProofDoor, TheCallersEnvironmentChangesNothingAndIsGivenBack) {
   const Good g = good();
   // In overlap at the start, with a lower bound that is above 0 by a bit and has no axis.

@@ -550,6 +550,20 @@ Case turned_pair() {
   return c;
 }
 
+TEST(CheckShapesDoor, WithoutDoublesEverythingIsLeftToBallsAndGmp) {
+  const Case c = turned_pair();
+  const Vec3<double> n{1, 0.25, 0x1p-1070};
+  const auto tight = HighAxis(c, n).tightest();
+  ASSERT_TRUE(tight);
+  CheckCost cost;
+  const auto refusal = [&](double lower) {
+    return check_proof(c, lower_proof(lower, n), &cost, oracle::Stages::without_doubles).refusal;
+  };
+  EXPECT_EQ(refusal(*tight), Refusal::none);
+  EXPECT_EQ(refusal(up(*tight)), Refusal::lower_not_proved);
+  EXPECT_EQ(cost.double_decisions + cost.extended_decisions, 0);
+}
+
 TEST(CheckShapesDoor, AnotherRoundingModeOrFlushedSubnormalsChangeNothing) {
   const Case c = turned_pair();
   const Vec3<double> n{1, 0.25, 0x1p-1070};

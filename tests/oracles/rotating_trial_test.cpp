@@ -16,10 +16,6 @@
 #include "oracles/check_rotating_proof.hpp"
 #include "tests/oracles/rotating_scenes.hpp"
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 namespace graze::test {
 namespace {
 
@@ -27,34 +23,19 @@ using oracle::RotatingCheckCost;
 using oracle::RotatingRefusal;
 using oracle::RotatingVerdict;
 
-// Each trial is held twice: as the checker is, and in balls alone, which is what it does where subnormals are
-// flushed.
-enum class Arithmetic { as_it_is, balls };
+// Each trial is held twice: as the checker is, and in balls alone.
+using oracle::Stages;
 
-class RotatingTrial : public testing::TestWithParam<Arithmetic> {
+class RotatingTrial : public testing::TestWithParam<Stages> {
  protected:
-  void SetUp() override {
-#if !defined(__SSE2__)
-    if (GetParam() == Arithmetic::balls) GTEST_SKIP() << "no flag to flush subnormals";
-#endif
-  }
   [[nodiscard]] static RotatingVerdict check(const corpus::Case& problem, const RotatingProof& proof,
                                              RotatingCheckCost* cost = nullptr) {
-#if defined(__SSE2__)
-    const unsigned before = _mm_getcsr();
-    constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-    if (GetParam() == Arithmetic::balls) _mm_setcsr(before | kFlushToZero | kDenormalsAreZero);
-    RotatingVerdict verdict = oracle::check_rotating_proof(problem, proof, cost);
-    _mm_setcsr(before);
-    return verdict;
-#else
-    return oracle::check_rotating_proof(problem, proof, cost);
-#endif
+    return oracle::check_rotating_proof(problem, proof, cost, GetParam());
   }
 };
-INSTANTIATE_TEST_SUITE_P(Each, RotatingTrial, testing::Values(Arithmetic::as_it_is, Arithmetic::balls),
+INSTANTIATE_TEST_SUITE_P(Each, RotatingTrial, testing::Values(Stages::all, Stages::without_doubles),
                          [](const auto& instance) {
-                           return instance.param == Arithmetic::balls ? "Balls" : "AsItIs";
+                           return instance.param == Stages::without_doubles ? "Balls" : "AsItIs";
                          });
 
 constexpr double kInf = kInfinity<double>;
@@ -119,7 +100,7 @@ TEST_P(RotatingTrial, TrueClaimsAreAcceptedUpToTheSlack) {
     for (const TimeSlice& slice : proved->proof.chain) ++frames[static_cast<std::size_t>(slice.frame)];
   }
   for (const int frame : frames) EXPECT_GT(frame, 2000);
-  EXPECT_EQ(cost.in_double, GetParam() == Arithmetic::balls ? 0 : cost.slices);
+  EXPECT_EQ(cost.in_double, GetParam() == Stages::without_doubles ? 0 : cost.slices);
   std::cout << hits << " hits and " << misses << " misses, " << cost.slices << " slices (" << frames[0]
             << " world, " << frames[1] << " a, " << frames[2] << " b) in " << cost.pieces << " pieces, "
             << cost.raised << " raised: " << microseconds_each(time, cost.slices)
