@@ -33,7 +33,7 @@ enum class Kind { text, linear, turning, any };
 std::optional<Kind> kind_of(const std::string& target) {
   if (target == "case_files") return Kind::text;
   if (target == "rotating_cast" || target == "plans") return Kind::turning;
-  if (target == "made_up_proofs") return Kind::any;
+  if (target == "made_up_proofs" || target == "proof_attack") return Kind::any;
   for (const char* linear :
        {"linear_cast", "exact_oracle", "tiers", "distance_penetration", "hull_building", "metamorphic"}) {
     if (target == linear) return Kind::linear;

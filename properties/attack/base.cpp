@@ -32,7 +32,8 @@ double eighths(Random& random, int least, int most) { return random.integer(leas
 
 Shape<double> small_shape(Random& random) {
   const auto extent = [&] { return eighths(random, 1, 16); };
-  switch (random.below(10)) {
+  if (random.once_in(4)) return written_otherwise(Sphere<double>{extent()}, random);
+  switch (random.below(8)) {
     case 0:
     case 1:
       return Box<double>{{extent(), extent(), extent()}};
@@ -44,10 +45,7 @@ Shape<double> small_shape(Random& random) {
       return Segment<double>{{-extent(), 0, 0}, {extent(), extent(), 0}};
     case 5:
       return Capsule<double>{extent() / 4, extent()};
-    case 6:
-    case 7:
-      return written_otherwise(Sphere<double>{extent()}, random);
-    case 8: {
+    case 6: {
       std::vector<Vec3<double>> vertices;
       for (int k = 0; k < 5; ++k)
         vertices.push_back({eighths(random, -16, 16), eighths(random, -16, 16), eighths(random, -16, 16)});

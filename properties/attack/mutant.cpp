@@ -144,7 +144,7 @@ void claim_a_miss_by_one_slice(Mutant& mutant, Random& random) {
       return corpus::rotate(body.orientation, spin.pivot);
     };
     slice.axis = problem.b.position - problem.a.position;
-    if (random.once_in(2)) slice.axis -= arm(problem.a, problem.spin_a);
+    if (!random.once_in(3)) slice.axis -= arm(problem.a, problem.spin_a);
     if (random.once_in(3)) slice.axis += arm(problem.b, problem.spin_b);
   } else {
     slice = proof.chain[random.below(proof.chain.size())];
