@@ -38,12 +38,12 @@ Prism prism(Draw& draw, double size) {
   for (int i = 0; i < corners; ++i) {
     Vec3<double> x = Vec3<double>::Zero();
     for (int j = 0; j < 2; ++j) x[j] = draw.coordinate(size);
-    if (draw.coordinates == Coordinates::doubles) x = Vec3<double>(decimals(x[0]), decimals(x[1]), 0);
+    if (draw.coordinates != Coordinates::integers) x = Vec3<double>(decimals(x[0]), decimals(x[1]), 0);
     if (regular && corners == 5) x = Vec3<double>(kFive[i][0], kFive[i][1], 0);
     if (regular && corners == 6) x = Vec3<double>(kSix[i][0], kSix[i][1], 0);
     out.ring.push_back(x);
   }
-  constexpr double kHeights[] = {0.5, 0.5, 1, 10};
+  constexpr double kHeights[] = {0.5, 0.5, 0.5, 1, 10};
   out.half_height = kHeights[random.below(std::size(kHeights))];
   return out;
 }
@@ -81,14 +81,14 @@ void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const Prism a = prism(draw, 2);
   Prism b = prism(draw, 2);
-  if (random.once_in(2)) b.half_height = a.half_height;
+  if (!random.once_in(4)) b.half_height = a.half_height;
   Vec3<double> lean = Vec3<double>::Zero();
   for (int i = 0; i < 2; ++i) lean[i] = unit * random.uniform(-2, 2);
-  const auto manner = random.below(4);
+  const auto manner = random.below(6);
   problem.a.shape = upright(a, Vec3<double>::Zero());
-  if (manner == 0) {
+  if (manner < 3) {
     problem.b.shape = upright(b, lean);
-  } else if (manner == 1) {
+  } else if (manner == 3) {
     b = a;
     for (Vec3<double>& x : b.ring) {
       for (int i = 0; i < 2; ++i) x[i] += unit * random.uniform(-1, 1);
