@@ -29,7 +29,7 @@ corpus::Case falling_cube() {
 long lines_in(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 // The record of one method's answer to the falling cube, and of what was made of it.
-class Check : public testing::Test {
+class CheckRecords : public testing::Test {
  protected:
   Folder folder;
 
@@ -47,7 +47,7 @@ class Check : public testing::Test {
   }
 };
 
-TEST_F(Check, cast_writes_the_tier_and_the_bracket_of_its_answer) {
+TEST_F(CheckRecords, cast_writes_the_tier_and_the_bracket_of_its_answer) {
   for (const std::string tier : {"standard", "certified", "exact"}) {
     const Json record = cast("--tier " + tier);
     EXPECT_EQ(record["tier"], tier);
@@ -65,7 +65,7 @@ TEST_F(Check, cast_writes_the_tier_and_the_bracket_of_its_answer) {
   }
 }
 
-TEST_F(Check, refuses_a_record_that_its_proof_contradicts) {
+TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
   const Json sound = cast("--tier exact");
   Json miss = sound, start = sound, late = sound;
   miss["outcome"] = "miss";
@@ -86,7 +86,7 @@ TEST_F(Check, refuses_a_record_that_its_proof_contradicts) {
       "1 accepted, 3 refused\n");
 }
 
-TEST_F(Check, refuses_a_record_that_proves_nothing) {
+TEST_F(CheckRecords, refuses_a_record_that_proves_nothing) {
   Json record = cast("--tier exact");
   record["outcome"] = "miss";
   record.erase("toi");
@@ -100,7 +100,7 @@ TEST_F(Check, refuses_a_record_that_proves_nothing) {
       "refused  test/hit  exact/double  unproved: claims miss, proves nothing\n0 accepted, 1 refused\n");
 }
 
-TEST_F(Check, half_of_a_hit_is_neither_accepted_nor_refused) {
+TEST_F(CheckRecords, half_of_a_hit_is_neither_accepted_nor_refused) {
   const Json sound = cast("--tier exact");
   Json lower = sound, upper = sound, false_half = sound;
   lower["proof"]["toi_upper"] = "inf";
@@ -123,7 +123,7 @@ TEST_F(Check, half_of_a_hit_is_neither_accepted_nor_refused) {
   EXPECT_EQ(folder.graze("check bad.jsonl made.jsonl").exit_code, 2);
 }
 
-TEST_F(Check, a_file_of_cases_is_one_complaint) {
+TEST_F(CheckRecords, a_file_of_cases_is_one_complaint) {
   const CommandRun generated = folder.graze("generate random --count 500 --seed 3");
   ASSERT_EQ(generated.exit_code, 0);
   const auto expect_one = [](const CommandRun& run, const std::string& holds) {
