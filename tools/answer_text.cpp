@@ -118,6 +118,8 @@ std::string invalid_text(Invalid invalid) {
              "too many nested rotations";
     case Invalid::rounding_mode:
       return "another rounding mode than to nearest";
+    case Invalid::unsafe_math:
+      return "compiled with a part of -ffast-math";
     case Invalid::bad_horizon:
       return "a t_max below zero";
     case Invalid::bad_target:

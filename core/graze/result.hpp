@@ -47,6 +47,7 @@ enum class Invalid : std::uint8_t {
   missing_part,     // a combinator without parts, or with one that has no shape
   too_complex,      // combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices
   rounding_mode,    // the machine does not round to nearest
+  unsafe_math,      // compiled with a part of -ffast-math (validate.hpp)
   bad_horizon,      // t_max below zero or NaN
   bad_target,       // target_distance below zero, infinite or NaN
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one

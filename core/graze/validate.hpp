@@ -5,6 +5,7 @@
 // far from both ends of double's exponent range.
 #pragma once
 
+#include <graze/body.hpp>
 #include <graze/combinator.hpp>
 #include <graze/result.hpp>
 
@@ -45,6 +46,31 @@ Invalid check_extent(S x) {
 inline bool rounds_to_nearest() {
   const volatile double one = 1, little = 0x1p-54;
   return one + little == 1 && one - little / 2 == 1;
+}
+
+// Was this compiled with flags, unnamed by any macro (scalar.hpp), that reorder sums, multiply by reciprocals
+// or take no number for a NaN or for infinity? Each changes one of these lines, short enough for any compiler
+// to change: (1 + x) - 1 would be x; two quotients by 49 products with 1/49 as rounded; a NaN would equal
+// itself, or pass a comparison that is turned round; a sum with infinity would be no number at all, known
+// before the program runs. Inlined, so that the flags are the query's own.
+[[gnu::always_inline]] inline bool keeps_arithmetic() {
+  const volatile double given[] = {1, 0x1p-60, 49, 98, 49, std::numeric_limits<double>::quiet_NaN()};
+  const double one = given[0], little = given[1], nan = given[5];
+  const double divisor = given[4], first = given[2] / divisor, second = given[3] / divisor;
+  const bool sums = (one + little) - one == 0, quotients = first == 1 && second == 2;
+  const bool nans = nan != nan && !(nan <= one) && !(nan > one);
+  double endless = one + kInfinity<double>;
+#if defined(__GNUC__)
+  // Asked of a variable: of a constant the compiler answers before it has read what comes before.
+  if (__builtin_constant_p(endless)) endless = 0;
+#endif
+  return sums && quotients && nans && endless > std::numeric_limits<double>::max();
+}
+
+// What machine and compiler make of arithmetic; every bound depends on it.
+[[gnu::always_inline]] inline Invalid check_arithmetic() {
+  if (!rounds_to_nearest()) return Invalid::rounding_mode;
+  return keeps_arithmetic() ? Invalid::none : Invalid::unsafe_math;
 }
 
 template <Scalar S>
@@ -183,7 +209,7 @@ Invalid validate(const CastOptions<S>& options) {
 
 template <Scalar S>
 Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  if (!detail::rounds_to_nearest()) return Invalid::rounding_mode;
+  if (const Invalid one = detail::check_arithmetic(); one != Invalid::none) return one;
   if (const Invalid one = validate(a); one != Invalid::none) return one;
   if (const Invalid one = validate(b); one != Invalid::none) return one;
   return validate(options);
