@@ -89,7 +89,7 @@ struct RotatingTruth::Impl {
   Vec3<double> axis = Vec3<double>::UnitX();
   mutable std::optional<Enclosure> clearance, depth;
 
-  Impl(const corpus::Case& given, double asked, int most);
+  Impl(const corpus::Case& given, double asked, int most, bool searches = true);
   void measure();
   void march();
   [[nodiscard]] Contact contact_at(const PairPose& pose, double slack = kAnyDepth) const {
@@ -113,7 +113,7 @@ struct RotatingTruth::Impl {
                                    const PairPose& to) const;
 };
 
-RotatingTruth::Impl::Impl(const corpus::Case& given, double asked, int most)
+RotatingTruth::Impl::Impl(const corpus::Case& given, double asked, int most, bool searches)
     : problem(given), width(asked), budget(most) {
   refuse_what_is_no_case(given, asked);
   {
@@ -129,7 +129,7 @@ RotatingTruth::Impl::Impl(const corpus::Case& given, double asked, int most)
   bits += 2 * static_cast<long>(std::min(lost, 2000.0));
   const WorkingPrecision precision(bits);
   measure();
-  march();
+  if (searches) march();
 }
 
 void RotatingTruth::Impl::measure() {
@@ -482,6 +482,20 @@ Enclosure RotatingTruth::distance_from_body(char body, double t, const Vec3<doub
   const Nearest3 found =
       impl_->pair->distance_from_body(body, impl_->pair->at(t), point, impl_->fine, kRelativeDistance);
   return {found.lower.low_double(), found.upper.high_double()};
+}
+
+RotatingTruth::RotatingTruth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+RotatingTruth RotatingTruth::of_proved(const corpus::Case& problem, double lower, double upper,
+                                       double width) {
+  if (!(lower >= 0 && lower <= upper && upper <= problem.t_max))
+    throw std::invalid_argument("a proved bracket is an interval of times up to t_max");
+  auto impl = std::make_unique<Impl>(problem, width, kDefaultBudget, false);
+  impl->lower = lower;
+  impl->upper = upper;
+  impl->contact = true;
+  impl->outcome = upper == 0 ? Outcome::initially_overlapping : Outcome::hit;
+  return RotatingTruth(std::move(impl));
 }
 
 }  // namespace graze::oracle

@@ -36,33 +36,35 @@ bool proves(const RotatingProof& proof, const RotatingAnswer& answer) {
   return false;
 }
 
-// Do accepted proofs leave nothing open about the verdict, the times and the width of an answer?
-//
+// What accepted proofs leave open of an answer.
+enum class Open { nothing, width, anything };
+
 // With l <= TOI <= u proved and V the top speed of a point of one body against the other: the bodies are no
 // farther apart at t than (u - t) V, and before t no deeper in each other than (t - l) V. Both are rounded
 // outward, and so is the comparison: what is then within the row is so without doubt.
-bool settled_by(const ProvedBracket& proved, const RotatingAnswer& answer, const law::RotatingRow& row) {
-  const double speed = row.speed * kSlack;
-  const double apart = std::max(0.0, proved.upper - answer.toi_lower) * speed,
-               deep = std::max(0.0, answer.toi_upper - proved.lower) * speed;
+Open left_open_by(const ProvedBracket& proved, const RotatingAnswer& answer, const law::RotatingRow& row) {
+  const auto way = [&](double from, double to) {
+    return std::max(0.0, to - from) * row.speed * kSlack * kSlack;
+  };
   switch (answer.outcome) {
     case Outcome::miss:
-      return proved.lower == kInfinity<double>;
+      return proved.lower == kInfinity<double> ? Open::nothing : Open::anything;
     case Outcome::initially_overlapping:
-      return proved.upper == 0;
+      return proved.upper == 0 ? Open::nothing : Open::anything;
     case Outcome::hit: {
-      if (!(proved.upper < kInfinity<double>)) return false;
-      const double late = std::max(0.0, answer.toi_lower - proved.lower) * speed,
-                   early = std::max(0.0, proved.upper - answer.toi_upper) * speed;
-      return late * kSlack <= (row.strict ? 0 : row.limit) && early * kSlack <= (row.strict ? 0 : row.wide) &&
-             apart * kSlack <= row.wide + row.rounding_at(answer.toi_lower) &&
-             deep * kSlack <= row.wide + row.rounding_at(answer.toi_upper);
+      if (!(proved.upper < kInfinity<double>)) return Open::anything;
+      if (way(proved.lower, answer.toi_lower) > (row.strict ? 0 : row.limit)) return Open::anything;  // late
+      if (way(answer.toi_upper, proved.upper) > (row.strict ? 0 : row.wide)) return Open::anything;   // early
+      const bool narrow =
+          way(answer.toi_lower, proved.upper) <= row.wide + row.rounding_at(answer.toi_lower) &&
+          way(proved.lower, answer.toi_upper) <= row.wide + row.rounding_at(answer.toi_upper);
+      return narrow ? Open::nothing : Open::width;
     }
     case Outcome::not_converged:
     case Outcome::invalid_input:
       break;
   }
-  return false;
+  return Open::anything;
 }
 
 class RotatingJudge {
@@ -83,7 +85,14 @@ class RotatingJudge {
       return judgement_;
     }
     proof();
-    if (settled(problem) && !oracle) return judgement_;
+    const Open open = left_open(problem);
+    if (open == Open::nothing && !oracle) return judgement_;
+    if (open == Open::width && !oracle) {
+      const RotatingTruth& beside = truth_.beside_proof();
+      row_ = law::row_of(*limits_.method, *limits_.row, problem, beside.scale().high);
+      width(beside);
+      return judgement_;
+    }
     judgement_.by_oracle = true;
     const RotatingTruth& truth = truth_.bracket();
     row_ = law::row_of(*limits_.method, *limits_.row, problem, truth.scale().high);
@@ -131,11 +140,12 @@ class RotatingJudge {
   }
 
   // By the scale in rounded doubles, brought below the true one.
-  bool settled(const corpus::Case& problem) {
+  Open left_open(const corpus::Case& problem) {
     const law::RotatingRow row =
         law::row_of(*limits_.method, *limits_.row, problem, law::scale_of(problem) / kSlack);
-    return settled_by(truth_.proved(), answer_, row) ||
-           (truth_.learn_from_reference() && settled_by(truth_.proved(), answer_, row));
+    const Open open = left_open_by(truth_.proved(), answer_, row);
+    if (open != Open::anything || !truth_.learn_from_reference()) return open;
+    return left_open_by(truth_.proved(), answer_, row);
   }
 
   void proof() {
@@ -172,14 +182,18 @@ class RotatingJudge {
     }
     late(truth);
     take(&law::early_error, truth, judgement_.early);
-    judgement_.width_limit = in_scale(row_.wide + row_.rounding_at(answer_.toi_upper));
-    judgement_.width = in_scale(take(&law::width_error, truth, judgement_.wide).length);
+    width(truth);
     take(&law::distance_error, truth, judgement_.wide);
     if (answer_.outcome != Outcome::hit) return;
     if (asks_for(request_, Request::normal))
       judgement_.normal = in_scale(take(&law::normal_error, truth, judgement_.bad_contact).length);
     if (asks_for(request_, Request::witnesses))
       judgement_.witness = in_scale(take(&law::witness_error, truth, judgement_.bad_contact).length);
+  }
+
+  void width(const RotatingTruth& truth) {
+    judgement_.width_limit = in_scale(row_.wide + row_.rounding_at(answer_.toi_upper));
+    judgement_.width = in_scale(take(&law::width_error, truth, judgement_.wide).length);
   }
 
   void not_converged(const RotatingTruth& truth) {
@@ -213,6 +227,14 @@ class RotatingJudge {
 const RotatingTruth& TurningTruth::bracket() {
   if (!bracket_) bracket_ = std::make_unique<RotatingTruth>(problem_);
   return *bracket_;
+}
+
+const RotatingTruth& TurningTruth::beside_proof() {
+  if (!beside_proof_) {
+    const double upper = std::min(proved_.upper, problem_.t_max);
+    beside_proof_ = std::make_unique<RotatingTruth>(RotatingTruth::of_proved(problem_, proved_.lower, upper));
+  }
+  return *beside_proof_;
 }
 
 oracle::RotatingVerdict TurningTruth::check(const RotatingProof& proof) {

@@ -41,6 +41,8 @@ class TurningTruth {
   // The same for the proof of the reference, once; false if there was nothing new to learn.
   bool learn_from_reference();
   [[nodiscard]] const ProvedBracket& proved() const { return proved_; }
+  // What is true of times beside the bracket that is proved, which has an upper end.
+  [[nodiscard]] const oracle::RotatingTruth& beside_proof();
   // Why the reference's proof was not accepted; empty where it was, or was never asked for.
   [[nodiscard]] const std::string& reference_refused() const { return reference_refused_; }
 
@@ -49,7 +51,7 @@ class TurningTruth {
   const engine::RotatingEngineMethod* reference_;
   std::string reference_refused_;
   ProvedBracket proved_;
-  std::unique_ptr<oracle::RotatingTruth> bracket_;
+  std::unique_ptr<oracle::RotatingTruth> bracket_, beside_proof_;
 };
 
 // A method and the row that it is held to.
@@ -99,9 +101,10 @@ struct RotatingJudgement {
 [[nodiscard]] RotatingJudgement judge_rotating(TurningTruth& truth, const engine::RotatingAnswer& answer,
                                                const RotatingLimits& limits, Request request);
 
-// The same, by what proofs have shown of the case: the answer's own, then the reference's. The oracle is
-// asked about what they leave open and, if `measure`, in any case. Unasked, nobody looks at the normal, the
-// witnesses and the stated distance, of which a proof says nothing.
+// The same, by what proofs have shown of the case: the answer's own, then the reference's. Where they show
+// verdict and times and no more is open than the width of the bracket, it is measured beside theirs. The
+// oracle searches where they leave more open and, if `measure`, in any case. Else nobody looks at the normal,
+// the witnesses and the stated distance, of which a proof says nothing.
 [[nodiscard]] RotatingJudgement judge_rotating_by_proof(TurningTruth& truth,
                                                         const engine::RotatingAnswer& answer,
                                                         const RotatingLimits& limits, Request request,

@@ -152,7 +152,7 @@ TEST_F(CampaignCommand, bad_input_is_named_in_one_line) {
   ASSERT_EQ(folder.graze(kSmall + "--state kept.json").exit_code, 0);
   const std::string kept = folder.read("kept.json");
   expect_one_complaint(kSmall + "--state kept.json --seed 2", "the seed is 2 here and 1 there");
-  expect_one_complaint(kSmall + "--state kept.json --method exact/float", "the method");
+  expect_one_complaint(kSmall + "--state kept.json --method exact/float", "the list of methods");
   expect_one_complaint(kSmall + "--state kept.json --shard 1/2", "the shard is 1/2 here and 1/1 there");
   expect_one_complaint(kSmall + "--state odd.json", "odd.json");
   expect_one_complaint("campaign --rotating 8 --state kept.json", "kept.json is of another campaign");

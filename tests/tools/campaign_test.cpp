@@ -390,6 +390,13 @@ engine::RotatingAnswer moved_in_time(const corpus::Case& problem, const engine::
   return answer;
 }
 
+// True, never late, and the bodies are still apart at toi_lower: measured beside the proof's bracket.
+engine::RotatingAnswer widened_in_time(const corpus::Case& problem, const engine::RotatingAsk& ask) {
+  engine::RotatingAnswer answer = turning("plan").cast(problem, ask);
+  if (answer.outcome == Outcome::hit && answer.toi_lower > 1e-3) answer.toi_lower -= 1e-4 * problem.t_max;
+  return answer;
+}
+
 engine::RotatingAnswer turning_denies_contact(const corpus::Case& problem, const engine::RotatingAsk& ask) {
   engine::RotatingAnswer answer = turning("certified").cast(problem, ask);
   if (answer.outcome != Outcome::hit) return answer;
@@ -426,6 +433,7 @@ TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_k
   for (const Planted& planted :
        {Planted{planted_turning("plan", &moved_in_time<100>), &CampaignCounts::late, false},
         Planted{planted_turning("plan", &moved_in_time<-100>), &CampaignCounts::off, false},
+        Planted{planted_turning("plan", &widened_in_time), &CampaignCounts::off, false},
         Planted{planted_turning("certified", &turning_denies_contact), &CampaignCounts::wrong, false},
         Planted{planted_turning("certified", &forges_its_proof), &CampaignCounts::proofs_refused, true}}) {
     const Small small(planted.method, "random_rotating", 48);
