@@ -160,9 +160,21 @@ TEST(PairBounds, NoGapClosesFaster) {
   for (Tally* one : {&closing, &bend, &top_bend, &top_speed}) one->finish(500);
 }
 
-// The header's formula, and the second difference of n(t).x(t) for points of the other body.
+// How fast points of the one body move in the axes of the other, where the pair says so.
+template <class P>
+std::optional<double> relative_speed(const P& pair, AxisFrame of, double t_end) {
+  if constexpr (requires { pair.relative_speed(of, t_end); }) {
+    return pair.relative_speed(of, t_end);
+  } else {
+    return std::nullopt;
+  }
+}
+
+// The header's formula, and the second difference of n(t).x(t) for points of the other body; and the first.
 TEST(PairBounds, NoGapAlongATurnedAxisBendsMore) {
-  Tally formula("MovingPair::bend(frame)"), seen_bend("MovingPair::bend(frame), of points");
+  Tally formula("MovingPair::bend(frame)"), seen_bend("MovingPair::bend(frame), of points"),
+      speeds("MovingPair::relative_speed, of points");
+  bool says_speed = false;
   for_each_pair(14, rounds(600), [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
     for (const AxisFrame of : {AxisFrame::a, AxisFrame::b}) {
       const bool with_a = of == AxisFrame::a;
@@ -181,17 +193,22 @@ TEST(PairBounds, NoGapAlongATurnedAxisBendsMore) {
                                                     norm(cross(with.w, v)) * Ball(scene.t_end)),
                   inputs);
       const BallVec& arm = other.arms[draw.below(other.arms.size())];
-      const auto height = [&](const Ball& t) {
-        const BallVec x = seen.unit * other.turn(t).apply(arm) + c + t * v;
-        return dot(with.turn(t).apply(along), x);
+      const auto place = [&](const Ball& t) {
+        return with.turn(t).apply_inverse(seen.unit * other.turn(t).apply(arm) + c + t * v);
       };
+      const auto height = [&](const Ball& t) { return dot(along, place(t)); };
       const Ball d = two_to(-200), t(scene.t_end * draw.plain().between(0.01, 0.99));
       const Ball bent = height(t + d) - Ball(2) * height(t) + height(t - d);
       seen_bend.add(bound, abs(bent) / (d * d), inputs);
+      if (const auto speed = relative_speed(seen.pair, of, scene.t_end)) {
+        says_speed = true;
+        speeds.add(*speed, norm(place(t + d) - place(t - d)) / (d + d), inputs);
+      }
     }
   });
   formula.finish(300);
   seen_bend.finish(300);
+  if (says_speed) speeds.finish(300);
 }
 
 // --- the plan
