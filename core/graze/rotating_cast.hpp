@@ -47,7 +47,7 @@ CastOptions<S> linear_options(const RotatingOptions<S>& options) {
 
 template <Scalar S>
 Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
-  if (!rounds_to_nearest()) return Invalid::rounding_mode;
+  if (const Invalid one = check_arithmetic(); one != Invalid::none) return one;
   if (const Invalid one = graze::validate(linear_options(options)); one != Invalid::none) return one;
   if (!(options.tolerance >= 0 && options.tolerance < kInfinity<S>) || options.max_iterations < 1 ||
       options.time_steps < 1)
