@@ -201,13 +201,21 @@ struct Blobs {
     }
     return *most;
   }
-  // The middle of the core's bounds along the axes, rounded; the origin where that is no double.
+  // About the middle of the core's bounds along the axes; the origin where that is no double.
   [[nodiscard]] Vec3<double> middle() const {
-    Vec3<double> x;
-    for (int i = 0; i < 3; ++i) {
-      const BallVec n(Vec3<double>(Vec3<double>::Unit(i)));
-      x[i] = (Ball(0.5) * (height(n) - height(-n))).mid_double();
+    Vec3<double> low = Vec3<double>::Constant(kInfinity<double>), high = -low;
+    for (const Blob& blob : list) {
+      const Vec3<double> center = blob.center.mid_double();
+      Vec3<double> reach = Vec3<double>::Constant(blob.radius.mid_double());
+      for (const auto& m : blob.ellipsoids) {
+        Vec3<double> squares = Vec3<double>::Zero();
+        for (const BallVec& column : m) squares += column.mid_double().cwiseAbs2();
+        reach += squares.cwiseSqrt();
+      }
+      low = low.cwiseMin(center - reach);
+      high = high.cwiseMax(center + reach);
     }
+    const Vec3<double> x = low / 2 + high / 2;
     return x.allFinite() ? x : Vec3<double>(Vec3<double>::Zero());
   }
   // Of all points from the origin. Columns at right angles stretch by the longest.

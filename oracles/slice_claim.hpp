@@ -35,8 +35,6 @@ class SliceClaim {
         frame_(slice.frame),
         margin_(motion.target_distance * norm(n_)),
         bound_(bound(begin, slice.end)),
-        turning_(motion.a.first_bound(n_) + motion.b.first_bound(n_)),
-        moving_(dot(n_, motion.b.velocity() - motion.a.velocity())),
         cost_(cost) {}
 
   [[nodiscard]] SliceAnswer prove(const PairInstant& begin, const PairInstant& end) const {
@@ -89,9 +87,11 @@ class SliceClaim {
   [[nodiscard]] bool holds(double begin, double end, const Ball& first, const Ball& last) const {
     if (begin == end) return true;
     const Ball d = Ball(end) - Ball(begin);
-    return chord_stays_positive(first, last, bound_, d) ||
-           (frame_ == AxisFrame::world &&
-            slopes_stay_positive(first, last, turning_ - moving_, turning_ + moving_, d));
+    if (chord_stays_positive(first, last, bound_, d)) return true;
+    if (frame_ != AxisFrame::world) return false;
+    const Ball turning = motion_.a.first_bound(n_) + motion_.b.first_bound(n_),
+               moving = dot(n_, motion_.b.velocity() - motion_.a.velocity());
+    return slopes_stay_positive(first, last, turning - moving, turning + moving, d);
   }
 
   // With one body, or both, at all angles at once; the other one's turn alone bends the separation.
@@ -122,9 +122,8 @@ class SliceClaim {
   const PairMotion& motion_;
   BallVec n_;
   AxisFrame frame_;
-  Ball margin_;            // m |n|
-  Ball bound_;             // M_A + M_B
-  Ball turning_, moving_;  // of n.x, by the bodies' turns, and n.v: n as in the world
+  Ball margin_;  // m |n|
+  Ball bound_;   // M_A + M_B
   RotatingCheckCost& cost_;
 };
 
