@@ -4,8 +4,8 @@
 // What it decides: whether the claims of a RotatingProof (graze/rotating/rotating_proof.hpp) hold for the
 // true shapes and motions of a case.
 //   Every slice of the chain, also what reaches beyond toi_lower: by the separation along the axis at the
-//   ends of the slice and a bound on how far it sinks between them (ball_motion.hpp); where that does not
-//   suffice the slice is cut in halves, and each is asked again. In double with a running error bound
+//   ends of the slice and a bound on how far it sinks between them, by the points' second derivatives or their
+//   speed (ball_motion.hpp); where that does not suffice the slice is cut in halves, and each is asked again. In double with a running error bound
 //   (slice_filter.hpp), then in balls of 128, 256 and 512 bits; there also with the cylinders that turning
 //   bodies sweep in whole turns (whole_turns.hpp).
 //   The chain: its slices follow each other from t = 0 to toi_lower, of a miss to t_max.
