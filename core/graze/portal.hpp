@@ -277,7 +277,8 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
 // ends. So the height of the portal never rises, and no two portals alternate. The edge across a thin
 // triangle has the origin between its ends, too, as a line may that passes far away. `grown`: the last corner
 // has just been found beyond the edge of the other two, which is kept only if no edge to that corner will do:
-// near an end of it, where the heights agree as rounded, it would be found again for ever.
+// near an end of it, where the heights agree as rounded, it would be found again for ever; and so would a
+// corner that lies beneath an end, beside the line by less than rounding, but for a height far lower.
 template <Scalar S>
 void flatten(Portal<S>& portal, S height_lost, bool grown) {
   std::array<S, 3> off, height;
@@ -298,6 +299,12 @@ void flatten(Portal<S>& portal, S height_lost, bool grown) {
     if (between[i] && off[i] <= least + height_lost && (best == 3 || height[i] < height[best])) best = i;
   }
   if (best == 3) best = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
+  if (grown && best == 2) {
+    // An edge to that corner may end where the origin is, as far as rounding can tell.
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (off[i] <= least + height_lost && height[i] < height[best]) best = i;
+    }
+  }
   portal.p = {portal.p[(best + 1) % 3], portal.p[(best + 2) % 3], portal.p[best]};
   portal.size = 2;
 }
