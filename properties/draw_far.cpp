@@ -15,18 +15,17 @@ using corpus::Spin;
 
 namespace {
 
-// From the origin to `tip` on the axis x, as it is or thick by 2^-20: a thick one reaches 2^-41 beyond its
-// tip.
-Shape<double> rod(Random& random, double tip) {
+// From the origin to `tip` on the axis x, as it is, or thick there by so little that the ball about it is no
+// larger: by the root of a unit in the last place of 2^exponent.
+Shape<double> rod(Random& random, double tip, int exponent) {
   const Vec3<double> end(tip, 0, 0);
-  constexpr double kThick = 0x1p-20;
+  const double thick = std::scalbn(1.0, (exponent - 56) / 2);
   switch (random.below(4)) {
     case 0:
-      return Triangle<double>{Vec3<double>::Zero(), end, Vec3<double>(0, kThick, 0)};
+      return Triangle<double>{Vec3<double>::Zero(), end, Vec3<double>(0, thick, 0)};
     case 1: {
-      const std::vector<Vec3<double>> corners = {end, Vec3<double>(0, kThick, kThick),
-                                                 Vec3<double>(0, -kThick, kThick),
-                                                 Vec3<double>(0, 0, -kThick)};
+      const std::vector<Vec3<double>> corners = {end, Vec3<double>(0, thick, thick),
+                                                 Vec3<double>(0, -thick, thick), Vec3<double>(0, 0, -thick)};
       return Hull<double>(std::span<const Vec3<double>>(corners));
     }
     case 2:
@@ -36,9 +35,17 @@ Shape<double> rod(Random& random, double tip) {
   }
 }
 
-// A few units in the last place of 2^exponent, in eighths.
-double few_units(Random& random, int exponent) {
-  return std::scalbn(random.integer(-16, 24), exponent - 52 - 3);
+// A unit in the last place of 2^exponent at most, in eighths.
+double part_of_a_unit(Random& random, int exponent) {
+  return std::scalbn(random.integer(-4, 8), exponent - 52 - 3);
+}
+
+// One or two coordinates to a neighbouring double.
+void move_by_a_unit(Random& random, Vec3<double>& x) {
+  for (int moved = random.integer(1, 2); moved > 0; --moved) {
+    double& one = x[random.integer(0, 2)];
+    if (one != 0) one = std::nextafter(one, random.once_in(2) ? kInfinity<double> : -kInfinity<double>);
+  }
 }
 
 void add_integers(Random& random, Vec3<double>& x, int most) {
@@ -48,7 +55,7 @@ void add_integers(Random& random, Vec3<double>& x, int most) {
 // An axis of small integers.
 Vec3<double> some_axis(Random& random) {
   Vec3<double> axis = Vec3<double>::Zero();
-  while (axis.isZero(0)) add_integers(random, axis, random.once_in(2) ? 1 : 3);
+  while (axis.isZero(0)) add_integers(random, axis, random.once_in(4) ? 3 : 1);
   return axis;
 }
 
@@ -90,8 +97,8 @@ void place_far_rods(Random& random, Case& problem, double t) {
   const double length_a = random.integer(1, 4), length_b = random.integer(1, 4);
   for (Body<double>* body : {&problem.a, &problem.b}) *body = Body<double>{};
   problem.spin_a = problem.spin_b = Spin{};
-  problem.a.shape = rod(random, length_a);
-  problem.b.shape = rod(random, -length_b);
+  problem.a.shape = rod(random, length_a, exponent);
+  problem.b.shape = rod(random, -length_b, exponent);
   problem.b.position[0] = length_a + length_b;
   Quaternion<double> turn;
   turn.w = random.integer(1, 3);
@@ -111,41 +118,37 @@ void place_far_rods(Random& random, Case& problem, double t) {
   if (random.once_in(3)) corpus::push_out(problem.a, problem.spin_a, out());
   corpus::push_out(problem.b, problem.spin_b, out());
   if (random.once_in(2)) problem.spin_b.pivot.setZero();  // it does not turn
-  // Half of them overlap by no more than the middle of B's bounds loses in rounding.
-  problem.a.position[0] -=
-      random.once_in(2) ? few_units(random, exponent) : std::scalbn(random.integer(-4, 0), exponent - 52 - 3);
+  problem.a.position[0] -= part_of_a_unit(random, exponent);
 }
 
 void place_far_arms(Random& random, Case& problem) {
   const int exponent = random.integer(8, 40);
-  const double arm = std::scalbn(random.uniform(1, 2), exponent - 1), unit = std::scalbn(1.0, exponent - 52);
+  const double arm = std::floor(std::scalbn(random.uniform(1, 2), exponent - 1));
   for (Body<double>* body : {&problem.a, &problem.b}) body->orientation = {};
   problem.b.displacement = problem.a.displacement;
-  Vec3<double> axis = some_axis(random);
-  const bool apart = random.once_in(2), diagonal = apart && random.once_in(2);
-  // Pivots a unit off such an axis swing along z, where the bodies are stacked, and products in doubles round
-  // to as much as of pivots on it.
-  if (diagonal) axis = Vec3<double>(1, random.once_in(2) ? 1 : -1, 0);
+  const Vec3<double> axis = some_axis(random);
   // Exact multiples: 2^-3 and 2^-2 of integers.
   problem.spin_a.rotation = problem.spin_b.rotation = random.integer(1, 12) / 4.0 * axis;
+  const bool apart = random.once_in(2);
   if (apart || random.once_in(2)) {
-    stack(random, problem, few_units(random, exponent));
+    stack(random, problem, part_of_a_unit(random, exponent));
   } else {
-    line_up(random, problem, axis, few_units(random, exponent));
+    line_up(random, problem, axis, part_of_a_unit(random, exponent));
   }
   Vec3<double> a = Vec3<double>::Zero(), b = Vec3<double>::Zero();
   if (apart) {
-    // Pivots apart along the axis, but for a unit or two.
-    b = std::floor(arm) * axis;
-    for (int i = 0; i < 3; ++i) b[i] += unit * random.integer(-2, 2);
+    // Pivots apart along the axis, but for a unit in the last place or two.
+    b = arm * axis;
+    move_by_a_unit(random, b);
   } else {
-    // One pivot, across the axis, and rotation vectors that differ by a unit or two of what is 4 at most.
+    // One pivot, across the axis, and rotation vectors that differ by a unit in the last place or two.
     Vec3<double> across;
     do {
       across = axis.cross(some_axis(random));
     } while (across.isZero(0));
-    a = b = std::floor(arm) * across;
-    for (int i = 0; i < 3; ++i) problem.spin_b.rotation[i] += 0x1p-51 * random.integer(-2, 2);
+    a = b = arm * across;
+    if (random.once_in(2)) move_by_a_unit(random, problem.spin_a.rotation);
+    move_by_a_unit(random, problem.spin_b.rotation);
   }
   problem.spin_a.pivot = a - problem.a.position;
   problem.spin_b.pivot = b - problem.b.position;

@@ -1,11 +1,15 @@
 // The generator and the shrinking are tested too: what is drawn, that it repeats, that shrinking ends small.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "corpus/case_io.hpp"
+#include "corpus/support_value.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/draw_case.hpp"
+#include "properties/draw_far.hpp"
 #include "properties/judge.hpp"
 #include "properties/shrink.hpp"
 
@@ -48,6 +52,68 @@ TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
 TEST(DrawCase, is_a_function_of_its_bits) {
   corpus::Random one(99), two(99);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_case(one, i), draw_case(two, i)));
+}
+
+double how_far_out(const Shape<double>& shape) {
+  const corpus::Bounds box = corpus::bounds(shape);
+  return std::max(std::abs(box.low[0]), std::abs(box.high[0]));
+}
+
+TEST(DrawFar, rods_are_out_at_every_power_and_tip_to_tip_by_a_unit_at_most) {
+  corpus::Random random(23);
+  std::map<int, int> tens;
+  int both = 0, starts = 0, idle = 0;
+  constexpr int kCases = 400;
+  for (int i = 0; i < kCases; ++i) {
+    corpus::Case problem;
+    const bool now = i % 4 == 0;
+    place_far_rods(random, problem, now ? 0 : 0.5);
+    ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
+    const double out = how_far_out(problem.b.shape);
+    ++tens[std::ilogb(out) / 10];
+    both += how_far_out(problem.a.shape) > 100;
+    idle += problem.spin_b.pivot.isZero(0);
+    EXPECT_TRUE(problem.spin_b.rotation.isZero(0));
+    EXPECT_FALSE(problem.spin_a.rotation.isZero(0));
+    if (!now) continue;
+    // On the axis x from the start: A's tip is B's but for a unit of either frame, or two where both are out.
+    ++starts;
+    const double tip_a = problem.a.position[0] + corpus::bounds(problem.a.shape).high[0];
+    const double tip_b = problem.b.position[0] + corpus::bounds(problem.b.shape).low[0];
+    EXPECT_LE(std::abs(tip_b - tip_a), 0x1p-50 * (out + how_far_out(problem.a.shape)))
+        << corpus::write_case(problem);
+  }
+  for (int ten = 1; ten < 5; ++ten) EXPECT_GE(tens[ten], kCases / 10) << ten;
+  EXPECT_GE(both, kCases / 5);
+  EXPECT_GE(idle, kCases / 4);
+  EXPECT_EQ(starts, kCases / 4);
+}
+
+TEST(DrawFar, arms_are_long_and_turn_alike_but_for_a_unit_or_two) {
+  corpus::Random random(29);
+  std::map<int, int> tens;
+  int one_vector = 0, balls = 0;
+  constexpr int kCases = 400;
+  for (int i = 0; i < kCases; ++i) {
+    corpus::Case problem = draw_case(random, i % 100);
+    place_far_arms(random, problem);
+    ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
+    const double arm = std::max(problem.spin_a.pivot.norm(), problem.spin_b.pivot.norm());
+    EXPECT_GE(arm, 0x1p7 - 16);
+    EXPECT_LE(arm, 0x1p44);
+    ++tens[std::ilogb(arm) / 10];
+    const Vec3<double> difference = problem.spin_b.rotation - problem.spin_a.rotation;
+    one_vector += difference.isZero(0);
+    // Components of up to 9 have units of 2^-49; A's moves as well as B's.
+    EXPECT_LE(difference.cwiseAbs().maxCoeff(), 4 * 0x1p-49);
+    balls += std::holds_alternative<Sphere<double>>(problem.a.shape) &&
+             std::holds_alternative<Ellipsoid<double>>(problem.b.shape);
+    EXPECT_EQ(problem.a.displacement, problem.b.displacement);
+  }
+  for (int ten = 0; ten < 5; ++ten) EXPECT_GE(tens[ten], kCases / 40) << ten;
+  EXPECT_GE(one_vector, kCases / 4);
+  EXPECT_LE(one_vector, kCases * 3 / 4);
+  EXPECT_GE(balls, kCases / 20);
 }
 
 // What an oracle said of one is not what it says of the other.
