@@ -43,7 +43,7 @@ Prism prism(Draw& draw, double size) {
     if (regular && corners == 6) x = Vec3<double>(kSix[i][0], kSix[i][1], 0);
     out.ring.push_back(x);
   }
-  constexpr double kHeights[] = {0.5, 0.5, 0.5, 1, 10};
+  constexpr double kHeights[] = {0.5, 2, 10};
   out.half_height = kHeights[random.below(std::size(kHeights))];
   return out;
 }
@@ -81,7 +81,7 @@ void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const Prism a = prism(draw, 2);
   Prism b = prism(draw, 2);
-  if (!random.once_in(4)) b.half_height = a.half_height;
+  if (!random.once_in(8)) b.half_height = a.half_height;
   Vec3<double> lean = Vec3<double>::Zero();
   for (int i = 0; i < 2; ++i) lean[i] = unit * random.uniform(-2, 2);
   const auto manner = random.below(6);
@@ -102,17 +102,18 @@ void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   }
 
   Vec3<double> v = Vec3<double>::Zero();
-  const auto way = random.below(4);
+  // Along the edges, any way, along an axis, or, mostly, level.
+  const auto way = random.below(8);
   if (way != 0) {
     for (int i = 0; i < 2; ++i) v[i] = draw.coordinate(12);
   }
-  if (way == 0 || way == 3) v[2] = random.once_in(2) ? 40 : -40;
-  if (way == 1) v[random.integer(0, 1)] = 0;
+  if (way < 2) v[2] = random.once_in(2) ? 40 : -40;
+  if (way == 2) v[random.integer(0, 1)] = 0;
   // Beside each other across the way, by as much as the bodies are wide or less; level, or nearly.
   const double width = random.once_in(3) ? 0.6 : 2.5;
   Vec3<double> beside = Vec3<double>::Zero();
   for (int i = 0; i < 2; ++i) beside[i] = random.uniform(-width, width);
-  if (way != 0 && random.once_in(4)) beside[2] = random.uniform(-1, 1);
+  if (way == 1 && random.once_in(2)) beside[2] = random.uniform(-1, 1);
   const double t = meeting_time(random);
   meet(draw, problem, Vec3<double>::Zero(), Vec3<double>::Zero(), beside, v, t);
   draw_horizon(random, problem);
