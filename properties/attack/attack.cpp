@@ -4,9 +4,11 @@
 #include <xmmintrin.h>
 #endif
 
+#include <algorithm>
 #include <optional>
 
 #include "oracles/check_proof.hpp"
+#include "oracles/check_record.hpp"
 #include "oracles/check_rotating_proof.hpp"
 #include "properties/attack/claim_judge.hpp"
 #include "properties/attack/meaning.hpp"
@@ -41,11 +43,18 @@ class Flushing {
   Flushing& operator=(const Flushing&) = delete;
 };
 
-Claim claim_of(const ProofRecord& record, const Settings& settings) {
+// What the checker has accepted. In tier standard a stated bracket holds for some set near the true one, and
+// is not proved.
+Claim claim_of(const ProofRecord& record, bool with_statement) {
   Claim claim;
   claim.lower = record.rotating ? record.rotating->toi_lower : record.proof.toi_lower;
   claim.upper = record.rotating ? record.rotating->toi_upper : record.proof.toi_upper;
-  if (settings.outcomes) claim.outcome = record.outcome;
+  if (!with_statement) return claim;
+  claim.outcome = record.outcome;
+  if (record.toi && record.tier != Tier::standard && record.outcome != Outcome::miss) {
+    claim.lower = std::max(claim.lower, record.toi->lower);
+    claim.upper = std::min(claim.upper, record.toi->upper);
+  }
   return claim;
 }
 
@@ -56,8 +65,10 @@ Edit some_case_edit(Random& random) {
                                     Edit::shape,   Edit::shape};
   return kWeighted[random.below(kWeighted.size())];
 }
-Edit some_proof_edit(const ProofRecord& record, const Settings& settings, Random& random) {
-  if (settings.outcomes && random.once_in(10)) return Edit::outcome;
+Edit some_proof_edit(const ProofRecord& record, Random& random) {
+  if (random.once_in(8)) return Edit::outcome;
+  if (record.rotating && record.rotating->toi_upper < kInfinity<double> && random.once_in(2))
+    return random.once_in(3) ? Edit::index : Edit::weights;
   if (!record.rotating) {
     constexpr std::array kLinear = {Edit::axis, Edit::index, Edit::index, Edit::bracket};
     return kLinear[random.below(kLinear.size())];
@@ -68,6 +79,14 @@ Edit some_proof_edit(const ProofRecord& record, const Settings& settings, Random
   return kTurning[random.below(kTurning.size())];
 }
 
+// Does the proof still claim what such an edit changed? A later one may have dropped that half of it.
+bool is_claimed(const ProofRecord& record, Edit kind) {
+  if (record.rotating) return kind == Edit::axis || record.rotating->toi_upper < kInfinity<double>;
+  const bool axis = record.proof.toi_lower > 0;
+  return kind == Edit::axis ? axis
+                            : record.proof.toi_upper < kInfinity<double> || (axis && record.proof.symbolic);
+}
+
 class Attack {
  public:
   Attack(ProofRecord base, Random& random, const Settings& settings, Tally& tally)
@@ -75,23 +94,25 @@ class Attack {
         random_(random),
         settings_(settings),
         tally_(tally),
-        meaning_(meaning_of(base_, settings.outcomes)) {}
+        meanings_{meaning_of(base_, false), meaning_of(base_, true)} {}
 
   std::vector<Finding> run() {
-    if (!accepts(base_, {})) {
+    const Accepted believed = accepted(base_, {});
+    if (!believed.proof) {
       ++tally_.refused_bases;
       return {};
     }
     ++tally_.bases;
-    {
-      judge_.emplace(base_.problem, random_.once_in(kSecondOpinionEvery));
-      Judgement said = judge_->judge(claim_of(base_, settings_));
-      if (said.kind == Judgement::Kind::contradicted) {
-        found_.push_back({base_, {}, std::move(said.fault)});
-        return std::move(found_);
-      }
+    judge_.emplace(base_.problem, random_.once_in(kSecondOpinionEvery));
+    Judgement said = judge_->judge(claim_of(base_, believed.statement));
+    if (said.kind == Judgement::Kind::contradicted) {
+      found_.push_back({base_, {}, std::move(said.fault)});
+      return std::move(found_);
     }
     for (int i = 0; i < 2 * settings_.mutants_each; ++i) shoot({base_, {}});
+    // Few proofs have a contact of turning bodies, and a changed case seldom leaves it where it was.
+    if (base_.rotating && base_.rotating->toi_upper < kInfinity<double>)
+      for (int i = 0; i < 2 * settings_.mutants_each; ++i) shoot({base_, {}}, Edit::weights);
     for (int k = 0; k < settings_.edited_cases; ++k) {
       Mutant edited{base_, {}};
       for (int edits = random_.integer(1, 3); edits > 0; --edits)
@@ -103,11 +124,13 @@ class Attack {
   }
 
  private:
-  // A mutant of the proof on that case.
-  void shoot(Mutant mutant) {
+  // A mutant of the proof on that case, `first` among what is changed.
+  void shoot(Mutant mutant, std::optional<Edit> first = {}) {
     const bool edited = mutant.edits.any();
     int edits = edited ? random_.integer(0, 2) : random_.integer(1, 3);
-    for (; edits > 0; --edits) edit(mutant, some_proof_edit(mutant.record, settings_, random_), random_);
+    if (first) edit(mutant, *first, random_);
+    for (edits -= first ? 1 : 0; edits > 0; --edits)
+      edit(mutant, some_proof_edit(mutant.record, random_), random_);
     if (random_.once_in(8)) {
       claim_a_miss_by_one_slice(mutant, random_);
     } else if (random_.once_in(4)) {
@@ -117,37 +140,47 @@ class Attack {
     weigh(mutant);
   }
 
-  void weigh(const Mutant& mutant) {
-    const bool differs = !same(meaning_, meaning_of(mutant.record, settings_.outcomes));
-    const auto count = [&](std::uint64_t Count::*kind) {
-      if (!differs) return;
-      ++(tally_.all.*kind);
+  void weigh(Mutant mutant) {
+    constexpr auto kOutcome = static_cast<std::size_t>(Edit::outcome);
+    for (const Edit kind : {Edit::axis, Edit::index, Edit::weights})
+      if (!is_claimed(mutant.record, kind)) mutant.edits.reset(static_cast<std::size_t>(kind));
+    const auto [proof, statement] = accepted(mutant.record, settings_);
+    const bool differs = !same(meanings_[statement], meaning_of(mutant.record, statement || !proof));
+    const auto count_in = [&](const Edits& classes, std::uint64_t Count::*kind) {
       for (std::size_t k = 0; k < kEdits; ++k)
-        if (mutant.edits[k]) ++(tally_.by_class[k].*kind);
+        if (classes[k]) ++(tally_.by_class[k].*kind);
     };
-    if (!accepts(mutant.record, settings_)) return count(&Count::refused);
-    if (!differs) ++tally_.same;
-    if (!judge_) judge_.emplace(mutant.record.problem, random_.once_in(kSecondOpinionEvery));
-    Judgement said = judge_->judge(claim_of(mutant.record, settings_));
-    switch (said.kind) {
-      case Judgement::Kind::agreed:
-        return count(&Count::agreed);
-      case Judgement::Kind::undecided:
-        return count(&Count::undecided);
-      case Judgement::Kind::contradicted:
-        // A rest's pivot alone changes nothing, and still may not be believed.
-        ++tally_.all.contradicted;
-        for (std::size_t k = 0; k < kEdits; ++k)
-          if (mutant.edits[k]) ++tally_.by_class[k].contradicted;
-        found_.push_back({mutant.record, mutant.edits, std::move(said.fault)});
+    if (!proof) {
+      ++tally_.all.refused;
+      return count_in(mutant.edits, &Count::refused);
     }
+    if (mutant.edits[kOutcome] && !statement) {
+      // The proof stands, by itself.
+      count_in(Edits().set(kOutcome), &Count::refused);
+      mutant.edits.reset(kOutcome);
+    }
+    if (!judge_) judge_.emplace(mutant.record.problem, random_.once_in(kSecondOpinionEvery));
+    Judgement said = judge_->judge(claim_of(mutant.record, statement));
+    // What means the same is no mutant. Where it is contradicted all the same, the checker is wrong all the
+    // same.
+    const bool contradicted = said.kind == Judgement::Kind::contradicted;
+    if (contradicted) found_.push_back({mutant.record, mutant.edits, std::move(said.fault)});
+    if (!differs && !contradicted) {
+      ++tally_.same;
+      return;
+    }
+    const auto kind = contradicted                           ? &Count::contradicted
+                      : said.kind == Judgement::Kind::agreed ? &Count::agreed
+                                                             : &Count::undecided;
+    ++(tally_.all.*kind);
+    count_in(mutant.edits, kind);
   }
 
   ProofRecord base_;
   Random& random_;
   const Settings& settings_;
   Tally& tally_;
-  Meaning meaning_;
+  std::array<Meaning, 2> meanings_;  // without what the record states beside the proof, and with it
   std::optional<ClaimJudge> judge_;  // of the case at hand
   std::vector<Finding> found_;
 };
@@ -186,10 +219,13 @@ std::string text_of(const Finding& finding) {
   return corpus::write_proof(record);
 }
 
-bool accepts(const ProofRecord& record, const Settings& settings) {
+Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const Flushing flushing(settings.flush_subnormals);
-  if (record.rotating) return oracle::check_rotating_proof(record.problem, *record.rotating).accepted();
-  return oracle::check_proof(record.problem, record.proof).accepted();
+  const bool proof = record.rotating
+                         ? oracle::check_rotating_proof(record.problem, *record.rotating).accepted()
+                         : oracle::check_proof(record.problem, record.proof).accepted();
+  if (!proof) return {};
+  return {true, oracle::compare_claim(record).finding == oracle::RecordFinding::accepted};
 }
 
 std::vector<Finding> attack(const Case& problem, Random& random, const Settings& settings, Tally& tally) {

@@ -16,8 +16,6 @@
 namespace graze::attack {
 
 struct Settings {
-  // The outcome beside a proof is part of its claim.
-  bool outcomes = false;
   // The checker runs with subnormal numbers flushed to zero, as a program linked with -ffast-math has it.
   bool flush_subnormals = false;
   // Of one base: cases that are made of its case, and mutants of the proof on each of these; of the proof on
@@ -49,8 +47,11 @@ struct Finding {
 // One line of graze.proof/1; the fault is the comment of its case.
 [[nodiscard]] std::string text_of(const Finding& finding);
 
-// Does the checker accept the record?
-[[nodiscard]] bool accepts(const corpus::ProofRecord& record, const Settings& settings);
+// Does the checker accept the proof; and does it say that the proof proves what the record states beside it?
+struct Accepted {
+  bool proof = false, statement = false;
+};
+[[nodiscard]] Accepted accepted(const corpus::ProofRecord& record, const Settings& settings);
 
 // Mutants of the proof that a method has for this case: some of the proof alone, the others on some edited
 // cases, a few each.

@@ -132,6 +132,10 @@ double angle_of(const Case& problem) {
   return (problem.spin_a.rotation.norm() + problem.spin_b.rotation.norm()) * problem.t_max;
 }
 
+Tier tier_of(std::string_view name) {
+  return name == "exact" ? Tier::exact : name == "certified" ? Tier::certified : Tier::standard;
+}
+
 }  // namespace
 
 Case draw_case(Random& random) {
@@ -153,6 +157,8 @@ std::optional<ProofRecord> proved(const Case& problem, Random& random) {
     if (!answer.proof || answer.proof->chain.size() > kMostSlices) return std::nullopt;
     record.method = name;
     record.outcome = answer.outcome;
+    record.tier = tier_of(engine::find_rotating_method(name)->tier);
+    record.toi = {answer.toi_lower, answer.toi_upper};
     record.rotating = std::move(answer.proof);
     return record;
   }
@@ -162,6 +168,8 @@ std::optional<ProofRecord> proved(const Case& problem, Random& random) {
   if (!answer.proof) return std::nullopt;
   record.method = name;
   record.outcome = answer.outcome;
+  record.tier = tier_of(engine::find_method(name)->tier);
+  record.toi = {answer.toi_lower, answer.toi_upper};
   record.proof = *answer.proof;
   return record;
 }

@@ -12,7 +12,6 @@
 #include "oracles/sampled_contact.hpp"
 #include "properties/case_edit.hpp"
 #include "properties/judge.hpp"
-#include "properties/rotating_question.hpp"
 
 namespace graze::attack {
 namespace {
@@ -22,6 +21,10 @@ using Kind = Judgement::Kind;
 
 // Single times that are looked at, spread over the step.
 constexpr int kLooks = 12;
+// Slices of time that the rotating oracle may try: a few radians take it two dozen, 200 a hundred. Bodies
+// that slide along each other, closer than it can tell, would take thousands, milliseconds each, to stay
+// undecided.
+constexpr int kSlices = 1 << 8;
 
 // What is proved of the first contact.
 struct Known {
@@ -74,8 +77,8 @@ struct ClaimJudge::Impl {
     if (std::exchange(asked, true)) return;
     try {
       if (turning) {
-        const oracle::RotatingTruth& said = truth.emplace<oracle::RotatingTruth>(
-            problem, oracle::RotatingTruth::kDefaultWidth, law::kTruthBudget);
+        const oracle::RotatingTruth& said =
+            truth.emplace<oracle::RotatingTruth>(problem, oracle::RotatingTruth::kDefaultWidth, kSlices);
         known = known_of(said, "the rotating oracle");
         if (said.contact_proved()) {
           known->contact = true;

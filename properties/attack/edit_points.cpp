@@ -94,7 +94,8 @@ void edit_weights(RotatingProof& proof, Random& random) {
       if (proof.crossing) proof.contact_from += (proof.toi_upper - proof.contact_from) * small_part(random);
       break;
     default: {
-      double& weight = proof.weight[random.below(4)];
+      if (proof.contact_size < 1) return;
+      double& weight = proof.weight[random.below(static_cast<std::uint64_t>(proof.contact_size))];
       weight = random.once_in(8) ? 0 : weight == 0 ? small_part(random) : beside(weight, random);
       break;
     }

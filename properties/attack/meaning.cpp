@@ -196,11 +196,16 @@ void write_linear(Writer& out, const Proof& proof) {
 
 }  // namespace
 
-Meaning meaning_of(const corpus::ProofRecord& record, bool with_outcome) {
+Meaning meaning_of(const corpus::ProofRecord& record, bool with_statement) {
   Meaning meaning;
   Writer out(meaning);
   write_case(out, record.problem);
-  if (with_outcome) out.exact(static_cast<double>(record.outcome));
+  if (with_statement) {
+    out.exact(static_cast<double>(record.outcome));
+    out.exact(record.tier ? static_cast<double>(*record.tier) : -1);
+    out.exact(record.toi ? record.toi->lower : -1);
+    out.exact(record.toi ? record.toi->upper : -1);
+  }
   if (record.rotating) {
     out.exact(record.rotating->toi_lower);
     out.exact(record.rotating->toi_upper);

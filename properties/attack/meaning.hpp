@@ -28,8 +28,8 @@ struct Meaning {
 // are told apart beyond some units in the last place only.
 inline constexpr double kSameDirection = 0x1p-50;
 
-// with_outcome: is the outcome beside the proof part of the claim?
-[[nodiscard]] Meaning meaning_of(const corpus::ProofRecord& record, bool with_outcome);
+// with_statement: is what the record states beside its proof, outcome, bracket and tier, part of the claim?
+[[nodiscard]] Meaning meaning_of(const corpus::ProofRecord& record, bool with_statement);
 [[nodiscard]] bool same(const Meaning& one, const Meaning& other);
 
 }  // namespace graze::attack

@@ -1,5 +1,7 @@
 #include "properties/attack/mutant.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "corpus/families/draw.hpp"
@@ -69,10 +71,38 @@ void edit_bracket(ProofRecord& record, Random& random) {
   }
 }
 
+// What the record states beside its proof.
 void edit_outcome(ProofRecord& record, Random& random) {
   constexpr std::array kOutcomes = {Outcome::initially_overlapping, Outcome::hit, Outcome::miss,
                                     Outcome::not_converged};
-  record.outcome = kOutcomes[random.below(kOutcomes.size())];
+  if (!record.toi || random.once_in(3)) {
+    record.outcome = kOutcomes[random.below(kOutcomes.size())];
+    return;
+  }
+  double &lower = record.toi->lower, &upper = record.toi->upper;
+  const double from = std::isfinite(lower) ? lower : 1, to = std::isfinite(upper) ? upper : from;
+  switch (random.below(8)) {
+    case 0:
+      record.tier = static_cast<Tier>(random.below(3));
+      break;
+    case 1:
+      record.toi.reset();
+      break;
+    case 2:
+      lower = random.once_in(2) ? steps(from, random.integer(1, 4)) : more(from, random);
+      break;
+    case 3:
+      upper = random.once_in(2) ? std::max(0.0, steps(to, -random.integer(1, 4))) : less(to, random);
+      break;
+    case 4:
+      std::swap(lower, upper);
+      break;
+    default:
+      // Less than it was.
+      lower = random.once_in(4) ? 0 : less(from, random);
+      if (random.once_in(2)) upper = random.once_in(4) ? kInfinity<double> : more(to, random);
+      break;
+  }
 }
 
 }  // namespace
@@ -102,8 +132,8 @@ void edit(Mutant& mutant, Edit kind, Random& random) {
     if (record.problem.spin_a.pivot != a || record.problem.spin_b.pivot != b) mutant.edits.set(k);
     return;
   }
-  const bool with_outcome = kind == Edit::outcome;
-  const Meaning before = meaning_of(record, with_outcome);
+  const bool with_statement = kind == Edit::outcome;
+  const Meaning before = meaning_of(record, with_statement);
   if (kind == Edit::bracket) {
     edit_bracket(record, random);
   } else if (kind == Edit::outcome) {
@@ -115,7 +145,7 @@ void edit(Mutant& mutant, Edit kind, Random& random) {
   } else {
     edit_chain(record, kind, random);
   }
-  if (!same(before, meaning_of(record, with_outcome))) mutant.edits.set(k);
+  if (!same(before, meaning_of(record, with_statement))) mutant.edits.set(k);
 }
 
 void loosen(Mutant& mutant, Random& random) {
@@ -124,7 +154,9 @@ void loosen(Mutant& mutant, Random& random) {
   if (std::isfinite(lower) && !random.once_in(3)) lower = random.once_in(8) ? 0 : less(lower, random);
   if (std::isfinite(upper)) {
     const double later = more(upper, random);
-    if (random.once_in(2) || !(later <= mutant.record.problem.t_max)) {
+    // A contact of a changed case is seldom where it was; of the same case it is.
+    const bool same_case = (mutant.edits.to_ullong() & ((1u << kCaseEdits) - 1)) == 0;
+    if (random.once_in(same_case ? 8 : 2) || !(later <= mutant.record.problem.t_max)) {
       upper = kInfinity<double>;
     } else if (!mutant.record.rotating) {
       upper = later;

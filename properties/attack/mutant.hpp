@@ -31,7 +31,7 @@ enum class Edit : std::uint8_t {
   weights,  // of the contact; crossing and its beginning
   // Of the claim:
   bracket,
-  outcome,
+  outcome,  // and what else the record states beside its proof: bracket, tier
 };
 inline constexpr std::size_t kEdits = 15, kCaseEdits = 7;
 inline constexpr std::array<std::string_view, kEdits> kEditNames = {

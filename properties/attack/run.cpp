@@ -32,7 +32,6 @@ int refuse(const std::string& what) {
 std::uint64_t fewest(const State& state) {
   std::uint64_t least = state.tally.all.agreed;
   for (std::size_t k = 0; k < kEdits; ++k) {
-    if (static_cast<Edit>(k) == Edit::outcome && !state.settings.outcomes) continue;
     least = std::min(least, state.tally.by_class[k].agreed);
   }
   return least;
@@ -100,7 +99,6 @@ int main(int argc, char** argv) {
   app.add_option("--seed", wanted.seed, "another seed, other proofs");
   app.add_option("--shard", shard, "K/N: the K-th of N shares of the rounds");
   app.add_option("--rounds", rounds, "no more rounds than these");
-  app.add_flag("--outcomes", wanted.settings.outcomes, "the outcome beside a proof is part of its claim");
   app.add_flag("--flush-subnormals", wanted.settings.flush_subnormals,
                "the checker runs with subnormal numbers flushed to zero");
   app.add_option("--table", tables, "no run: the table of these states together");

@@ -41,7 +41,7 @@ State read_state(const std::filesystem::path& path) {
     if (json.at("schema") != kSchema) throw std::runtime_error("");
     State state{.seed = json.at("seed"),
                 .share = {json.at("share"), json.at("of")},
-                .settings = {json.at("outcomes"), json.at("flush_subnormals")},
+                .settings = {.flush_subnormals = json.at("flush_subnormals")},
                 .rounds = json.at("rounds"),
                 .seconds = json.at("seconds"),
                 .tally = {}};
@@ -62,7 +62,6 @@ void write_state(const std::filesystem::path& path, const State& state) {
                {"seed", state.seed},
                {"share", state.share.share},
                {"of", state.share.of},
-               {"outcomes", state.settings.outcomes},
                {"flush_subnormals", state.settings.flush_subnormals},
                {"rounds", state.rounds},
                {"seconds", state.seconds},
@@ -92,7 +91,6 @@ std::string difference(const State& wanted, const State& found) {
     return fmt::format("the shard is {}/{} here and {}/{} there", wanted.share.share + 1, wanted.share.of,
                        found.share.share + 1, found.share.of);
   }
-  if (wanted.settings.outcomes != found.settings.outcomes) return "one judges outcomes, the other does not";
   if (wanted.settings.flush_subnormals != found.settings.flush_subnormals)
     return "one flushes subnormal numbers, the other does not";
   return {};
@@ -103,7 +101,6 @@ std::string table_of(const State& state) {
   std::string out = "| class | accepted | oracles agree | contradicted | undecided | refused |\n";
   out += "|---|---|---|---|---|---|\n";
   for (std::size_t k = 0; k < kEdits; ++k) {
-    if (static_cast<Edit>(k) == Edit::outcome && !state.settings.outcomes) continue;
     out += row_of(kEditNames[k], tally.by_class[k]);
   }
   out += row_of("all", tally.all);
