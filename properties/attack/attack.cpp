@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "oracles/check_proof.hpp"
 #include "oracles/check_record.hpp"
-#include "oracles/check_rotating_proof.hpp"
 #include "properties/attack/claim_judge.hpp"
 #include "properties/attack/meaning.hpp"
 #include "properties/case_edit.hpp"
@@ -221,11 +219,11 @@ std::string text_of(const Finding& finding) {
 
 Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const Flushing flushing(settings.flush_subnormals);
-  const bool proof = record.rotating
-                         ? oracle::check_rotating_proof(record.problem, *record.rotating).accepted()
-                         : oracle::check_proof(record.problem, record.proof).accepted();
-  if (!proof) return {};
-  return {true, oracle::compare_claim(record).finding == oracle::RecordFinding::accepted};
+  const oracle::RecordVerdict verdict = oracle::check_record(record);
+  if (verdict.finding != oracle::RecordFinding::refused)
+    return {true, verdict.finding == oracle::RecordFinding::accepted};
+  // These two it says of a proof that is true.
+  return {verdict.reason == "contradicted" || verdict.reason == "unproved", false};
 }
 
 std::vector<Finding> attack(const Case& problem, Random& random, const Settings& settings, Tally& tally) {

@@ -158,7 +158,6 @@ std::string first_of(const std::vector<Finding>& found) {
   return found.empty() ? "" : text_of(found.front());
 }
 
-// The share of a class that a campaign asks of every class is a twentieth.
 TEST(ProofAttack, no_accepted_mutant_is_contradicted) {
   constexpr std::uint64_t kRounds = 500, kSeed = 1;
   Tally tally;
@@ -168,12 +167,12 @@ TEST(ProofAttack, no_accepted_mutant_is_contradicted) {
   }
   EXPECT_EQ(tally.all.contradicted, 0u);
   // Half of what was counted when this was written: against a run that hardly attacks.
-  EXPECT_GE(tally.bases, 350u);
-  EXPECT_GE(tally.all.agreed, 6000u);
-  EXPECT_GE(tally.all.refused, 5000u);
+  EXPECT_GE(tally.bases, 230u);
+  EXPECT_GE(tally.all.agreed, 6900u);
+  EXPECT_GE(tally.all.refused, 5800u);
   for (std::size_t k = 0; k < kEdits; ++k) {
-    EXPECT_GE(tally.by_class[k].agreed, 50u) << kEditNames[k];
-    EXPECT_GE(tally.by_class[k].refused, 50u) << kEditNames[k];
+    EXPECT_GE(tally.by_class[k].agreed, 180u) << kEditNames[k];
+    EXPECT_GE(tally.by_class[k].refused, 400u) << kEditNames[k];
   }
 }
 
