@@ -1,5 +1,7 @@
 #include "oracles/check_record.hpp"
 
+#include <algorithm>
+
 #include "corpus/names.hpp"
 #include "oracles/check_proof.hpp"
 #include "oracles/check_rotating_proof.hpp"
@@ -86,6 +88,32 @@ struct Halves {
   return halves;
 }
 
+// How many points of curved parts one point of the shape is made of.
+[[nodiscard]] std::size_t curved_points(const Shape<double>& shape) {
+  const auto of = [](const SharedShape<double>& part) { return part ? curved_points(part->shape) : 0; };
+  if (const auto* posed = std::get_if<Posed<double>>(&shape)) return of(posed->shape);
+  if (const auto* rounded = std::get_if<Rounded<double>>(&shape)) return of(rounded->shape);
+  std::size_t count = 0;
+  if (const auto* sum = std::get_if<Sum<double>>(&shape)) {
+    for (const SharedShape<double>& part : sum->shapes) count += of(part);
+  } else if (const auto* hull_of = std::get_if<HullOf<double>>(&shape)) {
+    for (const SharedShape<double>& part : hull_of->shapes) count = std::max(count, of(part));
+  } else if (std::holds_alternative<Ellipsoid<double>>(shape) ||
+             std::holds_alternative<Cylinder<double>>(shape) || std::holds_alternative<Cone<double>>(shape)) {
+    count = 1;
+  }
+  return count;
+}
+
+// What the format has no words for: of a start under pass_over, that it does not leave; of contact, a point
+// made of more curved ones than a feature holds.
+[[nodiscard]] bool is_beyond_words(const Proved& proved, const corpus::ProofRecord& record) {
+  const corpus::Case& problem = record.problem;
+  if (problem.start_policy == corpus::StartPolicy::pass_over && !proved.start_is_free()) return true;
+  const bool contact = record.outcome == Outcome::hit || record.outcome == Outcome::initially_overlapping;
+  return contact && std::max(curved_points(problem.a.shape), curved_points(problem.b.shape)) > kCurvedParts;
+}
+
 // Is the stated bracket proved?
 [[nodiscard]] bool proves_bracket(const Proved& proved, const corpus::ProofRecord& record) {
   if (!record.toi || record.tier == Tier::standard || record.outcome == Outcome::miss) return true;
@@ -103,10 +131,8 @@ RecordVerdict compare_claim(const corpus::ProofRecord& record) {
   if (contradicts(proved, record)) return {RecordFinding::refused, "contradicted", claim(", proves ")};
   const Halves halves = halves_of(proved, record.outcome);
   if (halves.proved == halves.needed && proves_bracket(proved, record)) return {};
-  const bool kept_back =
-      record.problem.start_policy == corpus::StartPolicy::pass_over && !proved.start_is_free();
   const bool something = halves.proved > 0 || proved.start_is_free() || proved.contact();
-  if (something || kept_back || record.tier == Tier::standard)
+  if (something || is_beyond_words(proved, record) || record.tier == Tier::standard)
     return {RecordFinding::in_part, "in_part", claim(something ? ", proves only " : ", proves ")};
   return {RecordFinding::refused, "unproved", claim(", proves ")};
 }

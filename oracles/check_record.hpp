@@ -19,9 +19,10 @@
 // narrower than what a proof, which is about C, can prove: that is left to who knows the method's kappa
 // (`graze certify`), and only the outcome must be proved. A record without a tier is taken at its word.
 //
-// Three things are short of a proof and no fault: one of a hit's two halves alone; in tier standard, contact
-// or a miss by the rounding alone; and under the policy pass_over what is said of a start that is not shown
-// to be free, as the proof has no words for a start that leaves. Those are proved *in part*.
+// Four things are short of a proof and no fault: one of a hit's two halves alone; in tier standard, contact
+// or a miss by the rounding alone; and what the proof has no words for: under the policy pass_over, of a
+// start that is not shown to be free, whether it leaves; and of contact, a point made of more than
+// kCurvedParts points of curved shapes. Those are proved *in part*.
 #pragma once
 
 #include <string>

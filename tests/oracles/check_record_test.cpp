@@ -226,6 +226,20 @@ TEST(CheckRecord, WhatAnHonestRecordCannotProveIsNotRefused) {
   EXPECT_EQ(found(record), "unproved");
 }
 
+// A feature holds two points of curved parts.
+TEST(CheckRecord, APointOfThreeCurvedPartsHasNoName) {
+  ProofRecord record = overlapping();
+  record.proof = {};
+  record.tier = Tier::certified;
+  Shape<double> shape = Cylinder<double>{1, 1};
+  for (const char* expected : {"unproved", "unproved", "in_part"}) {
+    record.problem.a.shape = rounded<double>(shape, 0.25);
+    EXPECT_EQ(found(record), expected);
+    EXPECT_EQ(as(record, Outcome::miss), "unproved");
+    shape = sum<double>(shape, Cone<double>{1, 1});
+  }
+}
+
 TEST(CheckRecord, ChainsAreComparedToo) {
   // A bar turns a quarter over a plate, clear of it.
   ProofRecord record;
