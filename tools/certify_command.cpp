@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "corpus/case_json.hpp"
 #include "corpus/families.hpp"
 #include "corpus/location.hpp"
 #include "tools/certification.hpp"
@@ -17,6 +16,7 @@
 #include "tools/inputs.hpp"
 #include "tools/intake.hpp"
 #include "tools/law_command.hpp"
+#include "tools/options.hpp"
 #include "tools/query_certification.hpp"
 #include "tools/rotating_certification.hpp"
 #include "tools/stability_command.hpp"
@@ -50,11 +50,10 @@ struct Arguments {
 std::vector<engine::Guarantee> guarantee_rows(const Arguments& arguments) {
   if (arguments.guarantees.empty()) return {engine::guarantees().begin(), engine::guarantees().end()};
   will_read({arguments.guarantees});
-  std::ifstream file(arguments.guarantees);
-  if (!file) throw std::runtime_error(arguments.guarantees + ": cannot be read");
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const corpus::FileText file = corpus::read_whole_file(arguments.guarantees);
+  if (!file.error.empty()) throw std::runtime_error(arguments.guarantees + ": " + file.error);
   try {
-    return engine::parse_guarantees(text);
+    return engine::parse_guarantees(file.text);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(arguments.guarantees + ": " + error.what());
   }
@@ -220,12 +219,15 @@ int run(const Arguments& arguments) {
       .methods = selected.rotating, .guarantees = rows, .threads = settings.threads};
   will_read(arguments.files);
   if (arguments.files.empty() && arguments.families.empty() && !arguments.stability) {
-    will_read({curated_directory(arguments), known_failures().string()});
+    const std::string curated = curated_directory(arguments).string();
+    if (!std::filesystem::is_directory(curated))
+      throw std::runtime_error(curated + ": is no folder of cases");
+    will_read({curated, known_failures().string()});
   }
+  if (!arguments.plot.empty()) require_folder(arguments.plot);
   if (arguments.stability) return show_stability(arguments, settings, turning);
   const std::size_t linear_count = arguments.count.value_or(kLinearCases);
   const std::size_t rotating_count = arguments.rotating.value_or(kRotatingCases);
-  if (arguments.oracle_every == 0) throw std::runtime_error("--oracle-every: must be 1 or more");
   const std::vector<const corpus::Family*> families =
       wanted_families(arguments.families, !arguments.files.empty());
   std::unique_ptr<OutputFile> save;
@@ -327,10 +329,10 @@ void add_certify_command(CLI::App& app, int& exit_code) {
           "--count", arguments->count,
           fmt::format("Generated cases a family ({}); with --stability, of each level of hardness ({})",
                       kLinearCases, kLevelCases))
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N");
   command->add_option("--seed", arguments->seed, "The first seed of the generated cases (1)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(seed_number())
       ->type_name("S");
   command
       ->add_option("--method", arguments->methods,
@@ -342,12 +344,12 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--oracle-every", arguments->oracle_every,
                    "Also measure every N-th generated case by the exact oracle (20); of files, all are")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(1))
       ->type_name("N");
   command
       ->add_option("--queries", arguments->queries,
                    "Cases of each suite whose bodies are asked the other queries, too (100); 0 asks none")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N");
   command
       ->add_option(
@@ -355,11 +357,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
           fmt::format("Generated cases of a rotating family ({}; with --stability, of each level, {}); 0 "
                       "leaves every rotating cast out",
                       kRotatingCases, kRotatingLevelCases))
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0, kMostThreads))
       ->type_name("N");
   command
       ->add_option(

@@ -13,6 +13,7 @@
 #include "tools/corpus_files.hpp"
 #include "tools/corpus_verify.hpp"
 #include "tools/inputs.hpp"
+#include "tools/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -124,7 +125,7 @@ void add_corpus_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   check->add_option("--threads", *threads, "Threads that derive; the report does not depend on them")
       ->type_name("N")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_number(1, kMostThreads));
   check->callback([directory, threads, &exit_code] { exit_code = verify_corpus(*directory, *threads); });
 }
 

@@ -58,14 +58,6 @@ draw::DrawSettings draw_settings(const Settings& settings) {
   return out;
 }
 
-void make_folder(const std::string& name) {
-  std::error_code error;
-  std::filesystem::create_directories(name, error);
-  if (error || !std::filesystem::is_directory(name)) {
-    throw std::runtime_error(name + ": is no folder and cannot become one; name a folder for the pictures");
-  }
-}
-
 void write_picture(const std::string& name, const std::string& svg) {
   OutputFile out(name);
   out.write_line(svg.substr(0, svg.size() - 1));  // its last newline is the line's
@@ -99,7 +91,7 @@ std::string why_refused(const corpus::Case& problem) {
 }
 
 int draw_families(const Settings& settings, const draw::DrawSettings& how) {
-  make_folder(settings.families);
+  require_folder(settings.families);
   for (draw::FamilyPicture picture : draw::family_pictures()) {
     picture.settings.width = how.width;
     write_picture((std::filesystem::path(settings.families) / (picture.family + ".svg")).string(),
@@ -132,7 +124,7 @@ int run(const Settings& settings) {
     throw std::runtime_error(fmt::format("--out: {} cases need a folder; give --out DIR", cases.size()));
   }
   const bool into_folder = many || std::filesystem::is_directory(settings.out);
-  if (into_folder) make_folder(settings.out);
+  if (into_folder) require_folder(settings.out);
   std::map<std::string, std::string> drawn;  // the pictures, and the ids that they show
   for (const auto& [file, problem] : cases) {
     if (const std::string why = why_refused(*problem); !why.empty()) {

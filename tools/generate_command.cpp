@@ -9,6 +9,7 @@
 #include "corpus/families.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -65,12 +66,12 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   command->add_option("--hardness", settings->hardness, "How hard; without it, all levels in turn")
       ->type_name("H");
   command->add_option("--count", settings->count, "How many cases (10)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N");
   command
       ->add_option("--seed", settings->seed,
                    "The first seed (1); the following cases have the following seeds")
-      ->check(CLI::NonNegativeNumber)
+      ->check(seed_number())
       ->type_name("S");
   command->footer(
       "A case is a pure function of family, hardness and seed: the same bits on every machine.\n\n" +

@@ -122,6 +122,9 @@ std::filesystem::path curated_directory(const LawArguments& arguments) {
 
 int run_laws(const LawArguments& arguments) {
   const bool takes_curated = arguments.files.empty() && arguments.families.empty();
+  if (takes_curated && !std::filesystem::is_directory(curated_directory(arguments))) {
+    throw std::runtime_error(curated_directory(arguments).string() + ": is no folder of cases");
+  }
   will_read(takes_curated ? std::vector{curated_directory(arguments).string()} : arguments.files);
   LawSettings settings;
   settings.laws = wanted_laws(arguments.laws);

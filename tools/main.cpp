@@ -8,6 +8,7 @@
 
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/options.hpp"
 #ifdef GRAZE_HAS_CORPUS_COMMAND
 #include "tools/corpus_command.hpp"
 #endif
@@ -41,6 +42,7 @@ int run(int argc, char** argv) {
 #ifdef GRAZE_HAS_CORPUS_COMMAND
   graze::tool::add_corpus_command(app, exit_code);
 #endif
+  graze::tool::refuse_empty_values(app);
   const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {
     throw std::runtime_error(std::string(argv[1]) + " is no command; graze --help lists them");

@@ -1,5 +1,7 @@
 // graze merge: the shards of a campaign, joined. docs/campaigns.md.
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "tools/campaign_summary.hpp"
 #include "tools/commands.hpp"
@@ -20,7 +22,10 @@ int run(const Arguments& arguments) {
   const std::string& json = arguments.outputs.json;
   require_own_files({json, json.empty() ? "" : json + ".new", arguments.outputs.save});
   std::vector<NamedState> parts;
-  for (const std::string& name : arguments.parts) parts.push_back({name, read_state(name)});
+  for (const std::string& name : arguments.parts) {
+    if (std::filesystem::is_directory(name)) throw std::runtime_error(name + ": a directory; a state's file");
+    parts.push_back({name, read_state(name)});
+  }
   return hand_out(merge_states(parts, arguments.partial), arguments.outputs);
 }
 

@@ -119,6 +119,14 @@ void require_own_files(const std::vector<std::string>& names) {
   }
 }
 
+void require_folder(const std::string& name) {
+  std::error_code error;
+  fs::create_directories(name, error);
+  if (error || !fs::is_directory(name)) {
+    throw std::runtime_error(name + ": is no folder and cannot become one; name a folder for the pictures");
+  }
+}
+
 OutputFile::OutputFile(std::string name) : name_(std::move(name)), is_stdout_(name_ == "-") {
   if (is_stdout_) {
     name_ = "standard output";

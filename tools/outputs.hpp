@@ -23,6 +23,9 @@ void require_own_file(const std::string& name);
 // Of each of the outputs of a run, and no two of them are one file. "-" and "" are none.
 void require_own_files(const std::vector<std::string>& names);
 
+// Makes the folder if it is not there yet. Throws std::runtime_error if it cannot become one.
+void require_folder(const std::string& name);
+
 // A file to write, "-" for standard output. Throws std::runtime_error with one line to show.
 class OutputFile {
  public:

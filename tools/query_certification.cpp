@@ -90,8 +90,8 @@ bool is_small(const Case& problem) {
 }
 
 std::string why_unjudged(const Case& problem) {
-  if (const std::string why = why_invalid(problem); !why.empty()) return why;
-  if (const std::string why = engine::unsupported_query(problem); !why.empty()) return why;
+  if (std::string why = why_invalid(problem); !why.empty()) return why;
+  if (std::string why = engine::unsupported_query(problem); !why.empty()) return why;
   if (is_represented(problem) && differences(problem) > oracle::kMostDifferences)
     return "bodies with more vertices than the exact oracles take";
   return {};
@@ -100,6 +100,7 @@ std::string why_unjudged(const Case& problem) {
 QueryCertification certify_queries(const std::vector<Case>& asked, const std::vector<Suite>& suites,
                                    const QuerySettings& settings) {
   std::vector<Question> chosen;
+  chosen.reserve(asked.size());
   for (const Case& problem : asked) chosen.push_back({problem, std::nullopt});
   for (const Suite& suite : suites) {
     std::vector<std::size_t> small;

@@ -77,8 +77,7 @@ std::string run_gnuplot(const std::string& directory, const std::string& name) {
 }
 
 OutputFile opened(const std::string& directory, const std::string& file) {
-  std::error_code error;
-  fs::create_directories(directory, error);
+  require_folder(directory);
   return OutputFile((fs::path(directory) / file).string());
 }
 

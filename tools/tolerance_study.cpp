@@ -105,8 +105,7 @@ std::string tolerance_table(const std::vector<ToleranceRow>& rows) {
 
 std::string draw_tolerances(const std::vector<ToleranceRow>& rows, const std::string& directory) {
   namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(directory, error);
+  require_folder(directory);
   const fs::path stem = fs::path(directory) / "error_against_time";
   OutputFile data(stem.string() + ".dat"), script(stem.string() + ".gp");
   data.write_line(
