@@ -1,5 +1,7 @@
 #include "tools/campaign_cast.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -41,6 +43,16 @@ T& truth_of(std::vector<std::unique_ptr<T>>& truths, corpus::Case seen, const Ar
     if (corpus::same_case(truth->problem(), seen)) return *truth;
   }
   return *truths.emplace_back(std::make_unique<T>(std::move(seen), arguments...));
+}
+
+// The proof that the method has when it is asked for one; why it is refused, or empty.
+std::string refusal_of_proof(TurningTruth& truth, const engine::RotatingEngineMethod& method,
+                             const corpus::Case& problem) {
+  const engine::RotatingAnswer answer = method.cast(problem, {.request = Request::everything});
+  if (!answer.proof) return {};
+  const oracle::RotatingVerdict verdict = truth.check(*answer.proof);
+  if (verdict.accepted() && verdict.detail.empty()) return {};
+  return fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
 }
 
 std::string& fault_of(CampaignCast& cast, Fault fault) {
@@ -159,6 +171,8 @@ CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const e
   try {
     TurningTruth& truth = truth_of(turns_, method.seen(drawn_.problem),
                                    engine::find_rotating_method("certified/" + method.scalar));
+    std::string refused;
+    if (!asks_for(request, Request::proof)) refused = refusal_of_proof(truth, method, drawn_.problem);
     RotatingJudgement judgement =
         judge_rotating_by_proof(truth, answer, limits_of(method, row), request, drawn_.sampled);
     asked.not_asked = judgement.not_asked;
@@ -168,9 +182,7 @@ CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const e
                     std::move(judgement.bad_contact),
                     std::move(judgement.false_proof),
                     std::move(judgement.unproved)};
-    // Asked for one, tier certified gives the proof that the judge learns from.
-    if (std::string& refused = fault_of(asked, Fault::false_proof); refused.empty() && method.is_certified())
-      refused = truth.reference_refused();
+    if (std::string& why = fault_of(asked, Fault::false_proof); why.empty()) why = std::move(refused);
     asked.proof = judgement.proof;
     asked.by_oracle = judgement.by_oracle;
     if (judgement.by_oracle && judgement.open) asked.undecided = truth.bracket().reason();

@@ -51,10 +51,11 @@ class CaseJudge {
   explicit CaseJudge(DrawnCase drawn) : drawn_(std::move(drawn)) {}
   [[nodiscard]] const DrawnCase& drawn() const { return drawn_; }
 
-  // Asked for everything, with its proof; of turning bodies every other case without one, since the plan
-  // simulates less then. The oracle decides what proofs leave open and, of a case that is sampled, the rest
-  // as well; a query has no proof, and only the oracle. Without a row a method is held to kPlainKappa. Does
-  // not throw: a judge that cannot judge convicts with its reason.
+  // Asked for everything, with its proof; of turning bodies every other answer is without one, since the plan
+  // simulates less then, and is held to the proof that the method has of the same case. The oracle decides
+  // what proofs leave open and, of a case that is sampled, the rest as well; a query has no proof, and only
+  // the oracle. Without a row a method is held to kPlainKappa. Does not throw: a judge that cannot judge
+  // convicts with its reason.
   [[nodiscard]] CampaignCast ask(const Contender& contender);
 
  private:

@@ -259,9 +259,7 @@ bool TurningTruth::learn_from_reference() {
       std::exchange(reference_, nullptr)->cast(problem_, {.request = Request::everything});
   if (!answer.proof) return false;
   const oracle::RotatingVerdict verdict = check(*answer.proof);
-  if (verdict.accepted() && verdict.detail.empty()) return true;
-  reference_refused_ = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
-  return false;
+  return verdict.accepted() && verdict.detail.empty();
 }
 
 RotatingLimits limits_of(const engine::RotatingEngineMethod& method, const engine::Guarantee* row) {

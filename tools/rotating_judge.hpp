@@ -43,13 +43,10 @@ class TurningTruth {
   [[nodiscard]] const ProvedBracket& proved() const { return proved_; }
   // What is true of times beside the bracket that is proved, which has an upper end.
   [[nodiscard]] const oracle::RotatingTruth& beside_proof();
-  // Why the reference's proof was not accepted; empty where it was, or was never asked for.
-  [[nodiscard]] const std::string& reference_refused() const { return reference_refused_; }
 
  private:
   corpus::Case problem_;
   const engine::RotatingEngineMethod* reference_;
-  std::string reference_refused_;
   ProvedBracket proved_;
   std::unique_ptr<oracle::RotatingTruth> bracket_, beside_proof_;
 };
