@@ -32,7 +32,7 @@ def number(text):
     value = float(text)
     if value >= 1e4 or 0 < value < 0.01:
         return f"{value:.0e}".replace("e+0", "e").replace("e+", "e").replace("e-0", "e-")
-    return f"{value:.3g}"
+    return f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
 
 
 def main():

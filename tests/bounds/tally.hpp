@@ -42,6 +42,8 @@ class Tally {
         failures_ += line + describe();
       }
     }
+    loose_ += bound > 0 && bound < kInfinity<double> &&
+              certainly_less(Ball(bound) * oracle::power_of_two(-60), truth.high() - truth.low());
     if (truth.is_positive() && bound < kInfinity<double>) {
       ratios_.push_back((Ball(bound) / truth).mid_double());
     }
@@ -57,13 +59,15 @@ class Tally {
     std::printf("bound | %s | %zu | %zu | %.9g | %.3g | %.3g\n", name_.c_str(), count_, below_, at(0),
                 at(0.5), at(1));
     EXPECT_EQ(below_, 0u) << failures_;
+    // A truth known less well than that says nothing of its bound.
+    EXPECT_EQ(loose_, 0u) << name_ << ": truths not known to 2^-60 of the bound";
     EXPECT_GE(ratios_.size(), least_samples) << name_ << ": too few truths above 0";
   }
 
  private:
   static constexpr std::size_t kShown = 3;
   std::string name_, failures_;
-  std::size_t count_ = 0, below_ = 0;
+  std::size_t count_ = 0, below_ = 0, loose_ = 0;
   std::vector<double> ratios_;
 };
 
