@@ -171,6 +171,8 @@ CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& opt
   switch (options.method.value_or(quick ? Method::mpr_sweep : Method::gjk_ray_cast)) {
     case Method::exact_portal:
       return cast_exact(a, b, options);
+    case Method::certified_portal:
+      return cast_certified(a, b, options);
     case Method::conservative_advancement:
       return cast_conservative_advancement(a, b, options);
     case Method::gjk_ray_cast:

@@ -3,7 +3,7 @@
 //
 //   toi_lower <= TOI <= toi_upper for the sets that the given numbers define, every rounding of the search,
 //   of the support functions and of the times counted; and its width, the larger backward error of the two
-//   ends, is proved to be at most kCertifiedWidth of scale. The verdict is never wrong.
+//   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
 //
 // Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
 // the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
@@ -39,7 +39,7 @@
 namespace graze {
 
 // Convergence target of the tier, over scale: 9,000 u. Support points of well-formed shapes are within 100 u.
-inline constexpr double kCertifiedWidth = 1e-12;
+inline constexpr double kLinearCertifiedWidth = 1e-12;
 
 namespace detail {
 
@@ -57,7 +57,7 @@ class CertifiedCast {
         budget_(options.max_iterations),
         wants_proof_(asks_for(options.request, Request::proof)),
         // cso.scale() is not above the pair's. A portal is 2^9 times the doubt of its corners high.
-        width_allowed_(kCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
+        width_allowed_(kLinearCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
   CertifiedCast(const CertifiedCast&) = delete;
   CertifiedCast& operator=(const CertifiedCast&) = delete;
 
@@ -455,7 +455,7 @@ void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
 template <Scalar S>
 CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
   CastResult<S> out;
-  out.method = Method::mpr_sweep;
+  out.method = Method::certified_portal;
   out.invalid = validate(a, b, options);
   if (out.invalid != Invalid::none) return out;
   if (!(options.target_distance > 0)) {

@@ -14,7 +14,13 @@ enum class Outcome : std::uint8_t {
   invalid_input,          // see CastResult::invalid
 };
 
-enum class Method : std::uint8_t { conservative_advancement, gjk_ray_cast, mpr_sweep, exact_portal };
+enum class Method : std::uint8_t {
+  conservative_advancement,
+  gjk_ray_cast,
+  mpr_sweep,
+  exact_portal,
+  certified_portal,  // the search of tier certified, where that is not the exact one
+};
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
 // certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).

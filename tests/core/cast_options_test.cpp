@@ -184,7 +184,7 @@ TEST(CastOptions, ACertifiedHitIsProvedFromBothSides) {
   ASSERT_TRUE(r.proof.has_value());
   EXPECT_EQ(r.proof->portal_size, 3);
   // The tier's width, over the speed; the scale is the distance of the centres.
-  const double width = kCertifiedWidth * b.position.norm() / b.displacement.norm();
+  const double width = kLinearCertifiedWidth * b.position.norm() / b.displacement.norm();
   EXPECT_NEAR(r.proof->toi_upper, 0.3125, width);
   EXPECT_NEAR(r.proof->toi_lower, 0.3125, width);
 }
