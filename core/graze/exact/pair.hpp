@@ -2,12 +2,11 @@
 //
 // Nothing is normalised: |lo| may be a few u of what was added up, which cancellation in hi does not shrink,
 // so errors are bounded by sizes, not by values. With |x| <= X, |x.lo| <= 2^-49 X, and likewise y:
-//   x + y    within 2^-101 (X + Y):  the sum of the high parts is exact, two roundings among the low ones. (With
-//            P the power of two below m = 2^-49 (X + Y): u P for the low halves, and u P for what is at most
-//            17/16 m, or 2 u P if that is 2 P or more, when 3 u P <= 1.6 u m; at most 2 u m both times.)
+//   x + y    within 2^-101 (X + Y):  the sum of the high parts is exact, two roundings among the low ones.
+//            With P the power of two below m = 2^-49 (X + Y): u P for the low halves, and u P for what is
+//            at most 17/16 m, or 2 u P if that is 2 P or more, when 3 u P <= 1.6 u m; 2 u m at most.
 //   x y      within 2^-97 X Y:       the product of the high parts is exact, lo lo is left out (2^-98 X Y),
-//   three
-//            roundings of what is below 2^-47 X Y.
+//            and three roundings of what is below 2^-47 X Y.
 // Sums are Knuth's, products exact by Veltkamp or std::fma (offset.hpp).
 #pragma once
 
