@@ -323,22 +323,27 @@ class RotatingCast {
     const double unit = power_of_two(-cso.length_exponent());
     // Balls of curved parts count whole, whatever their direction. So that the weighted points are nearer
     // than the weighted balls reach, and not just as near, the weights are those of points a little less far
-    // out.
+    // out: less than would let the origin out of their tetrahedron.
     Simplex<double> drawn = found.contact.pairs;
-    bool has_balls = false;
+    std::array<Vec3<double>, 4> balls{none, none, none, none};
+    double most = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const CsoPoint<double>& p = found.contact.pairs.point[i];
       SupportPair& named = proof.contact[i];
       if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
         return proof;
-      const Vec3<double> balls = unit * (named.a.offset - named.b.offset);
-      has_balls = has_balls || balls != none;
-      drawn.point[i].w -= kDrawnIn * balls;
+      balls[i] = unit * (named.a.offset - named.b.offset);
+      most = std::max(most, balls[i].norm());
       named.a.offset = named.b.offset = none;
     }
-    const auto& w = drawn.point;
-    if (has_balls && size == 4 && depth_inside({w[0].w, w[1].w, w[2].w, w[3].w}) > 0) weigh(drawn);
+    auto& w = drawn.point;
+    const auto depth = [&] { return depth_inside({w[0].w, w[1].w, w[2].w, w[3].w}); };
+    if (most > 0 && size == 4) {
+      const double drawn_in = std::min(kDrawnIn, depth() / (2 * most));
+      for (std::size_t i = 0; i < size; ++i) w[i].w -= drawn_in * balls[i];
+      if (drawn_in > 0 && depth() > 0) weigh(drawn);
+    }
     for (std::size_t i = 0; i < size; ++i) proof.weight[i] = found.contact.crossing ? 0.0 : drawn.lambda[i];
     proof.crossing = found.contact.crossing;
     proof.contact_from = found.contact.from;
