@@ -36,8 +36,8 @@ struct Looked {
 constexpr int kScenes = 1200;
 
 template <class Visit>
-void for_each_body(std::uint64_t seed, int scenes, const Visit& visit) {
-  const WorkingPrecision precision(kTruthBits);
+void for_each_body(std::uint64_t seed, int scenes, const Visit& visit, long bits = kTruthBits) {
+  const WorkingPrecision precision(bits);
   HostileDraw draw(seed);
   for (int i = 0; i < scenes; ++i) {
     const HostileScene scene = draw.scene();
@@ -105,23 +105,27 @@ TEST(MobilityBounds, NoPointIsFasterThanItsFormula) {
 TEST(MobilityBounds, NoSetIsFasterByDifferences) {
   Tally speed("Mobility::speed, of the set"), acceleration("Mobility::acceleration, of the set"),
       sway("Mobility::sway, of the set");
-  for_each_body(4, rounds(300), [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
-    if (!body.truth.turns) return;
-    const oracle::BallMotion motion(body.given.body, {body.given.rotation, body.given.pivot});
-    for (int k = 0; k < 2; ++k) {
-      const Vec3<double> n = draw.direction(scene);
-      const double t = draw.time(scene);
-      const auto with = [&] { return describe(scene, n, t); };
-      const BallVec along(n);
-      const auto height = [&](const Ball& at) {
-        return body.unit * (motion.support(along, at).reach - dot(along, at * body.truth.v));
-      };
-      const Ball d = two_to(-200), before = height(Ball(t) - d), now = height(t), after = height(Ball(t) + d);
-      speed.add(body.m.speed(n), abs(after - before) / (d + d), with);
-      acceleration.add(body.m.acceleration(n), (now + now - before - after) / (d * d), with);
-      sway.add(body.m.sway(t), abs(now - height(0)) / norm(along), with);
-    }
-  });
+  for_each_body(
+      4, rounds(300),
+      [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
+        if (!body.truth.turns) return;
+        const oracle::BallMotion motion(body.given.body, {body.given.rotation, body.given.pivot});
+        for (int k = 0; k < 2; ++k) {
+          const Vec3<double> n = draw.direction(scene);
+          const double t = draw.time(scene);
+          const auto with = [&] { return describe(scene, n, t); };
+          const BallVec along(n);
+          const auto height = [&](const Ball& at) {
+            return body.unit * (motion.support(along, at).reach - dot(along, at * body.truth.v));
+          };
+          const Ball d = two_to(-200), before = height(Ball(t) - d), now = height(t),
+                     after = height(Ball(t) + d);
+          speed.add(body.m.speed(n), abs(after - before) / (d + d), with);
+          acceleration.add(body.m.acceleration(n), (now + now - before - after) / (d * d), with);
+          sway.add(body.m.sway(t), abs(now - height(0)) / norm(along), with);
+        }
+      },
+      kDifferenceBits);
   for (Tally* one : {&speed, &acceleration, &sway}) one->finish(100);
 }
 

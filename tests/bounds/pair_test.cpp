@@ -35,8 +35,8 @@ struct Pair {
 };
 
 template <class Visit>
-void for_each_pair(std::uint64_t seed, int scenes, const Visit& visit) {
-  const WorkingPrecision precision(kTruthBits);
+void for_each_pair(std::uint64_t seed, int scenes, const Visit& visit, long bits = kTruthBits) {
+  const WorkingPrecision precision(bits);
   HostileDraw draw(seed);
   for (int i = 0; i < scenes; ++i) {
     const HostileScene scene = draw.scene();
@@ -175,37 +175,40 @@ TEST(PairBounds, NoGapAlongATurnedAxisBendsMore) {
   Tally formula("MovingPair::bend(frame)"), seen_bend("MovingPair::bend(frame), of points"),
       speeds("MovingPair::relative_speed, of points");
   bool says_speed = false;
-  for_each_pair(14, rounds(600), [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
-    for (const AxisFrame of : {AxisFrame::a, AxisFrame::b}) {
-      const bool with_a = of == AxisFrame::a;
-      // The pivot that stands for a B at rest is not to be had.
-      if (with_a && !seen.b.turns) continue;
-      const TrueBody &with = with_a ? seen.a : seen.b, &other = with_a ? seen.b : seen.a;
-      const BallVec c = with_a ? seen.pivots() : -seen.pivots(),
-                    v = with_a ? seen.velocity() : -seen.velocity();
-      const Vec3<double> n = draw.direction(scene);
-      const auto inputs = [&] { return describe(scene, n, 0) + (with_a ? "  with A\n" : "  with B\n"); };
-      const double bound = seen.pair.bend(of, n, scene.t_end);
-      const BallVec along(n);
-      formula.add(bound,
-                  norm(other.w - with.w) * (with.rate + other.rate) * seen.unit * other.reach() +
-                      norm(cross(with.w, along)) * (Ball(2) * norm(v) + norm(cross(with.w, c)) +
-                                                    norm(cross(with.w, v)) * Ball(scene.t_end)),
-                  inputs);
-      const BallVec& arm = other.arms[draw.below(other.arms.size())];
-      const auto place = [&](const Ball& t) {
-        return with.turn(t).apply_inverse(seen.unit * other.turn(t).apply(arm) + c + t * v);
-      };
-      const auto height = [&](const Ball& t) { return dot(along, place(t)); };
-      const Ball d = two_to(-200), t(scene.t_end * draw.plain().between(0.01, 0.99));
-      const Ball bent = height(t + d) - Ball(2) * height(t) + height(t - d);
-      seen_bend.add(bound, abs(bent) / (d * d), inputs);
-      if (const auto speed = relative_speed(seen.pair, of, scene.t_end)) {
-        says_speed = true;
-        speeds.add(*speed, norm(place(t + d) - place(t - d)) / (d + d), inputs);
-      }
-    }
-  });
+  for_each_pair(
+      14, rounds(600),
+      [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
+        for (const AxisFrame of : {AxisFrame::a, AxisFrame::b}) {
+          const bool with_a = of == AxisFrame::a;
+          // The pivot that stands for a B at rest is not to be had.
+          if (with_a && !seen.b.turns) continue;
+          const TrueBody &with = with_a ? seen.a : seen.b, &other = with_a ? seen.b : seen.a;
+          const BallVec c = with_a ? seen.pivots() : -seen.pivots(),
+                        v = with_a ? seen.velocity() : -seen.velocity();
+          const Vec3<double> n = draw.direction(scene);
+          const auto inputs = [&] { return describe(scene, n, 0) + (with_a ? "  with A\n" : "  with B\n"); };
+          const double bound = seen.pair.bend(of, n, scene.t_end);
+          const BallVec along(n);
+          formula.add(bound,
+                      norm(other.w - with.w) * (with.rate + other.rate) * seen.unit * other.reach() +
+                          norm(cross(with.w, along)) * (Ball(2) * norm(v) + norm(cross(with.w, c)) +
+                                                        norm(cross(with.w, v)) * Ball(scene.t_end)),
+                      inputs);
+          const BallVec& arm = other.arms[draw.below(other.arms.size())];
+          const auto place = [&](const Ball& t) {
+            return with.turn(t).apply_inverse(seen.unit * other.turn(t).apply(arm) + c + t * v);
+          };
+          const auto height = [&](const Ball& t) { return dot(along, place(t)); };
+          const Ball d = two_to(-200), t(scene.t_end * draw.plain().between(0.01, 0.99));
+          const Ball bent = height(t + d) - Ball(2) * height(t) + height(t - d);
+          seen_bend.add(bound, abs(bent) / (d * d), inputs);
+          if (const auto speed = relative_speed(seen.pair, of, scene.t_end)) {
+            says_speed = true;
+            speeds.add(*speed, norm(place(t + d) - place(t - d)) / (d + d), inputs);
+          }
+        }
+      },
+      kDifferenceBits);
   formula.finish(300);
   seen_bend.finish(300);
   if (says_speed) speeds.finish(300);

@@ -20,6 +20,8 @@ using oracle::BallVec;
 
 // Holds 1e60 beside 1e-60 with their squares, and 2^-100 of the least of them.
 inline constexpr long kTruthBits = 1024;
+// Where that is divided by the square of a step of 2^-200.
+inline constexpr long kDifferenceBits = 2048;
 
 inline Ball positive_part(const Ball& x) { return oracle::not_below_zero(x); }
 inline Ball two_to(int k) { return oracle::power_of_two(k); }
