@@ -29,7 +29,7 @@ inline double contact_error(const MovingPair& pair) {
          8 * u * (pair.radius() + cso.offset().norm()) + pair.offset_error();
 }
 
-// det(a, b, c), within 2^-96 |a| |b| |c|.
+// det(a, b, c), within u of itself and 2^-96 |a| |b| |c|.
 inline double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   TwoDoubles sum;
   for (int i = 0; i < 3; ++i) {
