@@ -125,6 +125,26 @@ TEST(FarArms, AxesParallelButForAnUlpMoveFarBodies) {
   }
 }
 
+// A ball put 2^36 out in its own frame and turned back. What a quick walk through its poses rounded, 6e-6,
+// made its bounds those of a point at the origin, which no turn of the body moves: the certified bracket of a
+// linear cast began 7e-7 after the contact.
+TEST(FarArms, PartsPutOutAndTurnedBackAreWhereTheyAre) {
+  const Vec3<double> there{-32985348833.28, 41231686041.6, 43980465111.04},
+      back{4773817793.885956, 32747595716.898575, 60226008678.16984};
+  Body<double> a{
+      .shape = posed<double>(translated<double>(Sphere<double>{0.5}, there), back, {0.1, 0.73, -0.44, 0.51}),
+      .orientation = {0.6, -0.3, 0.7, 0.1}};
+  const Body<double> b{.shape = Sphere<double>{0.25}, .position = {4, 0, 0}, .displacement = {-8, 0, 0}};
+  const double toi = 0.4062500570927631;  // closed form
+  CastOptions<double> options;
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_LE(r.toi_lower, toi);
+  EXPECT_GE(r.toi_upper, toi);
+  EXPECT_LT(r.toi_upper - r.toi_lower, 1e-12);
+}
+
 TEST(FarArms, ALengthOfACrossProductIsNeverBelowIt) {
   using detail::length_of_cross;
   const Vec3<double> w{1.7578748123442727, 1.757874812344273, 0};
