@@ -60,12 +60,23 @@ Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counte
   const Vec3<S> outward =
       cso.middle() == Vec3<S>::Zero() ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-cso.middle());
   const Frame<S> frame(cso.moves() ? cso.direction() : outward);
-  // Seen from behind: the exit is the entry of the mirrored line, at -z.
-  const PortalView<S> view{cso, frame, S(-1), counters};
-  PortalSearch<S> exit = find_portal(view, limits.budget);
-  if (exit.state == State::missed) return Start::leaves;
-  if (exit.state != State::entered) return Start::open;
-  refine_portal(view, exit, PortalLimits<S>{-limits.noise, -limits.noise, limits.noise / 2}, limits.budget);
+  // Seen from behind: the exit is the entry of the mirrored line, at -z. Where the line passes so near to
+  // corners and edges one beneath the other that two portals take turns, as corners of magnitudes far apart
+  // make it do, it is that of C moved by 6 u scale.
+  PortalView<S> view{cso, frame, S(-1), counters};
+  PortalSearch<S> exit;
+  for (const auto& [x, y] :
+       {std::pair(0, 0), std::pair(1, 1), std::pair(-1, 1), std::pair(-1, -1), std::pair(1, -1)}) {
+    view.aside_x = S(x) * limits.fine();
+    view.aside_y = S(y) * limits.fine();
+    exit = find_portal(view, limits.budget);
+    if (exit.state == State::missed) return Start::leaves;
+    if (exit.state == State::entered) {
+      refine_portal(view, exit, PortalLimits<S>{-limits.noise, -limits.noise, limits.noise / 2},
+                    limits.budget);
+    }
+    if (exit.state != State::exhausted) break;
+  }
   if (exit.state == State::exhausted) return Start::open;
   if (exit.state != State::accepted) return Start::leaves;
   return on_silhouette(view, limits.noise) ? Start::leaves : Start::enters;

@@ -61,6 +61,9 @@ struct PortalView {
   const Frame<S>& frame;
   S mirror;
   Counters& counters;
+  // C is seen moved by so much across the line: by no more than rounding, where a search finds no way past a
+  // tie.
+  S aside_x = 0, aside_y = 0;
 
   // What rounding may move a projected support point by, typically: 4 u of the lengths in it.
   [[nodiscard]] S noise() const { return 4 * kUnitRoundoff<S> * (cso.scale() + cso.radius()); }
@@ -76,6 +79,8 @@ struct PortalView {
     const bool plain = !cso.curved() && !(cso.radius() > 0) && size > S(0x1p-60) && size < S(0x1p60);
     out.c = plain ? cso.support(along) : cso.rounded_support(unit(along));
     out.q = frame.to_frame(out.c.w);
+    out.q[0] += aside_x;
+    out.q[1] += aside_y;
     out.q[2] *= mirror;
     // Far below what rounding makes of it a coordinate is 0: products of two such would vanish, and a sign
     // with them.
