@@ -59,7 +59,7 @@ void refuse_what_is_no_case(const corpus::Case& problem, double width) {
     throw std::invalid_argument("start_policy: pass_over has no meaning where bodies turn");
   }
   if (!(width >= RotatingTruth::kLeastWidth && width <= RotatingTruth::kGreatestWidth)) {
-    throw std::invalid_argument("width: it is outside 1e-14 .. 1e-3");
+    throw std::invalid_argument("width: it is outside 1e-16 .. 1e-3");
   }
 }
 
@@ -120,13 +120,13 @@ RotatingTruth::Impl::Impl(const corpus::Case& given, double asked, int most, boo
     const WorkingPrecision precision(bits);
     measure();
   }
-  // 192 bits see a width of 1e-14 and squares of features of its size; what is lost to coordinates beyond the
-  // scale is added.
+  // 192 bits see a width of 1e-14 and squares of features of its size; what is lost to a smaller one, and to
+  // coordinates beyond the scale, is added.
   const double size = scale.low_double();
   const double speed = norm(pair->b().velocity() - pair->a().velocity()).high_double() * problem.t_max;
   const double largest = pair->magnitude() + speed;
   const double lost = size > 0 ? std::log2(std::max(1.0, largest / size)) : 0;
-  bits += 2 * static_cast<long>(std::min(lost, 2000.0));
+  bits += 2 * static_cast<long>(std::min(lost, 2000.0) + std::max(0.0, std::log2(1e-14 / width)));
   const WorkingPrecision precision(bits);
   measure();
   if (searches) march();

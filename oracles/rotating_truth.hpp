@@ -21,7 +21,7 @@ class RotatingTruth {
   // Over scale: how wide the bracket may be (the larger of the distance at toi_lower and the greatest depth
   // over [0, toi_upper]), and below which clearance or depth a verdict may stay open.
   static constexpr double kDefaultWidth = 1e-13;
-  static constexpr double kLeastWidth = 1e-14, kGreatestWidth = 1e-3;
+  static constexpr double kLeastWidth = 1e-16, kGreatestWidth = 1e-3;
   // Slices of time that may be tried until a verdict is due.
   static constexpr int kDefaultBudget = 1 << 16;
 

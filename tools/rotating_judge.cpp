@@ -225,7 +225,13 @@ class RotatingJudge {
 }  // namespace
 
 const RotatingTruth& TurningTruth::bracket() {
-  if (!bracket_) bracket_ = std::make_unique<RotatingTruth>(problem_);
+  if (bracket_) return *bracket_;
+  bracket_ = std::make_unique<RotatingTruth>(problem_);
+  // What comes nearer than its width is looked at again through the finest.
+  if (bracket_->outcome() == Outcome::not_converged && !bracket_->budget_ended()) {
+    auto finer = std::make_unique<RotatingTruth>(problem_, RotatingTruth::kLeastWidth);
+    if (finer->outcome() != Outcome::not_converged) bracket_ = std::move(finer);
+  }
   return *bracket_;
 }
 

@@ -591,7 +591,7 @@ TEST(RotatingTruth, WhatIsNoCaseIsRefused) {
   problem = sound;
   problem.target_distance = -1;
   EXPECT_THROW(RotatingTruth{problem}, std::invalid_argument);
-  EXPECT_THROW(RotatingTruth(sound, 1e-15), std::invalid_argument);
+  EXPECT_THROW(RotatingTruth(sound, 1e-17), std::invalid_argument);
 }
 
 TEST(RotatingTruth, ExpectationsOfCasesThatTurn) {
