@@ -488,6 +488,7 @@ RotatingTruth::RotatingTruth(std::unique_ptr<Impl> impl) : impl_(std::move(impl)
 
 RotatingTruth RotatingTruth::of_proved(const corpus::Case& problem, double lower, double upper,
                                        double width) {
+  const DefaultEnvironment environment;
   if (!(lower >= 0 && lower <= upper && upper <= problem.t_max))
     throw std::invalid_argument("a proved bracket is an interval of times up to t_max");
   auto impl = std::make_unique<Impl>(problem, width, kDefaultBudget, false);
