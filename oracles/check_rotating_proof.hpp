@@ -4,15 +4,15 @@
 // What it decides: whether the claims of a RotatingProof (graze/rotating/rotating_proof.hpp) hold for the
 // true shapes and motions of a case.
 //   Every slice of the chain, also what reaches beyond toi_lower: by the separation along the axis at the
-//   ends of the slice and a bound on how far it sinks between them, by the points' second derivatives or their
-//   speed (ball_motion.hpp); where that does not suffice the slice is cut in halves, and each is asked again. In double with a running error bound
-//   (slice_filter.hpp), then in balls of 128, 256 and 512 bits; there also with the cylinders that turning
-//   bodies sweep in whole turns (whole_turns.hpp).
-//   The chain: its slices follow each other from t = 0 to toi_lower, of a miss to t_max.
-//   The contact at toi_upper, which is at most t_max: the pairs' points where the bodies carry them, by the
-//   weights or by strict containment, in balls. Or the crossing of the origin through the triangle of three
-//   pairs between contact_from and toi_upper: by the sign of a volume at its two ends, and balls that hold
-//   all times between (crossing_claim.hpp has the argument); it is cut in halves as a slice is.
+//   ends of the slice and a bound on how far it sinks between them, by the points' second derivatives or
+//   their speed (ball_motion.hpp); where that does not suffice the slice is cut in halves, and each is asked
+//   again. In double with a running error bound (slice_filter.hpp), then in balls of 128, 256 and 512 bits;
+//   there also with the cylinders that turning bodies sweep in whole turns (whole_turns.hpp). The chain: its
+//   slices follow each other from t = 0 to toi_lower, of a miss to t_max. The contact at toi_upper, which is
+//   at most t_max: the pairs' points where the bodies carry them, by the weights or by strict containment, in
+//   balls. Or the crossing of the origin through the triangle of three pairs between contact_from and
+//   toi_upper: by the sign of a volume at its two ends, and balls that hold all times between
+//   (crossing_claim.hpp has the argument); it is cut in halves as a slice is.
 //
 // What it costs (tests/oracles/rotating_trial_test.cpp prints it; balls, boxes, segments, all three frames):
 // a slice 0.9 microseconds in double and 12 to 15 in balls, as often as it is cut; a proof 15 more, for
