@@ -48,7 +48,7 @@ struct Proved {
       if (proved.start_is_free() || (toi && toi->lower > 0)) return true;
       break;
     case Outcome::hit:
-      if (proved.no_contact || proved.upper == 0) return true;
+      if (proved.no_contact || proved.upper == 0 || record.problem.t_max == 0) return true;
       if (toi && (toi->upper == 0 || toi->lower == kInfinity<double> || toi->lower > record.problem.t_max))
         return true;
       break;

@@ -7,7 +7,7 @@
 //
 //   outcome                what it says          proved by                contradicted by
 //   initially_overlapping  TOI = 0               p_upper = 0              p_lower > 0
-//   hit                    0 < TOI <= T          p_lower > 0, p_upper     p_upper = 0, no contact
+//   hit                    0 < TOI <= T          p_lower > 0, p_upper     p_upper = 0, no contact, T = 0
 //   miss                   TOI > T               no contact               p_upper
 //   not_converged, invalid_input: nothing
 //   the bracket            lower <= TOI <= upper p_lower >= lower,        p_upper < lower, p_lower > upper

@@ -134,6 +134,17 @@ TEST(CheckRecord, ALowerBoundBeyondTheStepIsAMiss) {
   EXPECT_EQ(as(record, Outcome::hit), "contradicted");
 }
 
+// Whatever is proved, and in every tier: a hit is later than the start.
+TEST(CheckRecord, AStepOfNoTimeHasNoHit) {
+  ProofRecord record = hit(0, kInf);
+  record.problem.t_max = 0;
+  for (const std::optional<Tier> tier : {std::optional<Tier>(), {Tier::exact}, {Tier::standard}}) {
+    record.tier = tier;
+    EXPECT_EQ(as(record, Outcome::hit), "contradicted");
+    EXPECT_EQ(as(record, Outcome::not_converged), "accepted");
+  }
+}
+
 TEST(CheckRecord, BracketsThatShareNoTimeContradict) {
   const double below = std::nextafter(0.625, 0.0), above = std::nextafter(0.625, 1.0);
   struct Row {
