@@ -102,7 +102,7 @@ class Attack {
     }
     ++tally_.bases;
     judge_.emplace(base_.problem, random_.once_in(kSecondOpinionEvery));
-    Judgement said = judge_->judge(claim_of(base_, believed.statement));
+    Judgement said = judged(base_, believed);
     if (said.kind == Judgement::Kind::contradicted) {
       found_.push_back({base_, {}, std::move(said.fault)});
       return std::move(found_);
@@ -138,11 +138,19 @@ class Attack {
     weigh(mutant);
   }
 
+  // What the oracles say of that; they need not be asked of what cannot be.
+  Judgement judged(const ProofRecord& record, const Accepted& believed) {
+    if (believed.stands && !has_a_time(record))
+      return {Judgement::Kind::contradicted, "what it states beside a proof that rules it out"};
+    return judge_->judge(claim_of(record, believed.statement));
+  }
+
   void weigh(Mutant mutant) {
     constexpr auto kOutcome = static_cast<std::size_t>(Edit::outcome);
     for (const Edit kind : {Edit::axis, Edit::index, Edit::weights})
       if (!is_claimed(mutant.record, kind)) mutant.edits.reset(static_cast<std::size_t>(kind));
-    const auto [proof, statement] = accepted(mutant.record, settings_);
+    const Accepted believed = accepted(mutant.record, settings_);
+    const auto [proof, statement, stands] = believed;
     const bool differs = !same(meanings_[statement], meaning_of(mutant.record, statement || !proof));
     const auto count_in = [&](const Edits& classes, std::uint64_t Count::*kind) {
       for (std::size_t k = 0; k < kEdits; ++k)
@@ -152,13 +160,13 @@ class Attack {
       ++tally_.all.refused;
       return count_in(mutant.edits, &Count::refused);
     }
-    if (mutant.edits[kOutcome] && !statement) {
+    if (mutant.edits[kOutcome] && !statement && (!stands || has_a_time(mutant.record))) {
       // The proof stands, by itself.
       count_in(Edits().set(kOutcome), &Count::refused);
       mutant.edits.reset(kOutcome);
     }
     if (!judge_) judge_.emplace(mutant.record.problem, random_.once_in(kSecondOpinionEvery));
-    Judgement said = judge_->judge(claim_of(mutant.record, statement));
+    Judgement said = judged(mutant.record, believed);
     // What means the same is no mutant. Where it is contradicted all the same, the checker is wrong all the
     // same.
     const bool contradicted = said.kind == Judgement::Kind::contradicted;
@@ -221,9 +229,9 @@ Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const Flushing flushing(settings.flush_subnormals);
   const oracle::RecordVerdict verdict = oracle::check_record(record);
   if (verdict.finding != oracle::RecordFinding::refused)
-    return {true, verdict.finding == oracle::RecordFinding::accepted};
+    return {true, verdict.finding == oracle::RecordFinding::accepted, true};
   // These two it says of a proof that is true.
-  return {verdict.reason == "contradicted" || verdict.reason == "unproved", false};
+  return {verdict.reason == "contradicted" || verdict.reason == "unproved", false, false};
 }
 
 std::vector<Finding> attack(const Case& problem, Random& random, const Settings& settings, Tally& tally) {

@@ -47,9 +47,10 @@ struct Finding {
 // One line of graze.proof/1; the fault is the comment of its case.
 [[nodiscard]] std::string text_of(const Finding& finding);
 
-// Does the checker accept the proof; and does it say that the proof proves what the record states beside it?
+// Does the checker accept the proof; does it say that the proof proves what the record states beside it; or
+// does it at least let that stand, as proved in part?
 struct Accepted {
-  bool proof = false, statement = false;
+  bool proof = false, statement = false, stands = false;
 };
 [[nodiscard]] Accepted accepted(const corpus::ProofRecord& record, const Settings& settings);
 

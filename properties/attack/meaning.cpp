@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "properties/case_edit.hpp"
 
@@ -222,6 +223,29 @@ bool same(const Meaning& one, const Meaning& other) {
                     [](const Meaning::Part& l, const Meaning::Part& r) {
                       return l.rounded && r.rounded ? !(std::abs(l.x - r.x) > kSameDirection) : l.x == r.x;
                     });
+}
+
+bool has_a_time(const corpus::ProofRecord& record) {
+  const double t_max = record.problem.t_max, never = kInfinity<double>;
+  // Each statement leaves the times of an interval; beyond the step all are never.
+  double from = 0, to = never;
+  const auto keep = [&](double least, double most) {
+    from = std::max(from, least > t_max ? never : least);
+    to = std::min(to, most > t_max ? never : most);
+  };
+  if (record.rotating) {
+    keep(record.rotating->toi_lower, record.rotating->toi_upper);
+  } else {
+    keep(record.proof.toi_lower, record.proof.toi_upper);
+  }
+  if (record.outcome == Outcome::initially_overlapping) keep(0, 0);
+  if (record.outcome == Outcome::hit) {
+    keep(std::numeric_limits<double>::denorm_min(), std::min(t_max, std::numeric_limits<double>::max()));
+  }
+  if (record.outcome == Outcome::miss) keep(never, never);
+  // Of a miss methods state from when on they have looked, or nothing.
+  if (record.toi) keep(record.outcome == Outcome::miss ? 0 : record.toi->lower, record.toi->upper);
+  return from <= to;
 }
 
 }  // namespace graze::attack

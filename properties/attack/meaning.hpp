@@ -32,4 +32,9 @@ inline constexpr double kSameDirection = 0x1p-50;
 [[nodiscard]] Meaning meaning_of(const corpus::ProofRecord& record, bool with_statement);
 [[nodiscard]] bool same(const Meaning& one, const Meaning& other);
 
+// Is there a first contact, at some time or never within the step, that is as the record states, by its
+// outcome and by its bracket, and as its proof proves? If there is none, one of them is false whatever the
+// case is.
+[[nodiscard]] bool has_a_time(const corpus::ProofRecord& record);
+
 }  // namespace graze::attack

@@ -90,12 +90,21 @@ void edit_outcome(ProofRecord& record, Random& random) {
       break;
     case 2:
       lower = random.once_in(2) ? steps(from, random.integer(1, 4)) : more(from, random);
+      upper = std::max(lower, upper);
       break;
     case 3:
       upper = random.once_in(2) ? std::max(0.0, steps(to, -random.integer(1, 4))) : less(to, random);
+      lower = std::min(lower, upper);
       break;
     case 4:
-      std::swap(lower, upper);
+      // All of it earlier, or later.
+      if (random.once_in(2)) {
+        upper = less(from, random);
+        lower = less(upper, random);
+      } else {
+        lower = more(to, random);
+        upper = more(lower, random);
+      }
       break;
     default:
       // Less than it was.

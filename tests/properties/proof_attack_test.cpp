@@ -154,6 +154,39 @@ TEST(Meaning, keeps_what_matters) {
   EXPECT_FALSE(changed([](ProofRecord& r) { r.rotating->chain[1].frame = AxisFrame::b; }));
 }
 
+// With this statement beside it, of a proof that the first contact is between 0.125 and 0.25.
+bool can_be(Outcome outcome, std::optional<corpus::StatedBracket> toi = {}) {
+  ProofRecord record = turning_record();
+  record.outcome = outcome;
+  record.toi = toi;
+  return has_a_time(record);
+}
+
+TEST(HasATime, tells_what_a_proof_rules_out) {
+  EXPECT_TRUE(can_be(Outcome::hit));
+  EXPECT_TRUE(can_be(Outcome::not_converged));
+  EXPECT_FALSE(can_be(Outcome::miss));
+  EXPECT_FALSE(can_be(Outcome::initially_overlapping));
+  EXPECT_TRUE(can_be(Outcome::hit, {{0, 0.125}}));
+  EXPECT_TRUE(can_be(Outcome::hit, {{0.25, kNever}}));
+  EXPECT_FALSE(can_be(Outcome::hit, {{0, std::nextafter(0.125, 0)}}));
+  EXPECT_FALSE(can_be(Outcome::hit, {{std::nextafter(0.25, 1), kNever}}));
+}
+
+TEST(HasATime, takes_what_is_after_the_step_for_a_miss) {
+  ProofRecord record = turning_record();
+  *record.rotating = {};
+  record.rotating->toi_lower = kNever;
+  record.outcome = Outcome::miss;
+  EXPECT_TRUE(has_a_time(record));
+  record.toi = {0.5, 1.5};
+  EXPECT_TRUE(has_a_time(record));
+  record.toi = {0.5, 1};
+  EXPECT_FALSE(has_a_time(record));
+  record.outcome = Outcome::hit;
+  EXPECT_FALSE(has_a_time(record));
+}
+
 std::string first_of(const std::vector<Finding>& found) {
   return found.empty() ? "" : text_of(found.front());
 }
