@@ -52,9 +52,13 @@ double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
+struct Goal {
+  std::uint64_t mutants = 200000, rounds = UINT64_MAX;
+  bool first = false;  // or a finding
+};
+
 // Rounds until there are enough, or somebody stops it.
-void run(State& state, std::uint64_t wanted, std::uint64_t rounds, const std::string& state_file,
-         const std::string& findings_file) {
+void run(State& state, const Goal& goal, const std::string& state_file, const std::string& findings_file) {
   const double before = state.seconds;
   const Clock::time_point begin = Clock::now();
   Clock::time_point saved = begin;
@@ -65,8 +69,9 @@ void run(State& state, std::uint64_t wanted, std::uint64_t rounds, const std::st
   };
   constexpr double kSaveEvery = 10;  // seconds
   constexpr std::uint64_t kShareOfAClass = 20;
-  while (stopped == 0 && state.rounds < rounds &&
-         (state.tally.all.agreed < wanted || fewest(state) < wanted / kShareOfAClass)) {
+  while (stopped == 0 && state.rounds < goal.rounds &&
+         (state.tally.all.agreed < goal.mutants || fewest(state) < goal.mutants / kShareOfAClass) &&
+         !(goal.first && state.tally.all.contradicted > 0)) {
     const std::vector<Finding> found = attack_round(state.seed, state.next(), state.settings, state.tally);
     ++state.rounds;
     if (!found.empty()) {
@@ -77,7 +82,7 @@ void run(State& state, std::uint64_t wanted, std::uint64_t rounds, const std::st
     }
     if (!found.empty() || seconds_since(saved) > kSaveEvery) {
       save();
-      show(state, wanted);
+      show(state, goal.mutants);
     }
   }
   save();
@@ -86,19 +91,20 @@ void run(State& state, std::uint64_t wanted, std::uint64_t rounds, const std::st
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t mutants = 200000, rounds = UINT64_MAX;
+  Goal goal;
   std::string state_file, findings_file = "attack_findings.jsonl", shard = "1/1";
   std::vector<std::string> tables;
   State wanted;
 
   CLI::App app("Mutates true proofs and judges by the oracles what the checker accepts (docs/checker.md).");
-  app.add_option("--mutants", mutants,
+  app.add_option("--mutants", goal.mutants,
                  "accepted mutants of another meaning to be judged; a twentieth in each class");
   app.add_option("--state", state_file, "a file to keep the counts in, and to go on from");
   app.add_option("--findings", findings_file, "proof records that were accepted and are false, one a line");
   app.add_option("--seed", wanted.seed, "another seed, other proofs");
   app.add_option("--shard", shard, "K/N: the K-th of N shares of the rounds");
-  app.add_option("--rounds", rounds, "no more rounds than these");
+  app.add_option("--rounds", goal.rounds, "no more rounds than these");
+  app.add_flag("--first", goal.first, "no more rounds after one that finds something");
   app.add_flag("--flush-subnormals", wanted.settings.flush_subnormals,
                "the checker runs with subnormal numbers flushed to zero");
   app.add_option("--table", tables, "no run: the table of these states together");
@@ -129,7 +135,7 @@ int main(int argc, char** argv) {
         return refuse(state_file + ": " + other);
     }
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stopped = 1; });
-    run(state, mutants, rounds, state_file, findings_file);
+    run(state, goal, state_file, findings_file);
     if (isatty(2) != 0) fmt::print(stderr, "\n");
     fmt::print("{}", table_of(state));
     if (stopped != 0) return 130;

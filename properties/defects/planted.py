@@ -54,18 +54,21 @@ class Config:
 
 
 class Patch:
+    FOLDER = "properties/defects"
+    KEYS = ("Defect", "Law", "Report", "Class", "Compile")
+
     def __init__(self, path):
         self.path = path
         self.name = path.stem
         try:
             self.text = path.read_text()
         except OSError as error:
-            raise Fault(f"{path}: {error.strerror}; give a .patch of properties/defects")
+            raise Fault(f"{path}: {error.strerror}; give a .patch of {self.FOLDER}")
         head = self.text.split("\n--- ", 1)[0]
         self.headers = re.findall(r"^([A-Z][a-z]+): (.+)$", head, re.M)
-        unknown = [key for key, _ in self.headers if key not in ("Defect", "Law", "Report", "Class", "Compile")]
+        unknown = [key for key, _ in self.headers if key not in self.KEYS]
         if unknown:
-            raise Fault(f"{path}: {unknown[0]} is no header line; known are Defect, Law, Report, Class, Compile")
+            raise Fault(f"{path}: {unknown[0]} is no header line; known are {', '.join(self.KEYS)}")
         self.defect, self.law = self.one("Defect"), self.one("Law")
         self.reports, self.classes = self.all("Report"), self.all("Class")
         if any(letter not in CLASS_LETTERS for letter in self.classes):
@@ -73,9 +76,13 @@ class Patch:
         self.files = re.findall(r"^\+\+\+ b/(\S+)", self.text, re.M)
         self.in_core = any(name.startswith("core/") for name in self.files)
         self.compiled = [name for name in self.files if name.startswith("oracles/") and name.endswith(".cpp")]
-        self.compiled += self.all("Compile")
+        self.compiled += self.compiled_besides()
         if not self.in_core and not self.compiled:
             raise Fault(f"{path}: nothing to compile: patch core/, a .cpp of oracles/, or name one by Compile")
+
+    def compiled_besides(self):
+        """The .cpp files that it changes by a header."""
+        return self.all("Compile")
 
     def all(self, key):
         return [word for k, value in self.headers if k == key for word in value.split(", ")] if key != "Defect" \
