@@ -26,8 +26,8 @@ Vec3<S> weighted(const Simplex<S>& simplex) {
 // The closest of the features that hold the newest point.
 template <Scalar S>
 Closest<S> closest_with_newest(const Simplex<S>& simplex) {
-  Points4<S> y;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) y[i] = simplex.point[i].w;
+  const auto& p = simplex.point;
+  const Points4<S> y = {p[0].w, p[1].w, p[2].w, p[3].w};
   const int newest = simplex.size - 1;
   Closest<S> best = closest_vertex(y, newest);
   for (int i = 0; i < newest; ++i) {
