@@ -8,10 +8,11 @@ namespace graze::law {
 namespace {
 
 constexpr OutOfReach kOutOfReach[] = {
-    {"ray_is_point_cast", "", "hulls_rotated target_margin noisy_copy smooth_graze combinators",
+    {"ray_is_point_cast", "",
+     "hulls_rotated target_margin noisy_copy smooth_graze combinators mixed_magnitudes",
      "the differences of turned, noisy, rounded and many vertices, and of nested parts, are no doubles"},
-    {"turning", "", "slivers",
-     "what is added to the last bits leaves no room for the products of a rational turn"},
+    {"turning", "", "slivers far_own_frame",
+     "what is added to the last bits, or lies far out, leaves no room for the products of a rational turn"},
     {"reordering", "", "aligned_boxes", "a box has neither vertices nor parts to put in another order"},
     {"tiers_nest", "", "target_margin smooth_graze",
      "tier exact takes neither a target distance nor a curve"},

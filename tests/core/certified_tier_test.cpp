@@ -170,6 +170,10 @@ void judge_families(int seeds) {
       for (int seed = 0; seed < seeds; ++seed) {
         const corpus::Case problem = family.generate(hardness, static_cast<std::uint64_t>(seed));
         const corpus::Case seen = engine::rounded_case<S>(problem);
+        const auto outgrows = [](const Body<double>& body) {
+          return graze::validate(engine::round_to<S>(body)) != Invalid::none;
+        };
+        if (std::same_as<S, float> && (outgrows(problem.a) || outgrows(problem.b))) continue;
         EXPECT_EQ(judged<S>(seen, count), "") << corpus::write_case(seen);
       }
     }

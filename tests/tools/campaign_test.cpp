@@ -451,8 +451,8 @@ TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_k
 }
 
 // What answers a query beside the cast, off by a hundredth of itself.
-engine::QueryAnswer stretched_distance(const corpus::Case& problem, Request request) {
-  engine::QueryAnswer answer = law::default_method(corpus::Query::distance, "double").ask(problem, request);
+engine::QueryAnswer stretched_distance(const corpus::Case& problem, const engine::QueryAsk& asked) {
+  engine::QueryAnswer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
   if (answer.distance)
     answer.distance = engine::Interval{1.01 * answer.distance->lower, 1.01 * answer.distance->upper};
   return answer;

@@ -89,7 +89,7 @@ TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
     folder.write("sub/y", "");
     std::filesystem::create_symlink("x.json", folder.path() / "soft.json");
     std::filesystem::create_hard_link(folder.path() / "x.json", folder.path() / "hard.json");
-    for (const std::string name :
+    for (const std::string& name :
          {std::string("x.json"), std::string("./x.json"), std::string("sub/../x.json"),
           std::string("soft.json"), std::string("hard.json"), (folder.path() / "x.json").string()}) {
       const std::string line = with(with(output.line, "IN", "x.json"), "OUT", name);

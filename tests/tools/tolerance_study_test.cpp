@@ -63,7 +63,9 @@ TEST(ToleranceStudy, an_excused_miss_has_no_time_and_no_infinite_error) {
     const bool misses = row.tolerance > 1e-6;
     EXPECT_EQ(row.missed, misses ? 1U : 0U);
     EXPECT_EQ(std::isnan(row.lower[0]), misses);
-    if (misses) EXPECT_NEAR(row.denied[0], kDepth / scale, 1e-3 * kDepth);
+    if (misses) {
+      EXPECT_NEAR(row.denied[0], kDepth / scale, 1e-3 * kDepth);
+    }
   }
   EXPECT_EQ(rows.back().not_converged, 1U);
   EXPECT_FALSE(std::isnan(rows.back().lower[0]));
