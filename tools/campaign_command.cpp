@@ -18,6 +18,7 @@
 #include "tools/campaign_summary.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/outputs.hpp"
 
 namespace graze::tool {
 namespace {
@@ -184,6 +185,10 @@ int run(const Arguments& arguments) {
   for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save,
                                   &arguments.outputs.save_undecided})
     require_writable(*name);
+  // No two of them are one file; a state is written beside its place first.
+  const auto beside = [](const std::string& name) { return name.empty() ? "" : name + ".new"; };
+  require_own_files({arguments.state, beside(arguments.state), arguments.outputs.json, arguments.outputs.save,
+                     arguments.outputs.save_undecided});
   const CampaignPlan plan = plan_of(arguments);
   const bool slow = arguments.queries || arguments.casts_rotating();
   const std::uint64_t block = arguments.block.value_or(slow ? kSlowBlock : kBlock);

@@ -7,6 +7,7 @@
 #include "oracles/default_environment.hpp"
 #include "tools/commands.hpp"
 #include "tools/inputs.hpp"
+#include "tools/outputs.hpp"
 
 namespace graze::tool {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr int kAllAccepted = 0, kRefused = 1, kUnreadable = 2, kInPart = 3;
 
 int run(const std::vector<std::string>& files) {
+  will_read(files);
   const oracle::DefaultEnvironment environment;  // for what reads numbers, too
   std::size_t accepted = 0, in_part = 0, refused = 0;
   bool bad = false;

@@ -20,7 +20,8 @@ int run(const Arguments& arguments) {
   will_read(arguments.parts);
   // A state is written beside its place first.
   const std::string& json = arguments.outputs.json;
-  require_own_files({json, json.empty() ? "" : json + ".new", arguments.outputs.save});
+  require_own_files(
+      {json, json.empty() ? "" : json + ".new", arguments.outputs.save, arguments.outputs.save_undecided});
   std::vector<NamedState> parts;
   for (const std::string& name : arguments.parts) {
     if (std::filesystem::is_directory(name)) throw std::runtime_error(name + ": a directory; a state's file");

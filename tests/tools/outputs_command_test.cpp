@@ -56,6 +56,7 @@ const std::vector<Output> kOutputs = {
     {"draw", "--out", "draw IN --out OUT"},
     {"merge", "--json", "merge IN --json OUT"},
     {"merge", "--save", "merge IN --save OUT"},
+    {"merge", "--save-undecided", "merge IN --save-undecided OUT"},
     {"corpus add", "--into", "corpus add IN --into OUT"},
 };
 
