@@ -40,10 +40,10 @@ Vec3<double> exactly_along(const Vec3<double>& integers, double angle) {
 // Integers of 2 at most, across `along`.
 Vec3<double> across(Random& random, const Vec3<double>& along) {
   for (;;) {
-    const Vec3<double> x = small_integers(random, 2);
+    Vec3<double> x = small_integers(random, 2);
     if ((x[0] * along[0] + x[1] * along[1]) + x[2] * along[2] == 0) return x;
-    const Vec3<double> cross(along[1] * x[2] - along[2] * x[1], along[2] * x[0] - along[0] * x[2],
-                             along[0] * x[1] - along[1] * x[0]);
+    Vec3<double> cross(along[1] * x[2] - along[2] * x[1], along[2] * x[0] - along[0] * x[2],
+                       along[0] * x[1] - along[1] * x[0]);
     if (cross != Vec3<double>::Zero()) return cross;
   }
 }

@@ -47,6 +47,7 @@ Shape<double> small_shape(Random& random) {
       return Capsule<double>{extent() / 4, extent()};
     case 6: {
       std::vector<Vec3<double>> vertices;
+      vertices.reserve(5);
       for (int k = 0; k < 5; ++k)
         vertices.push_back({eighths(random, -16, 16), eighths(random, -16, 16), eighths(random, -16, 16)});
       return with_adjacency<double>(vertices);

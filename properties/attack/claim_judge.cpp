@@ -64,8 +64,8 @@ struct ClaimJudge::Impl {
   }
 
   template <class Truth>
-  static Known known_of(const Truth& truth, std::string by) {
-    Known known{.outcome = truth.outcome(), .by = std::move(by)};
+  static Known known_of(const Truth& truth, const std::string& by) {
+    Known known{.outcome = truth.outcome(), .by = by};
     known.contact = known.outcome == Outcome::hit || known.outcome == Outcome::initially_overlapping;
     known.lower = truth.toi_lower();
     if (known.outcome == Outcome::miss) known.lower = kInfinity<double>;

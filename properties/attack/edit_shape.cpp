@@ -34,6 +34,7 @@ Shape<double> ball(double radius, Random& random) {
 
 Hull<double> corners(const Vec3<double>& h) {
   std::vector<Vec3<double>> vertices;
+  vertices.reserve(8);
   for (int k = 0; k < 8; ++k)
     vertices.push_back(
         {(k & 1) != 0 ? h[0] : -h[0], (k & 2) != 0 ? h[1] : -h[1], (k & 4) != 0 ? h[2] : -h[2]});
