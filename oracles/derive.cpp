@@ -163,6 +163,9 @@ bool turns(const corpus::Case& problem) {
   return !problem.spin_a.rotation.isZero(0) || !problem.spin_b.rotation.isZero(0);
 }
 
+// Over scale: how wide an expected bracket may be.
+constexpr double kExpectedWidth = 1e-14;
+
 Expect rotating_expectation(corpus::Case problem) {
   if (problem.query == Query::line) throw Undecided("a line has no meaning where bodies turn");
   const bool any_time = problem.query == Query::swept_overlap;
@@ -170,7 +173,7 @@ Expect rotating_expectation(corpus::Case problem) {
   if (std::isinf(problem.t_max) || problem.start_policy != corpus::StartPolicy::report) {
     throw Undecided("a rotating cast with an infinite t_max or the policy pass_over");
   }
-  const RotatingTruth truth(problem, RotatingTruth::kLeastWidth);
+  const RotatingTruth truth(problem, kExpectedWidth);
   if (truth.outcome() == Outcome::not_converged && !(any_time && truth.contact_proved())) {
     throw Undecided(truth.reason());
   }

@@ -88,6 +88,8 @@ std::string power_text(int exponent) {
 
 std::string plain_number(Real x) {
   const auto value = static_cast<double>(x);
+  if (std::isnan(value)) return "unknown";
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
   const double magnitude = std::abs(value);
   if (magnitude >= 100 && magnitude < 1e4) return fmt::format("{:.0f}", value);
   if (magnitude == 0 || (magnitude >= 1e-3 && magnitude < 100)) return fmt::format("{:.2g}", value);
