@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Beyond these a row must say by which mechanism.
-constexpr double kPlainKappa = 1024, kPlainStallCap = 0.001;
+constexpr double kPlainKappa = 1024;
 
 constexpr std::string_view kRotating = "rotating";
 

@@ -21,6 +21,9 @@ enum class Unseen {
   anything,
 };
 
+// A row whose cap is greater says by which mechanism.
+inline constexpr double kPlainStallCap = 0.001;
+
 struct Guarantee {
   std::string query = "cast";  // or one of engines/queries.hpp, or "rotating"
   std::string method, scalar, tier;

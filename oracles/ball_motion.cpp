@@ -319,6 +319,10 @@ BallMotion::BallMotion(const Body<double>& body, const corpus::Spin& spin, const
   const BallVec along = (Ball(1) / rate_) * rotation_;
   axis_high_ = blobs.height(along);
   axis_low_ = -blobs.height(-along);
+  middle_ = blobs.middle();
+  Blobs amid = blobs;
+  amid.move(-BallVec(middle_));
+  middle_reach_ = amid.reach();
   if (const auto own = revolution(body.shape)) {
     const BallVec axis = orientation.apply(own->axis);
     const BallVec center = orientation.apply(own->center) - arm_;
@@ -382,6 +386,13 @@ Ball BallMotion::second_bound(const BallVec& n) const {
   const Ball most = Ball(0.5) * (own_.tilt + sqrt(own_.tilt * own_.tilt + Ball(4) * own_.spin * own_.spin));
   const Ball tilting = own_.tilt * most * own_.around;
   return min(followed, across * own_.center + norm(n) * tilting);
+}
+
+std::optional<CommonTurn> CommonTurn::of(const BallMotion& a, const BallMotion& b) {
+  if (!a.turns() || a.spin().rotation != b.spin().rotation) return {};
+  const BallVec& w = a.rotation();
+  const Ball rate = norm(w), arms = norm(cross(w, BallVec(b.middle()) - BallVec(a.middle()))) / rate;
+  return CommonTurn{w, rate, arms + a.middle_reach() + b.middle_reach()};
 }
 
 Ball second_bound_turning(const BallMotion& x, const BallMotion& y, const BallVec& n, const Ball& begin,

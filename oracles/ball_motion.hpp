@@ -19,6 +19,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "corpus/case.hpp"
 #include "oracles/arithmetic.hpp"
@@ -93,6 +94,10 @@ class BallMotion {
   [[nodiscard]] const Ball& pivot_reach() const { return pivot_reach_; }
   [[nodiscard]] const Ball& axis_low() const { return axis_low_; }
   [[nodiscard]] const Ball& axis_high() const { return axis_high_; }
+  // A point amid the body, from the pivot at t = 0, and how far the core's points are from it at most. Of a
+  // body that turns.
+  [[nodiscard]] const Vec3<double>& middle() const { return middle_; }
+  [[nodiscard]] const Ball& middle_reach() const { return middle_reach_; }
   // For n fixed in the world, of |(n.(x - t v))'| and of |(n.x)''| over the points x(t).
   [[nodiscard]] Ball first_bound(const BallVec& n) const;
   [[nodiscard]] Ball second_bound(const BallVec& n) const;
@@ -112,6 +117,8 @@ class BallMotion {
   Mat3<double> orientation_;                   // rounded
   double magnitude_ = 0;
   Ball rate_, ball_, axis_reach_, pivot_reach_, axis_low_, axis_high_;  // rate = |w|
+  Vec3<double> middle_ = Vec3<double>::Zero();
+  Ball middle_reach_;
   OwnAxis own_;
 };
 
@@ -120,6 +127,19 @@ class BallMotion {
 // add constants.
 [[nodiscard]] Ball second_bound_turning(const BallMotion& x, const BallMotion& y, const BallVec& n,
                                         const Ball& begin, const Ball& end);
+
+// Two bodies that turn by one rotation vector w, exactly: seen from any point of the one, a point of the
+// other moves as R(t) z but for a constant velocity, z no farther than this from the axis of rotation.
+// Nothing where the vectors differ or are 0. With it
+//   |(n.(y - x - t v))'| <= |n x w| z,     |(n.(y - x))''| <= |w| |n x w| z.
+struct CommonTurn {
+  BallVec rotation;
+  Ball rate, reach;  // |w|, |z|
+
+  [[nodiscard]] static std::optional<CommonTurn> of(const BallMotion& a, const BallMotion& b);
+  [[nodiscard]] Ball first_bound(const BallVec& n) const { return norm(cross(n, rotation)) * reach; }
+  [[nodiscard]] Ball second_bound(const BallVec& n) const { return rate * first_bound(n); }
+};
 
 // Of g(x) = chord from s0 at 0 to s1 at d, less bound x (d - x) / 2, over [0, d], d > 0.
 // Where the vertex, at d/2 - (s1 - s0) / (bound d), is inside, g there is positive iff s0, s1 > 0 and

@@ -111,7 +111,7 @@ struct Halves {
   const corpus::Case& problem = record.problem;
   if (problem.start_policy == corpus::StartPolicy::pass_over && !proved.start_is_free()) return true;
   const bool contact = record.outcome == Outcome::hit || record.outcome == Outcome::initially_overlapping;
-  return contact && std::max(curved_points(problem.a.shape), curved_points(problem.b.shape)) > kCurvedParts;
+  return contact && !can_name_contact(problem);
 }
 
 // Is the stated bracket proved?
@@ -121,6 +121,10 @@ struct Halves {
 }
 
 }  // namespace
+
+bool can_name_contact(const corpus::Case& problem) {
+  return std::max(curved_points(problem.a.shape), curved_points(problem.b.shape)) <= kCurvedParts;
+}
 
 RecordVerdict compare_claim(const corpus::ProofRecord& record) {
   const DefaultEnvironment environment;

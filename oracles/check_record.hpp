@@ -45,6 +45,9 @@ struct RecordVerdict {
 
 [[nodiscard]] RecordVerdict check_record(const corpus::ProofRecord& record);
 
+// False where a point of one body is made of more than kCurvedParts points of curved shapes.
+[[nodiscard]] bool can_name_contact(const corpus::Case& problem);
+
 // The last part of it: of a record whose proof was accepted.
 [[nodiscard]] RecordVerdict compare_claim(const corpus::ProofRecord& record);
 

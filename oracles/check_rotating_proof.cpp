@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "oracles/check_proof.hpp"
 #include "oracles/contact_claim.hpp"
 #include "oracles/crossing_claim.hpp"
 #include "oracles/default_environment.hpp"
@@ -74,10 +75,24 @@ class Claims {
       const PairMotion& motion = at_precision(k);
       answer = proof_.crossing ? CrossingClaim(motion, proof_).prove() : prove_contact(motion, proof_);
     }
+    if (answer.finding != ContactFinding::holds && holds_at_start()) return {};
     return refuse(answer);
   }
 
  private:
+  // At t = 0 nothing has turned yet, and the hull of the named points holds the origin or does not, exactly,
+  // its boundary included.
+  [[nodiscard]] bool holds_at_start() const {
+    if (proof_.toi_upper != 0 || proof_.crossing) return false;
+    corpus::Case start = problem_;
+    start.spin_a = start.spin_b = {};
+    Proof portal;
+    portal.toi_upper = 0;
+    portal.portal_size = proof_.contact_size;
+    portal.portal = proof_.contact;
+    return check_proof(start, portal).accepted();
+  }
+
   [[nodiscard]] const PairMotion& at_precision(std::size_t k) {
     if (!motions_[k]) motions_[k] = std::make_unique<PairMotion>(problem_);
     return *motions_[k];
@@ -136,7 +151,7 @@ class Claims {
                          " curved parts, which a feature cannot name");
       case ContactFinding::point_outside:
         return {RotatingRefusal::point_outside,
-                "a curved point of contact pair " + std::to_string(answer.pair) + " lies outside its shape"};
+                "a point of contact pair " + std::to_string(answer.pair) + " lies outside its shape"};
       case ContactFinding::apart:
         return {
             RotatingRefusal::contact_not_proved,

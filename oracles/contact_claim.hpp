@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <graze/rotating/rotating_proof.hpp>
+#include <utility>
 
 #include "oracles/pair_motion.hpp"
 #include "oracles/tree_support.hpp"
@@ -50,7 +51,7 @@ struct ContactAnswer {
 }
 
 // The points that the pairs name; finding: holds, unnamed, point_outside, or open where a point of a curved
-// part is too near its boundary.
+// part, or an offset, is too near its boundary.
 struct NamedPairs {
   std::array<NamedPoint, 4> a, b;
   ContactAnswer answer;
@@ -59,7 +60,9 @@ struct NamedPairs {
     for (std::size_t i = 0; i < static_cast<std::size_t>(proof.contact_size); ++i) {
       a[i] = motion.a.named(proof.contact[i].a);
       b[i] = motion.b.named(proof.contact[i].b);
-      for (const NamedPoint* point : {&a[i], &b[i]}) {
+      for (const auto& [point, feature] :
+           {std::pair(&a[i], &proof.contact[i].a), {&b[i], &proof.contact[i].b}}) {
+        take_offset(*point, feature->offset);
         const bool unnamed = point->curved_parts > kCurvedParts;
         if (unnamed || point->inside == Answer::no) {
           answer.finding = unnamed ? ContactFinding::unnamed : ContactFinding::point_outside;
@@ -69,6 +72,16 @@ struct NamedPairs {
         if (point->inside == Answer::unknown) answer.finding = ContactFinding::open;
       }
     }
+  }
+  // Within the ball about the point; what is left of the ball counts on.
+  static void take_offset(NamedPoint& point, const Vec3<double>& offset) {
+    if (offset.isZero(0)) return;
+    const BallVec o(offset);
+    const Ball square = dot(o, o), most = point.radius * point.radius;
+    point.inside = both(point.inside, certainly_at_most(square, most) ? Answer::yes
+                                      : certainly_less(most, square)  ? Answer::no
+                                                                      : Answer::unknown);
+    point.radius = not_below_zero(point.radius - sqrt(square));
   }
   [[nodiscard]] bool refused() const {
     return answer.finding == ContactFinding::unnamed || answer.finding == ContactFinding::point_outside;
@@ -84,7 +97,8 @@ struct NamedPairs {
   std::array<Ball, 4> reach;
   ContactAnswer answer = pairs.answer;
   for (std::size_t i = 0; i < size; ++i) {
-    c[i] = end.a.place(pairs.a[i]) - end.b.place(pairs.b[i]);
+    c[i] = (end.a.place(pairs.a[i]) + BallVec(proof.contact[i].a.offset)) -
+           (end.b.place(pairs.b[i]) + BallVec(proof.contact[i].b.offset));
     reach[i] = pairs.a[i].radius + pairs.b[i].radius + motion.target_distance;
   }
 

@@ -12,6 +12,7 @@ namespace graze::oracle {
 struct PairMotion {
   BallMotion a, b;
   std::optional<SweptBody> swept_a, swept_b;
+  std::optional<CommonTurn> common;
   Ball target_distance;
 
   explicit PairMotion(const corpus::Case& problem)
@@ -19,7 +20,18 @@ struct PairMotion {
         b(problem.b, problem.spin_b, problem.a.position),
         swept_a(SweptBody::of(a)),
         swept_b(SweptBody::of(b)),
+        common(CommonTurn::of(a, b)),
         target_distance(problem.target_distance) {}
+
+  // Of the separation along n, fixed in the world: of its slope by turning, and of that slope's change.
+  [[nodiscard]] Ball first_bound(const BallVec& n) const {
+    const Ball each = a.first_bound(n) + b.first_bound(n);
+    return common ? min(each, common->first_bound(n)) : each;
+  }
+  [[nodiscard]] Ball second_bound(const BallVec& n) const {
+    const Ball each = a.second_bound(n) + b.second_bound(n);
+    return common ? min(each, common->second_bound(n)) : each;
+  }
 };
 
 struct PairInstant {

@@ -44,7 +44,9 @@ namespace graze::oracle {
     const SupportPair& pair = proof.contact[static_cast<std::size_t>(i)];
     for (const Feature* f : {&pair.a, &pair.b}) {
       const std::string name = "contact pair " + std::to_string(i);
-      if (!f->offset.isZero(0)) return malformed(name + " has an offset, which a moving point cannot have");
+      if (!all_finite(f->offset)) return malformed(name + " has a NaN or an infinite offset");
+      if (proof.crossing && !f->offset.isZero(0))
+        return malformed(name + " has an offset, which a crossing's cannot have");
       for (const Vec3<double>& x : f->curved)
         if (!all_finite(x)) return malformed(name + " has a NaN or an infinite point of a curved part");
     }

@@ -75,7 +75,7 @@ class SliceClaim {
   [[nodiscard]] Ball bound(double begin, double end) const {
     switch (frame_) {
       case AxisFrame::world:
-        return motion_.a.second_bound(n_) + motion_.b.second_bound(n_);
+        return motion_.second_bound(n_);
       case AxisFrame::a:
         return second_bound_turning(motion_.a, motion_.b, n_, begin, end);
       case AxisFrame::b:
@@ -89,7 +89,7 @@ class SliceClaim {
     const Ball d = Ball(end) - Ball(begin);
     if (chord_stays_positive(first, last, bound_, d)) return true;
     if (frame_ != AxisFrame::world) return false;
-    const Ball turning = motion_.a.first_bound(n_) + motion_.b.first_bound(n_),
+    const Ball turning = motion_.first_bound(n_),
                moving = dot(n_, motion_.b.velocity() - motion_.a.velocity());
     return slopes_stay_positive(first, last, turning - moving, turning + moving, d);
   }

@@ -36,7 +36,8 @@ class SliceFilter {
         b_(tree_b, b, problem.b.orientation),
         between_(difference<Filtered>(problem.b.position, problem.a.position) + (b_.arm - a_.arm)),
         velocity_(difference<Filtered>(problem.b.displacement, problem.a.displacement)),
-        target_distance_(problem.target_distance) {}
+        target_distance_(problem.target_distance),
+        common_(CommonTurn::of(a, b)) {}
 
   // How far a body has turned.
   struct Turn {
@@ -68,6 +69,12 @@ class SliceFilter {
       const BallVec axis(slice.axis);
       slopes.bend =
           std::min(slopes.bend, (a_.motion.second_bound(axis) + b_.motion.second_bound(axis)).high_double());
+      if (common_) {
+        slopes.bend = std::min(slopes.bend, common_->second_bound(axis).high_double());
+        const Filtered least = filtered(common_->first_bound(axis));
+        slopes.falls = std::min(slopes.falls, top(least - moving));
+        slopes.rises = std::min(slopes.rises, top(least + moving));
+      }
     }
     open_.assign(1, whole);
     for (int cuts = 1; !open_.empty();) {
@@ -214,6 +221,7 @@ class SliceFilter {
   Triple<Filtered> between_;  // of the pivots' paths at t = 0, B's less A's
   Triple<Filtered> velocity_;
   double target_distance_;
+  std::optional<CommonTurn> common_;
 };
 
 }  // namespace graze::oracle

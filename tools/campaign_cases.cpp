@@ -18,11 +18,8 @@ std::uint64_t key_of(std::uint64_t seed, PartKind kind) {
 }  // namespace
 
 CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families,
-                             std::vector<Contender> contenders, std::uint64_t seed,
-                             std::uint64_t oracle_every)
-    : contenders_(std::move(contenders)),
-      key_(key_of(seed, contenders_.at(0).kind())),
-      oracle_every_(oracle_every) {
+                             std::vector<Contender> contenders, std::uint64_t seed, const Sampling& sampling)
+    : contenders_(std::move(contenders)), key_(key_of(seed, contenders_.at(0).kind())), sampling_(sampling) {
   for (const corpus::Family* family : families) {
     const std::size_t first = slots_.size();
     std::string levels;
@@ -68,7 +65,10 @@ DrawnCase CampaignCases::draw(std::uint64_t index) const {
   const Slot& slot = slots_[drawn.slot];
   // The generator's seeding mixes keys that are neighbours.
   corpus::Random random(key_ + index);
-  drawn.sampled = oracle_every_ > 0 && random.once_in(oracle_every_);
+  drawn.sampled = sampling_.oracle_every > 0 && random.once_in(sampling_.oracle_every);
+  // Of its own, so that the cases are the same whatever is judged.
+  if (sampling_.judge_every > 1)
+    drawn.judged = corpus::Random(~(key_ + index)).once_in(sampling_.judge_every);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     drawn.seed = random.bits();
     drawn.problem = slot.family->generate(slot.level, drawn.seed);

@@ -21,11 +21,18 @@ struct Slot {
   double level = 0;
 };
 
+// Which answers are judged, and how: a pure function of the seed and the case's number.
+struct Sampling {
+  std::uint64_t oracle_every = 0;  // the oracle measures one case in so many besides; 0 for none
+  std::uint64_t judge_every = 1;   // of other cases than one in so many the outcomes are counted
+};
+
 struct DrawnCase {
   corpus::Case problem = {};
   std::size_t slot = 0;     // index into CampaignCases::slots()
   std::uint64_t seed = 0;   // of the generator: problem = family->generate(level, seed)
   bool sampled = false;     // the oracle measures it, whatever its proof says
+  bool judged = true;       // if not, its outcomes are counted, and only what is no answer is judged
   bool is_question = true;  // false if kAttempts cases were none; never seen
 };
 
@@ -35,10 +42,9 @@ class CampaignCases {
   static constexpr int kRareQuestion = 4;    // asked if 1 in so many is a question
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
-  // oracle_every: one case in so many is sampled; 0 for none. The contenders are of one kind, each of which
-  // has its own stream of seeds.
+  // The contenders are of one kind, each of which has its own stream of seeds.
   CampaignCases(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
-                std::uint64_t seed, std::uint64_t oracle_every);
+                std::uint64_t seed, const Sampling& sampling);
 
   [[nodiscard]] DrawnCase draw(std::uint64_t index) const;
   [[nodiscard]] const std::vector<Contender>& contenders() const { return contenders_; }
@@ -52,7 +58,8 @@ class CampaignCases {
   [[nodiscard]] bool is_asked(const Slot& slot) const;
 
   std::vector<Contender> contenders_;
-  std::uint64_t key_, oracle_every_;
+  std::uint64_t key_;
+  Sampling sampling_;
   std::vector<Slot> slots_;         // by family, then by level
   std::vector<std::size_t> first_;  // of each family asked, its first slot; and the end
   std::vector<std::string> left_out_;

@@ -59,6 +59,12 @@ std::string& fault_of(CampaignCast& cast, Fault fault) {
   return cast.faults[static_cast<std::size_t>(fault)];
 }
 
+// An answer, with times that make sense: what is counted and not judged where a case is not.
+bool is_answer(Outcome outcome, double lower, double upper, double t_max) {
+  return outcome != Outcome::not_converged && outcome != Outcome::invalid_input &&
+         senseless(outcome, lower, upper, t_max).empty();
+}
+
 bool has_no_direction(const corpus::Case& seen) {
   return seen.query == corpus::Query::penetration_along && seen.direction == Vec3<double>::Zero();
 }
@@ -110,6 +116,8 @@ CampaignCast CaseJudge::cast(const engine::EngineMethod& method, const engine::G
   const corpus::Case& problem = drawn_.problem;
   const engine::Answer answer = method.cast(problem, {.request = Request::everything});
   CampaignCast asked{.answer = words_of(answer)};
+  if (!drawn_.judged && is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max))
+    return asked;
   try {
     Truth& truth = truth_of(casts_, method.seen(problem));
     Judgement judgement = judge_method(truth, problem, method, answer, row, drawn_.sampled);
@@ -145,7 +153,7 @@ CampaignCast CaseJudge::query(const engine::QueryMethod& method, const Contender
       .kappa = kappa,
       .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>,
       .contact_kappa = row != nullptr ? row->contact_kappa(seen) : kPlainKappa};
-  if (!drawn_.sampled) {
+  if (!drawn_.sampled || !drawn_.judged) {
     asked.not_asked = answer.invalid == Invalid::not_exact;
     asked.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
     if (answer.outcome == Outcome::invalid_input && !asked.not_asked)
@@ -168,6 +176,8 @@ CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const e
   const Request request = request_of(drawn_);
   const engine::RotatingAnswer answer = method.cast(drawn_.problem, {.request = request});
   CampaignCast asked{.answer = words_of(answer)};
+  if (!drawn_.judged && is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, drawn_.problem.t_max))
+    return asked;
   try {
     TurningTruth& truth = truth_of(turns_, method.seen(drawn_.problem),
                                    engine::find_rotating_method("certified/" + method.scalar));

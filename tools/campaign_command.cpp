@@ -37,6 +37,7 @@ constexpr std::uint64_t kRotatingOracleEvery = 64;
 struct Arguments {
   std::optional<std::uint64_t> casts, rotating, per_family, rotating_per_family, queries;
   std::optional<std::uint64_t> oracle_every, block;
+  std::uint64_t judge_every = 1;
   std::uint64_t seed = 1;
   std::vector<std::string> families, methods;
   std::string shard = "1/1", state;
@@ -150,6 +151,7 @@ CampaignPlan plan_of(const Arguments& arguments) {
                                       {"--rotating", arguments.rotating},
                                       {"--rotating-per-family", arguments.rotating_per_family},
                                       {"--queries", arguments.queries},
+                                      {"--judge-every", std::optional(arguments.judge_every)},
                                       {"--block", arguments.block}}) {
     if (count) require_count(option, *count);
   }
@@ -165,11 +167,12 @@ CampaignPlan plan_of(const Arguments& arguments) {
     const auto all = kind == PartKind::rotating ? corpus::rotating_families() : corpus::families();
     const auto families = chosen_families(arguments.families, all);
     std::vector<Contender> contenders = chosen_contenders(kind, arguments.methods);
-    oracle_every = arguments.oracle_every.value_or(oracle_every);
+    const Sampling sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
+                            .judge_every = arguments.judge_every};
     if (each)
-      plan.add_per_family(families, std::move(contenders), *each, oracle_every);
+      plan.add_per_family(families, std::move(contenders), *each, sampling);
     else
-      plan.add(families, std::move(contenders), count, oracle_every);
+      plan.add(families, std::move(contenders), count, sampling);
   };
   if (arguments.casts_linear())
     add(PartKind::casts, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
@@ -264,6 +267,13 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
           fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
                       "of queries, which have no proofs, it judges one in N alone (1); 0: none",
                       kOracleEvery, kRotatingOracleEvery))
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option(
+          "--judge-every", arguments->judge_every,
+          "Judge one case in N, chosen at random, and every answer that did not converge, is refused or "
+          "makes no sense; of the rest the outcomes are counted, for rates of stalls (1)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command

@@ -27,6 +27,7 @@ std::string difference(const PartSettings& here, const PartSettings& there) {
   if (here.count != there.count) return say("the number of " + here.kind, here.count, there.count);
   if (here.oracle_every != there.oracle_every)
     return say("oracle-every", here.oracle_every, there.oracle_every);
+  if (here.judge_every != there.judge_every) return say("judge-every", here.judge_every, there.judge_every);
   if (here.families != there.families)
     return say("the list of families", list(here.families), list(there.families));
   return {};
@@ -73,10 +74,10 @@ std::string difference(const CampaignSettings& here, const CampaignSettings& the
 }
 
 void CampaignPlan::add(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
-                       std::uint64_t count, std::uint64_t oracle_every) {
-  Part part{.cases = CampaignCases(families, std::move(contenders), seed_, oracle_every),
+                       std::uint64_t count, const Sampling& sampling) {
+  Part part{.cases = CampaignCases(families, std::move(contenders), seed_, sampling),
             .count = count,
-            .oracle_every = oracle_every,
+            .sampling = sampling,
             .first = parts_.empty() ? 0 : parts_.back().first + parts_.back().count,
             .first_cell = cells_.size()};
   if (part.cases.slots().empty()) {
@@ -94,9 +95,9 @@ void CampaignPlan::add(const std::vector<const corpus::Family*>& families, std::
 
 void CampaignPlan::add_per_family(const std::vector<const corpus::Family*>& families,
                                   std::vector<Contender> contenders, std::uint64_t each,
-                                  std::uint64_t oracle_every) {
+                                  const Sampling& sampling) {
   const std::uint64_t methods = contenders.size();
-  add(families, std::move(contenders), 0, oracle_every);
+  add(families, std::move(contenders), 0, sampling);
   parts_.back().count = each * methods * parts_.back().cases.families().size();
 }
 
@@ -129,7 +130,8 @@ CampaignSettings CampaignPlan::settings(std::uint64_t block) const {
     for (const Contender& contender : part.cases.contenders()) one.methods.push_back(contender.name());
     one.families = part.cases.families();
     one.count = part.count;
-    one.oracle_every = part.oracle_every;
+    one.oracle_every = part.sampling.oracle_every;
+    one.judge_every = part.sampling.judge_every;
   }
   return settings;
 }

@@ -20,6 +20,7 @@ struct PartSettings {
   std::vector<std::string> families;  // those asked, in the order of the table
   std::uint64_t count = 0;            // answers
   std::uint64_t oracle_every = 0;     // 0: no sample
+  std::uint64_t judge_every = 1;
   friend bool operator==(const PartSettings&, const PartSettings&) = default;
 };
 
@@ -50,7 +51,8 @@ class CampaignPlan {
  public:
   struct Part {
     CampaignCases cases;
-    std::uint64_t count = 0, oracle_every = 0;
+    std::uint64_t count = 0;
+    Sampling sampling;
     std::uint64_t first = 0;     // answer of the campaign
     std::size_t first_cell = 0;  // by slot, then by contender
   };
@@ -67,10 +69,10 @@ class CampaignPlan {
   explicit CampaignPlan(std::uint64_t seed) : seed_(seed) {}
   // `count` answers. Families without a question are left out.
   void add(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
-           std::uint64_t count, std::uint64_t oracle_every);
+           std::uint64_t count, const Sampling& sampling);
   // As many that each contender is asked `each` cases of each family.
   void add_per_family(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
-                      std::uint64_t each, std::uint64_t oracle_every);
+                      std::uint64_t each, const Sampling& sampling);
 
   [[nodiscard]] Place place(std::uint64_t index) const;
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }

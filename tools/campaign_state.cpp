@@ -93,7 +93,8 @@ CampaignState state_of(const Json& json) {
                                     .methods = part.at("methods"),
                                     .families = part.at("families"),
                                     .count = whole_number(part.at("count")),
-                                    .oracle_every = whole_number(part.at("oracle_every"))});
+                                    .oracle_every = whole_number(part.at("oracle_every")),
+                                    .judge_every = whole_number(part.at("judge_every"))});
   }
   if (state.settings.casts() == 0 || state.settings.block == 0) {
     throw std::runtime_error("the counts of settings.parts and settings.block must be 1 or more");
@@ -154,7 +155,8 @@ std::string state_text(const CampaignState& state) {
                                          {"methods", part.methods},
                                          {"families", part.families},
                                          {"count", part.count},
-                                         {"oracle_every", part.oracle_every}});
+                                         {"oracle_every", part.oracle_every},
+                                         {"judge_every", part.judge_every}});
   }
   for (const BlockRange& range : state.done) json["done"].push_back({range.lower(), range.upper()});
   for (std::size_t i = 0; i < state.cells.size(); ++i) {

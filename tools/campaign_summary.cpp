@@ -118,8 +118,12 @@ void show_findings(std::string& text, const std::vector<Finding>& findings, cons
 
 std::string part_heading(const PartSettings& part, std::uint64_t seed) {
   const bool queries = part.kind == name_of(PartKind::queries);
-  std::string text = fmt::format("Campaign: {} {} by {}, seed {}; the oracle decides ", part.count,
+  std::string text = fmt::format("Campaign: {} {} by {}, seed {}; ", part.count,
                                  queries ? "answers" : "casts", fmt::join(part.methods, ", "), seed);
+  if (part.judge_every > 1)
+    text +=
+        fmt::format("one case in {} is judged, and each answer that did not converge; ", part.judge_every);
+  text += "the oracle decides ";
   if (queries) {
     text += part.oracle_every == 1  ? "every one"
             : part.oracle_every > 1 ? fmt::format("one in {}", part.oracle_every)
@@ -160,6 +164,8 @@ void family_failures(std::vector<std::string>& lines, const CampaignState& state
                                 counts.casts, cap));
     return;
   }
+  // A mechanism that needs a greater cap sits at some levels; the row speaks of the family.
+  if (cap > engine::kPlainStallCap) return;
   for (std::size_t i = 0; i < state.cells.size(); ++i) {
     const Cell& cell = state.cells[i];
     const CampaignCounts& level = state.tally.counts[i];

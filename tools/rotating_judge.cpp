@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oracles/check_record.hpp"
 #include "properties/judge_rotating.hpp"
 #include "tools/judge_proof.hpp"
 
@@ -108,6 +109,7 @@ class RotatingJudge {
         contact(truth);
         break;
     }
+    if (judgement_.open && stands_within(truth)) judgement_.open = false;
     return judgement_;
   }
 
@@ -124,6 +126,10 @@ class RotatingJudge {
     return found;
   }
 
+  [[nodiscard]] bool claims_contact() const {
+    return answer_.outcome == Outcome::hit || answer_.outcome == Outcome::initially_overlapping;
+  }
+
   bool settled_at_the_door() {
     const corpus::Case& problem = truth_.problem();
     const std::string invalid = why_invalid(problem);
@@ -137,6 +143,22 @@ class RotatingJudge {
       convict(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
     }
     return refused || !invalid.empty();
+  }
+
+  // No verdict is proved, but that the bodies come no farther than a part of the width from touching:
+  // clearance and depth are below it. An answer that leaves the verdict open is right then, and so is one
+  // that the row lets decide by as little, if its times are.
+  [[nodiscard]] bool stands_within(const RotatingTruth& truth) const {
+    const bool decides = answer_.outcome != Outcome::not_converged;
+    if (decides && row_.strict) return false;
+    const double limit = row_.strict ? row_.wide : row_.limit;
+    const bool not_late = answer_.outcome == Outcome::miss || truth_.proved().lower >= answer_.toi_lower ||
+                          truth.toi_lower() >= answer_.toi_lower ||
+                          (!row_.strict && truth.depth_before(answer_.toi_lower).high <= limit);
+    if (!not_late || truth.clearance().high > limit || truth.depth().high > limit) return false;
+    if (answer_.outcome != Outcome::hit) return true;
+    return truth.backward_error(answer_.toi_lower).high <= row_.wide + row_.rounding_at(answer_.toi_lower) &&
+           truth.backward_error(answer_.toi_upper).high <= row_.wide + row_.rounding_at(answer_.toi_upper);
   }
 
   // By the scale in rounded doubles, brought below the true one.
@@ -158,10 +180,13 @@ class RotatingJudge {
         judgement_.proof = ProofState::accepted;
       }
     }
-    // A bracket that claims nothing needs no proof.
+    // A bracket that claims nothing needs no proof; of contact that no proof can name, the lower end has one.
+    const bool in_part = answer_.proof && judgement_.proof == ProofState::none && claims_contact() &&
+                         !oracle::can_name_contact(truth_.problem()) &&
+                         answer_.proof->toi_lower >= answer_.toi_lower;
     const bool claims = answer_.toi_lower > 0 || answer_.toi_upper < kInfinity<double>;
     if (limits_.method->is_certified() && asks_for(request_, Request::proof) && claims &&
-        judgement_.proof == ProofState::none && !answer_.passed_over) {
+        judgement_.proof == ProofState::none && !answer_.passed_over && !in_part) {
       convict(judgement_.unproved,
               answer_.proof ? "its proof claims less than the answer" : "a certified answer without a proof");
     }

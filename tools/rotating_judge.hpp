@@ -75,7 +75,7 @@ struct RotatingJudgement {
   bool stalled = false;    // not_converged, in tier standard
   bool excused = false;    // a verdict that less than the limit decides
   bool hidden = false;     // a contact missed or passed that the row says may be
-  bool open = false;       // the oracle is undecided
+  bool open = false;       // the oracle cannot tell whether the answer stands
   bool by_oracle = false;  // it was asked
   bool not_asked = false;  // an infinite t_max or the policy pass_over: no question for the oracle
   ProofState proof = ProofState::none;

@@ -72,6 +72,9 @@ class Hull {
   // Half extents of the bounding box, and its centre, in the units and frame of the scan.
   [[nodiscard]] const Vec3<S>& scan_half_extents() const { return data_->half; }
   [[nodiscard]] const Vec3<S>& scan_middle() const { return data_->middle; }
+  // The same box by its corners, which are the scan's own numbers: half extents and middle are rounded in S.
+  [[nodiscard]] const Vec3<S>& scan_low() const { return data_->scan_low; }
+  [[nodiscard]] const Vec3<S>& scan_high() const { return data_->scan_high; }
   // False if any vertex is NaN or infinite.
   [[nodiscard]] bool finite() const { return data_ && data_->finite; }
   // The largest magnitude of a coordinate, and the least that is not zero.
@@ -90,6 +93,7 @@ class Hull {
     std::vector<float> guess;  // of a double hull
     std::size_t padded = 0;
     Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
+    Vec3<S> scan_low = Vec3<S>::Zero(), scan_high = Vec3<S>::Zero();
     int exponent = 0;
     bool finite = true, flushed = false;
     S largest = 0, smallest = 0;
@@ -136,6 +140,8 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   }
   for (int i = 0; i < 3; ++i) {
     const S l = scaled(low[i] - center[i]), h = scaled(high[i] - center[i]);
+    scan_low[i] = l;
+    scan_high[i] = h;
     half[i] = (h - l) / 2;
     middle[i] = l + half[i];
   }

@@ -10,6 +10,7 @@
 #include <graze/rotating/bilateral_published.hpp>
 #include <graze/rotating/make_plan.hpp>
 #include <graze/rotating/steps.hpp>
+#include <graze/rotating/touching.hpp>
 
 namespace graze {
 
@@ -237,8 +238,46 @@ class RotatingCast {
     limits.record = wants_proof();
     limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
     March found = march(*pair_, limits, out_.counters);
+    if (is_open_at_start(found) && touches_at_start()) return;
     if (limits.record) out_.proof = proof_of(found);
     fill(found);
+  }
+
+  // A contact at t = 0 that no ball about the origin proves: the origin is on C's boundary, or nearer to the
+  // hull of any four support points' than rounding tells. Nothing has turned yet, so the linear tier may say.
+  [[nodiscard]] bool is_open_at_start(const March& found) const {
+    return options_.tier == Tier::certified && found.lower == 0 && found.outcome != Outcome::miss &&
+           found.outcome != Outcome::initially_overlapping;
+  }
+  bool touches_at_start() {
+    RotatingProof proof;
+    if (!touches_exactly(proof) && !touches_by_linear_tier(proof)) return false;
+    if (wants_proof()) out_.proof = std::move(proof);
+    March contact;
+    contact.outcome = Outcome::initially_overlapping;
+    fill(contact);
+    return true;
+  }
+  bool touches_exactly(RotatingProof& proof) {
+    pair_->place(0);
+    Simplex<double> closest;
+    const Distance<double> d = gjk_distance(pair_->cso(), Vec3<double>(Vec3<double>::Zero()), closest, 0.0,
+                                            0.0, options_.max_iterations, out_.counters);
+    return d.upper <= pair_->error() && touches(*pair_, a_.body, b_.body, closest, proof);
+  }
+  bool touches_by_linear_tier(RotatingProof& proof) {
+    CastOptions<S> options = linear_options(options_);
+    options.t_max = 0;
+    options.request = Request::proof;
+    const CastResult<S> start = graze::cast(a_.body, b_.body, options);
+    out_.counters += start.counters;
+    if (start.outcome != Outcome::initially_overlapping || !start.proof || !(start.proof->toi_upper == 0))
+      return false;
+    proof.toi_upper = 0;
+    proof.contact_size = start.proof->portal_size;
+    proof.contact = start.proof->portal;
+    proof.weight = {0.25, 0.25, 0.25, 0.25};
+    return true;
   }
 
   void fill(const March& found) {
@@ -307,9 +346,6 @@ class RotatingCast {
     }
   }
 
-  // Of a ball. Far above the rounding of weights, a few u of the points; far below the depth that most
-  // contacts have.
-  static constexpr double kDrawnIn = 0x1p-40;
   // The chain, and the pairs of the contact by name.
   RotatingProof proof_of(March& found) {
     RotatingProof proof;
@@ -320,31 +356,14 @@ class RotatingCast {
     const Cso<double>& cso = pair_->cso();
     const Vec3<double> none = Vec3<double>::Zero();
     const auto size = static_cast<std::size_t>(found.contact.pairs.size);
-    const double unit = power_of_two(-cso.length_exponent());
-    // Balls of curved parts count whole, whatever their direction. So that the weighted points are nearer
-    // than the weighted balls reach, and not just as near, the weights are those of points a little less far
-    // out: less than would let the origin out of their tetrahedron.
-    Simplex<double> drawn = found.contact.pairs;
-    std::array<Vec3<double>, 4> balls{none, none, none, none};
-    double most = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const CsoPoint<double>& p = found.contact.pairs.point[i];
       SupportPair& named = proof.contact[i];
       if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
         return proof;
-      balls[i] = unit * (named.a.offset - named.b.offset);
-      most = std::max(most, balls[i].norm());
-      named.a.offset = named.b.offset = none;
+      proof.weight[i] = found.contact.crossing ? 0.0 : found.contact.pairs.lambda[i];
     }
-    auto& w = drawn.point;
-    const auto depth = [&] { return depth_inside({w[0].w, w[1].w, w[2].w, w[3].w}); };
-    if (most > 0 && size == 4) {
-      const double drawn_in = std::min(kDrawnIn, depth() / (2 * most));
-      for (std::size_t i = 0; i < size; ++i) w[i].w -= drawn_in * balls[i];
-      if (drawn_in > 0 && depth() > 0) weigh(drawn);
-    }
-    for (std::size_t i = 0; i < size; ++i) proof.weight[i] = found.contact.crossing ? 0.0 : drawn.lambda[i];
     proof.crossing = found.contact.crossing;
     proof.contact_from = found.contact.from;
     proof.contact_size = found.contact.pairs.size;

@@ -91,8 +91,10 @@ Bounds bounds(const Shape<S>& shape) {
             const double unit = power_of_two(s.exponent());
             Bounds out;
             out.center = wide(s.center());
-            out.half = unit * wide(s.scan_half_extents());
-            out.middle = unit * wide(s.scan_middle());
+            // In double: half extents that are rounded in float hold no vertex in double.
+            const Vec3<double> low = wide(s.scan_low());
+            out.half = unit * ((wide(s.scan_high()) - low) / 2);
+            out.middle = unit * low + out.half;
             return out;
           },
           [&](const auto&) { return bounds_of_tree(shape); }},

@@ -19,7 +19,10 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
     out += contact.lambda[k] * (of_a ? side.radius : -side.radius) * e;
   }
   Vec3<S> shift = t * body.displacement;
-  if (side.rotated && side.center.cwiseAbs().maxCoeff() > cso.to_length(side.reach())) {
+  // In double where positions are large beside the body: a combinator's centre is no number of S, either.
+  if (!side.rotated) {
+    shift += Vec3<double>(body.position.template cast<double>() + side.center).template cast<S>();
+  } else if (side.center.cwiseAbs().maxCoeff() > cso.to_length(side.reach())) {
     shift += placed_center(body.position.template cast<double>(), as_double(body.orientation), side.center)
                  .template cast<S>();
   } else {

@@ -39,7 +39,14 @@ void edit_feature(Feature& feature, const Body<double>& body, Random& random) {
       one = beside(one, random);
     }
   } else if (!feature.offset.isZero(0) && random.once_in(2)) {
-    feature.offset *= 1 - small_part(random);
+    // Within its ball or out of it; or to another point about as far out.
+    if (random.once_in(4)) {
+      std::swap(feature.offset[0], feature.offset[random.integer(1, 2)]);
+    } else {
+      feature.offset *= random.once_in(2) ? 1 - small_part(random) : 1 + small_part(random);
+    }
+  } else if (random.once_in(8)) {
+    for (int i = 0; i < 3; ++i) feature.offset[i] += random.integer(-1, 1) * small_part(random);
   } else {
     feature.vertex = any_feature(body, random).vertex;
   }

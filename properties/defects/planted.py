@@ -56,6 +56,7 @@ class Config:
 class Patch:
     FOLDER = "properties/defects"
     KEYS = ("Defect", "Law", "Report", "Class", "Compile")
+    NAMES = "Law"  # the header line that says who has to notice
 
     def __init__(self, path):
         self.path = path
@@ -69,7 +70,7 @@ class Patch:
         unknown = [key for key, _ in self.headers if key not in self.KEYS]
         if unknown:
             raise Fault(f"{path}: {unknown[0]} is no header line; known are {', '.join(self.KEYS)}")
-        self.defect, self.law = self.one("Defect"), self.one("Law")
+        self.defect, self.law = self.one("Defect"), self.one(self.NAMES)
         self.reports, self.classes = self.all("Report"), self.all("Class")
         if any(letter not in CLASS_LETTERS for letter in self.classes):
             raise Fault(f"{path}: Class is one of the letters A to L")

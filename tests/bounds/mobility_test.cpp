@@ -7,6 +7,7 @@
 
 #include "oracles/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
+#include "tests/bounds/in_float.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/true_mobility.hpp"
 
@@ -25,9 +26,12 @@ struct Looked {
   Ball unit;  // internal length of one world length
   TrueBody truth;
 
-  Looked(const RotatingBody<double>& body, const RotatingBody<double>& other, double target)
+  // As bodies of S are given; `body` is what that stands for.
+  template <Scalar S>
+  Looked(const RotatingBody<S>& as_given, const RotatingBody<S>& other, double target,
+         const RotatingBody<double>& body)
       : given(body),
-        pair(body, other, target),
+        pair(as_given, other, target),
         m(pair.mobility_a()),
         unit(two_to(-pair.cso().length_exponent())),
         truth(body, pair.pivot_a()) {}
@@ -41,8 +45,15 @@ void for_each_body(std::uint64_t seed, int scenes, const Visit& visit, long bits
   HostileDraw draw(seed);
   for (int i = 0; i < scenes; ++i) {
     const HostileScene scene = draw.scene();
-    visit(Looked(scene.a, scene.b, scene.target), scene, draw);
-    visit(Looked(scene.b, scene.a, scene.target), scene, draw);
+    const std::optional<FloatScene> narrow = i % 3 == 0 ? FloatScene::of(scene) : std::nullopt;
+    if (narrow) {
+      const HostileScene& wide = narrow->scene;
+      visit(Looked(narrow->a, narrow->b, wide.target, wide.a), wide, draw);
+      visit(Looked(narrow->b, narrow->a, wide.target, wide.b), wide, draw);
+    } else {
+      visit(Looked(scene.a, scene.b, scene.target, scene.a), scene, draw);
+      visit(Looked(scene.b, scene.a, scene.target, scene.b), scene, draw);
+    }
   }
 }
 

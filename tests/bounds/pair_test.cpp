@@ -6,6 +6,7 @@
 
 #include "oracles/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
+#include "tests/bounds/in_float.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/true_mobility.hpp"
 
@@ -23,8 +24,12 @@ struct Pair {
   Ball unit;  // internal length of one world length
   TrueBody a, b;
 
-  explicit Pair(const HostileScene& scene)
-      : pair(scene.a, scene.b, scene.target),
+  explicit Pair(const HostileScene& scene) : Pair(scene.a, scene.b, scene) {}
+  explicit Pair(const FloatScene& given) : Pair(given.a, given.b, given.scene) {}
+
+  template <Scalar S>
+  Pair(const RotatingBody<S>& given_a, const RotatingBody<S>& given_b, const HostileScene& scene)
+      : pair(given_a, given_b, scene.target),
         unit(two_to(-pair.cso().length_exponent())),
         // A body that does not turn is looked at from the point that the pair takes for its pivot.
         a(scene.a, pair.pivot_a()),
@@ -40,8 +45,14 @@ void for_each_pair(std::uint64_t seed, int scenes, const Visit& visit, long bits
   HostileDraw draw(seed);
   for (int i = 0; i < scenes; ++i) {
     const HostileScene scene = draw.scene();
-    Pair pair(scene);
-    visit(pair, scene, draw);
+    const std::optional<FloatScene> narrow = i % 3 == 0 ? FloatScene::of(scene) : std::nullopt;
+    if (narrow) {
+      Pair pair(*narrow);
+      visit(pair, narrow->scene, draw);
+    } else {
+      Pair pair(scene);
+      visit(pair, scene, draw);
+    }
   }
 }
 
@@ -140,24 +151,80 @@ TEST(PairBounds, NoGapIsWiderThanItIs) {
 
 // --- how gaps change
 
+// Of two bodies that turn by one w, |n x w| and the largest distance of a difference of points from its axis
+// bound what the sum of both bodies' speeds does.
+Ball least_of(const Ball& each, const Ball& across, const std::optional<Ball>& common) {
+  return common ? min(each, across * *common) : each;
+}
+
 TEST(PairBounds, NoGapClosesFaster) {
   Tally closing("MovingPair::closing"), bend("MovingPair::bend(n)"), top_bend("MovingPair::top_bend"),
       top_speed("MovingPair::top_speed");
+  int common_turns = 0;
   for_each_pair(13, rounds(1200), [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
     const TrueMobility a(seen.a, scene.a, seen.pair.pivot_a(), seen.unit),
         b(seen.b, scene.b, scene.b.pivot, seen.unit);
+    std::optional<Ball> common;
+    if (seen.a.turns && scene.a.rotation == scene.b.rotation) {
+      ++common_turns;
+      common = Ball(0);
+      for (const BallVec& x : seen.a.arms) {
+        for (const BallVec& y : seen.b.arms)
+          common = max(*common, seen.unit * norm(cross(a.w(), y - x)) / a.rate());
+      }
+    }
     for (int k = 0; k < 4; ++k) {
       const Vec3<double> n = draw.direction(scene);
       const BallVec along(n);
       const auto with = [&] { return describe(scene, n, 0); };
-      closing.add(seen.pair.closing(n), a.speed(along) + b.speed(along) - dot(along, seen.velocity()), with);
-      bend.add(seen.pair.bend(n), a.acceleration(along) + b.acceleration(along), with);
+      const Ball across = norm(cross(along, a.w()));
+      closing.add(seen.pair.closing(n),
+                  least_of(a.speed(along) + b.speed(along), across, common) - dot(along, seen.velocity()),
+                  with);
+      bend.add(seen.pair.bend(n),
+               least_of(a.acceleration(along) + b.acceleration(along), a.rate() * across, common), with);
     }
     const auto with = [&] { return describe(scene); };
-    top_bend.add(seen.pair.top_bend(), a.top_acceleration() + b.top_acceleration(), with);
-    top_speed.add(seen.pair.top_speed(), a.top_speed() + b.top_speed() + norm(seen.velocity()), with);
+    top_bend.add(seen.pair.top_bend(),
+                 least_of(a.top_acceleration() + b.top_acceleration(), a.rate() * a.rate(), common), with);
+    top_speed.add(seen.pair.top_speed(),
+                  least_of(a.top_speed() + b.top_speed(), a.rate(), common) + norm(seen.velocity()), with);
   });
   for (Tally* one : {&closing, &bend, &top_bend, &top_speed}) one->finish(500);
+  EXPECT_GE(common_turns, rounds(20));
+}
+
+// Points of both bodies where they are: the slope of n.(x_B - x_A), and how it changes, by differences.
+TEST(PairBounds, NoTwoPointsCloseFaster) {
+  Tally closing("MovingPair::closing, of points"), bend("MovingPair::bend(n), of points"),
+      common("MovingPair::bend(n), of points that turn alike");
+  for_each_pair(
+      17, rounds(800),
+      [&](Pair& seen, HostileScene scene, HostileDraw& draw) {
+        // Half of them turn alike, as few do by chance.
+        const bool alike = draw.chance(0.5) && seen.a.turns;
+        if (alike) scene.b.rotation = scene.a.rotation;
+        const Pair pair(scene);
+        if (!(pair.a.turns && pair.b.turns)) return;
+        const Vec3<double> n = draw.direction(scene);
+        const BallVec along(n), &x = pair.a.arms[draw.below(pair.a.arms.size())],
+                                &y = pair.b.arms[draw.below(pair.b.arms.size())];
+        const auto height = [&](const Ball& t) {
+          return dot(along,
+                     pair.unit * (pair.b.turn(t).apply(y) - pair.a.turn(t).apply(x)) + t * pair.velocity());
+        };
+        const Ball d = two_to(-200), t(scene.t_end * draw.plain().between(0.01, 0.99));
+        const auto with = [&] { return describe(scene, n, t.mid_double()); };
+        const Ball before = height(t - d), now = height(t), after = height(t + d);
+        // What a ball does is as much for both: curved cores are followed as they turn, or as they do not.
+        if (revolves(scene.a.body.shape) || revolves(scene.b.body.shape)) return;
+        closing.add(pair.pair.closing(n), (before - after) / (d + d), with);
+        (alike ? common : bend).add(pair.pair.bend(n), abs(after - Ball(2) * now + before) / (d * d), with);
+      },
+      kDifferenceBits);
+  closing.finish(100);
+  bend.finish(50);
+  common.finish(50);
 }
 
 // How fast points of the one body move in the axes of the other, where the pair says so.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <graze/rotating_cast.hpp>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "tests/core/draw.hpp"
 
@@ -111,6 +113,63 @@ TEST(RotatingRare, ArmsThatCancelLeaveAStartOpen) {
   const auto r = cast(a, b, options);
   EXPECT_NE(r.outcome, Outcome::miss);
   EXPECT_EQ(r.toi_lower, 0);
+}
+
+// A rod and a needle with a square for a tip, on one line and 4e-8 into each other: the origin is amid the
+// square, on the diagonal of its corners, and of four corners of C none surround it.
+TEST(RotatingRare, AContactThatNoFourCornersSurroundIsOneAtTheStart) {
+  const double thick = 0x1p-14;
+  const std::vector<V> tip = {
+      {0, thick, thick}, {0, thick, -thick}, {0, -thick, thick}, {0, -thick, -thick}, {-2, 0, 0}};
+  const RotatingBody<double> a{.body = {.shape = Hull<double>(std::span<const V>(tip))},
+                               .rotation = {0, 0, 0.25}};
+  const RotatingBody<double> b{.body = {.shape = Segment<double>{{-0x1p-24, 0, 0}, {2, 0, 0}}}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_EQ(r.outcome, Outcome::initially_overlapping);
+  ASSERT_TRUE(r.proof.has_value());
+  EXPECT_EQ(r.proof->toi_upper, 0);
+  options.request = Request::verdict;
+  EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
+}
+
+// Bodies on equal arms of 2.7e8 about pivots apart: each moves at 1.7e8, neither to the other. One slice says
+// so.
+TEST(RotatingRare, EqualArmsStandStillToEachOther) {
+  const V w(0.19577492773532867, 0.5873247981071472, -0.19577492773532867),
+      pivot(-141477904, 113182320, 198069072);
+  const RotatingBody<double> a{
+      .body = {.shape = Sphere<double>{1.1884433031082153}, .position = {1.661403992159194e-08, 0, 0}},
+      .rotation = w,
+      .pivot = pivot};
+  const RotatingBody<double> b{
+      .body = {.position = {-1.1884433031082153, 0, 0}}, .rotation = w, .pivot = pivot};
+  RotatingOptions<double> options{.request = Request::everything, .t_max = 4};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_EQ(r.outcome, Outcome::miss);
+  ASSERT_TRUE(r.proof.has_value());
+  EXPECT_LE(r.proof->chain.size(), 2u);
+}
+
+// Two balls that turn almost as one come together at 1.6e-11 while both move at 1e6. Nearer than an axis that
+// turns with them can tell, the axes of the world gave slices of 1e-9, until the budget was spent.
+TEST(RotatingRare, BodiesThatTurnAlmostAsOneMeet) {
+  const V v(0.027732805807881095, -0.06418070310430851, 0.019166119004061566), w(0, -0.11847878992557526, 0);
+  const RotatingBody<double> a{.body = {.shape = Sphere<double>{3.650273614563048},
+                                        .position = {1.0116077415523674e-09, 0, 0},
+                                        .displacement = v},
+                               .rotation = w,
+                               .pivot = {2188331.9999999995, -20359664.000000004, 13129996}};
+  const RotatingBody<double> b{.body = {.shape = Sphere<double>{3.738158341497183},
+                                        .position = {-7.388431956060231, 0, 0},
+                                        .displacement = v},
+                               .rotation = w,
+                               .pivot = {2188339.388431956, -10212219, 13129996}};
+  const auto r = cast(a, b, {.t_max = 64});
+  EXPECT_EQ(r.outcome, Outcome::hit);
+  EXPECT_LE(r.counters.supports, 500);
 }
 
 TEST(RotatingRare, EveryReasonHasItsOwnWords) {

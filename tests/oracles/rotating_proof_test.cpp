@@ -304,6 +304,70 @@ TEST(RotatingProof, CurvedPointsMustLieInTheirShapes) {
   EXPECT_REFUSED(contact_not_proved, problem, proof);
 }
 
+// Points of balls are named by an offset, in world axes where they are placed: it ends within the ball, and
+// what is left of the radius counts on.
+TEST(RotatingProof, OffsetsEndWithinTheirBalls) {
+  // Balls of radii 1 and 2, their centres 2.5 apart at t = 0.5; the one turns, which moves none of its
+  // points.
+  Case problem;
+  problem.a.shape = Sphere<double>{1};
+  problem.spin_a.rotation = V(1, 2, 3);
+  problem.b.shape = Sphere<double>{2};
+  problem.b.position = V(3, 0, 0);
+  problem.b.displacement = V(-1, 0, 0);
+  RotatingProof one = upper(0.5, {{0, 0, 1}});
+  EXPECT_ACCEPTED(problem, one);
+  one.contact[0].a.offset = V(0.5, 0, 0);
+  EXPECT_ACCEPTED(problem, one);  // 2 apart, with reaches of 0.5 and 2
+  one.contact[0].a.offset = V(-0.5, 0, 0);
+  EXPECT_REFUSED(contact_not_proved, problem, one);  // 3 apart
+  one.contact[0].a.offset = V(1 + 1e-15, 0, 0);
+  EXPECT_REFUSED(point_outside, problem, one);
+
+  // Differences of their points surround the origin: no weight is read.
+  RotatingProof four = upper(0.5, {{0, 0}, {0, 0}, {0, 0}, {0, 0}});
+  four.weight = {1, 0, 0, 0};
+  const V directions[4] = {V(0, 0, 1), V(0, 0.9, -0.4), V(0, -0.9, -0.4), V(1, 0, 0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    four.contact[i].a.offset = i < 3 ? V(0.7 * directions[i]) : directions[i];
+    four.contact[i].b.offset = i < 3 ? V(-2 * directions[i]) : V(-2, 0, 0);
+    if (i < 3) four.contact[i].a.offset[0] = -0.7;
+  }
+  for (std::size_t i = 0; i < 3; ++i) four.contact[i].b.offset *= 0.9;
+  EXPECT_ACCEPTED(problem, four);
+  four.contact[3].b.offset = V(2, 0, 0);  // now all of them are on one side
+  four.contact[3].a.offset = V(-1, 0, 0);
+  four.weight = {0, 0, 0, 1};
+  EXPECT_REFUSED(contact_not_proved, problem, four);
+
+  // A crossing's triangle has none.
+  RotatingProof crossing = upper(0.5, {{0, 0}, {0, 0}, {0, 0}});
+  crossing.crossing = true;
+  crossing.contact[1].a.offset = V(0.5, 0, 0);
+  EXPECT_REFUSED(malformed, problem, crossing);
+}
+
+// At t = 0 all is exact: the boundary of what the pairs span is contact, later it is nothing that balls tell.
+TEST(RotatingProof, ContactAtTheStartIsExact) {
+  Case problem;
+  problem.a.shape = Box<double>{V(1, 1, 1)};
+  problem.b.shape = Segment<double>{V(1, 0, 0), V(2, 0, 0)};
+  problem.b.position = V(0, 0, 0);
+  problem.spin_b.rotation = V(0, 0, 1);
+  // Two corners of the face x = 1 across its middle, beside one end of the segment.
+  const RotatingProof touch = upper(0, {{1, 0, 0.5}, {7, 0, 0.5}});
+  EXPECT_ACCEPTED(problem, touch);
+  problem.b.position[0] = 0x1p-52;
+  EXPECT_REFUSED(contact_not_proved, problem, touch);
+  problem.b.position[0] = 0;
+  problem.b.position[1] = 0x1p-60;  // beside the line of the two
+  EXPECT_REFUSED(contact_not_proved, problem, touch);
+  problem.b.position[1] = 0;
+  problem.target_distance = 0x1p-40;
+  problem.b.position[0] = 0x1p-40;
+  EXPECT_ACCEPTED(problem, touch);
+}
+
 TEST(RotatingProof, MalformedProofsAndCases) {
   const Case sound = rod_and_ball();
   const RotatingProof proof = [] {
@@ -333,7 +397,7 @@ TEST(RotatingProof, MalformedProofsAndCases) {
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact_size = 5; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact_size = -1; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].a.vertex = 2; }));
-  EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].b.offset = V(0, 0.1, 0); }));
+  EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].b.offset = V(0, kNan, 0); }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].b.curved[1][0] = kNan; }));
   EXPECT_REFUSED(axis_missing, sound, edited([](P& p) { p.chain[1].axis = V::Zero(); }));
   EXPECT_REFUSED(chain_too_short, sound, edited([](P& p) { p.chain.pop_back(); }));

@@ -34,19 +34,19 @@ struct Small {
 
   explicit Small(const engine::EngineMethod& judged, std::uint64_t seed = 7, std::uint64_t casts = kCasts)
       : method(judged), plan(seed) {
-    plan.add(some_families(), {contender_of(method)}, casts, kOracleEvery);
+    plan.add(some_families(), {contender_of(method)}, casts, {kOracleEvery});
   }
   // Every kind of part, of a few families.
   explicit Small(std::uint64_t seed) : plan(seed) {
-    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 126, kOracleEvery);
-    plan.add_per_family(some_families(), chosen_contenders(PartKind::queries, {"standard"}), 2, 1);
+    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 126, {kOracleEvery});
+    plan.add_per_family(some_families(), chosen_contenders(PartKind::queries, {"standard"}), 2, {1});
     plan.add({corpus::find_family("slow_spin"), corpus::find_family("random_rotating")},
-             chosen_contenders(PartKind::rotating, {}), 48, 6);
+             chosen_contenders(PartKind::rotating, {}), 48, {6});
   }
   // One turning method.
   Small(const engine::RotatingEngineMethod& judged, const char* family, std::uint64_t casts)
       : turning(judged), plan(7) {
-    plan.add({corpus::find_family(family)}, {contender_of(turning)}, casts, 0);
+    plan.add({corpus::find_family(family)}, {contender_of(turning)}, casts, {0});
   }
   Small(const Small&) = delete;
   Small& operator=(const Small&) = delete;
@@ -291,7 +291,7 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   const auto denies = planted("exact", &denies_contact);
   Small small(denies, 7, 1);
   small.plan = CampaignPlan(7);
-  small.plan.add({corpus::find_family("random")}, {contender_of(small.method)}, 400, kOracleEvery);
+  small.plan.add({corpus::find_family("random")}, {contender_of(small.method)}, 400, {kOracleEvery});
   const CampaignState one = small.run(1);
   const CampaignState shared = merge_states(
       {{"second", small.run(2, {.index = 2, .count = 2})}, {"first", small.run(3, {.index = 1, .count = 2})}},
@@ -362,7 +362,7 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
 TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
   CampaignPlan plan(3);
   plan.add({corpus::find_family("random_rotating")}, chosen_contenders(PartKind::rotating, {"certified"}), 40,
-           8);
+           {8});
   CampaignState state = fresh_state(plan, kBlock, {});
   run_campaign({.plan = &plan}, state);
   const CampaignCounts total = state.tally.total();
@@ -463,7 +463,7 @@ TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
   for (const bool honest : {true, false}) {
     if (!honest) method.ask = &stretched_distance;
     CampaignPlan plan(7);
-    plan.add_per_family(some_families(), {contender_of(method)}, 20, 1);
+    plan.add_per_family(some_families(), {contender_of(method)}, 20, {1});
     CampaignState state = fresh_state(plan, kBlock, {});
     run_campaign({.plan = &plan, .threads = 2}, state);
     const CampaignCounts total = state.tally.total();
@@ -501,7 +501,8 @@ TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
 
 TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
   CampaignPlan plan(7);
-  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(PartKind::casts, {"ca/double"}), 2000, 0);
+  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(PartKind::casts, {"ca/double"}), 2000,
+           {0});
   CampaignState state = fresh_state(plan, kBlock, {});
   for (CampaignCounts& counts : state.tally.counts) counts.casts = 800;
   EXPECT_TRUE(campaign_failures(state).empty());

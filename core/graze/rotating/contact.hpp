@@ -59,6 +59,56 @@ inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
   return least;
 }
 
+// A tetrahedron of support points that holds the origin, made deeper: the support beyond the face that the
+// origin is nearest to takes the place of the corner for which it holds deepest. Until the depth exceeds e, C
+// is no deeper there, or no corner's place is better. Gives the depth.
+inline double deepen(const Cso<double>& cso, Simplex<double>& four, double e, Counters& counters) {
+  constexpr int kSteps = 24;
+  const auto depth_of = [](const Simplex<double>& s) {
+    return depth_inside({s.point[0].w, s.point[1].w, s.point[2].w, s.point[3].w});
+  };
+  double best = depth_of(four);
+  for (int step = 0; step < kSteps && !(best > e); ++step) {
+    Vec3<double> out = Vec3<double>::Zero();
+    double least = kInfinity<double>;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3<double>&a = four.point[(i + 1) % 4].w, &b = four.point[(i + 2) % 4].w,
+            &c = four.point[(i + 3) % 4].w;
+      const Vec3<double> m = face_normal(a, b, c);
+      const double area = m.norm(), height = std::abs(determinant(a, b, c)) / area;
+      if (!(height < least)) continue;
+      least = height;
+      out = (m.dot(four.point[i].w - a) > 0 ? -1 : 1) / area * m;
+    }
+    if (out == Vec3<double>::Zero()) return best;
+    ++counters.supports;
+    const CsoPoint<double> beyond = cso.support(out);
+    if (!(out.dot(beyond.w) > e)) return best;
+    const Simplex<double> before = four;
+    const double depth = best;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Simplex<double> tried = before;
+      tried.point[i] = beyond;
+      if (const double d = depth_of(tried); d > best) {
+        best = d;
+        four = tried;
+      }
+    }
+    if (!(best > depth)) return best;
+  }
+  return best;
+}
+
+// To a triangle that the origin is in, the support farthest from its plane.
+inline void add_above(const Cso<double>& cso, Simplex<double>& three, Counters& counters) {
+  const Vec3<double> a = three.point[0].w, m = face_normal(a, three.point[1].w, three.point[2].w);
+  if (m == Vec3<double>::Zero()) return;
+  const Vec3<double> n = unit(m);
+  counters.supports += 2;
+  const CsoPoint<double> above = cso.support(n), below = cso.support(Vec3<double>(-n));
+  three.add(n.dot(above.w - a) > n.dot(a - below.w) ? above : below);
+}
+
 // Weights of the origin in a tetrahedron, by volumes; in two doubles, as a thin one's are small differences.
 inline void weigh(Simplex<double>& pairs) {
   double sum = 0;
@@ -136,10 +186,8 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   out.pairs = simplex;
   out.proved = R > 0 && d.upper + e <= R;
   if (out.proved || d.lower - R > e) return out;
-  if (simplex.size == 4) {
-    const auto& p = simplex.point;
-    out.proved = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w}) > e;
-  }
+  if (simplex.size == 3 && d.upper == 0) add_above(cso, out.pairs, counters);
+  if (out.pairs.size == 4) out.proved = deepen(cso, out.pairs, e, counters) > e;
   const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
   if (!out.proved) {
     // Along any axis the origin is no deeper than C reaches.

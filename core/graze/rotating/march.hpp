@@ -1,7 +1,8 @@
 // The safe march: from contact-free time to contact-free time, until contact is proved.
 //
 // Internal lengths; t as the caller's. While the bodies are farther apart than `stop`, slices that an axis
-// proves free of contact (slice.hpp). Nearer than that axes do not lead. From there the march walks forward,
+// proves free of contact (slice.hpp). Nearer than that axes do not lead; where the bodies turn almost as one,
+// nearer than an axis that turns with them can tell. From there the march walks forward,
 // at first by what cannot pass through more than twice `stop`, then by twice as much, never by more than what
 // keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp) or the bodies are
 // apart again. The time at which it began to walk is the lower end of the bracket, whatever follows.
@@ -26,12 +27,16 @@ struct March {
 class Marcher {
  public:
   Marcher(MovingPair& pair, const MarchLimits& limits, Counters& counters)
-      : pair_(pair), limits_(limits), counters_(counters), search_(pair, limits, counters) {}
+      : pair_(pair),
+        limits_(limits),
+        counters_(counters),
+        search_(pair, limits, counters),
+        near_(too_near(pair, limits)) {}
 
   March operator()() {
     look(limits_.begin, 0);
     while (true) {
-      if (now_.near.gap > limits_.stop) {
+      if (now_.near.gap > near_) {
         stride_ = 0;
         if (now_.t >= limits_.end) return ended();
         if (is_spent()) return out_;
@@ -51,6 +56,16 @@ class Marcher {
   }
 
  private:
+  // The gap below which slices do not lead. Bodies on long arms that turn alike move fast, and hardly to each
+  // other: axes of the world give slices of next to no length, and what those of a body cost in rounding is
+  // more than the stop.
+  static double too_near(const MovingPair& pair, const MarchLimits& limits) {
+    constexpr double kAlmostAsOne = 0x1p-6;
+    const double cost = std::max(pair.frame_error(AxisFrame::a), pair.frame_error(AxisFrame::b));
+    const bool as_one = pair.approach_speed(limits.end) < kAlmostAsOne * pair.top_speed();
+    return as_one ? std::max(limits.stop, 2 * cost) : limits.stop;
+  }
+
   void place(double t) {
     if (pair_.time() != t) pair_.place(t);
   }
@@ -162,6 +177,7 @@ class Marcher {
   const MarchLimits& limits_;
   Counters& counters_;
   SliceSearch search_;
+  double near_;
   March out_;
   Seen now_;
   std::optional<Seen> before_;  // the slice's beginning

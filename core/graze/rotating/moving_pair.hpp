@@ -6,6 +6,12 @@
 //   offset(t) = (c_B - c_A) + (v_B - v_A) t + R_B(t) r_B - R_A(t) r_A,
 // summed in two doubles and rounded once: large common positions, and arms of many sizes, cost nothing.
 // The rounding of what the CSO then says is cso.hpp's; `error()` is what it comes to.
+//
+// How fast points move to each other is the sum of how fast either moves, or, where both bodies turn by one w
+// exactly, what is left of it: x_B - x_A = (c_B - c_A) + v t + R(t) (r_B - r_A + y_B - y_A), y from the
+// centres, so with `common_rho` the largest distance of r_B - r_A + y_B - y_A from the axis
+//   |d/dt n.(x_B - x_A - v t)| <= |n x w| common_rho,     |d^2/dt^2 n.(x_B - x_A)| <= |w| |n x w| common_rho.
+// Bodies on equal arms about pivots apart stay as they are to each other, however long the arms.
 #pragma once
 
 #include <graze/cso.hpp>
@@ -67,6 +73,7 @@ class MovingPair {
     pivots_ = scaled_by(start_of_pivot(b, b_) + -start_of_pivot(a, a_), unit);
     a_.swing = swing_of_pivots(a_.mobility);
     b_.swing = swing_of_pivots(b_.mobility);
+    if (a_.turns.turns() && a_.mobility.w == b_.mobility.w) common_rho_ = distance_in_common_turn();
     start_offset_ = cso_.offset();
     for (std::size_t i = 0; i < 3; ++i) {
       const int k = static_cast<int>(i);
@@ -149,7 +156,8 @@ class MovingPair {
   // The gap along a fixed n shrinks by no more than this in one unit of t.
   [[nodiscard]] double closing(const Vec3<double>& n) const {
     const Vec3<double> v = velocity();
-    return a_.mobility.speed(n) + b_.mobility.speed(n) - n.dot(v) +
+    const double each = a_.mobility.speed(n) + b_.mobility.speed(n);
+    return (turns_in_common() ? std::min(each, a_.mobility.across(n) * common_rho_) : each) - n.dot(v) +
            8 * kUnitRoundoff<double> * v.cwiseAbs().sum();
   }
   // An axis that turns with a body (frame a or b), from the body's own axes to the world as placed, and back;
@@ -207,19 +215,30 @@ class MovingPair {
   }
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
-    return a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
+    const double each = a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
+    return turns_in_common() ? std::min(each, a_.mobility.rate * a_.mobility.across(n) * common_rho_) : each;
   }
   // The same for any n.
   [[nodiscard]] double top_bend() const {
-    return a_.mobility.top_acceleration() + b_.mobility.top_acceleration();
+    const double each = a_.mobility.top_acceleration() + b_.mobility.top_acceleration();
+    return turns_in_common() ? std::min(each, a_.mobility.rate * a_.mobility.rate * common_rho_) : each;
   }
   // Of any point of one body seen from any of the other's.
   [[nodiscard]] double top_speed() const {
-    return a_.mobility.top_speed() + b_.mobility.top_speed() +
+    const double each = a_.mobility.top_speed() + b_.mobility.top_speed();
+    return (turns_in_common() ? std::min(each, a_.mobility.rate * common_rho_) : each) +
            velocity().norm() * (1 + 8 * kUnitRoundoff<double>);
   }
 
  private:
+  [[nodiscard]] bool turns_in_common() const { return common_rho_ < kInfinity<double>; }
+  // See above; raised by what it is rounded by, and by what points are off.
+  [[nodiscard]] double distance_in_common_turn() const {
+    const Vec3<double> arms = rounded_once(b_.arm + -a_.arm), axis = unit(a_.mobility.w);
+    const double about = cso_.side_a().reach() + cso_.side_b().reach();
+    return (axis.cross(arms).norm() + about + 8 * cso_.point_error()) * (1 + 0x1p-44) +
+           32 * kUnitRoundoff<double> * arms.norm() + 0x1p-96 * lengths_;
+  }
   // What is added up to say where the body is, its pivot aside.
   template <Scalar S>
   static double lengths_of(const RotatingBody<S>& given, const Side<double>& side) {
@@ -249,6 +268,7 @@ class MovingPair {
   double radius_ = 0, target_ = 0, t_ = 0;
   Vec3<double> start_offset_ = Vec3<double>::Zero();
   double start_lengths_ = 0, lengths_ = 0, speed_ = 0;
+  double common_rho_ = kInfinity<double>;  // where both turn by one w
   int poses_ = 0;
 };
 

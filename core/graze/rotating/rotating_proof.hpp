@@ -8,10 +8,11 @@
 // The chain's slices follow each other from t = 0, so together they say: no contact before toi_lower.
 //
 // Contact at toi_upper: k <= 4 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. With c_i = a_i -
-// b_i at that time and r_i the radii that the vertices of the two cores carry (sphere, capsule, rounded),
-// contact is proved if either
+// b_i at that time, offsets included, and r_i what the offsets leave of the radii that the vertices of the
+// two cores carry (sphere, capsule, rounded), contact is proved if either
 //   |sum l_i c_i| <= sum l_i (r_i + m),
-// or four c_i hold the origin strictly inside their hull; the weights are then not read.
+// or four c_i hold the origin strictly inside their hull, or at toi_upper 0, where nothing has turned and all
+// is exact, the hull of the k points, grown by m, holds it, boundary included; the weights are then not read.
 // A flat A - B holds nothing strictly: there contact is a crossing. Three pairs, and a time contact_from:
 // seen along some direction the triangle of the c_i has the origin inside at every t in [contact_from,
 // toi_upper], and the origin is on one side of it at the beginning, on the other at the end.
@@ -44,7 +45,9 @@ struct RotatingProof {
   bool crossing = false;
   double contact_from = 0;  // of a crossing
   int contact_size = 0;
-  std::array<SupportPair, 4> contact;  // offsets are zero; placed at toi_upper as the body moves
+  // Placed at toi_upper as the body moves; an offset, in world axes, is of the ball about the placed point,
+  // and of a crossing zero.
+  std::array<SupportPair, 4> contact;
   std::array<double, 4> weight = {0, 0, 0, 0};
 };
 
