@@ -35,13 +35,13 @@ namespace graze::oracle {
 
 // The first claim that fails, in the order in which they are checked.
 enum class RotatingRefusal {
-  none,       // accepted
-  malformed,  // NaN, a part without a shape, a contact_size out of 0..4, an index beyond the vertices, a
-              // feature with more than kCurvedParts curved parts, a crossing with an offset, a bound below
-              // zero, a slice that ends before it begins, a frame of no known kind; a crossing with other
-              // than three pairs, or a contact_from that is not in [0, toi_upper)
-  unsupported,          // a case that this checker does not know
-  out_of_range,         // a non-zero magnitude of the case outside 1e-60 .. 1e60
+  none,          // accepted
+  malformed,     // NaN, a part without a shape, a contact_size out of 0..4, an index beyond the vertices, a
+                 // feature with more than kCurvedParts curved parts, a crossing with an offset, a bound below
+                 // zero, a slice that ends before it begins, a frame of no known kind; a crossing with other
+                 // than three pairs, or a contact_from that is not in [0, toi_upper)
+  unsupported,   // a case that this checker does not know
+  out_of_range,  // a non-zero magnitude of the case outside 1e-60 .. 1e60
   chain_too_short,      // the last slice ends before toi_lower, of a miss before t_max
   axis_missing,         // a slice with a zero axis
   slice_false,          // at some time of a slice its axis does not separate the bodies by more than m

@@ -1,5 +1,6 @@
-// Contact at t = 0, where no ball about the origin is in C: nothing has turned yet, a named point is where it is
-// exactly, and whether the hull of up to four of them holds the origin, its boundary included, has an answer.
+// Contact at t = 0, where no ball about the origin is in C: nothing has turned yet, a named point is where it
+// is exactly, and whether the hull of up to four of them holds the origin, its boundary included, has an
+// answer.
 #pragma once
 
 #include <graze/named_point.hpp>
@@ -8,8 +9,8 @@
 
 namespace graze::detail {
 
-// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? False as well where a number
-// outgrew Dyadic, and for three on a line.
+// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? False as well where a
+// number outgrew Dyadic, and for three on a line.
 inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   using exact::Dyadic, exact::Dyadic3;
   bool valid = true;
@@ -17,7 +18,9 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
     valid = valid && x.valid();
     return valid ? x.sign() : 0;
   };
-  const auto is_zero = [&](const Dyadic3& x) { return sign(x[0]) == 0 && sign(x[1]) == 0 && sign(x[2]) == 0; };
+  const auto is_zero = [&](const Dyadic3& x) {
+    return sign(x[0]) == 0 && sign(x[1]) == 0 && sign(x[2]) == 0;
+  };
   const auto holds = [&] {
     switch (size) {
       case 1:
@@ -43,8 +46,8 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   return holds() && valid;
 }
 
-// The pairs of a simplex that is closest at t = 0, as a proof of contact then; false where it is none. The pair is
-// placed at 0.
+// The pairs of a simplex that is closest at t = 0, as a proof of contact then; false where it is none. The
+// pair is placed at 0.
 template <Scalar S>
 bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const Simplex<double>& closest,
              RotatingProof& proof) {
