@@ -5,7 +5,7 @@
 // Portal refinement (portal.hpp) without its care for ties: walk as the signs come, then make sure. Nothing
 // that happens on the way has to be right, since every answer is shown to hold by what is left in hand at the
 // end:
-//   miss      an axis n with h(n) < min(0, horizon n.r), the farthest vertex of each body made sure of;
+//   miss      an axis n with h(n) < min(0, n.(horizon r)), the farthest vertex of each body made sure of;
 //   hit       upper: weights >= 0 of the portal, whose point p is within the noise of the path at
 //             s = p.r / r.r.   lower: h(n) / n.r for the last normal n, however it was found.   They have
 //             met: upper - lower is below the target;
@@ -64,7 +64,7 @@ class QuickWalk {
     r_sq_ = dot(r_, r_);
     ball_ = kQuickBall * reach;
     // Beyond its extent nothing of C is met.
-    horizon_ = std::min(horizon, 2 * extent);
+    end_ = std::min(horizon, 2 * extent) * r_;
     s_max_ = horizon;
     noise_ = kContact * double(kUnitRoundoff<S>) * pair.size();
     target_ = std::max(noise_, tolerance * pair.size());
@@ -112,7 +112,7 @@ class QuickWalk {
 
   // Does n, with its support point w, prove that the path misses? w may come out farther.
   [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
-    const double size = sum(magnitude(n)), bound = std::min(0.0, horizon_ * dot(n, r_)) - margin_ * size;
+    const double size = sum(magnitude(n)), bound = std::min(0.0, dot(n, end_)) - margin_ * size;
     double h = dot(n, w.w);
     if (!(h < bound)) [[likely]]
       return false;
@@ -177,9 +177,9 @@ class QuickWalk {
     // Against r, at first.
     Triple n = cross(c2->w - c0->w, c1->w - c0->w);
     if (dot(n, c0->w) > 0) {
-      // The portal is at s < 0: the exit is looked for, as the entry of the line that runs the other way.
+      // The portal is at s < 0: the exit is looked for, as the entry of the line that runs the other way. The
+      // path ends where it did: on a needle that it crosses n comes out tilted to it, either way.
       entry = false;
-      horizon_ = 0;
       n = -n;
       r_ = -r_;
       for (QuickCorner* const c : at_) c->m = -c->m;
@@ -258,10 +258,10 @@ class QuickWalk {
   }
 
   const GuidedPair<S>& pair_;
-  Triple r_;
+  Triple r_, end_;  // end_: of the path, as far as C reaches
   Counters& counters_;
   int budget_;
-  double ball_ = 1, r_sq_ = 1, horizon_ = 0, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  double ball_ = 1, r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   // Three of the portal, the one that is new, the one that the last step took out.
   std::array<QuickCorner, 5> slot_;
   Portal at_{}, before_{};

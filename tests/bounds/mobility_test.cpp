@@ -74,6 +74,34 @@ TEST(MobilityBounds, NoPointIsFartherOut) {
   still.finish(50);
 }
 
+// The corners of a bar are those of its bounds: half extents that round in float do not hold them.
+TEST(MobilityBounds, ABarOfFloatsAtRestReachesItsCorners) {
+  const WorkingPrecision precision(kTruthBits);
+  Draw draw{18};
+  Tally still("Mobility::reach, of a bar of floats at rest");
+  const RotatingBody<float> other{.rotation = {0, 0, 1}};
+  for (int i = 0; i < rounds(300); ++i) {
+    RotatingBody<float> bar;
+    std::vector<Vec3<float>> corners;
+    Vec3<float> low, high;
+    for (int k = 0; k < 3; ++k) {
+      const double out = std::scalbn(draw.between(-1, 1), static_cast<int>(draw.between(-2, 22)));
+      low[k] = static_cast<float>(out - draw.between(0, 4));
+      high[k] = static_cast<float>(out + draw.between(0, 4));
+    }
+    for (unsigned k = 0; k < 8; ++k) {
+      corners.emplace_back((k & 1u) != 0 ? high[0] : low[0], (k & 2u) != 0 ? high[1] : low[1],
+                           (k & 4u) != 0 ? high[2] : low[2]);
+    }
+    bar.body.shape = Hull<float>(std::span<const Vec3<float>>(corners));
+    HostileScene scene;
+    scene.a.body.shape = engine::round_to<double>(bar.body.shape);
+    const Looked body(bar, other, 0.0, scene.a);
+    still.add(body.m.reach, body.unit * body.truth.reach(), [&] { return describe(scene); });
+  }
+  still.finish(100);
+}
+
 TEST(MobilityBounds, ASolidOfRevolutionTurnsAboutItsOwnAxisNoSlower) {
   Tally tilt("Mobility::tilt_rate"), own("Mobility::own_rate"), center("Mobility::center_rho"),
       around("Mobility::revolved_reach");

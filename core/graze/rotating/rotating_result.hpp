@@ -26,7 +26,7 @@ struct RotatingOptions {
   // Width of the bracket that is asked for, over scale; 0: the least that the tier reaches.
   S tolerance = 0;
   StartPolicy start_policy = StartPolicy::report;  // pass_over only where no rotation is seen
-  int max_iterations = 131072;                     // support evaluations
+  int max_iterations = 262144;                     // support evaluations
   int time_steps = 64;                             // of time_steps and bounding_spheres, over [0, t_max]
 };
 
