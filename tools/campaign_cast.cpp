@@ -114,10 +114,13 @@ CampaignCast CaseJudge::ask(const Contender& contender) {
 
 CampaignCast CaseJudge::cast(const engine::EngineMethod& method, const engine::Guarantee* row) {
   const corpus::Case& problem = drawn_.problem;
+  if (!drawn_.judged) {
+    const engine::Answer answer = method.cast(problem, {.request = kPlain});
+    if (is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max))
+      return {.answer = words_of(answer)};
+  }
   const engine::Answer answer = method.cast(problem, {.request = Request::everything});
   CampaignCast asked{.answer = words_of(answer)};
-  if (!drawn_.judged && is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max))
-    return asked;
   try {
     Truth& truth = truth_of(casts_, method.seen(problem));
     Judgement judgement = judge_method(truth, problem, method, answer, row, drawn_.sampled);
@@ -173,7 +176,7 @@ CampaignCast CaseJudge::query(const engine::QueryMethod& method, const Contender
 }
 
 CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const engine::Guarantee* row) {
-  const Request request = request_of(drawn_);
+  const Request request = drawn_.judged ? request_of(drawn_) : kPlain;
   const engine::RotatingAnswer answer = method.cast(drawn_.problem, {.request = request});
   CampaignCast asked{.answer = words_of(answer)};
   if (!drawn_.judged && is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, drawn_.problem.t_max))

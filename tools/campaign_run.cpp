@@ -1,10 +1,8 @@
 #include "tools/campaign_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <cmath>
 #include <condition_variable>
 #include <csignal>
 #include <exception>
@@ -13,6 +11,7 @@
 #include <thread>
 
 #include "tools/inputs.hpp"
+#include "tools/progress.hpp"
 
 namespace graze::tool {
 namespace {
@@ -32,44 +31,6 @@ void handle(int number, void (*handler)(int)) {
   sigaction(number, &action, nullptr);
 }
 
-// 3 h 12 min, 4 min, 20 s.
-std::string duration_text(double seconds) {
-  const long long whole = std::llround(seconds);
-  if (whole < 100) return fmt::format("{} s", whole);
-  const long long minutes = (whole + 30) / 60;
-  return minutes < 100 ? fmt::format("{} min", minutes)
-                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
-}
-
-// The line on a terminal, at the pace of a reader.
-class ProgressLine {
- public:
-  ProgressLine(std::uint64_t before, std::uint64_t total)
-      : before_(before), total_(total), visible_(isatty(STDERR_FILENO) != 0) {}
-  ~ProgressLine() { wipe(); }
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  void show(std::uint64_t done, std::uint64_t failures) const {
-    if (!visible_) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    const double rate = static_cast<double>(done - before_) / seconds;
-    const std::string left =
-        rate > 0 ? duration_text(static_cast<double>(total_ - done) / rate) + " left" : "";
-    fmt::print(stderr, "\r\033[Kcampaign: {} of {} casts, {:.0f} a second, {} failures, {}", done, total_,
-               rate, failures, left);
-    std::fflush(stderr);
-  }
-  void wipe() const {
-    if (visible_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  std::uint64_t before_, total_;
-  bool visible_;
-  Clock::time_point start_ = Clock::now();
-};
-
 // What the threads share. They meet here once a block.
 class Run {
  public:
@@ -78,7 +39,7 @@ class Run {
         state_(state),
         next_(state.share().lower()),
         end_(state.share().upper()),
-        progress_(state.casts_done(), casts_of_share(state)) {}
+        progress_("campaign, casts", casts_of_share(state), state.casts_done()) {}
 
   void go() {
     std::vector<std::jthread> threads;
@@ -134,7 +95,7 @@ class Run {
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, kPace, [this] { return running_ == 0; })) {
       const CampaignCounts total = state_.tally.total();
-      progress_.show(state_.casts_done(), total.faults + total.stalls);
+      progress_.reach(state_.casts_done(), fmt::format("{} failures", total.faults + total.stalls));
       if (job_.state_file.empty() || Clock::now() - saved < job_.save_every) continue;
       const CampaignState copy = state_;
       lock.unlock();
@@ -157,7 +118,7 @@ class Run {
   const CampaignJob& job_;
   CampaignState& state_;
   std::uint64_t next_, end_;
-  ProgressLine progress_;
+  Progress progress_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::exception_ptr failure_;

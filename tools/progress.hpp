@@ -1,7 +1,9 @@
-// One line of progress on stderr, only if a person is looking (stderr is a terminal).
+// What a long command does, on stderr: on a terminal one line that is kept up to date, with what is left; in
+// a log a line every 20 s, the first once the command has run for 10.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -9,21 +11,30 @@ namespace graze::tool {
 
 class Progress {
  public:
-  Progress(std::string label, std::size_t total);
+  // `before`: of the total, what was done before this run.
+  Progress(std::string label, std::uint64_t total, std::uint64_t before = 0);
   ~Progress();  // wipes the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void step();  // from any thread
+  // From any thread: one more is done; or so many are, and what else there is to say.
+  void step();
+  void reach(std::uint64_t done, const std::string& more = {});
+  // Before another line is printed.
+  void wipe() const;
 
  private:
-  void show();
+  using Clock = std::chrono::steady_clock;
+  void show(const std::string& more);
 
   std::string label_;
-  std::size_t total_, done_ = 0;
-  bool visible_;
+  std::uint64_t total_, before_, done_;
+  bool on_terminal_;
   std::mutex mutex_;
-  std::chrono::steady_clock::time_point shown_;
+  Clock::time_point start_ = Clock::now(), shown_;
 };
+
+// 3 h 12 min, 4 min, 20 s.
+[[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace graze::tool

@@ -4,8 +4,9 @@
 // proves free of contact (slice.hpp). Nearer than that axes do not lead; where the bodies turn almost as one,
 // nearer than an axis that turns with them can tell. From there the march walks forward,
 // at first by what cannot pass through more than twice `stop`, then by twice as much, never by more than what
-// keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp) or the bodies are
-// apart again. The time at which it began to walk is the lower end of the bracket, whatever follows.
+// keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp), and back by
+// halves where that was late, or the bodies are apart again. The time at which it began to walk is the lower
+// end of the bracket, whatever follows.
 #pragma once
 
 #include <graze/rotating/crossing.hpp>
@@ -48,6 +49,7 @@ class Marcher {
       open_ = true;  // too near for axes, or for the next double of t
       place(now_.t);
       if (contact_here()) return out_;
+      unproved_ = now_.t;
       if (now_.t >= limits_.end || is_spent()) return out_;
       before_.reset();
       look(stride_on(), 0);
@@ -118,6 +120,7 @@ class Marcher {
     out_.contact = proved_contact(pair_, axis_, limits_.stop, limits_.budget, counters_);
     const bool touching = now_.t == 0 && now_.near.apart <= limits_.touching;
     if (!out_.contact.proved && !touching) return false;
+    if (out_.contact.proved && stride_ > 0) come_back();
     if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
     out_.upper = now_.t;
     out_.outcome = now_.t > 0 ? Outcome::hit : Outcome::initially_overlapping;
@@ -158,11 +161,35 @@ class Marcher {
     return true;
   }
 
+  // Where strides had grown before contact was proved, the first time at which it is lies nearer: by halves.
+  void come_back() {
+    constexpr int kHalves = 6;
+    const double fast = speed_on();
+    for (int i = 0; i < kHalves && (now_.t - unproved_) * fast > 3 * limits_.stop; ++i) {
+      const double middle = unproved_ + (now_.t - unproved_) / 2;
+      if (!(unproved_ < middle && middle < now_.t)) return;
+      place(middle);
+      const Contact found = proved_contact(pair_, axis_, limits_.stop, limits_.budget, counters_);
+      if (found.proved) {
+        out_.contact = found;
+        now_.t = middle;
+      } else {
+        unproved_ = middle;
+      }
+    }
+  }
+
+  // How fast the gap changes at most, seen along the axis.
+  [[nodiscard]] double speed_on() const {
+    const double fast = pair_.approach_speed(limits_.end);
+    if (axis_ == Vec3<double>::Zero()) return fast;  // of a start in contact
+    return std::min(fast, std::max(pair_.closing(axis_), pair_.closing(-axis_)));
+  }
+
   double stride_on() {
-    const bool known = axis_ != Vec3<double>::Zero();  // not of a start in contact
-    double fast = pair_.approach_speed(limits_.end), bend = pair_.top_bend();
-    if (known) {
-      fast = std::min(fast, std::max(pair_.closing(axis_), pair_.closing(-axis_)));
+    const double fast = speed_on();
+    double bend = pair_.top_bend();
+    if (axis_ != Vec3<double>::Zero()) {
       for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b})
         bend = std::min(bend, pair_.bend(frame, axis_, limits_.end));
     }
@@ -185,6 +212,7 @@ class Marcher {
   bool met_at_lower_ = false;
   bool open_ = false;  // from out_.lower on contact is not excluded
   double stride_ = 0;
+  double unproved_ = 0;  // the last time on the way at which contact was not proved
   Vec3<double> axis_ = Vec3<double>::Zero();
 };
 
