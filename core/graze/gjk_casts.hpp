@@ -125,7 +125,9 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     ++counters.supports;
     const S clear = closest.n.dot(x - next.w) - R;
     const S before = out.lower;
-    if (clear > 0 && !detail::advance(out, r, closest.n, clear, limits.s_max)) return out;
+    // As above: of a contact that x has passed by rounding an axis tells that it lies behind.
+    const S least = apart <= limits.noise ? limits.fine() : S(0);
+    if (clear > least && !detail::advance(out, r, closest.n, clear, limits.s_max)) return out;
     const bool moved = out.lower > before;
     // No advance, no new point, or no nearer: the simplex has nothing more to tell.
     if (!moved && (simplex.holds(next) || !(distance < nearest))) break;

@@ -128,5 +128,24 @@ TEST(Misses, AtRestBesideALongSegmentIsProved) {
   }
 }
 
+// Report: gjk/double missed a triangle that a point meets 1.3e-8 of its way before the path ends. Mechanism:
+// at a contact, rounding had put the point beyond the plane, by less than the noise; the axis of what was
+// left of the distance then showed the triangle behind, and a bound of 2e-16 along it was taken for a miss.
+TEST(Misses, AnAxisOfRoundingAtAContactIsNone) {
+  const Body<double> a{
+      .shape = Triangle<double>{{2, 3, 1},
+                                {-2, -3, -1},
+                                {-0.0054883314467087385, 0.0015363182182508474, 0.0021722402587350453}},
+      .position = {5, -6, -3}};
+  const Body<double> b{.position = {-10.0027437210083, 1.5007681846618652, -12.498913764953613},
+                       .displacement = {1792, -1152, 1152}};
+  CastOptions<double> options;
+  options.t_max = 0.0078125;
+  for (const Method method : {Method::gjk_ray_cast, Method::conservative_advancement, Method::mpr_sweep}) {
+    options.method = method;
+    EXPECT_EQ(cast(a, b, options).outcome, Outcome::hit) << static_cast<int>(method);
+  }
+}
+
 }  // namespace
 }  // namespace graze
