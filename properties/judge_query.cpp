@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "corpus/names.hpp"
 #include "properties/exact_answer.hpp"
@@ -214,7 +215,12 @@ class QueryJudge {
       }
       return;
     }
-    for (const double t : {bracket.lower, bracket.upper}) measure(what, error(t));
+    // An end that the scalar cannot hold is no nearer than its largest number.
+    const double largest = limits_.unit_roundoff == kUnitRoundoff<float>
+                               ? double(std::numeric_limits<float>::max())
+                               : std::numeric_limits<double>::max();
+    for (const double t : {bracket.lower, bracket.upper})
+      measure(what, error(std::clamp(t, -largest, largest)));
   }
 
   void swept_overlap() {

@@ -79,7 +79,7 @@ TEST(MobilityBounds, ABarOfFloatsAtRestReachesItsCorners) {
   const WorkingPrecision precision(kTruthBits);
   Draw draw{18};
   Tally still("Mobility::reach, of a bar of floats at rest");
-  const RotatingBody<float> other{.rotation = {0, 0, 1}};
+  const RotatingBody<float> other{.body = {}, .rotation = {0, 0, 1}};
   for (int i = 0; i < rounds(300); ++i) {
     RotatingBody<float> bar;
     std::vector<Vec3<float>> corners;

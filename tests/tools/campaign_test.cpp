@@ -95,8 +95,8 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
 
 TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tier) {
   const std::vector<Contender> asked = {contender_of(exact())};
-  const CampaignCases one(some_families(), asked, 7, kOracleEvery),
-      again(some_families(), asked, 7, kOracleEvery), other(some_families(), asked, 8, kOracleEvery);
+  const CampaignCases one(some_families(), asked, 7, {kOracleEvery}),
+      again(some_families(), asked, 7, {kOracleEvery}), other(some_families(), asked, 8, {kOracleEvery});
   for (std::uint64_t index = 0; index < 100; ++index) {
     const DrawnCase drawn = one.draw(index);
     EXPECT_TRUE(drawn.is_question);
@@ -111,11 +111,11 @@ TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tie
 TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   const std::vector<const corpus::Family*> families = {corpus::find_family("curved"),
                                                        corpus::find_family("grazing_face")};
-  const CampaignCases to_the_bit(families, {contender_of(exact())}, 1, 0);
+  const CampaignCases to_the_bit(families, {contender_of(exact())}, 1, {});
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
   // Tier standard is asked everything.
-  const CampaignCases standard(families, {contender_of(*engine::find_method("mpr"))}, 1, 0);
+  const CampaignCases standard(families, {contender_of(*engine::find_method("mpr"))}, 1, {});
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
 }
@@ -374,6 +374,29 @@ TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
   // Every other case is asked with a proof.
   EXPECT_GT(total.proved, 10U);
   EXPECT_LT(total.proved, 30U);
+}
+
+// The same casts, and the same answers; of those that are not judged the outcomes are counted.
+TEST(Parts, one_case_in_so_many_is_judged) {
+  const auto run = [](const Sampling& sampling) {
+    CampaignPlan plan(3);
+    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 1200, sampling);
+    CampaignState state = fresh_state(plan, kBlock, {});
+    run_campaign({.plan = &plan}, state);
+    return state;
+  };
+  const CampaignState all = run({.oracle_every = kOracleEvery}),
+                      few = run({.oracle_every = kOracleEvery, .judge_every = 10});
+  const CampaignCounts of_all = all.tally.total(), of_few = few.tally.total();
+  EXPECT_EQ(of_few.casts, of_all.casts);
+  EXPECT_EQ(of_few.hits, of_all.hits);
+  EXPECT_EQ(of_few.misses, of_all.misses);
+  EXPECT_EQ(of_few.not_converged, of_all.not_converged);
+  EXPECT_EQ(few.tally.digest, all.tally.digest);
+  EXPECT_GT(of_few.proved, 0U);
+  EXPECT_LT(of_few.proved, of_all.proved / 4);
+  EXPECT_EQ(difference(few.settings, all.settings), "judge-every is 10 here and 1 there");
+  EXPECT_NE(campaign_summary(few).find("one case in 10 is judged"), std::string::npos);
 }
 
 // --- Turning methods and queries that are wrong in a known way.
