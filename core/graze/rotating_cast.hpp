@@ -304,7 +304,8 @@ class RotatingCast {
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
     if (found.outcome != Outcome::hit) return;
-    if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
+    if (asks_for(options_.request, Request::normal))
+      out_.normal = (found.normal != Vec3<double>::Zero() ? found.normal : found.n).template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
   }
 

@@ -10,6 +10,7 @@
 #include <graze/gjk.hpp>
 #include <graze/prove.hpp>
 #include <graze/rotating/moving_pair.hpp>
+#include <graze/steady_axis.hpp>
 #include <graze/sweep.hpp>
 
 namespace graze::detail {
@@ -181,8 +182,10 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   const Vec3<double> zero = Vec3<double>::Zero();
   Simplex<double> simplex;
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
-  const Distance<double> d = gjk_distance(support, zero, Vec3<double>(-cso.middle()), simplex, 0.0,
-                                          std::max(R - 2 * e, 0.0), budget, counters);
+  Distance<double> d = gjk_distance(support, zero, Vec3<double>(-cso.middle()), simplex, 0.0,
+                                    std::max(R - 2 * e, 0.0), budget, counters);
+  // Beside a rim GJK stalls with a point that is not quite the closest: deep contacts would go unproved.
+  if (R > 0 && d.upper + e > R && d.lower - R <= e) go_on(d, support, simplex, e, counters);
   out.pairs = simplex;
   out.proved = R > 0 && d.upper + e <= R;
   if (out.proved || d.lower - R > e) return out;

@@ -20,8 +20,9 @@ struct March {
   double lower = 0, upper = kInfinity<double>;
   double apart = 0;  // at `lower`, at most
   Vec3<double> n = Vec3<double>::Zero();
-  Simplex<double> closest;  // at `lower`
-  Contact contact;          // at `upper`
+  Vec3<double> normal = Vec3<double>::Zero();  // of a hit, where it is better known than n
+  Simplex<double> closest;                     // at `lower`, with n
+  Contact contact;                             // at `upper`
   std::vector<TimeSlice> chain;
 };
 
@@ -121,10 +122,25 @@ class Marcher {
     const bool touching = now_.t == 0 && now_.near.apart <= limits_.touching;
     if (!out_.contact.proved && !touching) return false;
     if (out_.contact.proved && stride_ > 0) come_back();
-    if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
+    if (met_at_lower_ || out_.n == Vec3<double>::Zero()) {
+      out_.n = entry_normal();
+    } else if (now_.t > 0) {
+      refine_at_lower();
+    }
     out_.upper = now_.t;
     out_.outcome = now_.t > 0 ? Outcome::hit : Outcome::initially_overlapping;
     return true;
+  }
+
+  // Where the bracket may be wide the search was as rough: its axis is good to a part of the stop. That of
+  // the contact is as good as rounding lets it be. The closest points stay those of the axis that they were
+  // found with.
+  void refine_at_lower() {
+    pair_.place(out_.lower);
+    const double fine = 4 * pair_.error();
+    if (!(limits_.stop > 2 * fine)) return;
+    const Nearest found = nearest(pair_, out_.closest, 0, fine, limits_.budget, counters_);
+    if (!found.met) out_.normal = found.n;
   }
 
   // At `lower`, in contact or almost. The search knew only that the balls about the cores meet: the axis of
