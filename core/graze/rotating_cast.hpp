@@ -236,6 +236,7 @@ class RotatingCast {
     limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
+    limits.normal = asks_for(options_.request, Request::normal);
     limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
     March found = march(*pair_, limits, out_.counters);
     if (is_open_at_start(found) && touches_at_start()) return;

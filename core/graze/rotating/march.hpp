@@ -124,7 +124,7 @@ class Marcher {
     if (out_.contact.proved && stride_ > 0) come_back();
     if (met_at_lower_ || out_.n == Vec3<double>::Zero()) {
       out_.n = entry_normal();
-    } else if (now_.t > 0) {
+    } else if (limits_.normal && now_.t > 0) {
       refine_at_lower();
     }
     out_.upper = now_.t;
