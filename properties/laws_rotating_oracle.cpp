@@ -69,9 +69,11 @@ LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMeth
   }
   // At each other, by no more than the distance that is stated. A normal that misses support by g is known to
   // the root of 2 g over a ball's radius, so the ball's point to sqrt(2 g R) <= 2e-5 of the scale for g <=
-  // 2e-10 of it, which is above what any row's bracket leaves.
+  // 2e-10 of it, which is above what the bracket of any row with a kappa leaves; the published slides end at
+  // a linear slop, which is the distance that they state.
   const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
-  const double near_enough = answer.distance + 2e-5 * row.scale + 2 * row.contact_limit +
+  const double of_balls = std::max(2e-5 * row.scale, std::sqrt(2 * answer.distance * row.scale));
+  const double near_enough = answer.distance + of_balls + 2 * row.contact_limit +
                              row.rounding_at(answer.toi_lower) +
                              4 * row.unit_roundoff * (answer.point_a.norm() + answer.point_b.norm());
   if (between_points > near_enough)
