@@ -215,12 +215,13 @@ class QueryJudge {
       }
       return;
     }
-    // An end that the scalar cannot hold is no nearer than its largest number.
+    // A finite end that the scalar cannot hold is no nearer than its largest number.
     const double largest = limits_.unit_roundoff == kUnitRoundoff<float>
                                ? double(std::numeric_limits<float>::max())
                                : std::numeric_limits<double>::max();
+    const bool finite = std::isfinite(end.low) && std::isfinite(end.high);
     for (const double t : {bracket.lower, bracket.upper})
-      measure(what, error(std::clamp(t, -largest, largest)));
+      measure(what, error(finite ? std::clamp(t, -largest, largest) : t));
   }
 
   void swept_overlap() {

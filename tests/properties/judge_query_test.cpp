@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "engines/guarantees.hpp"
 #include "properties/own_frames.hpp"
@@ -106,6 +107,15 @@ TEST(QueryJudge, line) {
   falls(behind, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper += kOff; });
   falls(behind, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::miss; });
   falls(past, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::hit; });
+}
+
+// Of bodies that do not move and touch, contact has no end on either side; of any other, it has.
+TEST(QueryJudge, a_line_without_ends) {
+  const Case still = cubes(Query::line, {1.25, 0, 0});
+  falls(still, &QueryJudgement::off, [](QueryAnswer& a) { a.t_in->lower = -1; });
+  falls(still, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
+  falls(cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}), &QueryJudgement::off,
+        [](QueryAnswer& a) { a.t_out->upper = kInfinity<double>; });
 }
 
 // The ends of a line through what is near are as far out as the target distance, and round so.
