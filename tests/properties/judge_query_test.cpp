@@ -113,7 +113,8 @@ TEST(QueryJudge, line) {
 TEST(QueryJudge, a_line_without_ends) {
   const Case still = cubes(Query::line, {1.25, 0, 0});
   falls(still, &QueryJudgement::off, [](QueryAnswer& a) { a.t_in->lower = -1; });
-  falls(still, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
+  falls(still, &QueryJudgement::off,
+        [](QueryAnswer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
   falls(cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}), &QueryJudgement::off,
         [](QueryAnswer& a) { a.t_out->upper = kInfinity<double>; });
 }
