@@ -10,12 +10,12 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <graze/brute_force_ray.hpp>
 #include <graze/cast.hpp>
 #include <graze/distance.hpp>
 #include <graze/penetration.hpp>
 #include <graze/swept_overlap.hpp>
 
+#include "tests/core/brute_force_ray.hpp"
 #include "tests/core/draw.hpp"
 #include "tests/core/globe.hpp"
 

@@ -1,7 +1,7 @@
 // The pairs that the benchmark of rotating casts asks. t_max is 1; sizes are 0.5 to 1.
 #pragma once
 
-#include <graze/rotating/rotating_result.hpp>
+#include <graze/rotating_result.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 //
 // climb.hpp draws kClimbFrom from this table.
 #include <benchmark/benchmark.h>
-#include <graze/climb.hpp>
-#include <graze/leaf.hpp>
+#include <graze/support/climb.hpp>
+#include <graze/support/leaf.hpp>
 
 #include "tests/core/large_hulls.hpp"
 

@@ -18,7 +18,7 @@
 // No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
 // proof claims is not judged here: a reader's proof may be false.
 //
-// The proof of a rotating answer (graze/rotating/rotating_proof.hpp) has a chain instead of an axis, and
+// The proof of a rotating answer (graze/rotating_proof.hpp) has a chain instead of an axis, and
 // weighted contact pairs instead of a portal; "frame" is world, a or b, and world where it is left out:
 //
 //   "proof": {"toi_lower": 0.25, "chain": [{"end": 0.125, "axis": [0, 0, 1]},
@@ -33,7 +33,7 @@
 //                         {"a": {"vertex": 2}, "b": {"vertex": 0}}]}
 #pragma once
 
-#include <graze/rotating/rotating_proof.hpp>
+#include <graze/rotating_proof.hpp>
 
 #include "corpus/case_io.hpp"
 

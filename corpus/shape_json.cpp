@@ -1,7 +1,7 @@
 #include "corpus/shape_json.hpp"
 
 #include <cmath>
-#include <graze/hull_graph.hpp>
+#include <graze/support/hull_graph.hpp>
 
 namespace graze::corpus {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/combinator.hpp>
+#include <graze/support/tree.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>

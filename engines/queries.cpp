@@ -1,6 +1,6 @@
 #include "engines/queries.hpp"
 
-#include <graze/exact/exact_queries.hpp>
+#include <graze/exact/queries.hpp>
 #include <graze/overlap.hpp>
 #include <graze/penetration.hpp>
 #include <graze/swept_overlap.hpp>

@@ -1,7 +1,7 @@
 // The rotating casts that can be judged, by name. Every one of them takes linear cases, too.
 #pragma once
 
-#include <graze/rotating/rotating_result.hpp>
+#include <graze/rotating_result.hpp>
 #include <optional>
 #include <span>
 #include <string>

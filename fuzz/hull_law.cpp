@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/climb.hpp>
+#include <graze/support/climb.hpp>
 #include <map>
 #include <set>
 

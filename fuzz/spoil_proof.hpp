@@ -5,7 +5,7 @@
 // little, or the right thing by other means; only a checker can tell.
 #pragma once
 
-#include <graze/rotating/rotating_proof.hpp>
+#include <graze/rotating_proof.hpp>
 
 #include "corpus/case.hpp"
 #include "corpus/random.hpp"

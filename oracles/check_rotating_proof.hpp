@@ -1,7 +1,7 @@
 // The checker of rotating proofs: it shares nothing with the search (it includes core's input types and the
 // proof value, and none of core's algorithms).
 //
-// What it decides: whether the claims of a RotatingProof (graze/rotating/rotating_proof.hpp) hold for the
+// What it decides: whether the claims of a RotatingProof (graze/rotating_proof.hpp) hold for the
 // true shapes and motions of a case.
 //   Every slice of the chain, also what reaches beyond toi_lower: by the separation along the axis at the
 //   ends of the slice and a bound on how far it sinks between them, by the points' second derivatives or
@@ -25,7 +25,7 @@
 // direction, the triangle's normal in the middle of the time; one that only others show is refused.
 #pragma once
 
-#include <graze/rotating/rotating_proof.hpp>
+#include <graze/rotating_proof.hpp>
 #include <string>
 
 #include "corpus/case.hpp"

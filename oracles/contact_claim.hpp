@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <graze/rotating/rotating_proof.hpp>
+#include <graze/rotating_proof.hpp>
 #include <utility>
 
 #include "oracles/pair_motion.hpp"

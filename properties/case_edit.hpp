@@ -3,7 +3,7 @@
 //
 // Frame: world. Linear: contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A. Rotating: a body's
 // point x is at R(w t)(x - c) + c + v t, c = position + R(orientation) pivot
-// (graze/rotating/rotating_body.hpp).
+// (graze/rotating_body.hpp).
 #pragma once
 
 #include <cstdint>

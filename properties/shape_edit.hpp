@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <graze/hull_graph.hpp>
+#include <graze/support/hull_graph.hpp>
 #include <optional>
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <exception>
-#include <graze/combinator.hpp>
+#include <graze/support/tree.hpp>
 #include <utility>
 
 #include "corpus/case_io.hpp"

@@ -1,6 +1,6 @@
 // The lines on a body that a viewer sees: edges of polytopes, rims of cylinders and cones.
 #include <algorithm>
-#include <graze/quickhull.hpp>
+#include <graze/support/quickhull.hpp>
 #include <map>
 #include <numbers>
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <graze/combinator.hpp>
+#include <graze/support/tree.hpp>
 
 #include "corpus/case_io.hpp"
 #include "corpus/names.hpp"

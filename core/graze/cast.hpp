@@ -8,14 +8,14 @@
 // cast of a Point.
 #pragma once
 
-#include <graze/certified_cast.hpp>
-#include <graze/exact/exact_cast.hpp>
-#include <graze/gjk_casts.hpp>
-#include <graze/leaving.hpp>
-#include <graze/prove.hpp>
-#include <graze/quick_cast.hpp>
+#include <graze/certified/cast.hpp>
+#include <graze/exact/cast.hpp>
+#include <graze/portal/leaving.hpp>
+#include <graze/standard/advancement.hpp>
+#include <graze/standard/polytope_cast.hpp>
+#include <graze/standard/prove.hpp>
+#include <graze/standard/witness.hpp>
 #include <graze/validate.hpp>
-#include <graze/witness.hpp>
 
 namespace graze {
 

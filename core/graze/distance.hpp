@@ -6,9 +6,9 @@
 // duality gap upper - lower.
 #pragma once
 
-#include <graze/steady_axis.hpp>
+#include <graze/standard/refine_axis.hpp>
+#include <graze/standard/witness.hpp>
 #include <graze/validate.hpp>
-#include <graze/witness.hpp>
 
 namespace graze {
 

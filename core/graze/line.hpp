@@ -6,7 +6,7 @@
 // kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
 #pragma once
 
-#include <graze/mpr.hpp>
+#include <graze/portal/mpr.hpp>
 #include <graze/validate.hpp>
 
 namespace graze {

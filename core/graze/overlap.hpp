@@ -4,7 +4,7 @@
 #pragma once
 
 #include <graze/distance.hpp>
-#include <graze/mpr.hpp>
+#include <graze/portal/mpr.hpp>
 
 namespace graze {
 

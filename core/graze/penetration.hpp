@@ -14,9 +14,9 @@
 #pragma once
 
 #include <graze/distance.hpp>
-#include <graze/epa.hpp>
+#include <graze/gjk/epa.hpp>
 #include <graze/line.hpp>
-#include <graze/witness.hpp>
+#include <graze/standard/witness.hpp>
 
 namespace graze {
 

@@ -14,7 +14,7 @@
 // (docs/guarantees.md). Touching counts.
 #pragma once
 
-#include <graze/mpr.hpp>
+#include <graze/portal/mpr.hpp>
 #include <graze/validate.hpp>
 
 namespace graze {

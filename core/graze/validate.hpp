@@ -6,8 +6,8 @@
 #pragma once
 
 #include <graze/body.hpp>
-#include <graze/combinator.hpp>
 #include <graze/result.hpp>
+#include <graze/support/tree.hpp>
 
 namespace graze {
 

@@ -1,6 +1,6 @@
 // Changes of the case under a proof.
 //
-// Frame: world, as graze/rotating/rotating_body.hpp. c = position + R(orientation) pivot is a body's centre
+// Frame: world, as graze/rotating_body.hpp. c = position + R(orientation) pivot is a body's centre
 // of rotation in the world.
 #include <cmath>
 

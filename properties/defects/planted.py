@@ -9,8 +9,8 @@ METHODS = {"linear": "engines/casts.cpp", "query": "engines/queries.cpp", "rotat
 # what a patch changes is the same with the defect; it is compiled once for all, as half of a compilation is
 # what has no defect in it.
 ENTRIES = {
-    "graze/exact/exact_cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
-    "graze/certified_cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
+    "graze/exact/cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
+    "graze/certified/cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
     "graze/cast.hpp": ("CastResult", "cast", "CastOptions"),
     "graze/distance.hpp": ("DistanceResult", "distance", "DistanceOptions"),
     "graze/line.hpp": ("LineResult", "line", "LineOptions"),

@@ -3,7 +3,7 @@
 // Against balls: combinators far out and turned back, curved leaves, hulls far out are in the draw.
 #include <gtest/gtest.h>
 
-#include <graze/cso.hpp>
+#include <graze/support/cso.hpp>
 
 #include "oracles/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"

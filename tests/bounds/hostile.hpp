@@ -6,8 +6,8 @@
 // radians within t_end.
 #pragma once
 
-#include <graze/offset.hpp>
-#include <graze/rotating/rotating_body.hpp>
+#include <graze/numeric/offset.hpp>
+#include <graze/rotating_body.hpp>
 #include <string_view>
 
 #include "tests/core/draw.hpp"

@@ -3,7 +3,7 @@
 // places, of hulls far out and of hulls that are climbed.
 #include <gtest/gtest.h>
 
-#include <graze/climb.hpp>
+#include <graze/support/climb.hpp>
 
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"

@@ -6,7 +6,7 @@
 // its points are taken, so a maximum over points is a lower bound of the one over the core.
 #pragma once
 
-#include <graze/combinator.hpp>
+#include <graze/support/tree.hpp>
 #include <vector>
 
 #include "oracles/ball_rotation.hpp"

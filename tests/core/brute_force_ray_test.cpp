@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <graze/brute_force_ray.hpp>
 #include <graze/cast.hpp>
 
+#include "tests/core/brute_force_ray.hpp"
 #include "tests/core/globe.hpp"
 #include "tests/core/query_truth.hpp"
 

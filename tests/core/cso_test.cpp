@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/cso.hpp>
+#include <graze/support/cso.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -2,7 +2,7 @@
 // that are turned, and numbers that outgrow their room in the queries beside the cast.
 #include <gtest/gtest.h>
 
-#include <graze/exact/exact_queries.hpp>
+#include <graze/exact/queries.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/exact/portal_sign.hpp>
+#include <graze/exact/pierce.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -5,7 +5,7 @@
 // whatever is added stays within 53 bits, before it is rounded once.
 #include <cstdio>
 #include <cstring>
-#include <graze/exact/exact_queries.hpp>
+#include <graze/exact/queries.hpp>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
-#include <graze/exact/exact_queries.hpp>
+#include <graze/exact/queries.hpp>
 #include <map>
 
 #include "corpus/case_io.hpp"

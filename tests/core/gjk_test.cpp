@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/gjk.hpp>
+#include <graze/gjk/gjk.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/climb.hpp>
+#include <graze/support/climb.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <set>

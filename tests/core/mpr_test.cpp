@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <graze/distance.hpp>
-#include <graze/mpr.hpp>
+#include <graze/portal/mpr.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <graze/certified_start.hpp>
+#include <graze/certified/surround.hpp>
 #include <graze/rotating/moving_pair.hpp>
 
 #include "tests/core/draw.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
-#include <graze/epa.hpp>
-#include <graze/leaving.hpp>
+#include <graze/gjk/epa.hpp>
 #include <graze/penetration.hpp>
+#include <graze/portal/leaving.hpp>
 #include <memory>
 
 #include "tests/core/draw.hpp"

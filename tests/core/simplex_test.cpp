@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/simplex.hpp>
+#include <graze/gjk/simplex.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -1,7 +1,7 @@
 // Random turning bodies of every shape, for the tests of rotating casts.
 #pragma once
 
-#include <graze/rotating/rotating_body.hpp>
+#include <graze/rotating_body.hpp>
 
 #include "tests/core/draw.hpp"
 

@@ -36,7 +36,7 @@ class Mechanism(unittest.TestCase):
 
     def test_a_sanitizer_is_told_by_the_first_function_of_ours(self):
         self.assertEqual(mechanism(ADDRESS, 1),
-                         "AddressSanitizer: heap-buffer-overflow, graze::climb core/graze/climb.hpp")
+                         "AddressSanitizer: heap-buffer-overflow, graze::climb core/graze/support/climb.hpp")
 
     def test_and_without_debug_symbols_by_its_name_alone(self):
         bare = "==1==ERROR: libFuzzer: timeout after 61 seconds\n    #3 0x55 in graze::leave_line(int) (/b/fuzz_x+0x1)\n"
@@ -45,7 +45,7 @@ class Mechanism(unittest.TestCase):
     def test_undefined_behaviour_is_told_by_its_place(self):
         text = "/home/x/graze/core/graze/scan.hpp:12:9: runtime error: 1e+300 is outside the range of type 'int'\n"
         self.assertEqual(mechanism(text, 1),
-                         "undefined behaviour: # is outside the range of type 'int', core/graze/scan.hpp:12")
+                         "undefined behaviour: # is outside the range of type 'int', core/graze/support/scan.hpp:12")
 
     def test_no_report_at_all(self):
         self.assertEqual(mechanism("", -11), "ended by signal 11")

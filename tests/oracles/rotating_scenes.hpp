@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "corpus/case.hpp"
-#include "graze/rotating/rotating_proof.hpp"
+#include "graze/rotating_proof.hpp"
 
 namespace graze::test {
 

@@ -12,8 +12,8 @@
 #pragma once
 
 #include <graze/exact/scene.hpp>
-#include <graze/guide.hpp>
 #include <graze/result.hpp>
+#include <graze/support/prepared_pair.hpp>
 
 namespace graze::exact {
 

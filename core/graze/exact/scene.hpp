@@ -12,7 +12,7 @@
 #pragma once
 
 #include <graze/exact/term.hpp>
-#include <graze/exact/vectors.hpp>
+#include <graze/numeric/vectors.hpp>
 
 namespace graze::exact {
 

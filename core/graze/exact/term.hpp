@@ -6,7 +6,7 @@
 #pragma once
 
 #include <graze/body.hpp>
-#include <graze/combinator.hpp>
+#include <graze/support/tree.hpp>
 #include <vector>
 
 namespace graze::exact {

@@ -7,11 +7,11 @@
 //   > e for every unit n then, and moving each point by up to e leaves h > 0.
 #pragma once
 
-#include <graze/gjk.hpp>
-#include <graze/prove.hpp>
+#include <graze/gjk/gjk.hpp>
+#include <graze/portal/sweep.hpp>
 #include <graze/rotating/moving_pair.hpp>
-#include <graze/steady_axis.hpp>
-#include <graze/sweep.hpp>
+#include <graze/standard/prove.hpp>
+#include <graze/standard/refine_axis.hpp>
 
 namespace graze::detail {
 

@@ -7,9 +7,9 @@
 // there.
 #pragma once
 
-#include <graze/exact/vectors.hpp>
-#include <graze/rotating/rotating_result.hpp>
+#include <graze/numeric/vectors.hpp>
 #include <graze/rotating/spheres.hpp>
+#include <graze/rotating_result.hpp>
 
 namespace graze::detail {
 

@@ -10,8 +10,8 @@
 #pragma once
 
 #include <graze/rotating/crossing.hpp>
-#include <graze/rotating/rotating_result.hpp>
 #include <graze/rotating/slice.hpp>
+#include <graze/rotating_result.hpp>
 
 namespace graze::detail {
 

@@ -21,8 +21,8 @@
 // tests/bounds holds each against ball arithmetic.
 #pragma once
 
-#include <graze/rotating/rotating_body.hpp>
-#include <graze/side.hpp>
+#include <graze/rotating_body.hpp>
+#include <graze/support/side.hpp>
 
 namespace graze::detail {
 

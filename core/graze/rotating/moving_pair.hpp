@@ -14,11 +14,11 @@
 // Bodies on equal arms about pivots apart stay as they are to each other, however long the arms.
 #pragma once
 
-#include <graze/cso.hpp>
 #include <graze/result.hpp>
 #include <graze/rotating/mobility.hpp>
-#include <graze/rotating/rotating_proof.hpp>
 #include <graze/rotating/turn.hpp>
+#include <graze/rotating_proof.hpp>
+#include <graze/support/cso.hpp>
 
 namespace graze::detail {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <graze/rotating/moving_pair.hpp>
-#include <graze/steady_axis.hpp>
+#include <graze/standard/refine_axis.hpp>
 
 namespace graze::detail {
 

@@ -3,9 +3,9 @@
 // answer.
 #pragma once
 
-#include <graze/named_point.hpp>
+#include <graze/certified/named_point.hpp>
 #include <graze/rotating/moving_pair.hpp>
-#include <graze/rotating/rotating_proof.hpp>
+#include <graze/rotating_proof.hpp>
 
 namespace graze::detail {
 

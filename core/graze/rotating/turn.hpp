@@ -7,7 +7,7 @@
 // the bits are the same everywhere and under contraction (offset.hpp).
 #pragma once
 
-#include <graze/offset.hpp>
+#include <graze/numeric/offset.hpp>
 
 namespace graze::detail {
 

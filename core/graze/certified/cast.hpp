@@ -1,0 +1,500 @@
+// Tier certified of linear casts: a bracket of the first contact, proved without condition for the true
+// shapes.
+//
+//   toi_lower <= TOI <= toi_upper for the sets that the given numbers define, every rounding of the search,
+//   of the support functions and of the times counted; and its width, the larger backward error of the two
+//   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
+//
+// Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
+// the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
+// exact tier, whose bracket is narrower still.
+//   miss                   an axis proves it;
+//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards;
+//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact
+//                          and contact is proved a little later: a verdict of contact, whichever it is at t =
+//                          0;
+//   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
+//                          width, or under pass_over where that much decides whether the start leaves.
+//                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
+//                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
+//
+// How. Upper half: a portal of exactly named points (certified_portal.hpp), its decisions beyond doubt. Lower
+// half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
+// face that is nearly along the path and another), the axis from C to a point of the path a little before
+// contact: as that point is farther from C than h rounds, its axis is proved, and as it is nearer than the
+// width, that is enough. Both halves' backward errors are then bounded:
+//   distance of t v from C      <= (upper - t) |v|, and by GJK;
+//   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: so far moved along -n, C
+//   lies
+//                                  beneath the path.
+#pragma once
+
+#include <graze/certified/degenerate.hpp>
+#include <graze/certified/surround.hpp>
+#include <graze/portal/leaving.hpp>
+#include <graze/standard/prove.hpp>
+#include <optional>
+#include <utility>
+
+namespace graze {
+
+// Convergence target of the tier, over scale: 9,000 u. Support points of well-formed shapes are within 100 u.
+inline constexpr double kLinearCertifiedWidth = 1e-12;
+
+namespace detail {
+
+template <Scalar S>
+class CertifiedCast {
+ public:
+  CertifiedCast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, double t_max,
+                double target_distance, Counters& counters)
+      : a_(a),
+        b_(b),
+        cso_(a, b, static_cast<S>(target_distance), Turning::accurate),
+        context_(proof_context(a, b, cso_, t_max, target_distance)),
+        counters_(counters),
+        points_(context_, counters),
+        budget_(options.max_iterations),
+        wants_proof_(asks_for(options.request, Request::proof)),
+        // cso.scale() is not above the pair's. A portal is 2^9 times the doubt of its corners high.
+        width_allowed_(kLinearCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
+  CertifiedCast(const CertifiedCast&) = delete;
+  CertifiedCast& operator=(const CertifiedCast&) = delete;
+
+  void run() {
+    if (cso_.moves() && context_.s_max > 0) {
+      sweep();
+    } else {
+      rest();
+    }
+  }
+
+  // Of a hit: points of A and B, in the world at t = 0, that are at contact at `lower`, up to the width.
+  struct Contact {
+    Vec3<double> on_a = Vec3<double>::Zero(), on_b = Vec3<double>::Zero();
+    void add(double weight, const NamedPoint& p) {
+      on_a += weight * p.on_a;
+      on_b += weight * p.on_b;
+    }
+  };
+  [[nodiscard]] Contact contact() {
+    Contact out;
+    const double s = cso_.to_parameter(lower);
+    if ((cso_.to_parameter(upper) - s) * context_.r.norm() <= width_allowed_ / 8) {
+      for (std::size_t i = 0; i < 3; ++i) out.add(portal.lambda[i], portal.p[i].point);
+      return out;
+    }
+    // A graze: the portal is farther along the path. The closest points at `lower`.
+    Simplex<double> simplex;
+    const Vec3<double> x = s * context_.r;
+    const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    const Closest<double> closest = closest_to_origin(simplex, x);
+    reduce(simplex, closest);
+    Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
+    // The balls touch along what is between the cores, which is known better than the normal of the search.
+    if (cso_.radius() > 0 && closest.v.norm() > cso_.radius() / 2) towards = -unit(closest.v);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+      const CsoPoint<double>& p = simplex.point[i];
+      const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;
+      out.add(simplex.lambda[i], points_.named(p, e));
+      // A curved core's points are found along directions of their own; the balls about them look one way.
+      out.on_a += simplex.lambda[i] * context_.radius_a * (towards - e);
+      out.on_b -= simplex.lambda[i] * context_.radius_b * (towards - e);
+    }
+    return out;
+  }
+
+  // After run() of a start in contact, or maybe in contact: does its ray go into C's inside, or leave, or
+  // slide? Of C without the target distance.
+  [[nodiscard]] Start start() {
+    Proof away;
+    prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
+    if (away.toi_lower == kInfinity<double>) return Start::leaves;
+    // An n with h(n) <= 0 has n.v <= 0 where C has a point ahead on the line; and n.v = 0, too, only if seen
+    // along the line it keeps all of C in a half-plane. Where points of C surround the line none does. At
+    // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
+    // every motion stays there for a while.
+    const ProvedView<S> ahead = view(false);
+    const ProvedPortal in = ahead.enter({}, gap()), out = leave();
+    // Of long thin shapes the search's axis is rounded by more than they are thick.
+    for (const Vec3<double>& axis : {in.n, in.across, out.n, out.across}) {
+      if (prove_lower(context_, axis, true, away, counters_)) return Start::leaves;
+    }
+    if (in.found && out.found && ahead.is_surrounded(in, out)) {
+      if (cso_.moves() ? out.upper < 0 : in.upper < 0 && out.upper < 0) return Start::enters;
+    }
+    return around_origin(true) ? Start::enters : Start::open;
+  }
+
+  Outcome outcome = Outcome::not_converged;
+  Proof proof;  // times in double; a portal's pairs only while its points have names
+  double lower = 0, upper = kInfinity<double>;  // t
+  double apart = kInfinity<double>;             // of the bodies at lower, at most; world length
+  Vec3<double> n = Vec3<double>::Zero();        // hit: unit, supports C at the contact
+  ProvedPortal portal;                          // hit
+
+ private:
+  // A portal's own rounding, and what its points are drawn in by, is 32 u of the lengths in them.
+  [[nodiscard]] double gap() const { return 32 * kUnitRoundoff<double> * cso_.scale(); }
+
+  // The line of the motion or, where nothing moves, of a direction from the origin to the middle of C.
+  [[nodiscard]] ProvedView<S> view(bool backwards) const {
+    if (!cso_.moves()) {
+      const Vec3<double> d = cso_.middle();
+      return along(d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d), backwards);
+    }
+    Vec3<double> from = wide(a_.displacement), to = wide(b_.displacement);
+    if (backwards) std::swap(from, to);
+    return {points_, scaled_by(apart_exactly(to, from), power_of_two(-cso_.speed_exponent())), from, to};
+  }
+  // A line through the origin along d.
+  [[nodiscard]] ProvedView<S> along(const Vec3<double>& d, bool backwards) const {
+    const Vec3<double> zero = Vec3<double>::Zero();
+    const Vec3<double>&from = backwards ? d : zero, &to = backwards ? zero : d;
+    return {points_, apart_exactly(to, from), from, to};
+  }
+  static TwoDoubles3 apart_exactly(const Vec3<double>& to, const Vec3<double>& from) {
+    TwoDoubles3 r;
+    for (int i = 0; i < 3; ++i) r[static_cast<std::size_t>(i)] = two_sum(to[i], -from[i]);
+    return r;
+  }
+  // Directions that are no symmetry of anything: where the line of the motion passes the border of two
+  // portals, and is proved by neither, these do not.
+  static constexpr std::array<std::array<double, 3>, 4> kSkew = {{{0.8125, 0.4375, 0.3828125},
+                                                                  {-0.40625, 0.859375, 0.3125},
+                                                                  {0.28125, -0.34375, 0.89453125},
+                                                                  {-0.640625, -0.5703125, 0.515625}}};
+  [[nodiscard]] ProvedPortal enter(const Portal<double>& first = {}) {
+    return view(false).enter(first, gap());
+  }
+  // The same line backwards: -upper is not above the s where it leaves C.
+  [[nodiscard]] ProvedPortal leave() { return view(true).enter({}, gap()); }
+
+  bool is_miss(const Vec3<double>& axis) {
+    if (proof.toi_lower == kInfinity<double>) return true;
+    if (axis.cwiseAbs().maxCoeff() > 0 && prove_lower(context_, axis, true, proof, counters_)) {
+      outcome = Outcome::miss;
+      lower = kInfinity<double>;
+    }
+    return outcome == Outcome::miss;
+  }
+  bool is_miss_by_search(const Vec3<double>& hint) {
+    prove_miss(context_, hint, proof, counters_);
+    if (proof.toi_lower == kInfinity<double>) {
+      outcome = Outcome::miss;
+      lower = kInfinity<double>;
+    }
+    return outcome == Outcome::miss;
+  }
+  // Contact at t = 0, between two portals.
+  void overlap(const ProvedPortal& in, const ProvedPortal& out) {
+    outcome = Outcome::initially_overlapping;
+    lower = upper = 0;
+    proof = {};
+    if (!wants_proof_) return;
+    const Surrounding four = surrounding(points_, in, out);
+    if (!four.found) return prove_start(context_, proof, counters_);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!four.p[i].named) return;
+      proof.portal[i] = four.p[i].name;
+    }
+    proof.portal_size = 4;
+    proof.toi_upper = 0;
+  }
+
+  // Nothing moves, or for no time.
+  void rest() {
+    Simplex<double> simplex;
+    const Distance<double> d =
+        gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
+    if (is_miss(d.n)) return;
+    const ProvedPortal in = enter(), out = leave();
+    if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
+    if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
+    if (is_miss_by_search(d.n) || is_deep_at_start()) return;
+    // GJK ends where a step is no nearer, as far as doubles tell, though its axis would turn. Seen along a
+    // line, what separates C from it is exact.
+    for (const auto& [x, y, z] : kSkew) {
+      const ProvedPortal aside = along(Vec3<double>(x, y, z), false).enter({}, gap());
+      if (is_miss(aside.found ? aside.n : aside.across)) return;
+    }
+  }
+
+  void sweep() {
+    const Frame<double> frame(context_.r);
+    const double z_max = context_.s_max * frame.length;
+    const PortalSearch<double> search = enter_line(cso_, frame, z_max, gap(), budget_, counters_);
+    using State = PortalSearch<double>::State;
+    if ((search.state == State::missed || search.state == State::rejected) && is_miss_by_search(search.n))
+      return;
+    portal = enter(search.portal);
+    if (!portal.found || !(portal.upper <= context_.s_max * (1 - 4 * kUnitRoundoff<double>))) {
+      if (is_miss(portal.found ? portal.n : portal.across) || is_miss_by_search(search.n)) return;
+      // A line through the border of two portals, of symmetry mostly, is proved by neither.
+      if (is_deep_at_start()) return;
+      bound_below(search);
+      return undecided();
+    }
+    if (portal.upper <= 0) {
+      const ProvedPortal out = leave();
+      if (out.found && out.upper <= 0) return overlap(portal, out);
+      if (is_miss(out.found ? out.n : out.across) || is_miss_by_search(search.n)) return;
+      is_deep_at_start();
+      return;
+    }
+    bound_below(search);
+    if (!(proof.toi_lower > 0) && is_deep_at_start()) return;
+    // The portal's point may lie before the start; with one of C behind the start, contact is in between.
+    if (!(portal.least >= 0)) {
+      const ProvedPortal out = leave();
+      if (!out.found || !(out.upper <= 0)) return undecided();
+    }
+    close();
+  }
+
+  // Where the portals along the path are not to be had, or lie almost along it, contact at its start may be
+  // plain along another direction.
+  bool is_deep_at_start() {
+    Proof start;
+    prove_start(context_, start, counters_);
+    if (start.portal_size == 4) {
+      outcome = Outcome::initially_overlapping;
+      lower = upper = 0;
+      proof = start;
+      return true;
+    }
+    const auto portals = around_origin(false);
+    if (portals) overlap(portals->first, portals->second);
+    return portals.has_value();
+  }
+  // Portals on either side of the origin along a line of kSkew, or, `strictly`, with the origin inside of
+  // their hull: beyond the doubt of their heights, or exactly. In a body that lies far out in its own frame
+  // the doubt may be more than the body.
+  [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
+    for (const auto& [x, y, z] : kSkew) {
+      const ProvedView<S> view = along(Vec3<double>(x, y, z), false);
+      const ProvedPortal in = view.enter({}, gap());
+      if (!in.found || !(strictly || in.upper <= 0)) continue;
+      const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap());
+      if (!out.found || !(strictly || out.upper <= 0)) continue;
+      const bool beyond_doubt = in.upper < 0 && out.upper < 0 && view.is_surrounded(in, out);
+      if (!strictly || beyond_doubt || surrounding(points_, in, out, true).found) return std::pair(in, out);
+    }
+    return std::nullopt;
+  }
+
+  void bound_below(const PortalSearch<double>& search) {
+    prove_lower(context_, portal.n, false, proof, counters_);
+    if (!(portal.n.cwiseAbs().maxCoeff() > 0) || !(portal.beyond <= gap())) {
+      prove_lower(context_, search.n, false, proof, counters_);
+      prove_lower(context_, search.facing, false, proof, counters_);
+    }
+  }
+  void undecided() {
+    lower = std::min(proof.toi_lower, context_.t_max);
+    proof.toi_lower = lower;
+  }
+
+  // Not below the depth of the path over [0, t) in C, internal length, by the axis n.
+  [[nodiscard]] double depth_before(const Vec3<double>& axis, double t) {
+    if (!(axis.cwiseAbs().maxCoeff() > 0)) return kInfinity<double>;
+    const Vec3<double> e = unit(axis);
+    const double least = std::min(0.0, t * context_.rate(e).low * (1 + 4 * kUnitRoundoff<double>));
+    const double h = context_.reach(e, counters_);
+    return std::max(0.0, h - least) * (1 + 16 * kUnitRoundoff<double>)*power_of_two(-cso_.length_exponent());
+  }
+  struct Near {
+    double distance;  // not below the distance of s r from C, internal length
+    Vec3<double> n;
+  };
+  [[nodiscard]] Near near(double s) {
+    Simplex<double> simplex;
+    const Vec3<double> x = s * context_.r;
+    const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    const double rounding =
+        16 * kUnitRoundoff<double> * (cso_.extent() + cso_.radius()) + 4 * cso_.point_error();
+    return {std::min(std::max(d.upper - cso_.radius(), 0.0), from_portal(x)) + rounding, d.n};
+  }
+  // The distance of x from the portal's triangle, all of it in C. On thin curved shapes GJK's is worse: so
+  // near to C the direction to it is rounding, and the support point along it is off by the thin radius times
+  // the angle's square.
+  [[nodiscard]] double from_portal(const Vec3<double>& x) const {
+    if (!portal.found) return kInfinity<double>;
+    Simplex<double> triangle;
+    for (const ProvedPoint& p : portal.p) {
+      CsoPoint<double> corner;
+      corner.w = rounded_once(p.point.w);
+      triangle.add(corner);
+    }
+    return std::sqrt(closest_to_origin(triangle, x).dist_sq);
+  }
+
+  // A hit is proved. What is the width of its bracket, and can it be made narrow?
+  void close() {
+    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    upper = std::min(cso_.to_time(portal.upper) * (1 + kUnitRoundoff<double>), context_.t_max);
+    const auto length_before = [&](double t) {
+      return cso_.to_parameter(upper - t) * speed * (1 + 8 * kUnitRoundoff<double>);
+    };
+    double short_of = length_before(proof.toi_lower);  // not below the distance at toi_lower
+    Vec3<double> steep = Vec3<double>::Zero();
+    if (!(short_of <= width_allowed_)) {
+      const Near at_lower = near(cso_.to_parameter(proof.toi_lower));
+      short_of = at_lower.distance;
+      steep = at_lower.n;
+    }
+    if (!(short_of <= width_allowed_)) short_of = nearer(steep);
+    n = portal.n;
+    double deep = depth_before(n, upper);
+    const auto try_axis = [&](const Vec3<double>& axis) {
+      if (const double d = depth_before(axis, upper); d < deep) {
+        deep = d;
+        n = unit(axis);
+      }
+    };
+    if (!(deep <= width_allowed_ / 8)) {
+      try_axis(proof.axis);
+      try_axis(steep);
+    }
+    // From C to a point of the line before contact, the path's or one behind its start.
+    for (double before = width_allowed_ / context_.r.norm(); !(deep <= width_allowed_) && before < kFarBefore;
+         before *= 32) {
+      try_axis(near(cso_.to_parameter(upper) - before).n);
+    }
+    lower = proof.toi_lower;
+    apart = cso_.to_length(short_of);
+    if (short_of <= width_allowed_ && deep <= width_allowed_) outcome = Outcome::hit;
+    name_portal();
+  }
+  // Axes from C to points of the path, farther and farther before contact, until one is proved. Returns a
+  // bound of the distance from C at the time proved.
+  double nearer(Vec3<double>& steep) {
+    double before = width_allowed_ / 8 / context_.r.norm();
+    for (int i = 0; i < 64; ++i, before *= 2) {
+      const double s = cso_.to_parameter(upper) - before;
+      const Near there = near(std::max(s, 0.0));
+      if (!(there.distance <= width_allowed_) || !(s > 0)) break;
+      steep = there.n;
+      if (prove_lower(context_, there.n, false, proof, counters_)) {
+        const double t = proof.toi_lower;
+        const Near proved = near(cso_.to_parameter(t));
+        if (proved.distance <= width_allowed_) return proved.distance;
+      }
+    }
+    // Where the path meets the rim of a flat end, the axes from C to it are tilted as far as it is off the
+    // rim; the end's own normal is along one of the body's axes.
+    for (const Side<double>* side : {&cso_.side_a(), &cso_.side_b()}) {
+      for (int i = 0; i < 3; ++i) {
+        const Vec3<double> own = side->to_world(Vec3<double>(Vec3<double>::Unit(i)));
+        for (const Vec3<double>& axis : {own, Vec3<double>(-own)}) {
+          const double before_it = proof.toi_lower;
+          prove_lower(context_, axis, false, proof, counters_);
+          if (proof.toi_lower > before_it) steep = axis;
+        }
+      }
+    }
+    return near(cso_.to_parameter(proof.toi_lower)).distance;
+  }
+  void name_portal() {
+    if (!(portal.least >= 0)) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!portal.p[i].point.named) return;
+      proof.portal[i] = portal.p[i].point.name;
+    }
+    proof.portal_size = 3;
+    proof.toi_upper = upper;
+  }
+
+  // Of the path's parameter: the root of the width, from where an axis is tilted by more than the width
+  // allows.
+  static constexpr double kFarBefore = 1e-6;
+
+  const Body<S>&a_, &b_;
+  Cso<double> cso_;
+  ProofContext<S> context_;
+  Counters& counters_;
+  NamedPoints<S> points_;
+  int budget_;
+  bool wants_proof_;
+  double width_allowed_;  // internal length
+};
+
+// The largest S not above t >= 0, and the least not below: no subnormal ones, which machines may flush.
+template <Scalar S>
+S time_down(double t) {
+  return t < double(std::numeric_limits<S>::min()) ? S(0) : exact::round_down<S>(t);
+}
+template <Scalar S>
+S time_up(double t) {
+  return t > 0 ? std::max(exact::round_up<S>(t), std::numeric_limits<S>::min()) : S(0);
+}
+
+template <Scalar S>
+void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                     CertifiedCast<S>& cast, CastResult<S>& out) {
+  const bool in_contact = cast.outcome == Outcome::initially_overlapping;
+  if (cast.outcome == Outcome::miss || cast.proof.toi_lower > 0) return;
+  CertifiedCast<S> core(a, b, options, kInfinity<double>, 0, out.counters);
+  const Start start = core.start();
+  if (start == Start::enters) return;
+  if (start == Start::leaves && in_contact) {
+    out.passed_over = true;
+    cast.outcome = Outcome::miss;
+    cast.lower = cast.upper = kInfinity<double>;
+    return;
+  }
+  // Whether it is a start in contact, or whether that leaves, is open: then so is all that follows.
+  cast.outcome = Outcome::not_converged;
+  cast.lower = 0;
+  cast.upper = kInfinity<double>;
+  cast.proof = {};
+}
+
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
+  CastResult<S> out;
+  out.method = Method::certified_portal;
+  out.invalid = validate(a, b, options);
+  if (out.invalid != Invalid::none) return out;
+  if (!(options.target_distance > 0)) {
+    if (exact::is_exact(a.shape) && exact::is_exact(b.shape)) return cast_exact(a, b, options);
+    if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
+  }
+  detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
+                                static_cast<double>(options.target_distance), out.counters);
+  cast.run();
+  if (options.start_policy == StartPolicy::pass_over) {
+    detail::pass_over_start(a, b, options, cast, out);
+  }
+  out.outcome = cast.outcome;
+  out.toi_lower = cast.lower < kInfinity<double> ? detail::time_down<S>(cast.lower) : kInfinity<S>;
+  out.toi_upper = cast.outcome == Outcome::miss || !(cast.upper < kInfinity<double>)
+                      ? kInfinity<S>
+                      : std::min(detail::time_up<S>(cast.upper), options.t_max);
+  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
+    // At the time as rounded down, v within 8 u of itself.
+    const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+    const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
+    out.distance = exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
+  }
+  if (out.outcome == Outcome::hit) {
+    if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
+    if (asks_for(options.request, Request::witnesses)) {
+      const auto at_lower = [&](const Body<S>& body, const Vec3<double>& x) -> Vec3<S> {
+        return (x + double(out.toi_lower) * detail::wide(body.displacement)).template cast<S>();
+      };
+      const auto contact = cast.contact();
+      out.point_a = at_lower(a, contact.on_a);
+      out.point_b = at_lower(b, contact.on_b);
+    }
+  }
+  out.counters.iterations = out.counters.portal_steps + out.counters.gjk_iterations;
+  if (asks_for(options.request, Request::proof) && !out.passed_over) {
+    out.proof = under_policy(cast.proof, options.start_policy);
+  }
+  return out;
+}
+
+}  // namespace graze

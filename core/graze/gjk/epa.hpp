@@ -1,0 +1,397 @@
+// min over unit n of h(n), for the core C of a CSO that holds the origin: the expanding polytope.
+// Units: internal.   Frame: world axes.
+//
+// Notation   P = the polytope, the hull of support points found so far, P inside C;   a face f of P has a
+// unit outward normal n_f and the offset d_f = n_f.p from the origin;   w = support(n_f), h(n_f) = n_f.w.
+// With the origin in P, its distance from P's boundary is min d_f, so
+//     min d_f  <=  min over n of h(n)  <=  h(n_f):     stop when the two meet.
+// [van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001]
+// Differs: P starts as a fat tetrahedron of C that need not hold the origin; the face with the least d_f, < 0
+// or not, is the one to expand either way. So no start is degenerate: a C of fewer dimensions is found as one
+// (its own normal n has h(n) = 0), and an origin on a face, an edge or a vertex of P is like any other.
+//
+// Rounding. A face within kVisible u scale of the new point counts as seen by it: a face that stays lies
+// below the point by more, so no new face is thinner than that, and P loses no more than that to the faces
+// that go. Where the seen faces are not one disc, as only rounding can have it, P stays as it was: a stall.
+#pragma once
+
+#include <graze/gjk/gjk.hpp>
+#include <graze/portal/frame.hpp>
+
+namespace graze {
+
+// Vertices: a polytope is done after as many supports as C has vertices around the answer, 5..40; a curved C
+// halves the gap with every 2 to 4, so 60 to 190 for 46 bits. A triangulated sphere has 2 V - 4 faces.
+inline constexpr std::size_t kEpaVertices = 192, kEpaFaces = 2 * kEpaVertices;
+
+// See above; 32 u scale is what the closest-point searches call contact (sweep.hpp).
+inline constexpr int kVisible = 32;
+
+template <Scalar S>
+struct EpaFace {
+  Vec3<S> n;                            // unit, outward
+  S d;                                  // n.p, internal length
+  std::array<std::uint8_t, 3> v;        // vertices, counter-clockwise seen from outside
+  std::array<std::uint16_t, 3> across;  // the face beyond the edge v[i] -> v[i + 1]
+  bool alive, settled;                  // settled: n, d are of the triangle's point nearest to the origin
+};
+
+template <Scalar S>
+class EpaPolytope {
+ public:
+  // Four points with a volume, in any order. False if it has none.
+  bool start(const std::array<CsoPoint<S>, 4>& corner) {
+    vertices_ = faces_ = 0;
+    for (const CsoPoint<S>& c : corner) point_[vertices_++] = c;
+    const Vec3<S> e1 = corner[1].w - corner[0].w, e2 = corner[2].w - corner[0].w,
+                  e3 = corner[3].w - corner[0].w;
+    const S volume = e1.cross(e2).dot(e3);
+    if (!(std::abs(volume) > 0)) return false;
+    // Seen from outside, the face opposite to corner i of a positive tetrahedron.
+    constexpr std::array<std::array<std::uint8_t, 3>, 4> kPositive = {
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      auto v = kPositive[i];
+      if (volume < 0) std::swap(v[1], v[2]);
+      if (!set_face(face_[i], v)) return false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Beyond an edge is the face opposite to the corner that this one has and the edge has not.
+        face_[i].across[k] = v[(k + 2) % 3];
+      }
+    }
+    faces_ = 4;
+    return true;
+  }
+
+  [[nodiscard]] std::size_t faces() const { return faces_; }  // slots, some of them dead
+  [[nodiscard]] const EpaFace<S>& face(std::size_t f) const { return face_[f]; }
+  [[nodiscard]] bool full() const { return vertices_ == kEpaVertices; }
+  // Does P have this point, or one as near to it as rounding can tell?
+  [[nodiscard]] bool holds(const CsoPoint<S>& p, S apart) const {
+    for (std::size_t i = 0; i < vertices_; ++i) {
+      if (point_[i].same_feature(p) || (point_[i].w - p.w).squaredNorm() <= apart * apart) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] Closest<S> triangle(std::size_t f, Simplex<S>& corners) const {
+    for (std::size_t i = 0; i < 3; ++i) corners.add(point_[face_[f].v[i]]);
+    return closest_to_origin(corners, Vec3<S>(Vec3<S>::Zero()));
+  }
+  // The plane of a sliver is rounding: its support is a point that P has, above it. Where the triangle is
+  // nearest to the origin is not.
+  void settle(std::size_t f) {
+    Simplex<S> corners;
+    const Closest<S> closest = triangle(f, corners);
+    face_[f].settled = true;
+    face_[f].d = std::sqrt(closest.dist_sq);
+    if (face_[f].d > 0) face_[f].n = unit(closest.v);
+  }
+  // The alive face with the least offset.
+  [[nodiscard]] std::size_t nearest() const {
+    std::size_t best = 0;
+    S least = kInfinity<S>;
+    for (std::size_t f = 0; f < faces_; ++f) {
+      if (face_[f].alive && face_[f].d < least) {
+        least = face_[f].d;
+        best = f;
+      }
+    }
+    return best;
+  }
+
+  // The hull of P and w, a point beyond the face `seen`. `visible`: how far below a face's plane w may lie
+  // and still see it. False, and nothing changed, if rounding leaves no disc of faces, or if there is no
+  // room.
+  bool add(const CsoPoint<S>& w, std::size_t seen, S visible) {
+    if (full()) return false;
+    // The seen faces, from one to the next across edges; the edges beyond which a face is not seen.
+    ++stamp_;
+    std::size_t seen_count = 1, rim = 0;
+    mark_[seen] = stamp_;
+    stack_[0] = static_cast<std::uint16_t>(seen);
+    for (std::size_t next = 0; next < seen_count; ++next) {
+      const EpaFace<S>& f = face_[stack_[next]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint16_t g = f.across[k];
+        if (mark_[g] == stamp_) continue;
+        if (face_[g].n.dot(w.w) - face_[g].d >= -visible) {
+          mark_[g] = stamp_;
+          stack_[seen_count++] = g;
+        } else {
+          if (rim == kEpaVertices) return false;
+          rim_[rim++] = {stack_[next], static_cast<std::uint8_t>(k)};
+        }
+      }
+    }
+    // One disc has one rim, which leaves each of its vertices once.
+    if (rim < 3 || faces_ + rim > kEpaFaces + seen_count) return false;
+    leaves_.fill(kNone);
+    for (std::size_t i = 0; i < rim; ++i) {
+      std::uint16_t& at = leaves_[from(rim_[i])];
+      if (at != kNone) return false;
+      at = static_cast<std::uint16_t>(i);
+    }
+    std::size_t length = 0;
+    for (std::size_t i = 0; length <= rim; ++length) {
+      const std::uint16_t next = leaves_[to(rim_[i])];
+      if (next == kNone) return false;
+      i = next;
+      if (i == 0) break;
+    }
+    if (length + 1 != rim) return false;
+    const std::uint8_t apex = static_cast<std::uint8_t>(vertices_);
+    point_[vertices_] = w;
+    for (std::size_t i = 0; i < rim; ++i) {
+      if (!set_face(made_[i], {from(rim_[i]), to(rim_[i]), apex})) return false;
+    }
+    ++vertices_;
+    // The new faces take the slots of the seen ones, then fresh ones.
+    for (std::size_t i = 0; i < rim; ++i) {
+      slot_[i] = i < seen_count ? stack_[i] : static_cast<std::uint16_t>(faces_++);
+    }
+    for (std::size_t i = 0; i < rim; ++i) {
+      const std::uint16_t after = leaves_[made_[i].v[1]];
+      made_[i].across[0] = face_[rim_[i].face].across[rim_[i].k];
+      made_[i].across[1] = slot_[after];
+      made_[after].across[2] = slot_[i];
+    }
+    return commit(rim, seen_count);
+  }
+
+ private:
+  static constexpr std::uint16_t kNone = 0xffff;
+  struct Edge {
+    std::uint16_t face = 0;
+    std::uint8_t k = 0;
+  };
+  [[nodiscard]] std::uint8_t from(Edge e) const { return face_[e.face].v[e.k]; }
+  [[nodiscard]] std::uint8_t to(Edge e) const { return face_[e.face].v[(e.k + 1) % 3]; }
+
+  bool set_face(EpaFace<S>& f, const std::array<std::uint8_t, 3>& v) const {
+    const Vec3<S>&a = point_[v[0]].w, &b = point_[v[1]].w, &c = point_[v[2]].w;
+    f.v = v;
+    f.n = unit(face_normal(a, b, c));
+    f.d = std::min({f.n.dot(a), f.n.dot(b), f.n.dot(c)});
+    f.alive = true;
+    f.settled = false;
+    return f.n.squaredNorm() > 0;  // false for NaN too
+  }
+
+  bool commit(std::size_t rim, std::size_t seen_count) {
+    for (std::size_t i = 0; i < rim; ++i) {
+      // The face outside still points at one that goes.
+      EpaFace<S>& outside = face_[made_[i].across[0]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (outside.v[k] == made_[i].v[1] && outside.v[(k + 1) % 3] == made_[i].v[0])
+          outside.across[k] = slot_[i];
+      }
+    }
+    for (std::size_t i = rim; i < seen_count; ++i) face_[stack_[i]].alive = false;
+    for (std::size_t i = 0; i < rim; ++i) face_[slot_[i]] = made_[i];
+    // Dead slots are filled from the end, so that none is lost.
+    for (std::size_t i = rim; i < seen_count; ++i) bury(stack_[i]);
+    return true;
+  }
+  void bury(std::size_t dead) {
+    while (faces_ > 0 && !face_[faces_ - 1].alive) --faces_;
+    if (dead >= faces_) return;
+    const std::size_t last = faces_ - 1;
+    face_[dead] = face_[last];
+    face_[last].alive = false;
+    --faces_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EpaFace<S>& g = face_[face_[dead].across[k]];
+      for (std::size_t m = 0; m < 3; ++m) {
+        if (g.across[m] == last) g.across[m] = static_cast<std::uint16_t>(dead);
+      }
+    }
+  }
+
+  std::size_t vertices_ = 0, faces_ = 0;
+  std::array<CsoPoint<S>, kEpaVertices> point_;
+  std::array<EpaFace<S>, kEpaFaces> face_;
+  std::array<EpaFace<S>, kEpaVertices> made_;
+  std::array<Edge, kEpaVertices> rim_;
+  std::array<std::uint16_t, kEpaVertices> leaves_, slot_;
+  std::array<std::uint16_t, kEpaFaces> stack_;
+  std::array<std::uint32_t, kEpaFaces> mark_{};
+  std::uint32_t stamp_ = 0;
+};
+
+template <Scalar S>
+struct Epa {
+  S lower = 0, upper = kInfinity<S>;  // of the least h(n)
+  Vec3<S> n = Vec3<S>::Zero();        // unit; h(n) = upper
+  Simplex<S> contact;                 // a face of P, weighted where it is nearest to the origin; or empty
+  bool stalled = false;
+  bool enclosed = false;  // P holds the origin, or C is flat and holds it within `known`
+};
+
+// What of C's dimension rounding can tell from nothing.
+template <Scalar S>
+struct Tetrahedron {
+  int dimension = 0;  // of C; 3: `corner` is a tetrahedron in C
+  std::array<CsoPoint<S>, 4> corner;
+  Vec3<S> n = Vec3<S>::Zero();  // dimension < 3: unit; C has no extent along it
+};
+
+// Four support points far from each other: the ends of C's longest axis, the point farthest from their line,
+// the point farthest from the plane of the three. `flat`: an extent that counts as none.
+template <Scalar S, class Support>
+Tetrahedron<S> spread_tetrahedron(const Support& support, S flat) {
+  Tetrahedron<S> out;
+  auto& c = out.corner;
+  S longest = -1;
+  for (int i = 0; i < 3; ++i) {
+    const CsoPoint<S> low = support(Vec3<S>(-Vec3<S>::Unit(i))), high = support(Vec3<S>(Vec3<S>::Unit(i)));
+    if (const S length = high.w[i] - low.w[i]; length > longest) {
+      longest = length;
+      c[0] = low;
+      c[1] = high;
+    }
+  }
+  out.n = Vec3<S>::UnitX();
+  if (!(longest > flat)) return out;
+  // Across the line; the four directions find a point at 1/sqrt(2) of the greatest distance, or farther.
+  const Frame<S> frame(Vec3<S>(c[1].w - c[0].w));
+  S farthest = 0;
+  for (const Vec3<S>& across : {frame.e1, Vec3<S>(-frame.e1), frame.e2, Vec3<S>(-frame.e2)}) {
+    const CsoPoint<S> p = support(across);
+    if (const S distance = across.dot(p.w - c[0].w); distance > farthest) {
+      farthest = distance;
+      c[2] = p;
+    }
+  }
+  out.dimension = 1;
+  out.n = frame.e1;
+  if (!(farthest > flat)) return out;
+  out.dimension = 2;
+  out.n = unit(face_normal(c[0].w, c[1].w, c[2].w));
+  const CsoPoint<S> above = support(out.n), below = support(Vec3<S>(-out.n));
+  const S up = out.n.dot(above.w - c[0].w), down = out.n.dot(c[0].w - below.w);
+  if (std::max(up, down) > flat) out.dimension = 3;
+  c[3] = up > down ? above : below;
+  return out;
+}
+
+namespace detail {
+
+// The face of P nearest to the origin as a triangle, of those whose plane is no farther than `within`: of two
+// coplanar ones, that which the origin projects into.
+template <Scalar S>
+std::size_t touching_face(const EpaPolytope<S>& P, S within, Simplex<S>& contact) {
+  std::size_t best = P.faces();
+  S least = kInfinity<S>;
+  for (std::size_t f = 0; f < P.faces(); ++f) {
+    if (!P.face(f).alive || !(P.face(f).d <= within)) continue;
+    Simplex<S> triangle;
+    const Closest<S> closest = P.triangle(f, triangle);
+    if (!(closest.dist_sq < least)) continue;
+    least = closest.dist_sq;
+    best = f;
+    reduce(triangle, closest);
+    contact = triangle;
+  }
+  return best;
+}
+
+}  // namespace detail
+
+namespace detail {
+
+template <Scalar S>
+Vec3<S> combination(const Simplex<S>& simplex) {
+  Vec3<S> out = Vec3<S>::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+    out += simplex.lambda[i] * simplex.point[i].w;
+  }
+  return out;
+}
+
+}  // namespace detail
+
+// `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach.
+// `noise`: what rounding cannot tell from nothing (sweep.hpp). Ends after `budget` supports beside the first
+// twelve.
+template <Scalar S, class Support>
+Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S noise, S scale, int budget,
+           Counters& counters) {
+  const auto support = [&](const Vec3<S>& n) {
+    ++counters.supports;
+    return given(n);
+  };
+  Epa<S> out;
+  out.lower = -known;
+  const auto bound = [&](const Vec3<S>& n, S h) {
+    if (h < out.upper) {
+      out.upper = h;
+      out.n = n;
+    }
+  };
+  EpaPolytope<S> P;
+  // The tetrahedron that a former search ended with, if it is not a thin one: a sixteenth of a cube's corner.
+  bool begun = false;
+  if (around.size == 4) {
+    const Vec3<S> e1 = around.point[1].w - around.point[0].w, e2 = around.point[2].w - around.point[0].w,
+                  e3 = around.point[3].w - around.point[0].w;
+    const S size = std::max({e1.squaredNorm(), e2.squaredNorm(), e3.squaredNorm()});
+    begun = std::abs(e1.cross(e2).dot(e3)) > size * std::sqrt(size) / 16 && size > scale * scale / 4096 &&
+            P.start(around.point);
+  }
+  if (!begun) {
+    const Tetrahedron<S> spread = spread_tetrahedron<S>(support, noise);
+    if (spread.dimension < 3) {
+      for (const Vec3<S>& n : {spread.n, Vec3<S>(-spread.n)}) bound(n, n.dot(support(n).w));
+      return out;
+    }
+    if (!P.start(spread.corner)) {
+      out.stalled = true;
+      return out;
+    }
+  }
+  const S visible = kVisible * kUnitRoundoff<S> * scale, same = visible / 4;
+  // Once P holds the origin it always does: then a face that has the origin outside is a sliver.
+  bool& enclosed = out.enclosed;
+  enclosed = begun;
+  std::size_t f = P.nearest();
+  while (true) {
+    ++counters.iterations;
+    const EpaFace<S> face = P.face(f);
+    const CsoPoint<S> w = support(face.n);
+    const S h = face.n.dot(w.w), least = P.face(P.nearest()).d;
+    bound(face.n, h);
+    enclosed = enclosed || least >= 0;
+    // The origin outside P: P says nothing about the depth of C yet.
+    out.lower = std::max(S(-known), least >= 0 ? least : S(-known));
+    const bool closed = out.upper - out.lower <= gap;
+    if (closed) {
+      const std::size_t touching = detail::touching_face(P, S(out.upper + noise), out.contact);
+      if (touching == f && h <= out.upper + gap) {
+        out.upper = h;
+        out.n = face.n;
+        return out;
+      }
+      if (touching == P.faces() || budget <= 0) return out;
+      if (touching != f) {
+        if (out.n.dot(detail::combination(out.contact)) >= out.upper - gap) return out;
+        // Another direction of the same depth, so far.
+        --budget;
+        f = touching;
+        continue;
+      }
+    }
+    // No new point, no room, or no budget: what is known is handed back. NaN ends here too.
+    const bool known_point = P.holds(w, same);
+    if (budget-- > 0 && known_point && enclosed && !face.settled) {
+      P.settle(f);
+    } else if (!(h - face.d > gap) || known_point || budget < 0 ||
+               !(P.add(w, f, visible) || P.add(w, f, S(0)))) {
+      out.stalled = !closed;
+      if (!closed) detail::touching_face(P, S(out.upper + noise), out.contact);
+      return out;
+    }
+    f = P.nearest();
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,271 @@
+// The quick walk: where does the path enter C = A - B? For polytopes; in doubles; it may give up.
+//
+//   path s r, 0 <= s <= horizon, units and frame of guide.hpp;   m(c) = c x r;   det(c, d) = det(c, d, r) =
+//   c.m(d).
+// Portal refinement (portal.hpp) without its care for ties: walk as the signs come, then make sure. Nothing
+// that happens on the way has to be right, since every answer is shown to hold by what is left in hand at the
+// end:
+//   miss      an axis n with h(n) < min(0, n.(horizon r)), the farthest vertex of each body made sure of;
+//   hit       upper: weights >= 0 of the portal, whose point p is within the noise of the path at
+//             s = p.r / r.r.   lower: h(n) / n.r for the last normal n, however it was found.   They have
+//             met: upper - lower is below the target;
+//   contact   portals whose points are within the noise of the line, one at s <= 0 and one at s >= 0: C is
+//   convex.
+// Where that fails, near the start, near the end of the path or after kQuickSteps, it gives up, and the
+// careful search answers.
+//
+// Rounding, internal length, over |n|_1, with e = err(a) + err(b) of guide.hpp, M the extent, u in double:
+//   a vertex c of C: e + the offset's error + 4 u M per component (two sums);   n.c: 3 u M;   n turned: 2 e,
+//   and sums compared, 8 u M, for the farthest in doubles;   horizon n.r, with |horizon r| <= 4 M: 12 u M,
+//   and r rounded, 4 u M.   Together below margin = 4 e + offset's error + 40 u M.
+// A vertex that floats guess is within slip() of the farthest: below the noise for S = float, where it serves
+// as the farthest for `lower`; wherever else it decides, a scan in doubles makes sure.
+#pragma once
+
+#include <graze/portal/sweep.hpp>
+#include <graze/support/prepared_pair.hpp>
+
+namespace graze {
+
+// Steps of the walk; what takes longer is no common case.
+inline constexpr int kQuickSteps = 48;
+// The half width of a cube over its half diagonal.
+inline constexpr double kQuickBall = 0.58;
+// A direction of this length or below is out of the range that the scans in float keep.
+inline constexpr double kQuickLeast = 0x1p-80;
+
+// Written and read a number at a time, and never copied: a load that is wider than the stores before it waits
+// for them.
+struct QuickCorner {
+  Triple w, m;
+  std::uint32_t vertex_a = 0, vertex_b = 0;
+
+  [[nodiscard]] bool is(const QuickCorner& o) const {
+    return vertex_a == o.vertex_a && vertex_b == o.vertex_b;
+  }
+};
+
+// outcome not_converged: it gave up.
+struct QuickSweep {
+  Outcome outcome = Outcome::not_converged;
+  double lower = 0, upper = 0;  // hit: of s
+  Triple n{0, 0, 0};            // hit, miss: the axis, of any length
+  std::array<double, 3> lambda{};
+};
+
+template <Scalar S>
+class QuickWalk {
+ public:
+  // `horizon` may be infinite. `tolerance` over scale, 0 for the noise.
+  QuickWalk(const GuidedPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters)
+      : pair_(pair), r_(pair.direction()), counters_(counters), budget_(std::min(budget, kQuickSteps)) {
+    constexpr double kU = kUnitRoundoff<double>;
+    const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
+    r_sq_ = dot(r_, r_);
+    ball_ = kQuickBall * reach;
+    // Beyond its extent nothing of C is met.
+    end_ = std::min(horizon, 2 * extent) * r_;
+    s_max_ = horizon;
+    noise_ = kContact * double(kUnitRoundoff<S>) * pair.size();
+    target_ = std::max(noise_, tolerance * pair.size());
+    margin_ = 4 * (pair.a().error() + pair.b().error()) + pair.offset_error() + 40 * kU * extent;
+    guess_ = pair.a().slip() + pair.b().slip();
+  }
+
+  [[nodiscard]] const QuickSweep& run() {
+    if (find()) refine();
+    return out_;
+  }
+  // Of the portal.
+  [[nodiscard]] const QuickCorner& corner(std::size_t i) const { return *at_[i]; }
+
+ private:
+  using Portal = std::array<QuickCorner*, 3>;
+
+  // Into a slot that is free.
+  [[gnu::noinline]] void support(double x, double y, double z, QuickCorner& out) {
+    ++counters_.supports;
+    const Triple n{x, y, z};
+    set(pair_.a().support(n, out.vertex_a), pair_.b().support(-n, out.vertex_b), out);
+  }
+  [[gnu::always_inline]] QuickCorner& support(const Triple& n, QuickCorner* out) {
+    support(n.x, n.y, n.z, *out);
+    return *out;
+  }
+  // The farthest in doubles.
+  [[gnu::noinline]] void sure_support(const Triple& n, QuickCorner& out) {
+    ++counters_.supports;
+    set(pair_.a().farthest(n, out.vertex_a), pair_.b().farthest(-n, out.vertex_b), out);
+  }
+  [[gnu::always_inline]] void set(const Triple& a, const Triple& b, QuickCorner& out) {
+    const Triple& d = pair_.offset();
+    const double x = a.x - (b.x + d.x), y = a.y - (b.y + d.y), z = a.z - (b.z + d.z);
+    out.w.x = x;
+    out.w.y = y;
+    out.w.z = z;
+    out.m.x = y * r_.z - z * r_.y;
+    out.m.y = z * r_.x - x * r_.z;
+    out.m.z = x * r_.y - y * r_.x;
+  }
+  [[nodiscard]] static double det(const QuickCorner& c, const QuickCorner& d) { return dot(c.w, d.m); }
+  [[nodiscard]] static bool is_small(const Triple& n) { return !(sum(magnitude(n)) > kQuickLeast); }
+
+  // Does n, with its support point w, prove that the path misses? w may come out farther.
+  [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
+    const double size = sum(magnitude(n)), bound = std::min(0.0, dot(n, end_)) - margin_ * size;
+    double h = dot(n, w.w);
+    if (!(h < bound)) [[likely]]
+      return false;
+    if (!(h < bound - guess_ * size)) {
+      sure_support(n, w);
+      h = dot(n, w.w);
+      if (!(h < bound)) return false;
+    }
+    out_.outcome = Outcome::miss;
+    out_.n = n;
+    return true;
+  }
+
+  // About where a ball as large as C would be met, and across the path where it passes beside: with p the
+  // ball's centre beside the line, of radius R, along -(R p + (R^2 - p^2) r), |r| taken for 1.
+  Triple first_direction() const {
+    const Triple c = -pair_.offset(), beside = r_sq_ * c - dot(c, r_) * r_;
+    const double radius = ball_ * r_sq_, room = std::max(radius * radius - dot(beside, beside), 0.0);
+    return -(radius * beside + room * r_);
+  }
+  // A triangle around the line, seen along it: det of every edge, in turn, >= 0. The line is to the left of
+  // i -> j.
+  bool find() {
+    QuickCorner *i = &slot_[0], *j = &slot_[1], *k = &slot_[2];
+    Triple n = first_direction();
+    if (separates(n, support(n, i))) return false;
+    n = cross(i->m, r_);
+    if (is_small(n) || separates(n, support(n, j))) return false;
+    n = i->m - j->m;
+    if (det(*i, *j) < 0) {
+      std::swap(i, j);
+      n = -n;
+    }
+    while (budget_-- > 0) {
+      ++counters_.portal_steps;
+      if (is_small(n)) return false;
+      QuickCorner& w = support(n, k);
+      if (separates(n, w)) return false;
+      // Nothing new: the line passes within the noise of the silhouette.
+      if (w.is(*i) || w.is(*j)) return false;
+      const double from = dot(w.w, i->m), to = -dot(w.w, j->m);
+      if (from >= 0 && to >= 0) {
+        at_ = {i, j, k};
+        return true;
+      }
+      const std::array<Triple, 2> next = {w.m - j->m, i->m - w.m};
+      const bool left = from < to;
+      n.x = next[left].x;
+      n.y = next[left].y;
+      n.z = next[left].z;
+      QuickCorner* const gone = left ? j : i;
+      i = left ? i : k;
+      j = left ? k : j;
+      k = gone;
+    }
+    return false;
+  }
+
+  void refine() {
+    QuickCorner *c0 = at_[0], *c1 = at_[1], *c2 = at_[2], *free = &slot_[3], *spare = &slot_[4];
+    bool entry = true;
+    // Against r, at first.
+    Triple n = cross(c2->w - c0->w, c1->w - c0->w);
+    if (dot(n, c0->w) > 0) {
+      // The portal is at s < 0: the exit is looked for, as the entry of the line that runs the other way. The
+      // path ends where it did: on a needle that it crosses n comes out tilted to it, either way.
+      entry = false;
+      n = -n;
+      r_ = -r_;
+      for (QuickCorner* const c : at_) c->m = -c->m;
+      std::swap(c1, c2);
+    }
+    while (budget_-- > 0) {
+      ++counters_.portal_steps;
+      const double face = dot(n, c0->w), size = sum(magnitude(n));
+      if (!(size > kQuickLeast)) return;
+      if (face >= 0) {
+        at_ = {c0, c1, c2};
+        touch();
+        return;
+      }
+      QuickCorner& w = support(n, free);
+      if (separates(n, w)) return;
+      if (!(dot(n, w.w) - face > target_ / 4 * size)) {
+        if constexpr (std::same_as<S, double>) {
+          sure_support(n, w);
+          if (separates(n, w)) return;
+        }
+        if (!(dot(n, w.w) - face > target_ / 4 * size)) {
+          at_ = {c0, c1, c2};
+          if (entry) close(n, dot(n, w.w));
+          return;
+        }
+      }
+      // w takes the place of the corner whose opposite edge makes with it the triangle that the line passes.
+      // The normals of all three are at hand before the signs are.
+      const double d0 = dot(w.w, c0->m), d1 = dot(w.w, c1->m), d2 = dot(w.w, c2->m);
+      const Triple e0 = c0->w - w.w, e1 = c1->w - w.w, e2 = c2->w - w.w;
+      const std::array<Triple, 3> next = {cross(e2, e1), cross(e0, e2), cross(e1, e0)};
+      const unsigned third = unsigned(d0 >= 0) & unsigned(d1 <= 0),
+                     first = (1 - third) & unsigned(d1 >= 0) & unsigned(d2 <= 0);
+      const unsigned out = 1 + third - first;
+      n.x = next[out].x;
+      n.y = next[out].y;
+      n.z = next[out].z;
+      before_[0] = c0;
+      before_[1] = c1;
+      before_[2] = c2;
+      QuickCorner* const gone = out == 0 ? c0 : out == 1 ? c1 : c2;
+      c0 = out == 0 ? free : c0;
+      c1 = out == 1 ? free : c1;
+      c2 = out == 2 ? free : c2;
+      free = spare;
+      spare = gone;
+    }
+  }
+
+  // Where the line passes the portal: s, with the weights of it; NaN if it does not within the noise.
+  double pass(const Portal& portal, std::array<double, 3>& lambda) const {
+    const QuickCorner &c0 = *portal[0], &c1 = *portal[1], &c2 = *portal[2];
+    const double l0 = std::max(det(c1, c2), 0.0), l1 = std::max(det(c2, c0), 0.0),
+                 l2 = std::max(det(c0, c1), 0.0), one = 1 / (l0 + l1 + l2);
+    lambda = {l0 * one, l1 * one, l2 * one};
+    const Triple p = lambda[0] * c0.w + lambda[1] * c1.w + lambda[2] * c2.w;
+    const double s = dot(p, r_) / r_sq_;
+    return largest(p - s * r_) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
+  }
+  // The portal before the last step and this one lie on either side of the start.
+  void touch() {
+    std::array<double, 3> lambda;
+    const double s = pass(at_, lambda), before = before_[0] ? pass(before_, lambda) : s;
+    if (s * before <= 0) out_.outcome = Outcome::initially_overlapping;
+  }
+  void close(const Triple& n, double reach) {
+    const double upper = pass(at_, out_.lambda), lower = std::min(reach / dot(n, r_), upper);
+    const double speed = sum(magnitude(r_));
+    const bool sure = lower > 0 && upper < s_max_ && upper > 2 * noise_ && (upper - lower) * speed <= target_;
+    if (!sure) return;
+    out_.outcome = Outcome::hit;
+    out_.lower = lower;
+    out_.upper = upper;
+    out_.n = n;
+  }
+
+  const GuidedPair<S>& pair_;
+  Triple r_, end_;  // end_: of the path, as far as C reaches
+  Counters& counters_;
+  int budget_;
+  double ball_ = 1, r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  // Three of the portal, the one that is new, the one that the last step took out.
+  std::array<QuickCorner, 5> slot_;
+  Portal at_{}, before_{};
+  QuickSweep out_;
+};
+
+}  // namespace graze

@@ -1,0 +1,62 @@
+// What a rotating cast is asked, and what it answers. One aggregate each; every field says when it is valid.
+#pragma once
+
+#include <graze/plan.hpp>
+#include <graze/rotating_body.hpp>
+#include <graze/rotating_proof.hpp>
+
+namespace graze {
+
+enum class RotatingMethod : std::uint8_t {
+  time_steps,                // overlap tests at equal steps; may miss what happens between two
+  bounding_spheres,          // the spheres' linear cast is a lower bound; equal steps from there
+  conservative_advancement,  // never passes first contact; slow where the bodies graze
+  bilateral_advancement,     // never passes first contact; proves the interval that it skips
+  bilateral_published,       // as Catto published it, GDC 2013: may pass an intermediate contact
+};
+
+template <Scalar S>
+struct RotatingOptions {
+  Tier tier = Tier::standard;                 // exact does not exist where a rotation is seen: invalid_input
+  std::optional<RotatingMethod> method = {};  // none: by the plan
+  Economies economies = {};                   // of the plan
+  Request request = Request::normal | Request::witnesses;
+  S t_max = 1;            // finite, where a rotation is seen
+  S target_distance = 0;  // m: contact is when the distance reaches m (length)
+  // Width of the bracket that is asked for, over scale; 0: the least that the tier reaches.
+  S tolerance = 0;
+  StartPolicy start_policy = StartPolicy::report;  // pass_over only where no rotation is seen
+  int max_iterations = 262144;                     // support evaluations
+  int time_steps = 64;                             // of time_steps and bounding_spheres, over [0, t_max]
+};
+
+template <Scalar S>
+struct RotatingResult {
+  Outcome outcome = Outcome::invalid_input;
+  Invalid invalid = Invalid::none;  // for invalid_input
+  Plan plan;                        // what was simulated, and why
+  // As in CastResult: both 0 for initially_overlapping, infinite for miss, NaN for invalid_input.
+  S toi_lower = std::numeric_limits<S>::quiet_NaN();
+  S toi_upper = std::numeric_limits<S>::quiet_NaN();
+  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
+  S distance = 0;
+  bool passed_over = false;
+  // time_steps, bounding_spheres: no point of a body moves by more between two steps (length); what is
+  // smaller than that may have been missed.
+  S hidden_motion = 0;
+  Vec3<S> normal = Vec3<S>::Zero();  // hit: unit, from A to B, world axes, at toi_lower
+  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();  // hit: world points at toi_lower
+  std::optional<RotatingProof> proof;                            // when asked for
+  Counters counters;
+};
+
+// cast(A, B) = when do two moving convex shapes first touch, turning included? By options.method, or by the
+// plan. Defined in <graze/rotating_cast.hpp>.
+template <Scalar S>
+RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
+                       const RotatingOptions<S>& options = {});
+// What that would simulate.
+template <Scalar S>
+Plan plan(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options = {});
+
+}  // namespace graze

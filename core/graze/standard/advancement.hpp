@@ -1,0 +1,143 @@
+// The two linear casts on top of GJK: conservative advancement, and the ray cast on the CSO.
+//
+// Both walk along the path s r by axes: a unit n with h(n) + R < n.(s r) proves that no contact is before
+//   s' = s + (n.(s r) - h(n) - R) / -(n.r)      when n.r < 0,     and none at all when n.r >= 0.
+// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise, or
+// where the caller lets them; a portal then closes the bracket from above.
+#pragma once
+
+#include <graze/portal/mpr.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// One advance. Returns false if the cast is decided: out.outcome is a miss.
+template <Scalar S>
+bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max) {
+  const S closing = -n.dot(r);
+  const S next = out.lower + apart / closing;
+  if (!(closing > 0) || next > s_max) {
+    out.outcome = Outcome::miss;
+    out.n = n;
+    return false;
+  }
+  if (next > out.lower) {
+    out.lower = next;
+    out.n = n;
+  }
+  return true;
+}
+
+// On a rounded C the contact is where the core's closest point looks towards x: known to u, while the axis
+// that proved the bound is known to the root of it, as every supporting normal of a curved surface is.
+template <Scalar S>
+void point_at(Simplex<S>& contact, const Vec3<S>& x) {
+  Vec3<S> towards = x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) {
+    towards -= contact.lambda[i] * contact.point[i].w;
+  }
+  const Vec3<S> e = unit(towards);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) contact.point[i].e = e;
+}
+
+// Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a
+// stall, only a portal can tell whether the path goes on to hit.
+template <Scalar S>
+void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart,
+                      Counters& counters) {
+  out.apart = apart;
+  if (apart <= limits.noise) {
+    out.outcome = out.lower > 0 ? Outcome::hit : Outcome::initially_overlapping;
+    out.upper = out.lower;
+    if (cso.radius() > 0) point_at(out.contact, Vec3<S>(out.lower * cso.direction()));
+    return;
+  }
+  const int iterations = counters.iterations;
+  const Sweep<S> above = mpr_sweep(cso, limits, counters);
+  counters.iterations = iterations;
+  // A miss, a later lower end, or a contact that this search has passed, within rounding at a graze: then the
+  // whole of MPR's answer stands, since the end of one bracket is no contact of the other.
+  if (above.outcome == Outcome::miss || above.lower > out.lower || above.upper < out.lower) {
+    out = above;
+    return;
+  }
+  out.outcome = above.outcome;
+  out.contact = above.contact;
+  out.upper = above.upper;
+}
+
+}  // namespace detail
+
+// Distance, advance, distance, ... [Mirtich 1996; the lecture].  Differs from the lecture in: the loop runs
+// while the shapes are apart (not while they are near); an axis along which they do not approach proves a
+// miss, it divides nothing; the path's end is checked before a contact is claimed.
+template <Scalar S>
+Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin,
+                                  const Vec3<S>& n_begin, Counters& counters) {
+  Sweep<S> out;
+  out.lower = s_begin;
+  out.n = n_begin;
+  const Vec3<S>& r = cso.direction();
+  const S R = cso.radius();
+  S apart = kInfinity<S>;
+  while (counters.supports < limits.budget) {
+    ++counters.iterations;
+    const Vec3<S> x = out.lower * r;
+    const Distance<S> d =
+        gjk_distance(cso, x, out.contact, limits.fine(), R + limits.fine(), limits.budget, counters);
+    apart = d.upper - R;
+    // Near enough; or near, with no axis left that separates: what rounding leaves of a contact, or a stall.
+    const S least = apart <= limits.noise ? limits.fine() : S(0);
+    if (apart <= limits.enough(out.lower) || !(d.lower - R > least)) break;
+    if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
+    apart = kInfinity<S>;  // not known there
+  }
+  detail::close_from_above(out, cso, limits, apart, counters);
+  return out;
+}
+
+// Each support point clips the path at once, instead of after a converged distance. [van den Bergen, Ray
+// Casting against General Convex Objects with Application to Continuous Collision Detection, 2004] Differs:
+// the simplex keeps points of C, not of C - x, so nothing is translated as x moves.
+template <Scalar S>
+Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin, const Vec3<S>& n_begin,
+                      Counters& counters) {
+  Sweep<S> out;
+  out.lower = s_begin;
+  out.n = n_begin;
+  const Vec3<S>& r = cso.direction();
+  const S R = cso.radius();
+  Vec3<S> x = out.lower * r;
+  Simplex<S>& simplex = out.contact;
+  simplex.add(cso.support(x - cso.middle()));
+  ++counters.supports;
+  S nearest = kInfinity<S>, apart = kInfinity<S>;
+  while (counters.supports < limits.budget) {
+    ++counters.iterations;
+    const Closest<S> closest = closest_to_origin(simplex, x);
+    ++counters.gjk_iterations;
+    reduce(simplex, closest);
+    const S distance = std::sqrt(closest.dist_sq);
+    apart = distance - R;
+    if (apart <= limits.enough(out.lower) || simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
+    const CsoPoint<S> next = cso.support(closest.n);
+    ++counters.supports;
+    const S clear = closest.n.dot(x - next.w) - R;
+    const S before = out.lower;
+    // As above: of a contact that x has passed by rounding an axis tells that it lies behind.
+    const S least = apart <= limits.noise ? limits.fine() : S(0);
+    if (clear > least && !detail::advance(out, r, closest.n, clear, limits.s_max)) return out;
+    const bool moved = out.lower > before;
+    // No advance, no new point, or no nearer: the simplex has nothing more to tell.
+    if (!moved && (simplex.holds(next) || !(distance < nearest))) break;
+    nearest = moved ? kInfinity<S> : distance;
+    if (moved) apart = kInfinity<S>;  // not known there
+    x = out.lower * r;
+    if (!simplex.holds(next)) simplex.add(next);
+  }
+  detail::close_from_above(out, cso, limits, apart, counters);
+  return out;
+}
+
+}  // namespace graze

@@ -1,0 +1,97 @@
+// The quick walk's answer as a cast's: times, normal, witnesses, in the caller's units.
+//
+// Point, segment, triangle, box and hull, without a target distance; the careful search answers the rest, and
+// whatever the walk gives up on.
+#pragma once
+
+#include <graze/portal/quick_walk.hpp>
+#include <graze/result.hpp>
+#include <graze/standard/prove.hpp>
+#include <graze/standard/witness.hpp>
+
+namespace graze::detail {
+
+template <Scalar S>
+[[nodiscard]] bool is_quick(const Shape<S>& shape) {
+  return std::holds_alternative<Hull<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
+         std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Segment<S>>(shape) ||
+         std::holds_alternative<Triangle<S>>(shape);
+}
+
+// The largest S not above x > 0 (`up`: the least not below), by the next number of a positive one.
+template <Scalar S>
+[[nodiscard]] S rounded_toward(double x, bool up) {
+  const S near = static_cast<S>(x);
+  if constexpr (std::same_as<S, double>) {
+    return near;
+  } else {
+    if (up ? !(double(near) < x) : !(double(near) > x)) return near;
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + (up ? 1u : ~0u));
+  }
+}
+
+// sum lambda_i x_i of the body at time t, world coordinates.
+template <Scalar S>
+[[nodiscard]] Vec3<S> quick_witness(const Body<S>& body, const Guide<S>& guide,
+                                    const std::array<std::uint32_t, 3>& vertex,
+                                    const std::array<double, 3>& lambda, int k, double t) {
+  Triple own{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) own = own + lambda[i] * guide.own(vertex[i]);
+  const Triple turned = guide.to_world(power_of_two(k) * own);
+  return (guide.placed_center() + (t * triple(body.displacement) + turned)).vector().template cast<S>();
+}
+
+// False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().
+template <Scalar S>
+[[nodiscard]] bool quick_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                              CastResult<S>& out) {
+  if (options.target_distance > 0 || !is_quick(a.shape) || !is_quick(b.shape)) return false;
+  const GuidedPair<S> pair(a, b);
+  if (!pair.moves() || !(options.t_max > 0)) return false;
+  const int k = pair.length_exponent(), j = pair.speed_exponent();
+  QuickWalk<S> walk(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),
+                    options.max_iterations, out.counters);
+  const QuickSweep& found = walk.run();
+  out.counters.iterations = out.counters.portal_steps;
+  if (found.outcome == Outcome::not_converged) return false;
+  if (found.outcome == Outcome::initially_overlapping && options.start_policy == StartPolicy::pass_over)
+    return false;
+
+  S lower = 0, upper = 0;
+  if (found.outcome == Outcome::hit) {
+    lower = rounded_toward<S>(found.lower * power_of_two(k - j), false);
+    upper = std::min(rounded_toward<S>(found.upper * power_of_two(k - j), true), options.t_max);
+    if (!(lower > 0 && lower <= upper)) return false;
+  } else if (found.outcome == Outcome::miss) {
+    lower = upper = kInfinity<S>;
+  }
+  out.outcome = found.outcome;
+  out.toi_lower = lower;
+  out.toi_upper = upper;
+  const bool hit = found.outcome == Outcome::hit, proof = asks_for(options.request, Request::proof);
+  Vec3<double> n = Vec3<double>::Zero();
+  if (hit) {
+    const Triple& r = pair.direction();
+    out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
+  }
+  if ((hit && asks_for(options.request, Request::normal)) || (proof && found.outcome == Outcome::miss) ||
+      (proof && hit)) {
+    n = unit(found.n.vector());
+  }
+  if (hit && asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
+  if (hit && asks_for(options.request, Request::witnesses)) {
+    const QuickCorner &c0 = walk.corner(0), &c1 = walk.corner(1), &c2 = walk.corner(2);
+    const auto witness = [&](const Body<S>& body, const Guide<S>& guide,
+                             const std::array<std::uint32_t, 3>& vertex) {
+      return quick_witness(body, guide, vertex, found.lambda, k, double(lower));
+    };
+    out.point_a = witness(a, pair.a(), {c0.vertex_a, c1.vertex_a, c2.vertex_a});
+    out.point_b = witness(b, pair.b(), {c0.vertex_b, c1.vertex_b, c2.vertex_b});
+  }
+  if (proof) {
+    out.proof = prove(a, b, options, out.outcome, upper, Vec3<S>(n.template cast<S>()), out.counters);
+  }
+  return true;
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,155 @@
+// What GJK (gjk.hpp) left open where it stalled: axes that prove more, and nearer points.
+//
+// |v| is known to u of itself, its direction only to the root of that: where the foot of the origin on an
+// edge or a face is as near as rounding can tell to a smaller feature, GJK ends there, with a tilted axis
+// that proves little. On an edge that is long beside |v| even a turn too small to see in v decides which
+// vertex is the support point, and whether a nearer one is found: an edge of length L, at an angle e to the
+// plane across v at its end, makes |v| shorter by (e |v|)^2 / 2 |v| at most, and turns it by e, while a
+// vertex at the other end of the face that it bounds lies as far as e L before that plane, with e to the root
+// of u.
+#pragma once
+
+#include <graze/portal/mpr.hpp>
+
+namespace graze::detail {
+
+// The simplex's point v, of a search about the origin.
+template <Scalar S>
+Vec3<S> weighted(const Simplex<S>& simplex) {
+  Vec3<S> v = Vec3<S>::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+    v += simplex.lambda[i] * simplex.point[i].w;
+  }
+  return v;
+}
+
+// The closest of the features that hold the newest point.
+template <Scalar S>
+Closest<S> closest_with_newest(const Simplex<S>& simplex) {
+  const auto& p = simplex.point;
+  const Points4<S> y = {p[0].w, p[1].w, p[2].w, p[3].w};
+  const int newest = simplex.size - 1;
+  Closest<S> best = closest_vertex(y, newest);
+  for (int i = 0; i < newest; ++i) {
+    keep_nearer(best, closest_edge(y, i, newest));
+    for (int j = i + 1; j < newest; ++j) keep_nearer(best, closest_face(y, std::array<int, 3>{i, j, newest}));
+  }
+  return best;
+}
+
+// GJK from where it stalled, about the origin. A support point before the plane across v brings v nearer by
+// some feature that holds the point: where |v| does not tell, the closest of those is the next, as near as v
+// within the noise. `contact`: as of turn_axis.
+template <Scalar S, class Support>
+void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise, Counters& counters) {
+  // Prisms take 1 to 5; rims that are nearly aligned more than 32 in places, by corners ever nearer. What
+  // takes more is left to the axes below.
+  constexpr int kRounds = 64;
+  const Vec3<S> origin = Vec3<S>::Zero();
+  Simplex<S> simplex = contact;
+  Closest<S> closest = closest_to_origin(simplex, origin);
+  for (int round = 0; round < kRounds && closest.n != origin && simplex.size < 4; ++round) {
+    const CsoPoint<S> next = support(closest.n);
+    ++counters.supports;
+    const S upper = std::sqrt(closest.dist_sq), lower = -closest.n.dot(next.w);
+    const bool proves_more = lower > d.lower;
+    if (upper < d.upper || (proves_more && upper <= d.upper + noise)) contact = simplex;
+    d.upper = std::min(d.upper, upper);
+    if (proves_more) {
+      d.lower = lower;
+      d.n = closest.n;
+    }
+    if (d.upper - d.lower <= noise || simplex.holds(next)) return;
+    simplex.add(next);
+    closest = closest_to_origin(simplex, origin);
+    ++counters.gjk_iterations;
+    if (!(std::sqrt(closest.dist_sq) < upper)) closest = closest_with_newest(simplex);
+    if (!(std::sqrt(closest.dist_sq) <= d.upper + noise)) return;
+    reduce(simplex, closest);
+  }
+}
+
+// The axes of all features that the simplex and its last support point span, |v| aside: of that which proves
+// most, or, where none proves more, of the nearest one with the new point. `support` as the search's, about
+// the origin. `contact`: the simplex of v, weighted; on return that of the axis, where the feature that has
+// it is as near as v, so that the witnesses lie one beyond the other along it.
+template <Scalar S, class Support>
+void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise, Counters& counters) {
+  Simplex<S> simplex = contact;
+  CsoPoint<S> last;  // of the axis tried last
+  // True if n proves more than was known.
+  const auto try_axis = [&](const Vec3<S>& n) {
+    ++counters.supports;
+    last = support(n);
+    const S lower = -n.dot(last.w);
+    if (!(lower > d.lower)) return false;
+    d.lower = lower;
+    d.n = n;
+    return true;
+  };
+  constexpr int kRounds = 8;
+  try_axis(d.n != Vec3<S>::Zero() ? d.n : Vec3<S>(-unit(weighted(contact))));
+  for (int round = 0; round < kRounds && simplex.size < 4 && !simplex.holds(last); ++round) {
+    simplex.add(last);
+    const int newest = simplex.size - 1;
+    Points4<S> y;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) y[i] = simplex.point[i].w;
+    Closest<S> kept, next;
+    CsoPoint<S> kept_last, next_last;
+    const auto consider = [&](const Closest<S>& feature, bool is_new) {
+      if (feature.size == 0 || feature.n == Vec3<S>::Zero()) return;
+      if (try_axis(feature.n)) {
+        kept = feature;
+        kept_last = last;
+      } else if (is_new && feature.dist_sq < next.dist_sq) {
+        next = feature;
+        next_last = last;
+      }
+    };
+    for (int i = 0; i < simplex.size; ++i) {
+      for (int j = i + 1; j < simplex.size; ++j) {
+        consider(closest_edge(y, i, j), j == newest);
+        for (int k = j + 1; k < simplex.size; ++k)
+          consider(closest_face(y, std::array<int, 3>{i, j, k}), k == newest);
+      }
+    }
+    const bool proves_more = kept.size > 0;
+    if (!proves_more) {
+      if (next.size == 0) break;
+      kept = next;
+      kept_last = next_last;
+    }
+    reduce(simplex, kept);
+    const S upper = std::sqrt(kept.dist_sq);
+    if (upper < d.upper || (proves_more && upper <= d.upper + noise)) contact = simplex;
+    d.upper = std::min(d.upper, upper);
+    if (d.upper - d.lower <= noise) break;
+    last = kept_last;
+  }
+}
+
+// And the normal of the portal by which the line from the origin to v enters C.
+template <Scalar S>
+void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const SweepLimits<S>& limits,
+                 Counters& counters) {
+  const auto support = [&cso](const Vec3<S>& n) { return cso.support(n); };
+  const auto steady = [&] { return d.upper - d.lower <= limits.noise; };
+  go_on(d, support, contact, limits.noise, counters);
+  const Vec3<S> v = weighted(contact);
+  if (!steady()) turn_axis(d, support, contact, limits.noise, counters);
+  if (!steady() && v != Vec3<S>::Zero()) {
+    const PortalSearch<S> entry =
+        enter_line(cso, Frame<S>(v), kInfinity<S>, limits.fine(), limits.budget, counters);
+    for (const Vec3<S>& n : {entry.n, entry.facing}) {
+      if (n == Vec3<S>::Zero()) continue;
+      ++counters.supports;
+      if (const S lower = -n.dot(cso.support(n).w); lower > d.lower) {
+        d.lower = lower;
+        d.n = n;
+      }
+    }
+  }
+  d.stalled = !steady();
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,337 @@
+// Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a
+// direction.
+//
+//   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
+//
+// Point, segment, triangle, box and hull; any other shape through its side (side.hpp). In doubles whatever
+// the scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs
+// the farthest vertex must make sure of it.
+//
+// Rounding, internal length, per component, u in double; |a|, |b| <= reach:
+//   body   of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (as
+//          rotation_matrix, and a product with a reciprocal instead of a quotient), so 10 sqrt(3) u, and 3 u
+//          for the sum of three;
+//   offset 2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each).
+#pragma once
+
+#include <graze/support/guess_scan.hpp>
+#include <graze/support/side.hpp>
+#include <optional>
+
+namespace graze {
+
+// Three doubles, as scalars: packets of two and one cost more than they save.
+struct Triple {
+  double x, y, z;  // not set unless given
+
+  [[nodiscard]] double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+  [[nodiscard]] Vec3<double> vector() const { return {x, y, z}; }
+  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Triple operator-(const Triple& a) { return {-a.x, -a.y, -a.z}; }
+  friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+template <Scalar S>
+Triple triple(const Vec3<S>& v) {
+  return {double(v[0]), double(v[1]), double(v[2])};
+}
+inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Triple cross(const Triple& a, const Triple& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
+inline double sum(const Triple& a) { return a.x + a.y + a.z; }
+inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+
+inline constexpr int kGuideTurn = 21;
+
+// One body. Valid while it lives.
+template <Scalar S>
+class Guide {
+ public:
+  // Caller's units; `prepare` sets the internal one.
+  explicit Guide(const Body<S>& body) : body_(body) {
+    if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
+      kind_ = hull->has_adjacency() && hull->size() >= kClimbFrom ? Kind::climb : Kind::hull;
+      hull_ = hull;
+      vertices_ = hull->vertices().data();
+      guess_ = hull->guess_scan(0);
+      padded_ = hull->padded_size();
+      center_ = triple(hull->center());
+      const Triple half = triple(hull->scan_half_extents()), middle = triple(hull->scan_middle());
+      set_reach(power_of_two(hull->exponent()) * (half + magnitude(middle)));
+    } else if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
+      kind_ = Kind::box;
+      few_[0] = triple(box->half_extents);
+      set_reach(few_[0]);
+    } else {
+      set_other(body);
+    }
+    turned_ = !body.orientation.is_identity() && (size_ > 0 || largest(center_) > 0);
+    if (turned_) set_rotation();
+    far_out_ = turned_ && largest(center_) > size_;
+  }
+  // k: the internal length is 2^-k of the caller's.
+  void prepare(int k) {
+    const double scale = power_of_two(-k);
+    unit_ *= scale;
+    reach_ *= scale;
+    size_ *= scale;
+    if (kind_ == Kind::box || kind_ == Kind::few) {
+      for (std::uint32_t i = 0; i < count_; ++i) few_[i] = scale * few_[i];
+    }
+    if (kind_ != Kind::side) return;
+    side_ = detail::make_side<double>(body_, detail::bounds(body_.shape), k, detail::Turning::quick);
+    blur_ = side_->blur;
+  }
+
+  [[nodiscard]] double reach() const { return reach_; }
+  // The largest of its bounds' coordinates, about the centre.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] bool turned() const { return turned_; }
+  [[nodiscard]] const Triple& center() const { return center_; }  // caller's unit, own axes
+  // Rounding of a vertex in world axes about the centre, per component.
+  [[nodiscard]] double error() const {
+    return (turned_ ? kGuideTurn * kUnitRoundoff<double> * reach_ : 0.0) + blur_;
+  }
+  // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of
+  // floats (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n|
+  // reach for each of two vertices, u of float), and n was turned.
+  [[nodiscard]] double slip() const {
+    constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
+    const double turn = turned_ ? 2 * kGuideTurn * u * reach_ : 0.0;
+    switch (kind_) {
+      case Kind::hull:
+        return turn + 20 * u_float * reach_;
+      case Kind::side:
+        return turn + side_->slip;
+      default:
+        return turn + 16 * u * reach_;
+    }
+  }
+  // n turned into the body's axes: within kGuideTurn u |n|.
+  [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
+    double x = n.x, y = n.y, z = n.z;
+    if (turned_) {
+      x = n.x * row_[0].x + n.y * row_[1].x + n.z * row_[2].x;
+      y = n.x * row_[0].y + n.y * row_[1].y + n.z * row_[2].y;
+      z = n.x * row_[0].z + n.y * row_[1].z + n.z * row_[2].z;
+    }
+    return {x, y, z};
+  }
+  // Where the centre is at t = 0: position + R centre, caller's unit.
+  [[nodiscard]] Triple placed_center() const {
+    const Triple p = triple(body_.position);
+    if (!far_out_) return p + to_world(center_);
+    return triple(detail::placed_center(p.vector(), detail::as_double(body_.orientation), center_.vector()));
+  }
+  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
+  [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
+    double i = x.x, j = x.y, k = x.z;
+    if (turned_) {
+      i = dot(row_[0], x);
+      j = dot(row_[1], x);
+      k = dot(row_[2], x);
+    }
+    return {i, j, k};
+  }
+
+  // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
+  [[nodiscard]] Triple farthest(const Triple& n, std::uint32_t& vertex) const {
+    if (kind_ != Kind::hull) return support(n, vertex);
+    vertex = detail::hull_support<double, S>(*hull_, to_own(n).vector());
+    return at(vertex);
+  }
+
+  // A vertex far along n, which is in world axes, its largest component near 1; and where it is.
+  [[nodiscard, gnu::always_inline]] Triple support(const Triple& n, std::uint32_t& vertex) const {
+    const Triple d = to_own(n);
+    double x, y, z;
+    if (kind_ == Kind::hull) {
+      vertex = detail::guess_scan(guess_, padded_, float(d.x), float(d.y), float(d.z));
+      const Vec3<S>& v = vertices_[vertex];
+      x = unit_ * (double(v[0]) - center_.x);
+      y = unit_ * (double(v[1]) - center_.y);
+      z = unit_ * (double(v[2]) - center_.z);
+    } else if (kind_ == Kind::box) {
+      // By the sign bits: nothing to guess for the machine.
+      vertex = plus(d.x) | plus(d.y) << 1 | plus(d.z) << 2;
+      x = std::copysign(few_[0].x, d.x);
+      y = std::copysign(few_[0].y, d.y);
+      z = std::copysign(few_[0].z, d.z);
+    } else {
+      vertex = other_support(d.x, d.y, d.z);
+      const Triple v = own(vertex);
+      x = v.x;
+      y = v.y;
+      z = v.z;
+    }
+    return to_world({x, y, z});
+  }
+  [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
+  // In its own axes, about the centre, internal length; exact but for shapes through their side.
+  [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
+    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
+    // stores.
+    double x, y, z;
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb: {
+        const Vec3<S>& v = vertices_[vertex];  // exact (hull.hpp)
+        x = unit_ * (double(v[0]) - center_.x);
+        y = unit_ * (double(v[1]) - center_.y);
+        z = unit_ * (double(v[2]) - center_.z);
+        break;
+      }
+      case Kind::box:
+        x = vertex & 1u ? few_[0].x : -few_[0].x;
+        y = vertex & 2u ? few_[0].y : -few_[0].y;
+        z = vertex & 4u ? few_[0].z : -few_[0].z;
+        break;
+      case Kind::few:
+        x = few_[vertex].x;
+        y = few_[vertex].y;
+        z = few_[vertex].z;
+        break;
+      default: {
+        const Vec3<double> v = side_->support(*side_, Vec3<double>::UnitX(), &vertex).x;
+        x = v[0];
+        y = v[1];
+        z = v[2];
+      }
+    }
+    return {x, y, z};
+  }
+
+ private:
+  enum class Kind : std::uint8_t { few, box, hull, climb, side };
+
+  [[nodiscard]] static std::uint32_t plus(double x) {
+    return 1u ^ static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 63);
+  }
+  [[nodiscard, gnu::noinline]] std::uint32_t other_support(double x, double y, double z) const {
+    const Triple d{x, y, z};
+    if (kind_ == Kind::few) {
+      std::uint32_t vertex = 0;
+      for (std::uint32_t k = 1; k < count_; ++k) {
+        if (dot(d, few_[k] - few_[vertex]) > 0) vertex = k;
+      }
+      return vertex;
+    }
+    if (kind_ == Kind::climb) return last_ = climb_support<double, S>(*hull_, d.vector(), last_);
+    return side_->support(*side_, d.vector(), nullptr).vertex;
+  }
+  void set_reach(const Triple& extent) {
+    size_ = largest(extent);
+    reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50);
+  }
+  [[gnu::noinline]] void set_other(const Body<S>& body) {
+    std::visit(detail::Overloaded{[&](const Point<S>&) {
+                                    few_[0] = {0, 0, 0};
+                                  },
+                                  [&](const Segment<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
+                                  },
+                                  [&](const Triangle<S>& s) {
+                                    set_few({triple(s.a), triple(s.b), triple(s.c)}, 3);
+                                  },
+                                  [&](const auto&) {
+                                    kind_ = Kind::side;
+                                    const detail::Bounds bounds = detail::bounds(body.shape);
+                                    center_ = triple(bounds.center);
+                                    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+                                  }},
+               body.shape);
+  }
+  // About their bounds' centre where the offset exceeds the extent: the differences are then exact
+  // (hull.hpp).
+  void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
+    kind_ = Kind::few;
+    count_ = count;
+    Vec3<double> low = points[0].vector(), high = low;
+    for (const Triple& p : points) {
+      low = low.cwiseMin(p.vector());
+      high = high.cwiseMax(p.vector());
+    }
+    const detail::Bounds bounds = detail::bounds_between(low, high);
+    center_ = triple(bounds.center);
+    for (std::size_t i = 0; i < 3; ++i) few_[i] = points[i] - center_;
+    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+  }
+  void set_rotation() {
+    const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
+                 z = body_.orientation.z;
+    const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, s = 1 / (ww + xx + yy + zz);
+    row_[0] = {s * (ww + xx - yy - zz), s * 2 * (x * y - w * z), s * 2 * (x * z + w * y)};
+    row_[1] = {s * 2 * (x * y + w * z), s * (ww - xx + yy - zz), s * 2 * (y * z - w * x)};
+    row_[2] = {s * 2 * (x * z - w * y), s * 2 * (y * z + w * x), s * (ww - xx - yy + zz)};
+  }
+
+  const Body<S>& body_;
+  const Hull<S>* hull_ = nullptr;
+  const Vec3<S>* vertices_ = nullptr;  // of the hull
+  const float* guess_ = nullptr;       // its guess scan, by axis, each padded_ long
+  std::size_t padded_ = 0;
+  Kind kind_ = Kind::few;
+  bool turned_ = false, far_out_ = false;
+  std::uint32_t count_ = 1;
+  mutable std::uint32_t last_ = kNoStart;
+  double unit_ = 1, reach_ = 0, size_ = 0, blur_ = 0;
+  Triple center_{0, 0, 0};
+  std::array<Triple, 3> few_, row_;  // as far as they are used
+  std::optional<detail::Side<double>> side_;
+};
+
+// The pair: valid while the bodies live. They have passed validate().
+template <Scalar S>
+class GuidedPair {
+ public:
+  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) {
+    const Triple& c_a = a_.center();
+    const Triple& c_b = b_.center();
+    Triple d;
+    if (largest(c_a) == 0 && largest(c_b) == 0) {
+      d = triple(b.position) - triple(a.position);
+    } else {
+      d = triple(detail::accurate_offset(a.position.template cast<double>(), detail::as_double(a.orientation),
+                                         c_a.vector(), b.position.template cast<double>(),
+                                         detail::as_double(b.orientation), c_b.vector()));
+    }
+    const double size = std::max({a_.size(), b_.size(), largest(d)});
+    k_ = size > 0 ? exponent_of(size) : 0;
+    size_ = power_of_two(-k_) * size;
+    offset_ = power_of_two(-k_) * d;
+    // One rounding of a difference, or of a sum of pairs with what turned the centres.
+    const double turned = (a_.turned() ? largest(c_a) : 0.0) + (b_.turned() ? largest(c_b) : 0.0);
+    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
+    a_.prepare(k_);
+    b_.prepare(k_);
+    extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
+    const Triple v = triple(b.displacement) - triple(a.displacement);
+    const double speed = largest(v);
+    j_ = speed > 0 ? exponent_of(speed) : 0;
+    r_ = power_of_two(-j_) * v;
+  }
+
+  [[nodiscard]] const Guide<S>& a() const { return a_; }
+  [[nodiscard]] const Guide<S>& b() const { return b_; }
+  [[nodiscard]] const Triple& offset() const { return offset_; }
+  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
+  // pair's scale.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
+  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
+  // r = v 2^-j, within u per component; zero if nothing moves.
+  [[nodiscard]] const Triple& direction() const { return r_; }
+  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
+  [[nodiscard]] int length_exponent() const { return k_; }
+  [[nodiscard]] int speed_exponent() const { return j_; }
+
+ private:
+  Guide<S> a_, b_;
+  Triple offset_{}, r_{};
+  double extent_ = 0, size_ = 0, offset_error_ = 0;
+  int k_ = 0, j_ = 0;
+};
+
+}  // namespace graze
