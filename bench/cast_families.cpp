@@ -1,6 +1,7 @@
 #include "bench/cast_families.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <functional>

@@ -1,5 +1,6 @@
 #include "bench/rotating_scenes.hpp"
 
+#include <Eigen/Geometry>
 #include <graze/rotating_cast.hpp>
 #include <numbers>
 

@@ -1,6 +1,7 @@
 #include "engines/queries.hpp"
 
-#include <graze/exact/queries.hpp>
+#include <graze/distance.hpp>
+#include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/penetration.hpp>
 #include <graze/swept_overlap.hpp>

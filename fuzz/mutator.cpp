@@ -1,5 +1,6 @@
 #include "fuzz/mutator.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "fuzz/placing.hpp"
 
 #include "corpus/support_value.hpp"

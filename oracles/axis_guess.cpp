@@ -1,6 +1,8 @@
 // Decides, brackets: nothing; what it finds is tried in balls.
 // Costs: 1 to 4 microseconds for boxes and small hulls, up to 15 for two curved shapes.
 // Cannot be trusted: near contact, where a direction in double is worth little.
+#include <Eigen/Geometry>
+
 #include "oracles/axis_guess.hpp"
 
 namespace graze::oracle {

@@ -1,5 +1,6 @@
 #include "properties/case_edit.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <bit>
 #include <cmath>

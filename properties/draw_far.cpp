@@ -1,5 +1,6 @@
 #include "properties/draw_far.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <span>
 #include <vector>

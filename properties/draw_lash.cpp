@@ -1,5 +1,6 @@
 #include "properties/draw_lash.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <span>
 #include <utility>

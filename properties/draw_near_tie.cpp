@@ -1,5 +1,6 @@
 #include "properties/draw_near_tie.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <span>
 #include <variant>

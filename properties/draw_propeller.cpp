@@ -1,5 +1,6 @@
 #include "properties/draw_propeller.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "properties/shrink.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>

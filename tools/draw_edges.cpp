@@ -1,4 +1,5 @@
 // The lines on a body that a viewer sees: edges of polytopes, rims of cylinders and cones.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <graze/support/quickhull.hpp>
 #include <map>

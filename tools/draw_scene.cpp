@@ -1,6 +1,7 @@
 #include "tools/draw_scene.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include <graze/shape.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // World position of the body's point x at time t (linear motion):
 //   position + R(orientation) x + t displacement.
@@ -15,4 +15,4 @@ struct Body {
   Vec3<S> displacement = Vec3<S>::Zero();  // length per unit of t
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -6,48 +6,10 @@
 // kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
 #pragma once
 
-#include <graze/portal/mpr.hpp>
-#include <graze/validate.hpp>
+#include <graze/body.hpp>
+#include <graze/result.hpp>
 
-namespace graze {
-
-// One end of the line's part in C, z = s |r| as the view sees it (mirrored at the far end).
-template <Scalar S>
-struct LineEnd {
-  using State = typename PortalSearch<S>::State;
-  State state = State::exhausted;  // entered: found; missed; exhausted: the bracket is what is known
-  S lower = -kInfinity<S>, upper = kInfinity<S>;
-  Vec3<S> n = Vec3<S>::Zero();  // unit: proves lower, or the miss
-  Simplex<S> contact;           // entered: points of C and their weights, the combination at upper
-};
-
-// mirror 1: where the line enters; -1: where it leaves.
-template <Scalar S>
-LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const SweepLimits<S>& limits,
-                    Counters& counters) {
-  using State = typename PortalSearch<S>::State;
-  const detail::PortalView<S> view{cso, frame, mirror, counters};
-  PortalSearch<S> search = find_portal(view, limits.budget);
-  if (search.state == State::entered) {
-    refine_portal(view, search, PortalLimits<S>{-kInfinity<S>, kInfinity<S>, limits.target / 2},
-                  limits.budget);
-  }
-  LineEnd<S> out;
-  out.state = search.state;
-  out.n = search.n;
-  if (search.state == State::missed) return out;
-  out.upper = search.upper;
-  out.lower = std::min(search.lower, search.upper);
-  if (search.state != State::entered) return out;
-  out.contact = contact_of(search);
-  // A portal whose plane lies almost along the line: where exactly the plane meets it is the plane's rounding
-  // over n_z, while the portal's own point is no deeper in C than the gap (mpr.hpp).
-  if (out.upper - out.lower > limits.target) {
-    out.lower = out.upper;
-    out.n = search.facing;
-  }
-  return out;
-}
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct LineOptions {
@@ -71,68 +33,15 @@ struct LineResult {
   Counters counters;
 };
 
-namespace detail {
-
 template <Scalar S>
-void fill_line(LineResult<S>& out, const Cso<S>& cso, const Frame<S>& frame, const LineEnd<S>& in,
-               const LineEnd<S>& leave, Request request) {
-  S in_lower = in.lower, in_upper = in.upper, out_lower = -leave.upper, out_upper = -leave.lower;
-  if (in_upper > out_lower && out.outcome == Outcome::hit) {
-    // A graze: both ends are points of C, in an order that is rounding.
-    std::swap(in_upper, out_lower);
-    in_lower = std::min(in_lower, in_upper);
-    out_upper = std::max(out_upper, out_lower);
-  }
-  // A time too large for S lies between its largest number and infinity, of either sign.
-  constexpr S largest = std::numeric_limits<S>::max();
-  out.in_lower = std::min(cso.to_time(in_lower / frame.length), largest);
-  out.in_upper = std::max(cso.to_time(in_upper / frame.length), -largest);
-  out.out_lower = std::min(cso.to_time(out_lower / frame.length), largest);
-  out.out_upper = std::max(cso.to_time(out_upper / frame.length), -largest);
-  if (out.outcome == Outcome::hit && asks_for(request, Request::normal)) {
-    out.normal_in = in.n;
-    out.normal_out = leave.n;
-  }
-}
-
-}  // namespace detail
-
+LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
+// The signed answer {t in R : contact at t}: each end as its two neighbouring S, or one.
 template <Scalar S>
-LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {}) {
-  using State = typename PortalSearch<S>::State;
-  LineResult<S> out;
-  CastOptions<S> checked;
-  checked.tolerance = options.tolerance;
-  checked.max_iterations = options.max_iterations;
-  checked.target_distance = options.target_distance;
-  out.invalid = validate(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
-  const Cso<S> cso(a, b, options.target_distance);
-  const SweepLimits<S> limits = sweep_limits(cso, checked);
-  if (!cso.moves()) {
-    const Sweep<S> rest = mpr_overlap(cso, limits, out.counters);
-    out.outcome = rest.outcome == Outcome::initially_overlapping ? Outcome::hit : rest.outcome;
-    if (out.outcome == Outcome::miss) out.normal_in = rest.n;
-    if (out.outcome == Outcome::hit) {
-      out.in_upper = -kInfinity<S>;
-      out.out_lower = kInfinity<S>;
-    }
-    return out;
-  }
-  const Frame<S> frame(cso.direction());
-  const LineEnd<S> in = line_end(cso, frame, S(1), limits, out.counters);
-  LineEnd<S> leave;
-  if (in.state != State::missed) leave = line_end(cso, frame, S(-1), limits, out.counters);
-  out.counters.iterations = out.counters.portal_steps;
-  if (in.state == State::missed || leave.state == State::missed) {
-    out.outcome = Outcome::miss;
-    out.normal_in = in.state == State::missed ? in.n : leave.n;
-    return out;
-  }
-  const bool found = in.state == State::entered && leave.state == State::entered;
-  out.outcome = found ? Outcome::hit : Outcome::not_converged;
-  detail::fill_line(out, cso, frame, in, leave, options.request);
-  return out;
-}
+LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE
+
+#ifndef GRAZE_COMPILED
+#include <graze/exact/queries.hpp>
+#include <graze/queries/line.hpp>
+#endif

@@ -3,10 +3,10 @@
 // Guarantee: right wherever distance or penetration exceeds kappa u scale (docs/guarantees.md).
 #pragma once
 
-#include <graze/distance.hpp>
-#include <graze/portal/mpr.hpp>
+#include <graze/body.hpp>
+#include <graze/result.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct OverlapResult {
@@ -19,33 +19,17 @@ struct OverlapResult {
 
 // The ray from a point of C's inside through the origin leaves C beyond it, or not.
 template <Scalar S>
-OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b) {
-  OverlapResult<S> out;
-  const CastOptions<S> options;
-  out.invalid = validate(a, b, options);
-  if (out.invalid != Invalid::none) return out;
-  const Cso<S> cso(a, b);
-  const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, options), out.counters);
-  out.outcome = sweep.outcome;
-  if (sweep.outcome == Outcome::miss) out.normal = sweep.n;
-  return out;
-}
-
+OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b);
 // The distance is zero, or not.
 template <Scalar S>
-OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b) {
-  OverlapResult<S> out;
-  DistanceOptions<S> options;
-  options.request = Request::normal;
-  const DistanceResult<S> d = distance(a, b, options);
-  out.invalid = d.invalid;
-  out.counters = d.counters;
-  if (out.invalid != Invalid::none) return out;
-  out.normal = d.normal;
-  out.outcome = d.lower > 0    ? Outcome::miss
-                : d.upper == 0 ? Outcome::initially_overlapping
-                               : Outcome::not_converged;
-  return out;
-}
+OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b);
+// Do they touch at t = 0? Touching counts.
+template <Scalar S>
+OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE
+
+#ifndef GRAZE_COMPILED
+#include <graze/exact/queries.hpp>
+#include <graze/queries/overlap.hpp>
+#endif

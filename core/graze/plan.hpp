@@ -4,7 +4,7 @@
 #include <graze/result.hpp>
 #include <string_view>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // From the cheapest to the dearest.
 enum class Effects : std::uint8_t {
@@ -96,4 +96,4 @@ struct Plan {
   }
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -18,7 +18,7 @@
 #include <array>
 #include <graze/scalar.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // A point of a posed body at t = 0, named so that it is exact:
 //   position + R(orientation) x + offset,    x the vertex of the shape's core with that index (shape.hpp).
@@ -63,4 +63,4 @@ struct Proof {
   std::array<SupportPair, 4> portal;
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

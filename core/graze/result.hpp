@@ -4,7 +4,7 @@
 #include <graze/proof.hpp>
 #include <optional>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 enum class Outcome : std::uint8_t {
   initially_overlapping,  // contact at t = 0, touching included; TOI 0
@@ -123,4 +123,4 @@ struct CastResult {
   Counters counters;
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

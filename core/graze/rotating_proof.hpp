@@ -24,7 +24,7 @@
 #include <graze/proof.hpp>
 #include <vector>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 enum class AxisFrame : std::uint8_t { world, a, b };
 
@@ -51,4 +51,4 @@ struct RotatingProof {
   std::array<double, 4> weight = {0, 0, 0, 0};
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -5,7 +5,7 @@
 #include <graze/rotating_body.hpp>
 #include <graze/rotating_proof.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 enum class RotatingMethod : std::uint8_t {
   time_steps,                // overlap tests at equal steps; may miss what happens between two
@@ -50,13 +50,4 @@ struct RotatingResult {
   Counters counters;
 };
 
-// cast(A, B) = when do two moving convex shapes first touch, turning included? By options.method, or by the
-// plan. Defined in <graze/rotating_cast.hpp>.
-template <Scalar S>
-RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
-                       const RotatingOptions<S>& options = {});
-// What that would simulate.
-template <Scalar S>
-Plan plan(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options = {});
-
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -10,7 +10,7 @@
 #include <graze/hull.hpp>
 #include <variant>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // {0}. Vertex 0.
 template <Scalar S>
@@ -140,4 +140,4 @@ Shape<S> swept(Shape<S> shape, const Vec3<S>& displacement) {
   return sum<S>(std::move(shape), Segment<S>{Vec3<S>::Zero(), displacement});
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

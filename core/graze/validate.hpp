@@ -7,212 +7,23 @@
 
 #include <graze/body.hpp>
 #include <graze/result.hpp>
-#include <graze/support/tree.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 inline constexpr double kLeastMagnitude = 1e-60;
 inline constexpr double kGreatestMagnitude = 1e60;
 
-namespace detail {
-
-// Written so that NaN fails.
+// What every query does first: Invalid::none, or why the input is refused.
 template <Scalar S>
-Invalid check_magnitude(S x) {
-  const double magnitude = std::abs(static_cast<double>(x));
-  if (!(magnitude <= std::numeric_limits<double>::max())) return Invalid::not_finite;
-  if (is_flushed(x)) return Invalid::out_of_range;
-  if (magnitude == 0 || (magnitude >= kLeastMagnitude && magnitude <= kGreatestMagnitude))
-    return Invalid::none;
-  return Invalid::out_of_range;
-}
-
+Invalid validate(const Body<S>& body);
 template <Scalar S>
-Invalid check_vector(const Vec3<S>& v) {
-  Invalid worst = Invalid::none;
-  for (int i = 0; i < 3 && worst != Invalid::not_finite; ++i) {
-    if (const Invalid one = check_magnitude(v[i]); one != Invalid::none) worst = one;
-  }
-  return worst;
-}
-
+Invalid validate(const CastOptions<S>& options);
+// Of the arithmetic, too: is the machine rounding to nearest, and was this compiled to keep it?
 template <Scalar S>
-Invalid check_extent(S x) {
-  if (x < 0) return Invalid::negative_extent;
-  return check_magnitude(x);
-}
+Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options);
 
-// Does the machine round to nearest? The operands are volatile, so that no compiler answers for it.
-inline bool rounds_to_nearest() {
-  const volatile double one = 1, little = 0x1p-54;
-  return one + little == 1 && one - little / 2 == 1;
-}
+}  // namespace graze::inline GRAZE_LINKAGE
 
-// Was this compiled with flags, unnamed by any macro (scalar.hpp), that reorder sums, multiply by reciprocals
-// or take no number for a NaN or for infinity? Each changes one of these lines, short enough for any compiler
-// to change: (1 + x) - 1 would be x; two quotients by 49 products with 1/49 as rounded; a NaN would equal
-// itself, or pass a comparison that is turned round; a sum with infinity would be no number at all, known
-// before the program runs. Inlined, so that the flags are the query's own.
-[[gnu::always_inline]] inline bool keeps_arithmetic() {
-  const volatile double given[] = {1, 0x1p-60, 49, 98, 49, std::numeric_limits<double>::quiet_NaN()};
-  const double one = given[0], little = given[1], nan = given[5];
-  const double divisor = given[4], first = given[2] / divisor, second = given[3] / divisor;
-  const bool sums = (one + little) - one == 0, quotients = first == 1 && second == 2;
-  const bool nans = nan != nan && !(nan <= one) && !(nan > one);
-  double endless = one + kInfinity<double>;
-#if defined(__GNUC__)
-  // Asked of a variable: of a constant the compiler answers before it has read what comes before.
-  if (__builtin_constant_p(endless)) endless = 0;
+#ifndef GRAZE_COMPILED
+#include <graze/support/validate.hpp>
 #endif
-  return sums && quotients && nans && endless > std::numeric_limits<double>::max();
-}
-
-// What machine and compiler make of arithmetic; every bound depends on it.
-[[gnu::always_inline]] inline Invalid check_arithmetic() {
-  if (!rounds_to_nearest()) return Invalid::rounding_mode;
-  return keeps_arithmetic() ? Invalid::none : Invalid::unsafe_math;
-}
-
-template <Scalar S>
-Invalid check_quaternion(const Quaternion<S>& q) {
-  if (const Invalid one = check_vector(Vec3<S>(q.x, q.y, q.z)); one != Invalid::none) return one;
-  if (const Invalid one = check_magnitude(q.w); one != Invalid::none) return one;
-  return q.w == 0 && q.is_identity() ? Invalid::zero_quaternion : Invalid::none;
-}
-
-// The first reason of several, in their order.
-inline Invalid first_of(std::initializer_list<Invalid> reasons) {
-  for (const Invalid one : reasons) {
-    if (one != Invalid::none) return one;
-  }
-  return Invalid::none;
-}
-
-template <Scalar S>
-Invalid check_extents(const Vec3<S>& extents) {
-  return first_of(
-      {check_vector(extents), check_extent(extents[0]), check_extent(extents[1]), check_extent(extents[2])});
-}
-
-// The common case, without a branch: 0, or a normal number within the range. What is left (subnormal numbers,
-// which may be flushed, and all that is refused) goes the long way. By the bits, without the sign: they order
-// as magnitudes do.
-template <Scalar S>
-bool is_common(S x) {
-  using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
-  constexpr S kLeast = sizeof(S) == 8 ? S(kLeastMagnitude) : std::numeric_limits<S>::min();
-  constexpr S kGreatest = sizeof(S) == 8 ? S(kGreatestMagnitude) : std::numeric_limits<S>::max();
-  constexpr Bits kLow = std::bit_cast<Bits>(kLeast), kHigh = std::bit_cast<Bits>(kGreatest);
-  const Bits bits = std::bit_cast<Bits>(x) & (~Bits{0} >> 1);
-  return bool(unsigned(bits == 0) | unsigned(bits - kLow <= kHigh - kLow));
-}
-template <Scalar S>
-bool is_common(const Vec3<S>& v) {
-  return bool(unsigned(is_common(v[0])) & unsigned(is_common(v[1])) & unsigned(is_common(v[2])));
-}
-template <Scalar S>
-bool is_common(const Body<S>& body) {
-  const Quaternion<S>& q = body.orientation;
-  const unsigned motion = unsigned(is_common(body.position)) & unsigned(is_common(body.displacement));
-  const unsigned turn = unsigned(is_common(q.w)) & unsigned(is_common(q.x)) & unsigned(is_common(q.y)) &
-                        unsigned(is_common(q.z)) & (unsigned(q.w != 0) | unsigned(!q.is_identity()));
-  if (!(motion & turn)) return false;
-  if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
-    return hull->size() > 0 && hull->finite() && !hull->flushed() && is_common(hull->largest()) &&
-           is_common(hull->smallest_nonzero());
-  }
-  if (const auto* box = std::get_if<Box<S>>(&body.shape))
-    return is_common(box->half_extents) && box->half_extents.minCoeff() >= 0;
-  return std::holds_alternative<Point<S>>(body.shape);
-}
-
-template <Scalar S>
-Invalid check_shape(const Shape<S>& shape, int nesting, int& parts_seen);
-
-template <Scalar S>
-Invalid check_parts(std::span<const SharedShape<S>> parts, int nesting, int& parts_seen) {
-  if (parts.empty()) return Invalid::missing_part;
-  if (nesting >= kMaxNesting) return Invalid::too_complex;
-  for (const SharedShape<S>& part : parts) {
-    if (!part) return Invalid::missing_part;
-    if (++parts_seen > kMaxParts) return Invalid::too_complex;
-    if (const Invalid one = check_shape<S>(part->shape, nesting + 1, parts_seen); one != Invalid::none)
-      return one;
-  }
-  return Invalid::none;
-}
-
-template <Scalar S>
-Invalid check_shape(const Shape<S>& shape, int nesting, int& parts_seen) {
-  const auto parts = [&](std::span<const SharedShape<S>> list) {
-    const Invalid one = check_parts<S>(list, nesting, parts_seen);
-    if (one != Invalid::none) return one;
-    return nesting == 0 && vertex_count(shape) > kMaxVertices ? Invalid::too_complex : Invalid::none;
-  };
-  return std::visit(
-      Overloaded{
-          [](const Point<S>&) { return Invalid::none; },
-          [](const Segment<S>& s) {
-            return first_of({check_vector(s.a), check_vector(s.b)});
-          },
-          [](const Triangle<S>& s) {
-            return first_of({check_vector(s.a), check_vector(s.b), check_vector(s.c)});
-          },
-          [](const Sphere<S>& s) { return check_extent(s.radius); },
-          [](const Box<S>& s) { return check_extents(s.half_extents); },
-          [](const Ellipsoid<S>& s) { return check_extents(s.radii); },
-          [](const Hull<S>& hull) {
-            if (hull.size() == 0) return Invalid::empty_hull;
-            if (!hull.finite()) return Invalid::not_finite;
-            if (hull.flushed()) return Invalid::out_of_range;
-            return first_of({check_magnitude(hull.largest()), check_magnitude(hull.smallest_nonzero())});
-          },
-          [&](const Posed<S>& s) {
-            return first_of(
-                {check_vector(s.position), check_quaternion(s.orientation), parts(std::span(&s.shape, 1))});
-          },
-          [&](const Rounded<S>& s) {
-            return first_of({check_extent(s.radius), parts(std::span(&s.shape, 1))});
-          },
-          [&](const Sum<S>& s) { return parts(s.shapes); },
-          [&](const HullOf<S>& s) { return parts(s.shapes); },
-          // Capsule, cylinder, cone.
-          [](const auto& s) {
-            return first_of({check_extent(s.radius), check_extent(s.half_height)});
-          }},
-      shape);
-}
-
-}  // namespace detail
-
-template <Scalar S>
-Invalid validate(const Body<S>& body) {
-  if (detail::is_common(body)) [[likely]]
-    return Invalid::none;
-  int parts_seen = 0;
-  return detail::first_of({detail::check_shape(body.shape, 0, parts_seen),
-                           detail::check_vector(body.position), detail::check_vector(body.displacement),
-                           detail::check_quaternion(body.orientation)});
-}
-
-template <Scalar S>
-Invalid validate(const CastOptions<S>& options) {
-  if (!(options.t_max >= 0) || is_flushed(options.t_max)) return Invalid::bad_horizon;
-  if (!(options.target_distance >= 0) || detail::check_magnitude(options.target_distance) != Invalid::none) {
-    return Invalid::bad_target;
-  }
-  if (!(options.tolerance >= 0 && options.tolerance < kInfinity<S>) || options.max_iterations < 1) {
-    return Invalid::bad_tolerance;
-  }
-  return Invalid::none;
-}
-
-template <Scalar S>
-Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  if (const Invalid one = detail::check_arithmetic(); one != Invalid::none) return one;
-  if (const Invalid one = validate(a); one != Invalid::none) return one;
-  if (const Invalid one = validate(b); one != Invalid::none) return one;
-  return validate(options);
-}
-
-}  // namespace graze

@@ -1,5 +1,6 @@
 #include "properties/attack/meaning.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

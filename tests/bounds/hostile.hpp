@@ -6,6 +6,7 @@
 // radians within t_end.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <graze/numeric/offset.hpp>
 #include <graze/rotating_body.hpp>
 #include <string_view>

@@ -3,6 +3,7 @@
 #include "tests/bounds/hostile.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/rotating_cast.hpp>
 

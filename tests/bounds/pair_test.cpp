@@ -1,6 +1,7 @@
 // A placed pair: where its bodies are, what it says of gaps and of how they change, and what the plan rests
 // on (moving_pair.hpp, make_plan.hpp, spheres.hpp), against balls.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/rotating/make_plan.hpp>
 

@@ -2,6 +2,7 @@
 // point is (leaf.hpp, scan.hpp, climb.hpp), against balls: along directions where vertices tie but for last
 // places, of hulls far out and of hulls that are climbed.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/support/climb.hpp>
 

@@ -8,7 +8,7 @@
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/truth.hpp"
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // What turn.hpp claims of an angle: what it says of one, else what its header says of all.
 template <class T>
@@ -20,7 +20,7 @@ double claimed_turn_error(T angle) {
   }
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail
 
 namespace graze::test {
 namespace {

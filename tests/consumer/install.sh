@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# Installs graze as somebody does who has Eigen and a compiler, and looks at what is there. usage: install.sh SETTINGS
+# Installs graze as somebody does who has Eigen and a compiler, and looks at what is there: the headers, the compiled library, the package. usage: install.sh SETTINGS
 set -euo pipefail
 source "$1"
 build="$scratch/core" prefix="$scratch/prefix"
 rm -rf "$build" "$prefix"
-"$cmake" -S "$source_dir" -B "$build" --no-warn-unused-cli -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF \
+"$cmake" -S "$source_dir" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" --no-warn-unused-cli -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF \
   -DCMAKE_CXX_COMPILER="$cxx" -DEigen3_DIR="$eigen_dir" "${without[@]}" >"$build.log" 2>&1 ||
   { cat "$build.log"; exit 1; }
+"$cmake" --build "$build" -j2 >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 "$cmake" --install "$build" --prefix "$prefix" >>"$build.log"
 # Every header of core, and nothing from another room.
 diff <(cd "$source_dir/core" && find graze -name "*.hpp" | sort) \
   <(cd "$prefix/include" && find . -type f | sed 's|^\./||' | sort)
 others=$(cd "$prefix" && find . -type f -not -path './include/graze/*' | sort | tr '\n' ' ')
-expected='./share/cmake/graze/graze-config-version.cmake ./share/cmake/graze/graze-config.cmake ./share/cmake/graze/graze-targets.cmake ./share/doc/graze/LICENSE '
+expected='./lib/cmake/graze/graze-config-version.cmake ./lib/cmake/graze/graze-config.cmake ./lib/cmake/graze/graze-targets-release.cmake ./lib/cmake/graze/graze-targets.cmake ./lib/libgraze.a ./share/doc/graze/LICENSE '
 [[ $others == "$expected" ]] || { echo "installed beside the headers: $others"; exit 1; }
 # It can be moved: no path of this machine is in it.
 ! grep -rnF -e "$source_dir" -e "$scratch" "$prefix" || { echo "an installed file names the build's folders"; exit 1; }

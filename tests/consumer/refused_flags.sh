@@ -24,7 +24,7 @@ refused() {
 
 says='graze: -ffast-math voids'
 # The line above the pragma says why; clang shows the pragma.
-shows='scalar.hpp.*float_control.*is illegal when precise is disabled'
+shows='flags.hpp.*float_control.*is illegal when precise is disabled'
 for compiler in "$cxx" "$clang"; do
   "$compiler" "${include[@]}" -fsyntax-only -O2 "$program" || { echo "$compiler: refuses them without the flags too"; exit 1; }
   for flag in -ffast-math -Ofast -ffinite-math-only; do refused "$compiler" "$says" $flag; done
@@ -45,7 +45,7 @@ copy="$scratch/without_pragma"
 rm -rf "$copy"
 mkdir -p "$copy"
 cp -r "$source_dir/core/graze" "$copy/graze"
-sed -i '/^#pragma float_control/d' "$copy/graze/scalar.hpp"
+sed -i '/^#pragma float_control/d' "$copy/graze/numeric/flags.hpp"
 # at_run_time kept|refused HEADERS FLAG...: what the door says.
 at_run_time() {
   local wanted=$1 headers=$2 said

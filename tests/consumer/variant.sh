@@ -15,6 +15,10 @@ run() { "$@" >"$build/log" 2>&1 || { cat "$build/log"; exit 1; }; }
 options=(-DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_CXX_STANDARD="$standard"
   -DCMAKE_CXX_EXTENSIONS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DEigen3_DIR="$eigen_dir" -DGRAZE_VERSION="$version")
 [[ -z $launcher ]] || options+=(-DCMAKE_CXX_COMPILER_LAUNCHER="$launcher")
+# Header-only, where the user's flags reach graze; the variant that is called library links the compiled one.
+target=graze::core
+[[ $name != *library* ]] || target=graze::graze
+options+=(-DGRAZE_TARGET="$target")
 if [[ $source == installed ]]; then
   options+=(-DCMAKE_PREFIX_PATH="$scratch/prefix")
 else
@@ -24,7 +28,7 @@ run "$cmake" -S "$source_dir/tests/consumer/project" -B "$build" --no-warn-unuse
 
 # The user's flags, the standard, include paths: nothing of ours may be among them.
 command=$(grep -m1 '"command".*main.cpp' "$build/compile_commands.json")
-seen=$(grep -oE ' -[A-Zfmstdw][^ ]*' <<<"$command" | grep -vE '^ -(I|isystem)' | sort | tr -d '\n')
+seen=$(grep -oE ' -[A-Zfmstdw][^ ]*' <<<"$command" | grep -vE '^ -(I|isystem|DGRAZE_COMPILED)' | sort | tr -d '\n')
 wanted=$(printf ' %s\n' $flags -std=c++"$standard" | sed 's/c++23/c++2b/' | sort | tr -d '\n')
 [[ ${seen/c++23/c++2b} == "$wanted" ]] || { echo "compiled with$seen"; echo "wanted       $wanted"; exit 1; }
 # With a subdirectory the headers are the user's own as to warnings.

@@ -13,6 +13,7 @@
 // taken before anything is divided; the whole line is asked, not the ray, so that a start inside is seen.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <graze/scalar.hpp>
 #include <span>

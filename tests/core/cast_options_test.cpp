@@ -1,6 +1,7 @@
 // What a cast's tolerance may change, and what it may not; that the work is counted; and parts of an answer
 // that a right time does not show to be right.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/cast.hpp>
 

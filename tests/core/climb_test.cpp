@@ -1,6 +1,7 @@
 // The climb against brute force in rational arithmetic: the answer must be the one vertex that comes last in
 // the exact order (n.x, x_0, x_1, x_2), the first given of equal ones.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <graze/support/climb.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>

@@ -1,6 +1,7 @@
 // Large hulls for the tests and the benchmark of the climb: what its cost and its ties depend on.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <graze/scalar.hpp>
 #include <numbers>

@@ -1,6 +1,7 @@
 // Parts of the searches by themselves: what they hand on where they stop, what they say of a miss, what they
 // keep in order, and what they count.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/cast.hpp>
 #include <graze/gjk/epa.hpp>

@@ -2,6 +2,7 @@
 // with the code, the point inside the set (m.x <= h(m) for many m), greatest along n (n.x = h(n): then n is
 // in the normal cone at x).
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <graze/support/cso.hpp>
 
 #include "tests/core/draw.hpp"

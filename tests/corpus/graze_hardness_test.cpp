@@ -1,6 +1,7 @@
 // The hardness of the families that graze, and of those that are thin, nearly parallel or nearly equal: the
 // exact quantity that it is tied to, measured on the cases themselves.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 // Medians over the seeds of a level; the oracles answer in exact arithmetic, and what is read off the numbers
 // of a case is exact, or within the rounding that is stated beside it.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

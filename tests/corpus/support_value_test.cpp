@@ -2,6 +2,7 @@
 #include "corpus/support_value.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 

@@ -12,6 +12,7 @@
 // The textbook MPR below is written after Snethen, XenoCollide (Game Programming Gems 7, 2008), with the
 // lecture's first point v and its four steps.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 #include <graze/cast.hpp>
 
 #include <cstdio>

@@ -3,6 +3,7 @@
 #include "oracles/ball_motion.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "tests/oracles/curved_pairs.hpp"
 

@@ -1,6 +1,7 @@
 // Proofs that core's rotating casts make are accepted by the checker, which shares no code with them: random
 // turning pairs of every shape, flat ones included.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <graze/rotating_cast.hpp>
 

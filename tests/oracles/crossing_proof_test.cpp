@@ -3,6 +3,7 @@
 //
 // Notation   c_i = a_i - b_i;   d = det(c_0, c_1, c_2): on which side of the triangle the origin is.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <map>

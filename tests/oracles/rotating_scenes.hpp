@@ -11,6 +11,7 @@
 // and both bodies may drift along with one common velocity.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <functional>
 #include <numbers>
 #include <random>

@@ -4,6 +4,7 @@
 // "For sure" rests on the closed form of first contact (rotating_scenes.hpp) and on separations in long
 // double, whose errors are below 1e-15 here: every change goes at least kSure beyond what is true.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 // facet of C through which the path enters; and what they are in rationals.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <utility>

@@ -1,6 +1,7 @@
 // Proofs with symbolic axes against an independent decision in rationals, or in 2,048 bits: the tightest
 // double is accepted, one unit beyond is refused, and so is every form that names no axis.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <iostream>

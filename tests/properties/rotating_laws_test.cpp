@@ -4,6 +4,7 @@
 // the next is drawn. The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in
 // the environment draws others.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstdlib>

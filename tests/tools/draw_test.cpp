@@ -3,6 +3,7 @@
 #include "tools/draw.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>

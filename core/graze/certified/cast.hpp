@@ -29,17 +29,17 @@
 //                                  beneath the path.
 #pragma once
 
+#include <graze/cast.hpp>
 #include <graze/certified/degenerate.hpp>
 #include <graze/certified/surround.hpp>
+#include <graze/exact/cast.hpp>
+#include <graze/numeric/rounding.hpp>
 #include <graze/portal/leaving.hpp>
 #include <graze/standard/prove.hpp>
 #include <optional>
 #include <utility>
 
-namespace graze {
-
-// Convergence target of the tier, over scale: 9,000 u. Support points of well-formed shapes are within 100 u.
-inline constexpr double kLinearCertifiedWidth = 1e-12;
+namespace graze::inline GRAZE_LINKAGE {
 
 namespace detail {
 
@@ -453,7 +453,7 @@ void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
 }  // namespace detail
 
 template <Scalar S>
-CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
+CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   CastResult<S> out;
   out.method = Method::certified_portal;
   out.invalid = validate(a, b, options);
@@ -497,4 +497,4 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
   return out;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -7,7 +7,7 @@
 
 #include <graze/exact/cast.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Nothing for a shape that has roundness, or is a polytope already.
 template <Scalar S>
@@ -83,4 +83,4 @@ std::optional<CastResult<S>> cast_flat(const Body<S>& a, const Body<S>& b, const
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -14,7 +14,7 @@
 #include <graze/numeric/vectors.hpp>
 #include <graze/standard/prove.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // x of the part in its own frame, exactly, by its name. `curved` walks along the feature's curved points.
 template <Scalar S>
@@ -161,4 +161,4 @@ class NamedPoints {
   double unit_, error_ = 0, target_ = 0;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -19,11 +19,12 @@
 // the corner's own height and of what is left of the others', 3 e (1 + |k| + |m|) in all.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <algorithm>
 
 #include <graze/certified/named_point.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct ProvedPoint {
   NamedPoint point;
@@ -406,4 +407,4 @@ class ProvedView {
   double error_ = 0;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -3,7 +3,7 @@
 
 #include <graze/certified/portal.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Of six points whose hull holds the origin, four that do so, for the proof.
 struct Surrounding {
@@ -73,4 +73,4 @@ Surrounding surrounding(const NamedPoints<S>& points, const ProvedPortal& in, co
   return result;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -11,7 +11,7 @@
 #include <graze/exact/facet.hpp>
 #include <graze/exact/passage.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // f_1 x f_2 over its length.
 template <Scalar S>
@@ -158,4 +158,4 @@ inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi
   return out;
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -15,7 +15,7 @@
 #include <graze/result.hpp>
 #include <graze/support/prepared_pair.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // n, and what doubles know of it: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 says
 // that n_i is 0.
@@ -233,4 +233,4 @@ class BeyondSearch {
   const GuidedPair<S>& pair_;
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

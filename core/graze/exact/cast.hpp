@@ -8,27 +8,14 @@
 // bracket (for S = float the closer one). exact_queries.hpp has the other questions.
 #pragma once
 
+#include <graze/cast.hpp>
 #include <graze/exact/answer.hpp>
-#include <graze/validate.hpp>
+#include <graze/numeric/rounding.hpp>
+#include <graze/support/validate.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 namespace exact {
-
-// The largest S not above x, and the least not below.
-template <Scalar S>
-S round_down(double x) {
-  if constexpr (std::same_as<S, double>) {
-    return x;
-  } else {
-    const float near = static_cast<float>(x);
-    return static_cast<double>(near) > x ? std::nextafter(near, -kInfinity<float>) : near;
-  }
-}
-template <Scalar S>
-S round_up(double x) {
-  return -round_down<S>(-x);
-}
 
 // What tier exact refuses beyond the door.
 template <Scalar S>
@@ -49,7 +36,7 @@ Vec3<S> outward_normal(const Scene<S>& scene, const Facet& facet, bool entry) {
 }  // namespace exact
 
 template <Scalar S>
-CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {}) {
+CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   using exact::Passage;
   CastResult<S> out;
   out.method = Method::exact_portal;
@@ -107,4 +94,4 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   return out;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

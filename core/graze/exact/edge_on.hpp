@@ -10,7 +10,7 @@
 #include <graze/exact/facet.hpp>
 #include <graze/exact/walk.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 template <Scalar S>
 class EdgeOnWalk {
@@ -142,4 +142,4 @@ class EdgeOnWalk {
   Counters& counters_;
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -10,7 +10,7 @@
 
 #include <graze/exact/scene.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 struct Facet {
   Vertex c0;
@@ -160,4 +160,4 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
   return bracket_of(exact_time(scene, facet, v));
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -11,7 +11,7 @@
 
 #include <graze/exact/edge_on.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // What the line does, as far as the question needs it.
 enum class Passage : std::uint8_t {
@@ -127,4 +127,4 @@ class PassageSearch {
   Counters& counters_;
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

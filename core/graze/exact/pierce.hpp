@@ -8,7 +8,7 @@
 #include <graze/proof.hpp>
 #include <graze/support/side.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // The vertex of a body's core as given; for shapes that are no combinators, and not curved.
 template <Scalar S>
@@ -100,4 +100,4 @@ Pierced pierce(const Body<S>& a, const Body<S>& b, const std::array<SupportPair,
   return {true, t};
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

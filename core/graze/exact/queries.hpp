@@ -7,10 +7,11 @@
 
 #include <graze/exact/cast.hpp>
 #include <graze/line.hpp>
+#include <graze/numeric/rounding.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 namespace exact {
 
@@ -33,7 +34,6 @@ Result finished(const Scene<S>& scene, Result result) {
 
 }  // namespace exact
 
-// Do they touch at t = 0? Touching counts.
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   OverlapResult<S> out;
@@ -57,10 +57,9 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   return exact::finished(cast.scene(), out);
 }
 
-// Do they touch at any t in [0, t_max]? options.method is not read.
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
-                                          const SweptOverlapOptions<S>& options = {}) {
+                                          const SweptOverlapOptions<S>& options) {
   CastOptions<S> as_cast;
   as_cast.request = Request::normal;
   as_cast.t_max = options.t_max;
@@ -86,9 +85,8 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   return exact::finished(cast.scene(), out);
 }
 
-// The signed answer {t in R : contact at t}: each end as its two neighbouring S, or one.
 template <Scalar S>
-LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {}) {
+LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options) {
   CastOptions<S> checked;
   checked.target_distance = options.target_distance;
   checked.tolerance = options.tolerance;
@@ -131,4 +129,4 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   return exact::finished(scene, out);
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -14,7 +14,7 @@
 #include <graze/exact/term.hpp>
 #include <graze/numeric/vectors.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // Valid while the bodies live. They have passed validate(), and is_exact.
 template <Scalar S>
@@ -318,4 +318,4 @@ class Scene {
   mutable int exact_decisions_ = 0;
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

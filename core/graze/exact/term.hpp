@@ -9,7 +9,7 @@
 #include <graze/support/tree.hpp>
 #include <vector>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // Of C.
 struct Vertex {
@@ -161,4 +161,4 @@ struct Term {
   [[nodiscard]] Vec3<double> given_triple() const { return {triple[0], triple[1], triple[2]}; }
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -31,7 +31,7 @@
 #include <graze/exact/beyond.hpp>
 #include <graze/exact/facet.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // u in double.
 inline constexpr double kU = kUnitRoundoff<double>;
@@ -425,4 +425,4 @@ class PortalWalk {
   int miss_sign_ = 1;
 };
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -15,10 +15,11 @@
 // that go. Where the seen faces are not one disc, as only rounding can have it, P stays as it was: a stall.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/gjk/gjk.hpp>
 #include <graze/portal/frame.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // Vertices: a polytope is done after as many supports as C has vertices around the answer, 5..40; a curved C
 // halves the gap with every 2 to 4, so 60 to 190 for 46 bits. A triangulated sphere has 2 V - 4 faces.
@@ -394,4 +395,4 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S noi
   }
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -11,7 +11,7 @@
 #include <graze/gjk/simplex.hpp>
 #include <graze/result.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct Distance {
@@ -73,4 +73,4 @@ Distance<S> gjk_distance(const Cso<S>& cso, const Vec3<S>& x, Simplex<S>& simple
                       simplex, gap, near_enough, budget, counters);
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

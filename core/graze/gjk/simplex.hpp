@@ -12,9 +12,10 @@
 // can cost a step, never an answer.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/support/cso.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // y_i = w_i - x: the CSO as the point x of the path sees it.
 template <Scalar S>
@@ -224,4 +225,4 @@ void reduce(Simplex<S>& simplex, const Closest<S>& closest) {
   simplex = kept;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 class Dyadic {
  public:
@@ -215,4 +215,4 @@ inline Dyadic3 cross(const Dyadic3& a, const Dyadic3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

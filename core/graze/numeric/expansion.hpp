@@ -11,7 +11,7 @@
 
 #include <graze/numeric/offset.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 class Expansion {
  public:
@@ -100,4 +100,4 @@ inline Expansion determinant(const Expansion3& a, const Expansion3& b, const Exp
   return out;
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

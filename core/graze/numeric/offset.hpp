@@ -13,7 +13,7 @@
 #include <cmath>
 #include <graze/scalar.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct TwoDoubles {
   double hi = 0, lo = 0;
@@ -183,4 +183,4 @@ inline Vec3<double> placed_center(const Vec3<double>& p, const Quaternion<double
   return accurate_offset(zero, Quaternion<double>{}, zero, p, q, c);
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -15,7 +15,7 @@
 #include <graze/numeric/expansion.hpp>
 #include <vector>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 inline constexpr double kLeastCoordinate = 0x1p-280, kCoordinateBound = 2;
 
@@ -179,4 +179,4 @@ inline int height_sign(const Vec3<double>& n, const Vec3<double>& a, const Vec3<
   return term[static_cast<std::size_t>(size - 1)] > 0 ? 1 : -1;
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

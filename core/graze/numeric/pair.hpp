@@ -12,7 +12,7 @@
 
 #include <graze/numeric/offset.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 struct Pair {
   double hi, lo;  // not set unless given
@@ -47,4 +47,4 @@ inline Pair3 cross(const Pair3& a, const Pair3& b) {
 }
 inline Pair3 scaled(const Pair3& x, const Pair& s) { return {x[0] * s, x[1] * s, x[2] * s}; }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

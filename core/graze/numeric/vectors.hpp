@@ -11,7 +11,7 @@
 #include <graze/numeric/dyadic.hpp>
 #include <graze/numeric/pair.hpp>
 
-namespace graze::exact {
+namespace graze::inline GRAZE_LINKAGE::exact {
 
 // A vector in pairs of doubles.
 struct Fine {
@@ -132,4 +132,4 @@ inline int trailing_exponent(const Vec3<double>& x) {
   return std::min({trailing_exponent(x[0]), trailing_exponent(x[1]), trailing_exponent(x[2])});
 }
 
-}  // namespace graze::exact
+}  // namespace graze::inline GRAZE_LINKAGE::exact

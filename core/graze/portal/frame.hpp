@@ -5,9 +5,10 @@
 // |e_i.e_j - delta_ij| <= 4 u: the tilt moves a point of the line by at most 4 u of its distance from 0.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/gjk/simplex.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct Frame {
@@ -41,4 +42,4 @@ struct Frame {
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& n) const { return n[0] * e1 + n[1] * e2 + n[2] * e3; }
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

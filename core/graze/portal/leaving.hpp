@@ -11,7 +11,7 @@
 
 #include <graze/portal/sweep.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 enum class Start { enters, leaves, open };  // leaves, or slides; open: the budget ended before that was known
 
@@ -82,4 +82,4 @@ Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counte
   return on_silhouette(view, limits.noise) ? Start::leaves : Start::enters;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

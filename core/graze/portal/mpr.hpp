@@ -12,7 +12,7 @@
 
 #include <graze/portal/sweep.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // Does C + ball(R) hold the origin? The ray from a point of C's inside through the origin: it leaves C beyond
 // the origin, or not. n proves a miss.
@@ -118,4 +118,4 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   return out;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

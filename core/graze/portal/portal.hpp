@@ -20,7 +20,7 @@
 #include <graze/portal/frame.hpp>
 #include <graze/result.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct PortalPoint {
@@ -467,4 +467,4 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   }
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -25,7 +25,7 @@
 #include <graze/portal/sweep.hpp>
 #include <graze/support/prepared_pair.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // Steps of the walk; what takes longer is no common case.
 inline constexpr int kQuickSteps = 48;
@@ -268,4 +268,4 @@ class QuickWalk {
   QuickSweep out_;
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -6,7 +6,7 @@
 #include <graze/gjk/gjk.hpp>
 #include <graze/portal/portal.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct Sweep {
@@ -144,4 +144,4 @@ bool holds_origin(const PortalSearch<S>& search, S noise) {
   return closest_to_origin(contact_of(search), Vec3<S>(Vec3<S>::Zero())).v.norm() <= noise;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

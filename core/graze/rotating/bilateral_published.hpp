@@ -12,7 +12,7 @@
 
 #include <graze/rotating/march.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct PublishedLimits {
   double end = 1;
@@ -143,4 +143,4 @@ class PublishedBilateral {
   AxisFrame frame_ = AxisFrame::world;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

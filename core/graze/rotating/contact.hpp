@@ -13,7 +13,7 @@
 #include <graze/standard/prove.hpp>
 #include <graze/standard/refine_axis.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct Contact {
   bool proved = false;
@@ -202,4 +202,4 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

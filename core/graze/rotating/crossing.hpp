@@ -8,9 +8,10 @@
 // not solved for.)
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/rotating/contact.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // The corners of the triangle as placed now.
 inline std::array<Vec3<double>, 3> corners_now(const MovingPair& pair, const Simplex<double>& triangle) {
@@ -58,4 +59,4 @@ inline bool crosses(MovingPair& pair, const Simplex<double>& triangle, double t_
   return facing > 0.875 && std::abs(height) > 2 * e && std::abs(height_2) > 2 * e && height * height_2 < 0;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -11,7 +11,7 @@
 #include <graze/rotating/spheres.hpp>
 #include <graze/rotating_result.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct PlanLimits {
   double t_end = 1;      // may be infinite
@@ -111,4 +111,4 @@ Plan plan_of(const MovingPair& pair, const RotatingBody<S>& a_given, const Rotat
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

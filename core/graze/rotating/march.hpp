@@ -13,7 +13,7 @@
 #include <graze/rotating/slice.hpp>
 #include <graze/rotating_result.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct March {
   Outcome outcome = Outcome::not_converged;
@@ -236,4 +236,4 @@ inline March march(MovingPair& pair, const MarchLimits& limits, Counters& counte
   return Marcher(pair, limits, counters)();
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

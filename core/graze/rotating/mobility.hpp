@@ -21,10 +21,11 @@
 // tests/bounds holds each against ball arithmetic.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/rotating_body.hpp>
 #include <graze/support/side.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // |l x r|, not below, and above by 16 u at most; 0 only if the cross product is. A difference of two exact
 // products is within 2^-100 of itself (offset.hpp), however much cancels. Components of r are 0 or above
@@ -266,4 +267,4 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

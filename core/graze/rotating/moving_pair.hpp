@@ -14,13 +14,14 @@
 // Bodies on equal arms about pivots apart stay as they are to each other, however long the arms.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/result.hpp>
 #include <graze/rotating/mobility.hpp>
 #include <graze/rotating/turn.hpp>
 #include <graze/rotating_proof.hpp>
 #include <graze/support/cso.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // One body's turning: its rotation and its arm at any time.
 struct TurningSide {
@@ -272,4 +273,4 @@ class MovingPair {
   int poses_ = 0;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

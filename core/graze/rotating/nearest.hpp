@@ -7,7 +7,7 @@
 #include <graze/rotating/moving_pair.hpp>
 #include <graze/standard/refine_axis.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct Nearest {
   double gap = 0;                         // lower bound of the distance, less the target distance
@@ -66,4 +66,4 @@ inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, do
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

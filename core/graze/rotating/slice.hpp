@@ -23,7 +23,7 @@
 #include <graze/rotating/whole_turns.hpp>
 #include <optional>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 enum class Advance { conservative, bilateral };
 
@@ -247,4 +247,4 @@ class SliceSearch {
   int wait_ = 0, failures_ = 0;  // of whole turns
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

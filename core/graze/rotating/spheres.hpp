@@ -10,7 +10,7 @@
 
 #include <graze/rotating/moving_pair.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct SphereCast {
   bool meet = true;
@@ -40,4 +40,4 @@ inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

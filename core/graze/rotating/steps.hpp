@@ -8,7 +8,7 @@
 
 #include <graze/rotating/march.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct StepLimits {
   double begin = 0, end = 1;  // tests at begin, and at every later multiple of end / steps
@@ -74,4 +74,4 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
   return out;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

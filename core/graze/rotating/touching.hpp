@@ -7,7 +7,7 @@
 #include <graze/rotating/moving_pair.hpp>
 #include <graze/rotating_proof.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? False as well where a
 // number outgrew Dyadic, and for three on a line.
@@ -71,4 +71,4 @@ bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const S
   return true;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

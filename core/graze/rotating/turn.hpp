@@ -9,7 +9,7 @@
 
 #include <graze/numeric/offset.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Beyond, one unit in the last place of t would be many turns for a body of any size.
 inline constexpr double kMostTurn = 0x1p30;
@@ -161,4 +161,4 @@ class TurnsAbout {
   TwoDoubles3 axis_{};
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -7,9 +7,10 @@
 // the other body's turn and the bodies' way allow.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/rotating/moving_pair.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Which bodies stand for all their angles.
 struct WholeTurns {
@@ -71,4 +72,4 @@ inline double swept_bend(const MovingPair& pair, const WholeTurns& whole, const 
          (whole.b ? 0.0 : pair.mobility_b().acceleration(n));
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -8,7 +8,7 @@
 
 #include <graze/portal/mpr.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 namespace detail {
 
@@ -140,4 +140,4 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
   return out;
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

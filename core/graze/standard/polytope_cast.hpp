@@ -9,7 +9,7 @@
 #include <graze/standard/prove.hpp>
 #include <graze/standard/witness.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 template <Scalar S>
 [[nodiscard]] bool is_quick(const Shape<S>& shape) {
@@ -94,4 +94,4 @@ template <Scalar S>
   return true;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

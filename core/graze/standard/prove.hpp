@@ -9,11 +9,12 @@
 // k).
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/exact/pierce.hpp>
 #include <graze/standard/advancement.hpp>
 #include <graze/standard/refine_axis.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 namespace detail {
 
@@ -387,4 +388,4 @@ Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, O
   return under_policy(proof, options.start_policy);
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

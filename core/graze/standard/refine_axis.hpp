@@ -11,7 +11,7 @@
 
 #include <graze/portal/mpr.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // The simplex's point v, of a search about the origin.
 template <Scalar S>
@@ -152,4 +152,4 @@ void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const S
   d.stalled = !steady();
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

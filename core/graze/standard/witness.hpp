@@ -3,7 +3,7 @@
 
 #include <graze/gjk/simplex.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // sum lambda_i (x_i of the body's core + radius e_i) at time t, in world coordinates.
 template <Scalar S>
@@ -33,4 +33,4 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
   return shift;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -24,7 +24,7 @@
 #include <graze/numeric/orient3d.hpp>
 #include <graze/support/hull_graph.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // No vertex: a climb that starts cold.
 inline constexpr std::uint32_t kNoStart = 0xffffffff;
@@ -198,4 +198,4 @@ std::uint32_t climb_support(const Hull<Given>& hull, const Vec3<S>& d, std::uint
   return detail::climb<S, Given>(hull, d, start, count);
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

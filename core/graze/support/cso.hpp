@@ -23,7 +23,7 @@
 
 #include <graze/support/side.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // A support point of C: w = a - b, by the vertices of A and B, on a rounded C the ball's unit direction e,
 // and on a curved core the direction n that it is the support point of, of any length.
@@ -160,4 +160,4 @@ class Cso {
   bool curved_ = false;
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -6,7 +6,7 @@
 
 #include <graze/support/scan.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 #if defined(__SSE2__)
 // Of 8 kBlocks points.
@@ -71,4 +71,4 @@ inline std::uint32_t guess_scan(const float* x, std::size_t n, float d_x, float 
 }
 #endif
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -14,10 +14,11 @@
 // a double near the middle, and a hull so thin that o is not inside it is refused though it may be right.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <graze/support/quickhull.hpp>
 #include <unordered_map>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 class FaceCheck {
  public:
@@ -148,4 +149,4 @@ class FaceCheck {
   mutable std::unordered_map<std::uint64_t, std::uint32_t> left_;  // edge -> the triangle on its left
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -16,7 +16,7 @@
 #include <graze/hull.hpp>
 #include <graze/support/hull_faces.hpp>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 struct HullGraph {
@@ -266,19 +266,14 @@ Hull<S> with_surface(std::span<const Vec3<S>> vertices, const MakeSurface& make_
 
 }  // namespace detail
 
-// A hull with adjacency derived from its vertices: about O(n log n) time, O(n) memory. None is made, and
-// has_adjacency() says so, for vertices in a plane, that are not finite, or with a non-zero coordinate below
-// 2^-280 of the largest.
 template <Scalar S>
 Hull<S> with_adjacency(std::span<const Vec3<S>> vertices) {
   return detail::with_surface(vertices, [](const auto& maker) { return maker.derive(); });
 }
 
-// The same from faces: lists of vertex indices, anticlockwise from outside. A hint: unless it is, exactly,
-// the boundary of the hull of the vertices, it is ignored.
 template <Scalar S>
 Hull<S> with_faces(std::span<const Vec3<S>> vertices, std::span<const std::vector<std::uint32_t>> faces) {
   return detail::with_surface(vertices, [&](const auto& maker) { return maker.verify(faces); });
 }
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

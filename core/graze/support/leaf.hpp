@@ -9,7 +9,7 @@
 #include <graze/support/scan.hpp>
 #include <span>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Vertex k of a box, of a capsule's core.
 template <Scalar S>
@@ -94,4 +94,4 @@ Vec3<S> hull_vertex(const Hull<Given>& hull, std::uint32_t k) {
   return {S(hull.scan(0)[k]), S(hull.scan(1)[k]), S(hull.scan(2)[k])};
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -18,7 +18,7 @@
 #include <graze/support/side.hpp>
 #include <optional>
 
-namespace graze {
+namespace graze::inline GRAZE_LINKAGE {
 
 // Three doubles, as scalars: packets of two and one cost more than they save.
 struct Triple {
@@ -334,4 +334,4 @@ class GuidedPair {
   int k_ = 0, j_ = 0;
 };
 
-}  // namespace graze
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -13,11 +13,12 @@
 // horizon at an edge, the new triangle's outer half space holds the intersection of its two neighbours'.
 #pragma once
 
+#include <Eigen/Geometry>  // cross
 #include <cstdint>
 #include <graze/numeric/orient3d.hpp>
 #include <numeric>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Three indices of points, anticlockwise from outside.
 using HullTriangle = std::array<std::uint32_t, 3>;
@@ -183,4 +184,4 @@ class Quickhull {
   std::vector<HorizonEdge> horizon_;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

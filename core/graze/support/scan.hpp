@@ -15,7 +15,7 @@
 #include <immintrin.h>
 #endif
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 inline constexpr std::size_t kScanChunk = 64;
 
@@ -149,4 +149,4 @@ std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S
 }
 #endif
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

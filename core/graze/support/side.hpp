@@ -7,7 +7,7 @@
 #include <graze/support/climb.hpp>
 #include <graze/support/tree.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Bounds of a shape's core in world lengths about its centre, in double, and the radius of its ball.
 struct Bounds {
@@ -314,4 +314,4 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning 
   return side;
 }
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -15,7 +15,7 @@
 #include <graze/proof.hpp>
 #include <graze/support/leaf.hpp>
 
-namespace graze::detail {
+namespace graze::inline GRAZE_LINKAGE::detail {
 
 // How deep combinators may stand in each other, how many parts a walk may meet (a shared one each time), and
 // how many vertices a core may have: beyond, the door says too_complex.
@@ -477,4 +477,4 @@ class TreeWalk {
   std::size_t curved_parts_ = 0;
 };
 
-}  // namespace graze::detail
+}  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -1,0 +1,54 @@
+// Declared, with what it promises, in graze/distance.hpp.
+#pragma once
+
+#include <graze/distance.hpp>
+#include <graze/standard/refine_axis.hpp>
+#include <graze/standard/witness.hpp>
+#include <graze/support/validate.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+template <Scalar S>
+DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
+  DistanceResult<S> out;
+  CastOptions<S> checked;
+  checked.tolerance = options.tolerance;
+  checked.max_iterations = options.max_iterations;
+  out.invalid = validate(a, b, checked);
+  if (out.invalid != Invalid::none) return out;
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const S R = cso.radius();
+  Simplex<S> simplex;
+  Distance<S> d = gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex,
+                               options.tolerance > 0 ? limits.target : limits.fine(), R + limits.fine(),
+                               options.max_iterations, out.counters);
+  out.counters.iterations = out.counters.gjk_iterations;
+  if (d.stalled && d.upper - d.lower > limits.noise)
+    detail::steady_axis(d, cso, simplex, limits, out.counters);
+  const S apart = d.upper - R;
+  // Nearer than rounding can tell is contact.
+  if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
+    out.lower = out.upper = 0;
+    return out;
+  }
+  // A search that ended inside C without a tetrahedron around x knows neither: MPR does.
+  if (!(d.lower - R > 0) &&
+      mpr_overlap(cso, limits, out.counters).outcome == Outcome::initially_overlapping) {
+    out.lower = out.upper = 0;
+    return out;
+  }
+  out.upper = cso.to_length(apart);
+  // A lower bound above the upper one is rounding.
+  out.lower = std::min(std::max(cso.to_length(d.lower - R), S(0)), out.upper);
+  out.stalled = d.stalled && !(apart - (d.lower - R) <= limits.noise);
+  if (!(out.lower > 0)) return out;
+  if (asks_for(options.request, Request::normal)) out.normal = d.n;
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = detail::witness(a, cso.side_a(), cso, simplex, d.n, true, S(0));
+    out.point_b = detail::witness(b, cso.side_b(), cso, simplex, d.n, false, S(0));
+  }
+  return out;
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE

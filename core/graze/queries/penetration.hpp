@@ -1,0 +1,169 @@
+// Declared, with what it promises, in graze/penetration.hpp.
+#pragma once
+
+#include <graze/distance.hpp>
+#include <graze/gjk/epa.hpp>
+#include <graze/penetration.hpp>
+#include <graze/queries/line.hpp>
+#include <graze/standard/refine_axis.hpp>
+#include <graze/standard/witness.hpp>
+#include <graze/support/validate.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+namespace detail {
+
+template <Scalar S>
+CastOptions<S> checked(const PenetrationOptions<S>& options) {
+  CastOptions<S> out;
+  out.tolerance = options.tolerance;
+  out.max_iterations = options.max_iterations;
+  return out;
+}
+
+template <Scalar S>
+void fill_penetration(PenetrationResult<S>& out, const Body<S>& a, const Body<S>& b,
+                      const PenetrationOptions<S>& options, const Cso<S>& cso, S lower, S upper,
+                      const Vec3<S>& n, const Simplex<S>& contact) {
+  out.outcome = Outcome::initially_overlapping;
+  // A depth below zero, or a bound above the other, is rounding.
+  upper = std::max(upper, S(0));
+  out.upper = cso.to_length(upper);
+  out.lower = cso.to_length(std::min(std::max(lower, S(0)), upper));
+  if (asks_for(options.request, Request::normal)) out.normal = n;
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = witness(a, cso.side_a(), cso, contact, n, true, S(0));
+    out.point_b = witness(b, cso.side_b(), cso, contact, n, false, S(0));
+  }
+}
+
+// GJK stops where it comes no nearer. There the distance is known to u, but an axis only to the root of it,
+// as the distance is a square near its minimum: so on, while the axes still get better.
+template <Scalar S>
+void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, Counters& counters) {
+  // The distance halves no more: a few points around the nearest one are all there is to learn.
+  constexpr int kSteps = 16;
+  for (int i = 0; i < kSteps && d.upper - d.lower > gap; ++i) {
+    const Closest<S> closest = closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));
+    if (closest.size == 4 || closest.n == Vec3<S>::Zero() || !(closest.dist_sq > 0)) return;
+    reduce(simplex, closest);
+    ++counters.supports;
+    const CsoPoint<S> next = cso.support(closest.n);
+    if (const S lower = -closest.n.dot(next.w); lower > d.lower) {
+      d.lower = lower;
+      d.n = closest.n;
+    }
+    if (simplex.holds(next)) return;
+    Simplex<S> wider = simplex;
+    wider.add(next);
+    // A step away from the origin by more than rounding is none.
+    const Closest<S> then = closest_to_origin(wider, Vec3<S>(Vec3<S>::Zero()));
+    if (!(std::sqrt(then.dist_sq) <= d.upper + gap)) return;
+    simplex = wider;
+  }
+  const Closest<S> closest = closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));
+  reduce(simplex, closest);
+}
+
+template <Scalar S>
+PenetrationResult<S> apart(PenetrationResult<S>& out, const Vec3<S>& n) {
+  out.outcome = Outcome::miss;
+  out.upper = 0;
+  out.normal = n;
+  return out;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const PenetrationOptions<S>& options) {
+  PenetrationResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = validate(a, b, checked);
+  if (out.invalid != Invalid::none) return out;
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
+  Simplex<S> simplex;
+  Distance<S> d =
+      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+  const S apart = d.upper - R;
+  const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
+  if (!contact && d.lower - R > 0) return detail::apart(out, d.n);
+  if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
+    // The origin outside the core: its distance, seen from inside.
+    detail::refine_axis(cso, simplex, d, gap, out.counters);
+    if (d.upper - d.lower > std::max(gap, limits.noise)) {
+      detail::steady_axis(d, cso, simplex, limits, out.counters);
+    }
+    out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
+    detail::fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+    return out;
+  }
+  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
+  // its faces as to their neighbours.
+  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
+  const Epa<S> least =
+      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
+             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
+  if (!contact && !least.enclosed) {
+    // GJK could not tell, and this search neither, unless it met an axis that separates.
+    if (least.upper + R < -limits.noise) return detail::apart(out, least.n);
+    out.outcome = Outcome::not_converged;
+    out.stalled = true;
+    return out;
+  }
+  out.stalled = !(least.upper - least.lower <= std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
+  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
+  const bool touching = least.contact.size == 0 || !(detail::combination(least.contact).norm() <=
+                                                     std::max(least.upper, S(0)) + limits.noise);
+  detail::fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
+                           touching ? simplex : least.contact);
+  return out;
+}
+
+template <Scalar S>
+PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const Vec3<S>& direction,
+                                       const PenetrationOptions<S>& options) {
+  using State = typename PortalSearch<S>::State;
+  PenetrationResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = validate(a, b, checked);
+  if (out.invalid == Invalid::none) out.invalid = detail::check_vector(direction);
+  if (out.invalid == Invalid::none && direction == Vec3<S>::Zero()) out.invalid = Invalid::out_of_range;
+  if (out.invalid != Invalid::none) return out;
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const Frame<S> frame(unit(direction));
+  // Is the origin on the part of the line that is in C? First its end, which is the answer.
+  const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
+  out.counters.iterations = out.counters.portal_steps;
+  if (end.state == State::missed || (end.state == State::entered && -end.lower < -limits.noise))
+    return detail::apart(out, end.n);
+  const detail::PortalView<S> view{cso, frame, S(1), out.counters};
+  PortalSearch<S> begin = find_portal(view, limits.budget);
+  if (begin.state == State::entered) {
+    refine_portal(view, begin, PortalLimits<S>{S(0), limits.noise, limits.noise / 2}, limits.budget);
+  }
+  out.counters.iterations = out.counters.portal_steps;
+  const bool undecided =
+      begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
+  if (undecided && !holds_origin(begin, limits.noise)) return detail::apart(out, begin.facing);
+  const bool in_contact =
+      begin.state == State::accepted ||
+      (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);
+  if (begin.state == State::rejected || begin.state == State::missed ||
+      (begin.state == State::entered && !in_contact)) {
+    return detail::apart(out, begin.n);
+  }
+  if (!in_contact) {
+    out.outcome = Outcome::not_converged;
+    out.stalled = true;
+    return out;
+  }
+  out.stalled = end.state != State::entered;
+  detail::fill_penetration(out, a, b, options, cso, -end.upper, -end.lower, end.n, end.contact);
+  return out;
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE

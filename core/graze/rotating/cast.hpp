@@ -1,0 +1,393 @@
+// The search behind a rotating cast: by its plan, or by one method. Declared in graze/rotating_cast.hpp.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/numeric/rounding.hpp>
+#include <graze/rotating/bilateral_published.hpp>
+#include <graze/rotating/make_plan.hpp>
+#include <graze/rotating/steps.hpp>
+#include <graze/rotating/touching.hpp>
+#include <graze/rotating_cast.hpp>
+#include <graze/support/validate.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+namespace detail {
+
+// kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
+inline constexpr double kRotatingStop = 4;
+// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and
+// the part of it that either end may take.
+inline constexpr double kCertifiedTurningWidth = 1e-9, kWidthPart = 1.0 / 16;
+// The linear slop of the slides, over scale, where the caller names no tolerance.
+inline constexpr double kPublishedSlop = 0.005;
+
+template <Scalar S>
+Invalid validate(const RotatingBody<S>& body, S t_max) {
+  if (const Invalid one = graze::validate(body.body); one != Invalid::none) return one;
+  if (const Invalid one = first_of({check_vector(body.rotation), check_vector(body.pivot)});
+      one != Invalid::none)
+    return one;
+  const double turned = wide(body.rotation).norm() * static_cast<double>(t_max);
+  return t_max < kInfinity<S> && turned > kMostTurn ? Invalid::out_of_range : Invalid::none;
+}
+
+template <Scalar S>
+CastOptions<S> linear_options(const RotatingOptions<S>& options) {
+  CastOptions<S> out;
+  out.tier = options.tier;
+  out.request =
+      static_cast<Request>(static_cast<unsigned>(options.request) & ~static_cast<unsigned>(Request::proof));
+  out.t_max = options.t_max;
+  out.target_distance = options.target_distance;
+  out.start_policy = options.start_policy;
+  return out;
+}
+
+template <Scalar S>
+Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+  if (const Invalid one = check_arithmetic(); one != Invalid::none) return one;
+  if (const Invalid one = graze::validate(linear_options(options)); one != Invalid::none) return one;
+  if (!(options.tolerance >= 0 && options.tolerance < kInfinity<S>) || options.max_iterations < 1 ||
+      options.time_steps < 1)
+    return Invalid::bad_tolerance;
+  if (const Invalid one = validate(a, options.t_max); one != Invalid::none) return one;
+  return validate(b, options.t_max);
+}
+
+template <Scalar S>
+class RotatingCast {
+ public:
+  RotatingCast(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options)
+      : a_(a), b_(b), options_(options) {}
+
+  RotatingResult<S> operator()() {
+    if (!prepare()) return out_;
+    if (options_.method) {
+      run(*options_.method);
+    } else {
+      follow_plan();
+    }
+    return out_;
+  }
+
+  Plan plan() {
+    prepare();
+    return out_.plan;
+  }
+
+ private:
+  [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
+  [[nodiscard]] double scale() const { return pair_->scale(); }
+  [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
+  // Internal length: what the tier's answer may leave open at either end.
+  [[nodiscard]] double stop() const {
+    const double rounding = kRotatingStop * pair_->error();
+    double width = static_cast<double>(options_.tolerance);
+    if (options_.tier == Tier::certified)
+      width = width > 0 ? std::min(width, kCertifiedTurningWidth) : kCertifiedTurningWidth;
+    return std::max(rounding, kWidthPart * width * scale());
+  }
+  [[nodiscard]] double noise() const {
+    return options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) * scale() : 0.0;
+  }
+
+  // The door and the plan. False: the answer is out_.
+  bool prepare() {
+    out_.invalid = validate(a_, b_, options_);
+    if (out_.invalid != Invalid::none) return false;
+    const bool turns = a_.rotation != Vec3<S>::Zero() || b_.rotation != Vec3<S>::Zero();
+    if (!turns && !options_.method) {
+      out_.plan = plan_without_rotation(a_, b_, options_.economies);
+      return true;
+    }
+    pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+    if (options_.method) {
+      out_.plan.effects = Effects::rotating;
+      if (!turns) out_.plan.add(PlanReason::no_rotation);
+      if (pair_->mobility_a().turns()) out_.plan.add(PlanReason::rotation_a);
+      if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
+    } else {
+      const double asked =
+          options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
+      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
+      out_.plan.added = pair_->cso().to_length(out_.plan.added);
+    }
+    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
+    if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) {
+      out_.invalid = Invalid::not_linear;
+    } else if (options_.tier == Tier::exact) {
+      out_.invalid = Invalid::not_exact;
+    }
+    return out_.invalid == Invalid::none;
+  }
+
+  // Without an end, or with a policy of linear motions, a turn that is seen has no meaning even where the
+  // bounds never meet.
+  [[nodiscard]] bool sees_turn_unended() const {
+    if (out_.plan.effects != Effects::nothing) return false;
+    if (options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report) return false;
+    Economies without = options_.economies;
+    without.bounds = false;
+    return plan_of(*pair_, a_, b_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
+  }
+
+  void follow_plan() {
+    const bool provable = options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report;
+    if (wants_proof() && provable && options_.tier != Tier::exact) {
+      // A chain says what was proved of the whole motion, whatever the plan spares.
+      if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+      return run(RotatingMethod::bilateral_advancement);
+    }
+    switch (out_.plan.effects) {
+      case Effects::nothing:
+        out_.outcome = Outcome::miss;
+        out_.toi_lower = out_.toi_upper = kInfinity<S>;
+        return;
+      case Effects::at_rest:
+        return run_at_rest();
+      case Effects::linear:
+        if (out_.plan.added > 0) return run_slow();
+        return take(graze::cast(a_.body, b_.body, linear_options(options_)));
+      case Effects::rotating:
+        return run(RotatingMethod::bilateral_advancement);
+    }
+  }
+
+  void take(const CastResult<S>& linear) {
+    out_.outcome = linear.outcome;
+    out_.invalid = linear.invalid;
+    out_.toi_lower = linear.toi_lower;
+    out_.toi_upper = linear.toi_upper;
+    out_.distance = std::max(linear.distance, S(0));
+    out_.passed_over = linear.passed_over;
+    out_.normal = linear.normal;
+    out_.point_a = linear.point_a;
+    out_.point_b = linear.point_b;
+    out_.counters += linear.counters;
+  }
+
+  // The bodies stand still to each other: contact now, or never.
+  void run_at_rest() {
+    CastOptions<S> options = linear_options(options_);
+    options.t_max = 0;
+    take(graze::cast(a_.body, b_.body, options));
+  }
+
+  // A linear cast with the sway added: a miss stays one, and a hit is not before it.
+  void run_slow() {
+    CastOptions<S> options = linear_options(options_);
+    options.request = Request::verdict;
+    options.target_distance =
+        exact::round_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
+    const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
+    if (linear.outcome == Outcome::miss) return take(linear);
+    out_.counters += linear.counters;
+    out_.plan.add(PlanReason::linear_left_open);
+    const bool known = linear.outcome == Outcome::hit || linear.outcome == Outcome::not_converged;
+    run_march(Advance::bilateral, known ? static_cast<double>(linear.toi_lower) * (1 - 0x1p-20) : 0.0);
+  }
+
+  void run(RotatingMethod method) {
+    if (!(options_.t_max < kInfinity<S>)) return refuse();
+    switch (method) {
+      case RotatingMethod::time_steps:
+        return run_steps(0);
+      case RotatingMethod::bounding_spheres: {
+        const SphereCast spheres = cast_spheres(*pair_, t_end(), 0);
+        if (spheres.meet) return run_steps(spheres.begin);
+        out_.outcome = Outcome::miss;
+        out_.toi_lower = out_.toi_upper = kInfinity<S>;
+        return;
+      }
+      case RotatingMethod::conservative_advancement:
+        return run_march(Advance::conservative, 0);
+      case RotatingMethod::bilateral_advancement:
+        return run_march(Advance::bilateral, 0);
+      case RotatingMethod::bilateral_published: {
+        const double slop = options_.tolerance > 0 ? static_cast<double>(options_.tolerance) : kPublishedSlop;
+        const PublishedLimits limits{t_end(), slop * scale(), slop * scale() / 4, options_.max_iterations};
+        return fill(PublishedBilateral(*pair_, limits, out_.counters)());
+      }
+    }
+  }
+  void refuse() { out_.invalid = Invalid::not_linear; }
+
+  void run_steps(double begin) {
+    StepLimits limits;
+    limits.begin = begin;
+    limits.end = t_end();
+    limits.steps = options_.time_steps;
+    limits.touching = stop();
+    limits.budget = options_.max_iterations;
+    out_.hidden_motion =
+        exact::round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
+    fill(step_through(*pair_, limits, out_.counters));
+  }
+
+  void run_march(Advance advance, double begin) {
+    MarchLimits limits;
+    limits.advance = advance;
+    limits.begin = wants_proof() ? 0.0 : begin;
+    limits.end = t_end();
+    limits.stop = stop();
+    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
+    limits.budget = options_.max_iterations;
+    limits.record = wants_proof();
+    limits.normal = asks_for(options_.request, Request::normal);
+    limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
+    March found = march(*pair_, limits, out_.counters);
+    if (is_open_at_start(found) && touches_at_start()) return;
+    if (limits.record) out_.proof = proof_of(found);
+    fill(found);
+  }
+
+  // A contact at t = 0 that no ball about the origin proves: the origin is on C's boundary, or nearer to the
+  // hull of any four support points' than rounding tells. Nothing has turned yet, so the linear tier may say.
+  [[nodiscard]] bool is_open_at_start(const March& found) const {
+    return options_.tier == Tier::certified && found.lower == 0 && found.outcome != Outcome::miss &&
+           found.outcome != Outcome::initially_overlapping;
+  }
+  bool touches_at_start() {
+    RotatingProof proof;
+    if (!touches_exactly(proof) && !touches_by_linear_tier(proof)) return false;
+    if (wants_proof()) out_.proof = std::move(proof);
+    March contact;
+    contact.outcome = Outcome::initially_overlapping;
+    fill(contact);
+    return true;
+  }
+  bool touches_exactly(RotatingProof& proof) {
+    pair_->place(0);
+    Simplex<double> closest;
+    const Distance<double> d = gjk_distance(pair_->cso(), Vec3<double>(Vec3<double>::Zero()), closest, 0.0,
+                                            0.0, options_.max_iterations, out_.counters);
+    return d.upper <= pair_->error() && touches(*pair_, a_.body, b_.body, closest, proof);
+  }
+  bool touches_by_linear_tier(RotatingProof& proof) {
+    CastOptions<S> options = linear_options(options_);
+    options.t_max = 0;
+    options.request = Request::proof;
+    const CastResult<S> start = graze::cast(a_.body, b_.body, options);
+    out_.counters += start.counters;
+    if (start.outcome != Outcome::initially_overlapping || !start.proof || !(start.proof->toi_upper == 0))
+      return false;
+    proof.toi_upper = 0;
+    proof.contact_size = start.proof->portal_size;
+    proof.contact = start.proof->portal;
+    proof.weight = {0.25, 0.25, 0.25, 0.25};
+    return true;
+  }
+
+  void fill(const March& found) {
+    out_.outcome = found.outcome;
+    out_.counters.poses = pair_->poses();
+    if (found.outcome == Outcome::miss) {
+      out_.toi_lower = out_.toi_upper = kInfinity<S>;
+      return;
+    }
+    if (found.outcome == Outcome::initially_overlapping) {
+      out_.toi_lower = out_.toi_upper = 0;
+      return;
+    }
+    out_.toi_lower = exact::round_down<S>(found.lower);
+    out_.toi_upper = found.upper < kInfinity<double> ? exact::round_up<S>(found.upper) : kInfinity<S>;
+    double apart = found.apart;
+    if (found.upper < kInfinity<double> && found.upper > found.lower) {
+      // Contact is at upper: what is left of the way bounds the distance as well.
+      apart = std::min(apart, pair_->approach_speed(t_end()) * (found.upper - found.lower) * (1 + 0x1p-50));
+    }
+    apart +=
+        pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
+    // Of a way that outgrew the doubles nothing is known.
+    if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
+    out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
+    if (found.outcome != Outcome::hit) return;
+    if (asks_for(options_.request, Request::normal))
+      out_.normal = (found.normal != Vec3<double>::Zero() ? found.normal : found.n).template cast<S>();
+    if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
+  }
+
+  // The closest points at toi_lower, each on its own body.
+  void set_witnesses(const March& found) {
+    // Which points they are is asked where they were found, as a flat end answers by the last bit of a
+    // direction.
+    pair_->place(found.lower);
+    const Cso<double>& cso = pair_->cso();
+    Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(found.closest.size); ++i) {
+      const CsoPoint<double>& p = found.closest.point[i];
+      const auto& side_a = cso.side_a();
+      const auto& side_b = cso.side_b();
+      const Vec3<double> d_b = -p.n;
+      x_a += found.closest.lambda[i] * side_a.support(side_a, side_a.to_own(p.n), &p.vertex_a).x;
+      x_b += found.closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+    }
+    const double t = static_cast<double>(out_.toi_lower);
+    pair_->place(t);
+    const Vec3<double> rel_a = cso.side_a().to_world(x_a) + cso.side_a().radius * found.n;
+    const Vec3<double> rel_b = cso.side_b().to_world(x_b) - cso.side_b().radius * found.n;
+    // From the centre to the pivot of A and to the world: long arms cancel, so nothing is rounded before the
+    // end.
+    const double length = power_of_two(cso.length_exponent());
+    const TwoDoubles3 at_a = scaled_by(pair_->center_a_in_two(), length),
+                      at_b = scaled_by(pair_->center_b_in_two(), length);
+    const TwoDoubles3 turned = posed(near_one(a_.body.orientation), pair_->pivot_a());
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const TwoDoubles origin = (two_sum(double(a_.body.position[i]), 0) + turned[k]) +
+                                times({double(a_.body.displacement[i]), 0}, t);
+      const auto world = [&](const TwoDoubles& center, double rel) {
+        const TwoDoubles sum = (origin + center) + TwoDoubles{cso.to_length(rel), 0};
+        return static_cast<S>(sum.hi + sum.lo);
+      };
+      out_.point_a[i] = world(at_a[k], rel_a[i]);
+      out_.point_b[i] = world(at_b[k], rel_b[i]);
+    }
+  }
+
+  // The chain, and the pairs of the contact by name.
+  RotatingProof proof_of(March& found) {
+    RotatingProof proof;
+    proof.toi_lower = found.lower;
+    proof.chain = std::move(found.chain);
+    if (!found.contact.proved) return proof;
+    pair_->place(found.upper);
+    const Cso<double>& cso = pair_->cso();
+    const Vec3<double> none = Vec3<double>::Zero();
+    const auto size = static_cast<std::size_t>(found.contact.pairs.size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const CsoPoint<double>& p = found.contact.pairs.point[i];
+      SupportPair& named = proof.contact[i];
+      if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
+          !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
+        return proof;
+      proof.weight[i] = found.contact.crossing ? 0.0 : found.contact.pairs.lambda[i];
+    }
+    proof.crossing = found.contact.crossing;
+    proof.contact_from = found.contact.from;
+    proof.contact_size = found.contact.pairs.size;
+    proof.toi_upper = found.upper;
+    return proof;
+  }
+
+  const RotatingBody<S>&a_, &b_;
+  const RotatingOptions<S>& options_;
+  RotatingResult<S> out_;
+  std::optional<MovingPair> pair_;
+};
+
+}  // namespace detail
+
+template <Scalar S>
+RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
+                       const RotatingOptions<S>& options) {
+  return detail::RotatingCast<S>(a, b, options)();
+}
+
+template <Scalar S>
+Plan plan(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options) {
+  return detail::RotatingCast<S>(a, b, options).plan();
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -1,0 +1,179 @@
+// The casts of tier standard, and the choice of a tier. Declared, with what they promise, in graze/cast.hpp.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/certified/cast.hpp>
+#include <graze/exact/cast.hpp>
+#include <graze/portal/leaving.hpp>
+#include <graze/standard/advancement.hpp>
+#include <graze/standard/polytope_cast.hpp>
+#include <graze/standard/prove.hpp>
+#include <graze/standard/witness.hpp>
+#include <graze/support/validate.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+namespace detail {
+
+template <Scalar S>
+void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+          const Cso<S>& cso, const Sweep<S>& sweep) {
+  out.outcome = sweep.outcome;
+  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
+    // Contact is at upper: what is left of the path bounds the distance as well.
+    const S path = (sweep.upper - sweep.lower) * cso.direction().norm();
+    out.distance = cso.to_length(std::max(std::min(sweep.apart, path), S(0)));
+  }
+  switch (sweep.outcome) {
+    case Outcome::initially_overlapping:
+      out.toi_lower = out.toi_upper = 0;
+      break;
+    case Outcome::miss:
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      break;
+    default:
+      // A time too large for S lies between its largest number and infinity.
+      out.toi_lower = std::min({cso.to_time(sweep.lower), options.t_max, std::numeric_limits<S>::max()});
+      out.toi_upper =
+          sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
+  }
+  if (out.outcome == Outcome::hit) {
+    if (asks_for(options.request, Request::normal)) out.normal = sweep.n;
+    if (asks_for(options.request, Request::witnesses)) {
+      out.point_a = witness(a, cso.side_a(), cso, sweep.contact, sweep.n, true, out.toi_lower);
+      out.point_b = witness(b, cso.side_b(), cso, sweep.contact, sweep.n, false, out.toi_lower);
+    }
+  }
+  if (asks_for(options.request, Request::proof)) {
+    out.proof = prove(a, b, options, out.outcome, out.toi_upper, sweep.n, out.counters);
+  }
+}
+
+template <Scalar S, class Search>
+[[gnu::noinline]] void search_with(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                   const Search& search, CastResult<S>& out) {
+  const Cso<S> cso(a, b, options.target_distance);
+  SweepLimits<S> limits = sweep_limits(cso, options);
+  // A ray, or a path without end, is first clipped to C's bounds.
+  Clip<S> clip;
+  const bool ray = std::holds_alternative<Point<S>>(a.shape) || std::holds_alternative<Point<S>>(b.shape);
+  if (limits.s_max > 0 && (ray || !(limits.s_max < kInfinity<S>))) {
+    clip = clip_to_bounds(cso, limits.s_max, out.counters);
+    limits.s_max = clip.leave;
+  }
+  Sweep<S> sweep;
+  if (clip.missed) {
+    sweep.outcome = Outcome::miss;
+    sweep.n = clip.n;
+  } else {
+    sweep = search(cso, limits, clip, out.counters);
+  }
+  // A hit within the noise of the start is a start in contact, too.
+  const auto at_start = [&] {
+    return sweep.outcome == Outcome::initially_overlapping ||
+           (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  };
+  if (options.start_policy == StartPolicy::pass_over && at_start()) {
+    if (sweep.outcome == Outcome::hit && limits.target > limits.noise) {
+      // What a tolerance leaves of the bracket does not say so.
+      limits.target = limits.noise;
+      Counters again;
+      sweep = search(cso, limits, clip, again);
+      out.counters += again;
+    }
+    const Start start = at_start() ? start_of(Cso<S>(a, b), limits, out.counters) : Start::enters;
+    if (start == Start::leaves) {
+      out.outcome = Outcome::miss;
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      out.passed_over = true;
+      return;
+    }
+    if (start == Start::open) sweep = {};
+  }
+  fill(out, a, b, options, cso, sweep);
+}
+
+template <Scalar S, class Search>
+CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                        const Search& search) {
+  CastResult<S> out;
+  out.method = method;
+  out.invalid = validate(a, b, options);
+  if (out.invalid == Invalid::none) search_with(a, b, options, search, out);
+  return out;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
+                                            const CastOptions<S>& options) {
+  return detail::cast_with(
+      Method::conservative_advancement, a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        return conservative_advancement(cso, limits, clip.enter, clip.n, counters);
+      });
+}
+
+template <Scalar S>
+CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  return detail::cast_with(
+      Method::gjk_ray_cast, a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
+      });
+}
+
+namespace detail {
+
+// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
+template <Scalar S>
+void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                       CastResult<S>& out) {
+  search_with(
+      a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        Sweep<S> sweep = mpr_sweep(cso, limits, counters);
+        if (sweep.outcome == Outcome::not_converged) {
+          // Portals that alternate, as far as rounding can tell: another method has another way in.
+          Counters again;  // its budget is its own
+          sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
+          counters += again;
+        }
+        return sweep;
+      },
+      out);
+}
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  CastResult<S> out;
+  out.method = Method::mpr_sweep;
+  out.invalid = validate(a, b, options);
+  if (out.invalid == Invalid::none && !detail::quick_cast(a, b, options, out))
+    detail::careful_mpr_sweep(a, b, options, out);
+  return out;
+}
+
+template <Scalar S>
+CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  if (options.tier == Tier::exact) return cast_exact(a, b, options);
+  if (options.tier == Tier::certified) return cast_certified(a, b, options);
+  const bool quick = !(options.target_distance > 0) && detail::is_quick(a.shape) && detail::is_quick(b.shape);
+  switch (options.method.value_or(quick ? Method::mpr_sweep : Method::gjk_ray_cast)) {
+    case Method::exact_portal:
+      return cast_exact(a, b, options);
+    case Method::certified_portal:
+      return cast_certified(a, b, options);
+    case Method::conservative_advancement:
+      return cast_conservative_advancement(a, b, options);
+    case Method::gjk_ray_cast:
+      return cast_gjk_ray(a, b, options);
+    case Method::mpr_sweep:
+      break;
+  }
+  return cast_mpr_sweep(a, b, options);
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -1,0 +1,69 @@
+// How a hull is prepared: its scan, declared in graze/hull.hpp.
+#pragma once
+
+#include <cmath>
+#include <graze/hull.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+template <Scalar S>
+Hull<S>::Hull(std::span<const Vec3<S>> vertices) : data_(std::make_shared<const Data>(vertices)) {}
+
+template <Scalar S>
+Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), given.end()) {
+  if (vertices.empty()) return;
+  Vec3<S> low = vertices[0], high = vertices[0];
+  for (const Vec3<S>& v : vertices) {
+    for (int i = 0; i < 3; ++i) {
+      const S magnitude = std::abs(v[i]);
+      if (!(magnitude <= std::numeric_limits<S>::max())) finite = false;
+      flushed = flushed || is_flushed(v[i]);
+      largest = magnitude > largest ? magnitude : largest;
+      if (magnitude > 0 && (smallest == 0 || magnitude < smallest)) smallest = magnitude;
+    }
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  if (!finite) return;
+  for (int i = 0; i < 3; ++i) {
+    // Halved before adding: the sum of two finite numbers may overflow.
+    const S middle_i = low[i] / 2 + high[i] / 2, half_i = high[i] / 2 - low[i] / 2;
+    if (std::abs(middle_i) > S(2.5) * half_i) center[i] = middle_i;
+  }
+  S reach = 0;
+  for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
+  exponent = reach > 0 ? std::ilogb(reach) : 0;
+  // x 2^-exponent, rounded once if at all: by a product, where the power is a normal number.
+  const bool normal = std::abs(exponent) < std::numeric_limits<S>::max_exponent - 2;
+  const S power = normal ? static_cast<S>(power_of_two(-exponent)) : S(1);
+  const auto scaled = [&](S x) { return normal ? x * power : std::scalbn(x, -exponent); };
+  padded = (vertices.size() + kBlock - 1) / kBlock * kBlock;
+  scan.resize(3 * padded);
+  for (std::size_t k = 0; k < padded; ++k) {
+    const Vec3<S>& v = vertices[k < vertices.size() ? k : 0];
+    for (std::size_t i = 0; i < 3; ++i) {
+      scan[i * padded + k] = scaled(v[static_cast<int>(i)] - center[static_cast<int>(i)]);
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    const S l = scaled(low[i] - center[i]), h = scaled(high[i] - center[i]);
+    scan_low[i] = l;
+    scan_high[i] = h;
+    half[i] = (h - l) / 2;
+    middle[i] = l + half[i];
+  }
+  // An offset below an eighth of the extent costs no more than that: not worth a second scan.
+  if (!((middle.cwiseAbs() - half / 8).maxCoeff() <= 0)) {
+    choice = scan;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < padded; ++k) choice[i * padded + k] -= middle[static_cast<int>(i)];
+    }
+  }
+  if constexpr (std::same_as<S, double>) {
+    const std::vector<S>& from = choice.empty() ? scan : choice;
+    guess.resize(from.size());
+    for (std::size_t k = 0; k < from.size(); ++k) guess[k] = static_cast<float>(from[k]);
+  }
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -1,0 +1,17 @@
+// Tier exact: casts, and the queries that it answers.
+#include <graze/exact/queries.hpp>
+#include <graze/numeric/flags.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+#define GRAZE_INSTANCES(S)                                                                  \
+  template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
+  template OverlapResult<S> overlap_exact(const Body<S>&, const Body<S>&);                  \
+  template LineResult<S> line_exact(const Body<S>&, const Body<S>&, const LineOptions<S>&); \
+  template SweptOverlapResult<S> swept_overlap_exact(const Body<S>&, const Body<S>&,        \
+                                                     const SweptOverlapOptions<S>&);
+
+GRAZE_INSTANCES(float)
+GRAZE_INSTANCES(double)
+
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -1,0 +1,23 @@
+// Distance, overlap, a line, a swept overlap.
+#include <graze/numeric/flags.hpp>
+#include <graze/queries/distance.hpp>
+#include <graze/queries/line.hpp>
+#include <graze/queries/overlap.hpp>
+#include <graze/queries/swept_overlap.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+#define GRAZE_INSTANCES(S)                                                                        \
+  template DistanceResult<S> distance(const Body<S>&, const Body<S>&, const DistanceOptions<S>&); \
+  template OverlapResult<S> overlap_mpr(const Body<S>&, const Body<S>&);                          \
+  template OverlapResult<S> overlap_gjk(const Body<S>&, const Body<S>&);                          \
+  template LineResult<S> line(const Body<S>&, const Body<S>&, const LineOptions<S>&);             \
+  template SweptOverlapResult<S> swept_overlap(const Body<S>&, const Body<S>&,                    \
+                                               const SweptOverlapOptions<S>&);                    \
+  template SweptOverlapResult<S> swept_overlap_before_after(const Body<S>&, const Body<S>&,       \
+                                                            SweptOverlapOptions<S>);
+
+GRAZE_INSTANCES(float)
+GRAZE_INSTANCES(double)
+
+}  // namespace graze::inline GRAZE_LINKAGE
