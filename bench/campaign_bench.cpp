@@ -32,10 +32,10 @@
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
 #include "engines/rotating.hpp"
-#include "oracles/check_rotating_proof.hpp"
-#include "oracles/rotating_truth.hpp"
-#include "properties/exact_answer.hpp"
-#include "tools/campaign_run.hpp"
+#include "oracles/checker/check_rotating_proof.hpp"
+#include "oracles/truth/rotating_truth.hpp"
+#include "properties/judge/exact_answer.hpp"
+#include "certify/campaign/run.hpp"
 
 namespace graze::bench {
 namespace {

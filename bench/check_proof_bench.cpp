@@ -5,16 +5,16 @@
 // miss.
 //
 // The tight bounds are made with the checker itself, by bisection over the doubles: what a checker accepts
-// last is the tightest bound. Its truth is the business of tests/oracles/check_proof_test.cpp
+// last is the tightest bound. Its truth is the business of tests/oracles/checker/check_proof_test.cpp
 // and check_shapes_test.cpp.
-#include "oracles/check_proof.hpp"
+#include "oracles/checker/check_proof.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <bit>
 #include <chrono>
 
-#include "tests/oracles/symbolic_axes.hpp"
+#include "tests/oracles/checker/symbolic_axes.hpp"
 
 namespace graze::test {
 namespace {

@@ -15,9 +15,9 @@
 #include <graze/penetration.hpp>
 #include <graze/swept_overlap.hpp>
 
-#include "tests/core/brute_force_ray.hpp"
-#include "tests/core/draw.hpp"
-#include "tests/core/globe.hpp"
+#include "tests/core/queries/brute_force_ray.hpp"
+#include "tests/shared/generate.hpp"
+#include "tests/shared/globe.hpp"
 
 namespace graze::test {
 namespace {

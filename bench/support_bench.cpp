@@ -7,7 +7,7 @@
 #include <graze/support/climb.hpp>
 #include <graze/support/leaf.hpp>
 
-#include "tests/core/large_hulls.hpp"
+#include "tests/shared/large_hulls.hpp"
 
 namespace graze::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "corpus/names.hpp"
+#include "corpus/format/names.hpp"
 #include "engines/guarantees_text.hpp"
 
 namespace graze::engine {

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "corpus/case_io.hpp"
-#include "corpus/proof_io.hpp"
+#include "corpus/format/case_io.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "engines/guarantees.hpp"
 #include "fuzz/target.hpp"
 

@@ -4,10 +4,10 @@
 //   2  choose a method of a query by the choice; where no law applies to it, the next;
 //   3  check every law of queries that needs no oracle;
 //   4  on one case in kOneIn, those that need one.
-#include "corpus/names.hpp"
+#include "corpus/format/names.hpp"
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws_queries.hpp"
+#include "properties/laws/queries/queries.hpp"
 
 namespace graze::fuzz {
 

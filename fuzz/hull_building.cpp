@@ -6,7 +6,7 @@
 //   3  CGAL's hull of the same points judges adjacency, vertices, supports and hints (hull_law.hpp).
 #include "fuzz/hull_law.hpp"
 #include "fuzz/target.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::fuzz {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "oracles/exact_cso.hpp"
-#include "oracles/integer_scene.hpp"
+#include "oracles/polytope/exact_cso.hpp"
+#include "oracles/polytope/integer_scene.hpp"
 
 namespace graze::fuzz {
 

@@ -12,11 +12,11 @@
 
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/exact_answer.hpp"
-#include "properties/judge.hpp"
-#include "properties/judge_cast.hpp"
-#include "properties/laws_proof.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/cast.hpp"
+#include "properties/judge/exact_answer.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/linear/proof.hpp"
 
 namespace graze::fuzz {
 

@@ -9,15 +9,15 @@
 
 #include <cmath>
 
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "fuzz/repair.hpp"
 #include "fuzz/spoil_proof.hpp"
 #include "fuzz/target.hpp"
-#include "oracles/check_proof.hpp"
-#include "oracles/check_rotating_proof.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
-#include "properties/rotating_question.hpp"
+#include "oracles/checker/check_proof.hpp"
+#include "oracles/checker/check_rotating_proof.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/rotating/question.hpp"
 
 namespace graze::fuzz {
 

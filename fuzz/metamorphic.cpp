@@ -7,7 +7,7 @@
 
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/judge.hpp"
+#include "properties/judge/linear.hpp"
 
 namespace graze::fuzz {
 

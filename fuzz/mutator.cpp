@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/case_io.hpp"
+#include "corpus/curate/location.hpp"
 #include "corpus/families.hpp"
-#include "corpus/location.hpp"
+#include "corpus/format/case_io.hpp"
 #include "engines/method.hpp"
 #include "engines/queries.hpp"
 #include "fuzz/placing.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::fuzz {
 

@@ -3,7 +3,7 @@
 #include "fuzz/placing.hpp"
 
 #include "corpus/support_value.hpp"
-#include "properties/shape_edit.hpp"
+#include "properties/edit/shape.hpp"
 
 namespace graze::fuzz {
 

@@ -7,7 +7,7 @@
 
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws_rotating.hpp"
+#include "properties/laws/rotating/rotating.hpp"
 
 namespace graze::fuzz {
 

@@ -9,7 +9,7 @@
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
 #include "properties/attack/attack.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::fuzz {
 

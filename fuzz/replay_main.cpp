@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
-#include "corpus/case_io.hpp"
+#include "corpus/format/case_io.hpp"
 #include "fuzz/codec.hpp"
 #include "fuzz/mutator.hpp"
 #include "fuzz/target.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/shrink.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/generate/shrink.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

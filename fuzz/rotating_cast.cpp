@@ -6,7 +6,7 @@
 //   4  one case in kOneIn goes to the bracket oracle, which judges all of the answer.
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws_rotating.hpp"
+#include "properties/laws/rotating/rotating.hpp"
 
 namespace graze::fuzz {
 

@@ -12,10 +12,10 @@
 #include <fstream>
 #include <vector>
 
-#include "corpus/case_io.hpp"
-#include "corpus/location.hpp"
+#include "corpus/curate/location.hpp"
+#include "corpus/format/case_io.hpp"
 #include "fuzz/codec.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "properties/shape_edit.hpp"
+#include "properties/edit/shape.hpp"
 
 namespace graze::fuzz {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/case_io.hpp"
+#include "corpus/format/case_io.hpp"
 #include "fuzz/codec.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/law_reach.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/laws/reach.hpp"
 
 namespace graze::fuzz {
 

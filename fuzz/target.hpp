@@ -11,7 +11,7 @@
 #include <string>
 
 #include "corpus/case.hpp"
-#include "properties/law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::fuzz {
 

@@ -11,8 +11,8 @@
 #include "engines/convert.hpp"
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
 
 namespace graze::fuzz {
 

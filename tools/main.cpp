@@ -6,12 +6,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tools/commands.hpp"
-#include "tools/inputs.hpp"
-#include "tools/options.hpp"
-#ifdef GRAZE_HAS_CORPUS_COMMAND
-#include "tools/corpus_command.hpp"
-#endif
+#include "tools/commands/commands.hpp"
+#include "report/inputs.hpp"
+#include "tools/commands/options.hpp"
+#include "tools/commands/corpus.hpp"
 
 namespace {
 
@@ -39,9 +37,7 @@ int run(int argc, char** argv) {
   graze::tool::add_generate_command(app, exit_code);
   graze::tool::add_draw_command(app, exit_code);
   graze::tool::add_laws_command(app, exit_code);
-#ifdef GRAZE_HAS_CORPUS_COMMAND
   graze::tool::add_corpus_command(app, exit_code);
-#endif
   graze::tool::refuse_empty_values(app);
   const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {

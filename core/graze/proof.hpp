@@ -11,8 +11,8 @@
 // a_i - b_i is s v (within m of it) with 0 <= s <= T, then TOI <= s.
 //
 // Every number is a double whatever scalar made the proof, so it says exactly what it says. A proof states
-// only bounds that hold without condition for the true shapes; the checker lives in oracles/check_proof.hpp
-// and shares no code with the search.
+// only bounds that hold without condition for the true shapes; the checker lives in
+// oracles/checker/check_proof.hpp and shares no code with the search.
 #pragma once
 
 #include <array>

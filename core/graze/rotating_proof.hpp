@@ -18,7 +18,7 @@
 // toi_upper], and the origin is on one side of it at the beginning, on the other at the end.
 //
 // Every number is a double whatever scalar made the proof, so it says exactly what it says; the checker lives
-// in oracles/check_rotating_proof.hpp and shares no code with the search.
+// in oracles/checker/check_rotating_proof.hpp and shares no code with the search.
 #pragma once
 
 #include <graze/proof.hpp>

@@ -1,4 +1,5 @@
 // Tier exact: casts, and the queries that it answers.
+#include <graze/exact/cast.hpp>
 #include <graze/exact/queries.hpp>
 #include <graze/numeric/flags.hpp>
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "oracles/check_record.hpp"
+#include "oracles/checker/check_record.hpp"
 #include "properties/attack/claim_judge.hpp"
 #include "properties/attack/meaning.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::attack {
 

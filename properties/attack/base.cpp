@@ -8,11 +8,11 @@
 #include "engines/method.hpp"
 #include "engines/rotating.hpp"
 #include "properties/attack/mutant.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/draw_case.hpp"
-#include "properties/draw_rotating.hpp"
-#include "properties/judge.hpp"
-#include "properties/rotating_question.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/generate/case.hpp"
+#include "properties/generate/rotating.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/rotating/question.hpp"
 
 namespace graze::attack {
 

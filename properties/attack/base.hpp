@@ -3,16 +3,16 @@
 
 #include <optional>
 
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "corpus/random.hpp"
 
 namespace graze::attack {
 
-// Small shapes. Half of them are linear (properties/draw_case.hpp); of the others most are of the kinds that
-// a bound of motion is written for: a body that sweeps about its pivot by parts of a turn, whole turns and
-// several, the other beside what it sweeps, resting with a pivot of its own, sliding or turning too; balls
-// written as other shapes, on far pivots. The rest are the laws' own turning cases
-// (properties/draw_rotating.hpp).
+// Small shapes. Half of them are linear (properties/generate/case.hpp); of the others most are of the kinds
+// that a bound of motion is written for: a body that sweeps about its pivot by parts of a turn, whole turns
+// and several, the other beside what it sweeps, resting with a pivot of its own, sliding or turning too;
+// balls written as other shapes, on far pivots. The rest are the laws' own turning cases
+// (properties/generate/rotating.hpp).
 [[nodiscard]] corpus::Case draw_case(corpus::Random& random);
 
 // The proof of a method that `random` names, if it has one for this case: a rotating one for a case with a

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <variant>
 
-#include "oracles/case_truth.hpp"
-#include "oracles/linear_program.hpp"
-#include "oracles/rotating_truth.hpp"
-#include "oracles/sampled_contact.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
+#include "oracles/polytope/linear_program.hpp"
+#include "oracles/truth/case_truth.hpp"
+#include "oracles/truth/rotating_truth.hpp"
+#include "oracles/truth/sampled_contact.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
 
 namespace graze::attack {
 namespace {

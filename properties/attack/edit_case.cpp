@@ -7,7 +7,7 @@
 #include "corpus/families/draw.hpp"
 #include "corpus/families/turning.hpp"
 #include "properties/attack/mutant.hpp"
-#include "properties/shape_edit.hpp"
+#include "properties/edit/shape.hpp"
 
 namespace graze::attack {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "properties/attack/mutant.hpp"
-#include "properties/shape_edit.hpp"
+#include "properties/edit/shape.hpp"
 
 namespace graze::attack {
 

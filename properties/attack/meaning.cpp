@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::attack {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 
 namespace graze::attack {
 

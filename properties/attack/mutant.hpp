@@ -8,7 +8,7 @@
 #include <bitset>
 #include <string_view>
 
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "corpus/random.hpp"
 
 namespace graze::attack {

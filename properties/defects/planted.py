@@ -6,16 +6,15 @@ import subprocess
 
 METHODS = {"linear": "engines/casts.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
 # Entries of core in double, by the header that defines them. One whose header does not include, however deep,
-# what a patch changes is the same with the defect; it is compiled once for all, as half of a compilation is
-# what has no defect in it.
+# what a patch changes is the same with the defect, and is taken from the library.
 ENTRIES = {
     "graze/exact/cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
     "graze/certified/cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
-    "graze/cast.hpp": ("CastResult", "cast", "CastOptions"),
-    "graze/distance.hpp": ("DistanceResult", "distance", "DistanceOptions"),
-    "graze/line.hpp": ("LineResult", "line", "LineOptions"),
-    "graze/penetration.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
-    "graze/swept_overlap.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
+    "graze/standard/cast.hpp": ("CastResult", "cast", "CastOptions"),
+    "graze/queries/distance.hpp": ("DistanceResult", "distance", "DistanceOptions"),
+    "graze/queries/line.hpp": ("LineResult", "line", "LineOptions"),
+    "graze/queries/penetration.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
+    "graze/queries/swept_overlap.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
 }
 CLASS_LETTERS = "ABCDEFGHIJKL"
 
@@ -119,26 +118,14 @@ def known_entries(config, patch, source):
             and not changed & {header, *headers_under(core, core / header)}]
 
 
-def instantiations(headers, how):
-    """C++ that declares (how is "extern template") or defines ("template") the entries of these headers."""
+def instantiated_elsewhere(headers):
+    """C++ that says of the entries of these headers that they are instantiated elsewhere."""
     lines = [f"#include <{header}>" for header in headers] + ["namespace graze {"]
     for header in headers:
         result, name, options = ENTRIES[header]
         body = "const Body<double>&"
-        lines.append(f"{how} {result}<double> {name}({body}, {body}, const {options}<double>&);")
+        lines.append(f"extern template {result}<double> {name}({body}, {body}, const {options}<double>&);")
     return "\n".join([*lines, "}", ""])
-
-
-def compile_known(config):
-    """The entries without a defect: one object, which a defect's own code comes before. Its path."""
-    out = config.work / "known.o"
-    out.with_suffix(".cpp").write_text(instantiations(list(ENTRIES), "template"))
-    include = [f"-I{config.source}/core", *(word for path in config.includes for word in ("-isystem", path))]
-    log = out.with_suffix(".log")
-    log.write_text("")
-    if run([*config.compiler, *config.flags, *include, "-c", out.with_suffix(".cpp"), "-o", out], log):
-        raise Fault(f"core does not compile, see {log}")
-    return out
 
 
 def plant(config, patch, root):
@@ -162,8 +149,8 @@ def compile_defect(config, patch, kind, root):
     if patch.in_core:
         files.append(str(config.source / METHODS[kind]))
         known = known_entries(config, patch, config.source / METHODS[kind])
-        (root / "known.hpp").write_text(instantiations(known, "extern template"))
-        alone += ["-include", str(root / "known.hpp")]
+        (root / "known.hpp").write_text(instantiated_elsewhere(known))
+        alone += ["-include", str(root / "known.hpp"), "-include", "properties/defects/whole_core.hpp"]
     include = [f"-I{root}/core", f"-I{root}", f"-I{config.source}"]
     include += [word for path in config.includes for word in ("-isystem", path)]
     log = root / "log"
@@ -171,8 +158,7 @@ def compile_defect(config, patch, kind, root):
         objects.append(str(root / (pathlib.Path(name).stem + ".o")))
         if run([*config.compiler, *config.flags, *alone, *include, "-c", name, "-o", objects[-1]], log):
             return f"does not compile, see {log}"
-    known = [config.known] if patch.in_core else []
-    if run([config.compiler[-1], *objects, *known, *config.link, "-o", root / "driver"], log):
+    if run([config.compiler[-1], *objects, *config.link, "-o", root / "driver"], log):
         return f"does not link, see {log}"
     return ""
 

@@ -1,10 +1,10 @@
 #include "properties/defects/sample.hpp"
 
 #include "corpus/families.hpp"
-#include "properties/draw_case.hpp"
-#include "properties/draw_near_tie.hpp"
-#include "properties/draw_rotating.hpp"
-#include "properties/draw_round_tie.hpp"
+#include "properties/generate/case.hpp"
+#include "properties/generate/near_degenerate.hpp"
+#include "properties/generate/rotating.hpp"
+#include "properties/generate/round_tie.hpp"
 
 namespace graze::law {
 

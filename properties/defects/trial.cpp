@@ -10,9 +10,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "corpus/case_io.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
+#include "corpus/format/case_io.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
 
 namespace graze::law {
 

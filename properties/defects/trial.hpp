@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "properties/any_law.hpp"
 #include "properties/defects/sample.hpp"
+#include "properties/laws/any_law.hpp"
 
 namespace graze::law {
 

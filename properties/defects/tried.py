@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 
-from planted import compile_defect, compile_known, kind_of, plant
+from planted import compile_defect, kind_of, plant
 
 # How many cases the law that a patch names sees, and all the others.
 CASES = {"linear": 2000, "query": 1000, "rotating": 600}
@@ -21,8 +21,8 @@ def state_of(config):
     """A hash of all that a result depends on beside its patch: the sources that a driver is built from."""
     state = hashlib.sha256(repr((CASES, CASES_OF_ALL, config.flags, config.includes)).encode())
     paths = list((config.source / "core").rglob("*.hpp"))
-    for room in ("corpus", "corpus/families", "oracles", "engines", "properties", "properties/defects"):
-        paths += (config.source / room).glob("*.?pp")
+    for room in ("corpus", "oracles", "engines", "properties"):
+        paths += (config.source / room).rglob("*.?pp")
     for path in sorted(paths):
         state.update(path.read_bytes())
     return state.hexdigest()
@@ -114,8 +114,6 @@ class Progress:
 
 def try_all(config, patches, jobs, only_own_law):
     results = Results(config)
-    if any(patch.in_core and results.find(patch, only_own_law) is None for patch in patches):
-        config.known = compile_known(config)
     progress = Progress(len(patches))
 
     def one(patch):

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engines/guarantees.hpp"
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/laws/queries/question.hpp"
 #include "properties/mutants/mutants.hpp"
-#include "properties/query_case.hpp"
 
 namespace graze::mutants {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "properties/any_law.hpp"
+#include "properties/laws/any_law.hpp"
 
 namespace graze::mutants {
 

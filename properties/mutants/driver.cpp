@@ -27,7 +27,7 @@
 #include <set>
 #include <sstream>
 
-#include "properties/case_edit.hpp"
+#include "properties/edit/case.hpp"
 #include "properties/mutants/compare.hpp"
 #include "properties/mutants/mutants.hpp"
 #include "properties/mutants/world.hpp"

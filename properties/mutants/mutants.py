@@ -25,7 +25,7 @@ import unit_tests  # noqa: E402
 
 # The translation units of the methods, the headers of core that they stand on, and the laws that ask them.
 METHODS = {"casts": ["cast.hpp"],
-           "queries": ["overlap.hpp", "penetration.hpp", "swept_overlap.hpp", "exact/exact_queries.hpp"],
+           "queries": ["overlap.hpp", "penetration.hpp", "swept_overlap.hpp", "exact/queries.hpp"],
            "rotating": ["rotating_cast.hpp"]}
 
 
@@ -77,7 +77,7 @@ class Build:
 
     def compiler(self):
         return [self.config["compiler"], *self.flags, "-w", "-fmax-errors=0", f"-I{self.copy}", f"-I{self.source}",
-                *self.system]
+                *self.system, "-include", "properties/defects/whole_core.hpp"]
 
     def is_fresh(self, name, stamp):
         path = self.folder / name
@@ -136,7 +136,7 @@ class Build:
         """The program of core's unit tests, with all mutants in it."""
         sources = [self.source / "tests/core" / name for name in self.config["unit_tests"]]
         program = self.folder / "unit_tests"
-        stamp = self.made + digest(*(self.source / "tests/core").glob("*.?pp"))
+        stamp = self.made + digest(*(self.source / "tests/core").rglob("*.?pp"))
         if not self.is_fresh("unit_made", stamp):
             for name in ("unit_survey.json", "unit_results"):
                 (self.folder / name).unlink(missing_ok=True)

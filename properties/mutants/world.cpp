@@ -5,9 +5,9 @@
 #include <ctime>
 #include <fstream>
 
-#include "corpus/case_io.hpp"
-#include "properties/case_edit.hpp"
-#include "properties/judge.hpp"
+#include "corpus/format/case_io.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
 #include "properties/mutants/aimed.hpp"
 #include "properties/mutants/mutants.hpp"
 

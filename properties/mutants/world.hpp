@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "properties/any_law.hpp"
 #include "properties/defects/sample.hpp"
+#include "properties/laws/any_law.hpp"
 
 namespace graze::mutants {
 

@@ -6,7 +6,7 @@
 #include <graze/rotating/crossing.hpp>
 #include <graze/rotating/whole_turns.hpp>
 
-#include "oracles/ball_motion.hpp"
+#include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/true_mobility.hpp"

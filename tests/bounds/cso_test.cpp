@@ -5,7 +5,7 @@
 
 #include <graze/support/cso.hpp>
 
-#include "oracles/ball_motion.hpp"
+#include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/truth.hpp"

@@ -11,7 +11,7 @@
 #include <graze/rotating_body.hpp>
 #include <string_view>
 
-#include "tests/core/draw.hpp"
+#include "tests/shared/generate.hpp"
 
 namespace graze::test {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <graze/rotating_cast.hpp>
+#include <graze/support/validate.hpp>
 #include <optional>
 
 #include "engines/convert.hpp"

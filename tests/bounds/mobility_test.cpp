@@ -5,7 +5,7 @@
 
 #include <graze/rotating/moving_pair.hpp>
 
-#include "oracles/ball_motion.hpp"
+#include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/in_float.hpp"
 #include "tests/bounds/tally.hpp"

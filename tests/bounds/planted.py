@@ -46,6 +46,7 @@ def fails(config, root, at, source, test, besides=()):
     log, program, objects = root / "log", root / "test", []
     include = [f"-I{at}/core", f"-I{at}", f"-I{config.source}"]
     include += [word for path in config.includes for word in ("-isystem", path)]
+    include += ["-include", "properties/defects/whole_core.hpp"]
     for name in [TESTS / source, *(at / one for one in besides)]:
         objects.append(root / f"{len(objects)}.o")
         if run([*config.compiler, *config.flags, *include, "-c", name, "-o", objects[-1]], log):

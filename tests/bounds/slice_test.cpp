@@ -4,7 +4,7 @@
 
 #include <graze/rotating/march.hpp>
 
-#include "oracles/rotating_pair.hpp"
+#include "oracles/curved/rotating_pair.hpp"
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/truth.hpp"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "oracles/ball.hpp"
+#include "oracles/arithmetic/ball.hpp"
 
 namespace graze::test {
 

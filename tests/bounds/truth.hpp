@@ -9,7 +9,7 @@
 #include <graze/support/tree.hpp>
 #include <vector>
 
-#include "oracles/ball_rotation.hpp"
+#include "oracles/curved/ball_rotation.hpp"
 #include "tests/bounds/hostile.hpp"
 
 namespace graze::test {

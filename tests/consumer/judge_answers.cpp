@@ -6,7 +6,8 @@
 //   2  the exact checker accepts the proof;
 //   3  the verdict is the reference's, and the brackets are apart by no more than kappa u scale (a length:
 //      times are multiplied by |v|); where one or the other is not, the exact oracle finds no fault with the
-//      answer beyond kappa u scale (properties/judge.hpp), kappa from the method's row of the guarantees;
+//      answer beyond kappa u scale (properties/judge/linear.hpp), kappa from the method's row of the
+//      guarantees;
 //   4  every kSample-th answer goes to the oracle whatever it is, and its normal too.
 // Exit code: 0, or 1 with each fault on a line.
 #include <fmt/core.h>
@@ -15,10 +16,10 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "engines/method.hpp"
-#include "oracles/check_proof.hpp"
-#include "properties/judge.hpp"
+#include "oracles/checker/check_proof.hpp"
+#include "properties/judge/linear.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <graze/cast.hpp>
 
-#include "tests/core/draw.hpp"
+#include "tests/shared/generate.hpp"
 
 namespace graze {
 namespace {

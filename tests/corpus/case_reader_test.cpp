@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "corpus/case_io.hpp"
-#include "corpus/flags.hpp"
+#include "corpus/curate/flags.hpp"
+#include "corpus/format/case_io.hpp"
 
 namespace graze::corpus {
 namespace {

@@ -8,10 +8,10 @@
 #include <regex>
 #include <set>
 
-#include "corpus/case_io.hpp"
-#include "corpus/curation.hpp"
-#include "corpus/flags.hpp"
-#include "corpus/location.hpp"
+#include "corpus/curate/curation.hpp"
+#include "corpus/curate/flags.hpp"
+#include "corpus/curate/location.hpp"
+#include "corpus/format/case_io.hpp"
 
 namespace graze::corpus {
 namespace {

@@ -12,10 +12,10 @@
 #include <set>
 #include <string_view>
 
-#include "corpus/case_io.hpp"
+#include "corpus/format/case_io.hpp"
 #include "corpus/random.hpp"
 #include "corpus/support_value.hpp"
-#include "oracles/linear_truth.hpp"
+#include "oracles/truth/linear_truth.hpp"
 #include "tests/corpus/depth_of.hpp"
 
 namespace graze::corpus {

@@ -8,7 +8,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/support_value.hpp"
-#include "oracles/rotating_truth.hpp"
+#include "oracles/truth/rotating_truth.hpp"
 
 namespace graze::corpus {
 namespace {

@@ -12,7 +12,7 @@
 #include "corpus/families/draw.hpp"
 #include "corpus/families/placing.hpp"
 #include "corpus/support_value.hpp"
-#include "oracles/case_truth.hpp"
+#include "oracles/truth/case_truth.hpp"
 
 namespace graze::corpus {
 namespace {

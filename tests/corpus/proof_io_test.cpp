@@ -1,5 +1,5 @@
 // Proofs as text: they read back to the same bits, and what is malformed is refused with the field named.
-#include "corpus/proof_io.hpp"
+#include "corpus/format/proof_io.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/families/turning.hpp"
-#include "oracles/rotating_truth.hpp"
+#include "oracles/truth/rotating_truth.hpp"
 
 namespace graze::corpus {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "corpus/case_io.hpp"
+#include "corpus/format/case_io.hpp"
 #include "corpus/random.hpp"
 
 namespace graze::corpus {

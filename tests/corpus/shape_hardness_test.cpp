@@ -12,9 +12,9 @@
 #include "corpus/families.hpp"
 #include "corpus/families/draw.hpp"
 #include "corpus/support_value.hpp"
-#include "oracles/integer_scene.hpp"
-#include "oracles/linear_truth.hpp"
-#include "oracles/rotating_truth.hpp"
+#include "oracles/polytope/integer_scene.hpp"
+#include "oracles/truth/linear_truth.hpp"
+#include "oracles/truth/rotating_truth.hpp"
 #include "tests/corpus/depth_of.hpp"
 
 namespace graze::corpus {

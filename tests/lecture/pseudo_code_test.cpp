@@ -12,7 +12,7 @@
 #include <graze/cast.hpp>
 #include <graze/distance.hpp>
 
-#include "tests/core/query_truth.hpp"
+#include "tests/shared/query_truth.hpp"
 
 namespace graze {
 namespace {

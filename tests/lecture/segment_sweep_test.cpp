@@ -17,8 +17,8 @@
 
 #include <cstdio>
 
-#include "tests/core/globe.hpp"
-#include "tests/core/query_truth.hpp"
+#include "tests/shared/globe.hpp"
+#include "tests/shared/query_truth.hpp"
 
 namespace graze {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "corpus/random.hpp"
 #include "engines/guarantees.hpp"
-#include "tools/judge.hpp"
+#include "properties/judge/answer.hpp"
 
 namespace graze::tool {
 namespace {

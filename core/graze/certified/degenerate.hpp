@@ -5,9 +5,17 @@
 // Their casts are the exact tier's; a vertex of the polytope is then named as the given shape names it.
 #pragma once
 
-#include <graze/exact/cast.hpp>
+#include <graze/body.hpp>
+#include <graze/exact/term.hpp>
+#include <graze/result.hpp>
+#include <graze/support/tree.hpp>
 
-namespace graze::inline GRAZE_LINKAGE::detail {
+namespace graze::inline GRAZE_LINKAGE {
+
+template <Scalar S>
+CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options);  // cast.hpp
+
+namespace detail {
 
 // Nothing for a shape that has roundness, or is a polytope already.
 template <Scalar S>
@@ -83,4 +91,5 @@ std::optional<CastResult<S>> cast_flat(const Body<S>& a, const Body<S>& b, const
   return out;
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE::detail
+}  // namespace detail
+}  // namespace graze::inline GRAZE_LINKAGE

@@ -5,7 +5,8 @@
 // component of one that separates, or supports C where the line enters and leaves.
 #pragma once
 
-#include <graze/exact/cast.hpp>
+#include <graze/exact/answer.hpp>
+#include <graze/exact/ends.hpp>
 #include <graze/line.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/overlap.hpp>

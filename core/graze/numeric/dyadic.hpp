@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <graze/linkage.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 

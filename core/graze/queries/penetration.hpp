@@ -4,6 +4,7 @@
 #include <graze/distance.hpp>
 #include <graze/gjk/epa.hpp>
 #include <graze/penetration.hpp>
+#include <graze/portal/mpr.hpp>
 #include <graze/queries/line.hpp>
 #include <graze/standard/refine_axis.hpp>
 #include <graze/standard/witness.hpp>
@@ -87,6 +88,8 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   Simplex<S> simplex;
   Distance<S> d =
       gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+  if (d.stalled && d.upper - d.lower > limits.noise)
+    detail::steady_axis(d, cso, simplex, limits, out.counters);
   const S apart = d.upper - R;
   const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
   if (!contact && d.lower - R > 0) return detail::apart(out, d.n);
@@ -107,13 +110,19 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
       epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
              cso.scale(), options.max_iterations - out.counters.supports, out.counters);
   if (!contact && !least.enclosed) {
-    // GJK could not tell, and this search neither, unless it met an axis that separates.
+    // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
     if (least.upper + R < -limits.noise) return detail::apart(out, least.n);
-    out.outcome = Outcome::not_converged;
-    out.stalled = true;
-    return out;
+    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
+    if (overlap.outcome == Outcome::miss) return detail::apart(out, overlap.n);
+    if (overlap.outcome != Outcome::initially_overlapping) {
+      out.outcome = Outcome::not_converged;
+      out.stalled = true;
+      return out;
+    }
   }
-  out.stalled = !(least.upper - least.lower <= std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
+  // In contact no depth is below zero.
+  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
+                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
   // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
   const bool touching = least.contact.size == 0 || !(detail::combination(least.contact).norm() <=
                                                      std::max(least.upper, S(0)) + limits.noise);

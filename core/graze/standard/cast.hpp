@@ -68,6 +68,14 @@ template <Scalar S, class Search>
   } else {
     sweep = search(cso, limits, clip, out.counters);
   }
+  // A search that found no way in from the start: seen along the path C may be too thin for a portal, and yet
+  // hold the origin, which the overlap test sees from C's inside.
+  if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
+    Counters again;  // its budget is its own
+    const Sweep<S> start = mpr_overlap(cso, limits, again);
+    out.counters += again;
+    if (start.outcome == Outcome::initially_overlapping) sweep = start;
+  }
   // A hit within the noise of the start is a start in contact, too.
   const auto at_start = [&] {
     return sweep.outcome == Outcome::initially_overlapping ||

@@ -1,0 +1,89 @@
+// What a campaign asks: answer number i is that of one contender to one case.
+//
+// A campaign has parts, one after the other. In a part of M contenders, answer i of it is contender i mod M's
+// to case i / M, so that a case is asked of all of them before the next, and what is found out about it
+// serves them all.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "certify/campaign/cases.hpp"
+
+namespace graze::tool {
+
+// What the result is a function of.
+struct PartSettings {
+  std::string kind;                   // "casts", "queries", "rotating"
+  std::vector<std::string> methods;   // "exact/double", by name() of a contender
+  std::vector<std::string> families;  // those asked, in the order of the table
+  std::uint64_t count = 0;            // answers
+  std::uint64_t oracle_every = 0;     // 0: no sample
+  std::uint64_t judge_every = 1;
+  friend bool operator==(const PartSettings&, const PartSettings&) = default;
+};
+
+struct CampaignSettings {
+  std::vector<PartSettings> parts;
+  std::uint64_t seed = 1;
+  std::uint64_t block = 0;  // answers
+  // Hash of cases of every level and of the answers to them: of a build that generates other cases, or
+  // answers them otherwise, it is another.
+  std::string fingerprint;
+
+  [[nodiscard]] std::uint64_t casts() const;
+  [[nodiscard]] std::uint64_t blocks() const { return casts() / block + (casts() % block != 0 ? 1 : 0); }
+  friend bool operator==(const CampaignSettings&, const CampaignSettings&) = default;
+};
+
+// "seed is 2 here and 1 there": the first field that differs; empty if none does.
+[[nodiscard]] std::string difference(const CampaignSettings& here, const CampaignSettings& there);
+
+// Counts are kept of each: a level of a family, asked of a contender.
+struct Cell {
+  std::string method, family;
+  double level = 0;
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+class CampaignPlan {
+ public:
+  struct Part {
+    CampaignCases cases;
+    std::uint64_t count = 0;
+    Sampling sampling;
+    std::uint64_t first = 0;     // answer of the campaign
+    std::size_t first_cell = 0;  // by slot, then by contender
+  };
+  struct Place {
+    const Part* part = nullptr;
+    std::uint64_t number = 0;  // of the case
+    std::size_t contender = 0;
+
+    [[nodiscard]] std::size_t cell(const DrawnCase& drawn) const {
+      return part->first_cell + drawn.slot * part->cases.contenders().size() + contender;
+    }
+  };
+
+  explicit CampaignPlan(std::uint64_t seed) : seed_(seed) {}
+  // `count` answers. Families without a question are left out.
+  void add(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
+           std::uint64_t count, const Sampling& sampling);
+  // As many that each contender is asked `each` cases of each family.
+  void add_per_family(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
+                      std::uint64_t each, const Sampling& sampling);
+
+  [[nodiscard]] Place place(std::uint64_t index) const;
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  [[nodiscard]] std::vector<std::string> left_out() const;
+  [[nodiscard]] CampaignSettings settings(std::uint64_t block) const;
+
+ private:
+  std::uint64_t seed_;
+  std::vector<Part> parts_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace graze::tool

@@ -1,0 +1,56 @@
+// Laws over suites of cases, on a few threads: what each saw, and where it broke. The result does not depend
+// on the number of threads.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "certify/law_finding.hpp"
+#include "certify/linear.hpp"
+#include "corpus/case.hpp"
+#include "properties/laws/any_law.hpp"
+#include "properties/laws/tally.hpp"
+
+namespace graze::tool {
+
+// A case that turns is judged by the rotating laws, any other by the linear ones and those of the queries.
+struct LawSuite {
+  Suite suite;
+  bool turning = false;
+  // How case i is drawn again, a command; empty of given cases, whose id says it.
+  std::function<std::string(std::size_t)> seed = {};
+};
+
+struct LawSettings {
+  std::vector<law::AnyLaw> laws;
+  // Whether a law asks this method, by full name.
+  std::function<bool(law::Kind, std::string_view)> is_asked = [](law::Kind, std::string_view) {
+    return true;
+  };
+  unsigned threads = 1;
+  int shrinking = 1000;  // calls of a law to make its first broken case small; a tenth where bodies turn
+};
+
+// Of a law and a method: the first case that broke it, and how many did.
+struct LawBreach {
+  std::size_t law = 0, method = 0;
+  std::size_t suite = 0, index = 0;  // of that case
+  std::size_t times = 0;
+  law::Finding finding;  // the case made small
+  std::string first;     // its id before
+};
+
+struct LawCertification {
+  std::size_t cases = 0;
+  std::vector<law::LawTally> tallies;  // by law
+  std::vector<LawBreach> breaches;     // by law, then by method
+};
+
+[[nodiscard]] LawCertification certify_laws(std::span<const LawSuite> suites, const LawSettings& settings);
+
+// Law by law: what it needs, and how many answers of which outcome it was asked about.
+[[nodiscard]] std::string law_table(const LawCertification& certification, const LawSettings& settings);
+
+}  // namespace graze::tool

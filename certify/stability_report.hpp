@@ -1,0 +1,29 @@
+// The tables of graze certify --stability.
+#pragma once
+
+#include "certify/stability.hpp"
+
+namespace graze::tool {
+
+// A method breaks where more than half of its digits are lost: a forward error above sqrt(u) of scale.
+[[nodiscard]] double broken_forward(double unit_roundoff);
+
+// One line about a family, as soon as it is measured.
+[[nodiscard]] std::string family_line(const FamilyStability& family);
+
+// The curves of a family, a row a level.
+[[nodiscard]] std::string level_table(const FamilyStability& family);
+
+// A row for each method and family, at its worst; by method, the worst family first.
+[[nodiscard]] std::string stability_table(const std::vector<Curve>& curves);
+
+// The levels from which on forward errors, verdicts and stalls get bad, for the curves where they do.
+[[nodiscard]] std::string break_table(const std::vector<Curve>& curves);
+
+// A row for each method: where it is at its worst, what it claims, and whether that holds.
+[[nodiscard]] std::string summary_table(const std::vector<Curve>& curves);
+
+// What does not hold, a line each.
+[[nodiscard]] std::vector<std::string> breaches(const std::vector<Curve>& curves);
+
+}  // namespace graze::tool

@@ -1,0 +1,54 @@
+// A record says something of a case, an outcome and perhaps a bracket, and hands in a proof. Is the proof
+// true (check_proof.hpp, check_rotating_proof.hpp), and is what the record says what the proof proves?
+//
+// Notation   T = t_max;   a true proof says  p_lower <= TOI <= p_upper,  0 and infinity where it says
+// nothing,
+//            and a lower end beyond T that there is no contact.
+//
+//   outcome                what it says          proved by                contradicted by
+//   initially_overlapping  TOI = 0               p_upper = 0              p_lower > 0
+//   hit                    0 < TOI <= T          p_lower > 0, p_upper     p_upper = 0, no contact, T = 0
+//   miss                   TOI > T               no contact               p_upper
+//   not_converged, invalid_input: nothing
+//   the bracket            lower <= TOI <= upper p_lower >= lower,        p_upper < lower, p_lower > upper
+//                                                p_upper <= upper
+//
+// So a proof that brackets the time less closely than the record proves less than the record says; one that
+// brackets it more closely proves more. One whose bracket has no time in common with the record's says that
+// the record is false. In tier standard an answer holds for some set near C, and its bracket may well be
+// narrower than what a proof, which is about C, can prove: that is left to who knows the method's kappa
+// (`graze certify`), and only the outcome must be proved. A record without a tier is taken at its word.
+//
+// Four things are short of a proof and no fault: one of a hit's two halves alone; in tier standard, contact
+// or a miss by the rounding alone; and what the proof has no words for: under the policy pass_over, of a
+// start that is not shown to be free, whether it leaves; and of contact, a point made of more than
+// kCurvedParts points of curved shapes. Those are proved *in part*.
+#pragma once
+
+#include <string>
+
+#include "corpus/format/proof_io.hpp"
+
+namespace graze::oracle {
+
+enum class RecordFinding {
+  accepted,  // the proof is true, and proves what the record says
+  in_part,   // the proof is true, and proves less, as an honest record may
+  refused,   // the proof is false, or contradicts the record, or proves nothing of what it says
+};
+
+struct RecordVerdict {
+  RecordFinding finding = RecordFinding::accepted;
+  std::string reason;  // of a false proof its refusal; else contradicted, unproved, or in_part
+  std::string detail;  // one line; empty when accepted
+};
+
+[[nodiscard]] RecordVerdict check_record(const corpus::ProofRecord& record);
+
+// False where a point of one body is made of more than kCurvedParts points of curved shapes.
+[[nodiscard]] bool can_name_contact(const corpus::Case& problem);
+
+// The last part of it: of a record whose proof was accepted.
+[[nodiscard]] RecordVerdict compare_claim(const corpus::ProofRecord& record);
+
+}  // namespace graze::oracle

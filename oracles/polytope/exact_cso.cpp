@@ -1,0 +1,188 @@
+// Decides: the convex hull of integer points, exactly, in the dimension that it has. Solids by CGAL's
+// convex_hull_3 in its lazy exact kernel; points, segments and polygons by the few signs that they need.
+// Brackets: nothing.
+// Costs: nearly all of what linear_truth.cpp's construction costs.
+// Cannot be trusted: where CGAL's hull is wrong; linear_program.cpp and nef_minkowski.cpp are asked too.
+#include "oracles/polytope/exact_cso.hpp"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace graze::oracle {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Exact = Kernel::FT::ET;
+
+// CGAL chooses the rationals of its exact kernel by what it finds: boost's over GMP, its own, or gmpxx's.
+Kernel::FT to_exact(const Integer& i) {
+  const Rational q(i);
+  return Kernel::FT(Exact(q.get_mpq_t()));
+}
+
+template <class Number>
+Integer to_integer(const Number& e) {
+  if constexpr (requires { e.backend().data(); }) {
+    return Integer(mpq_numref(e.backend().data()));
+  } else if constexpr (requires { e.mpq(); }) {
+    return Integer(mpq_numref(e.mpq()));
+  } else {
+    return e.get_num();
+  }
+}
+
+int add_half_space(ConvexHull& hull, IntVec normal, const IntVec& through) {
+  HalfSpace& h = hull.half_spaces.emplace_back();
+  h.offset = dot(normal, through);
+  h.normal = std::move(normal);
+  return static_cast<int>(hull.half_spaces.size()) - 1;
+}
+
+void add_equality(ConvexHull& hull, const IntVec& normal, const IntVec& through) {
+  add_half_space(hull, normal, through);
+  add_half_space(hull, -normal, through);
+}
+
+void add_facet(ConvexHull& hull, int half_space, std::vector<int> loop) {
+  HullFacet& facet = hull.facets.emplace_back();
+  facet.half_space = half_space;
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const IntVec along = hull.vertices[loop[(i + 1) % n]] - hull.vertices[loop[i]];
+    facet.outward.push_back(cross(along, hull.half_spaces[half_space].normal));
+  }
+  facet.loop = std::move(loop);
+}
+
+// Two directions that span the plane perpendicular to d.
+std::array<IntVec, 2> perpendicular(const IntVec& d) {
+  const IntVec first = sgn(d.x) != 0 || sgn(d.y) != 0 ? IntVec{d.y, -d.x, 0} : IntVec{1, 0, 0};
+  return {first, cross(d, first)};
+}
+
+ConvexHull point_hull(const IntVec& p) {
+  ConvexHull hull;
+  hull.vertices = {p};
+  add_equality(hull, {1, 0, 0}, p);
+  add_equality(hull, {0, 1, 0}, p);
+  add_equality(hull, {0, 0, 1}, p);
+  return hull;
+}
+
+ConvexHull segment_hull(const std::vector<IntVec>& points, const IntVec& along) {
+  ConvexHull hull;
+  hull.dimension = 1;
+  const auto before = [&](const IntVec& l, const IntVec& r) { return dot(l, along) < dot(r, along); };
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), before);
+  hull.vertices = {*low, *high};
+  hull.edges.push_back({0, 1, {0, 0}, *high - *low});
+  for (const IntVec& n : perpendicular(along)) add_equality(hull, n, *low);
+  add_half_space(hull, -along, *low);
+  add_half_space(hull, along, *high);
+  return hull;
+}
+
+// Andrew's monotone chain in the plane with the given normal; points are sorted.
+ConvexHull polygon_hull(const std::vector<IntVec>& points, const IntVec& normal) {
+  // A point left of (p, q) about the normal: dot(cross(q - p, r - p), normal) > 0. Lexicographic order is a
+  // sweep order of the plane too: distinct points of it with equal (x, y) differ in z consistently, because
+  // the order is by x, then y, then z, and each is a linear function on the plane.
+  const auto turn = [&](const IntVec& p, const IntVec& q, const IntVec& r) {
+    return sgn(dot(cross(q - p, r - p), normal));
+  };
+  std::vector<IntVec> chain;
+  const auto sweep = [&](auto begin, auto end) {
+    const std::size_t base = chain.size();
+    for (auto it = begin; it != end; ++it) {
+      while (chain.size() >= base + 2 && turn(chain[chain.size() - 2], chain.back(), *it) <= 0)
+        chain.pop_back();
+      chain.push_back(*it);
+    }
+    chain.pop_back();
+  };
+  sweep(points.begin(), points.end());
+  sweep(points.rbegin(), points.rend());
+
+  ConvexHull hull;
+  hull.dimension = 2;
+  hull.vertices = std::move(chain);
+  const int n = static_cast<int>(hull.vertices.size());
+  const int up = add_half_space(hull, normal, hull.vertices[0]);
+  const int down = add_half_space(hull, -normal, hull.vertices[0]);
+  std::vector<int> loop;
+  for (int i = 0; i < n; ++i) {
+    const int next = (i + 1) % n;
+    loop.push_back(i);
+    hull.edges.push_back({i, next, {0, 1}, hull.vertices[next] - hull.vertices[i]});
+    add_half_space(hull, cross(hull.edges.back().direction, normal), hull.vertices[i]);
+  }
+  add_facet(hull, up, loop);
+  std::reverse(loop.begin(), loop.end());
+  add_facet(hull, down, loop);
+  return hull;
+}
+
+ConvexHull solid_hull(const std::vector<IntVec>& points) {
+  std::vector<Kernel::Point_3> exact_points;
+  exact_points.reserve(points.size());
+  for (const IntVec& p : points) {
+    exact_points.emplace_back(to_exact(p.x), to_exact(p.y), to_exact(p.z));
+  }
+  Mesh mesh;
+  CGAL::convex_hull_3(exact_points.begin(), exact_points.end(), mesh);
+
+  ConvexHull hull;
+  hull.dimension = 3;
+  for (const auto v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    hull.vertices.push_back(
+        {to_integer(CGAL::exact(p.x())), to_integer(CGAL::exact(p.y())), to_integer(CGAL::exact(p.z()))});
+  }
+  std::map<std::pair<int, int>, int> facet_of_half_edge;
+  for (const auto f : mesh.faces()) {
+    std::vector<int> loop;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      loop.push_back(static_cast<int>(v.idx()));
+    const IntVec& p = hull.vertices[loop[0]];
+    IntVec normal = cross(hull.vertices[loop[1]] - p, hull.vertices[loop[2]] - p);
+    const int facet = static_cast<int>(hull.facets.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      facet_of_half_edge[{loop[i], loop[(i + 1) % loop.size()]}] = facet;
+    }
+    const int half_space = add_half_space(hull, std::move(normal), p);
+    add_facet(hull, half_space, std::move(loop));
+  }
+  for (const auto& [ends, facet] : facet_of_half_edge) {
+    const auto [from, to] = ends;
+    if (from > to) continue;
+    hull.edges.push_back(
+        {from, to, {facet, facet_of_half_edge.at({to, from})}, hull.vertices[to] - hull.vertices[from]});
+  }
+  return hull;
+}
+
+}  // namespace
+
+ConvexHull convex_hull(std::vector<IntVec> points) {
+  if (points.empty()) throw std::invalid_argument("the hull of no points");
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() == 1) return point_hull(points[0]);
+  const IntVec& p = points[0];
+  const IntVec along = points[1] - p;
+  IntVec normal;
+  for (std::size_t i = 2; i < points.size() && normal.is_zero(); ++i) normal = cross(along, points[i] - p);
+  if (normal.is_zero()) return segment_hull(points, along);
+  for (const IntVec& q : points) {
+    if (sgn(dot(normal, q - p)) != 0) return solid_hull(points);
+  }
+  return polygon_hull(points, normal);
+}
+
+}  // namespace graze::oracle

@@ -1,0 +1,150 @@
+// Exact edits of a case. Each returns a case whose true answer is known from the original's, or nothing where
+// some number of the new case would have to be rounded: a law must not blame a method for our own rounding.
+//
+// Frame: world. Linear: contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A. Rotating: a body's
+// point x is at R(w t)(x - c) + c + v t, c = position + R(orientation) pivot
+// (graze/rotating_body.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "corpus/case.hpp"
+#include "properties/edit/shape.hpp"
+
+namespace graze::law {
+
+namespace detail {
+
+template <class F>
+void map_body(Body<double>& body, F& f) {
+  const ShapeMap<F> map{f};
+  body.shape = map_shape(body.shape, f);
+  body.position = map.vector(Slot::position, body.position);
+  body.orientation = map.quaternion(body.orientation);
+  body.displacement = map.vector(Slot::displacement, body.displacement);
+}
+template <class F>
+void map_spin(corpus::Spin& spin, F& f) {
+  const ShapeMap<F> map{f};
+  spin.rotation = map.vector(Slot::rotation, spin.rotation);
+  spin.pivot = map.vector(Slot::pivot, spin.pivot);
+}
+
+template <class F>
+void visit_body(const Body<double>& body, F& f) {
+  const ShapeVisit<F> visit{f};
+  std::visit(visit, body.shape);
+  visit.vector(Slot::position, body.position);
+  visit.quaternion(body.orientation);
+  visit.vector(Slot::displacement, body.displacement);
+}
+
+}  // namespace detail
+
+// A rotation or a pivot is given, seen or not.
+[[nodiscard]] bool has_spin(const corpus::Case& problem);
+
+// The case with every scalar x replaced by f(slot, x). The order of the visit is fixed: A's shape, position,
+// orientation and displacement, then B's, then the horizon, then the target distance; then, of a case with a
+// spin, A's rotation and pivot and B's.
+template <class F>
+[[nodiscard]] corpus::Case map_scalars(corpus::Case problem, F&& f) {
+  detail::map_body(problem.a, f);
+  detail::map_body(problem.b, f);
+  problem.t_max = f(Slot::horizon, problem.t_max);
+  problem.target_distance = f(Slot::target, problem.target_distance);
+  if (has_spin(problem)) {
+    detail::map_spin(problem.spin_a, f);
+    detail::map_spin(problem.spin_b, f);
+  }
+  return problem;
+}
+
+// f(slot, x) for every scalar, in the same order.
+template <class F>
+void visit_scalars(const corpus::Case& problem, F&& f) {
+  detail::visit_body(problem.a, f);
+  detail::visit_body(problem.b, f);
+  f(Slot::horizon, problem.t_max);
+  f(Slot::target, problem.target_distance);
+  if (!has_spin(problem)) return;
+  const detail::ShapeVisit<std::remove_reference_t<F>> visit{f};
+  for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
+    visit.vector(Slot::rotation, spin->rotation);
+    visit.vector(Slot::pivot, spin->pivot);
+  }
+}
+
+// Every scalar, in the order of the visit.
+[[nodiscard]] std::vector<double> scalars(const corpus::Case& problem);
+// Equal shapes (outline), equal bits in every scalar, and one start policy; zeros of either sign are equal.
+[[nodiscard]] bool same_input(const corpus::Case& left, const corpus::Case& right);
+// The domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q
+// != 0, t_max >= 0 (infinity allowed), target_distance >= 0. Written from the documentation of the library,
+// not from its code.
+[[nodiscard]] bool in_domain(const corpus::Case& problem);
+// A NaN, an infinity (but in t_max), a malformed shape (shape_edit.hpp), a negative extent or distance, q =
+// 0: must be refused.
+[[nodiscard]] bool must_be_refused(const corpus::Case& problem);
+[[nodiscard]] bool is_polytope(const corpus::Case& problem);  // both shapes, and no target distance
+
+// a * b where exact.
+[[nodiscard]] std::optional<double> exact_product(double a, double b);
+
+// v = v_B - v_A rounded to double, and its length.
+[[nodiscard]] Vec3<double> velocity(const corpus::Case& problem);
+
+// A and B exchanged: TOI unchanged, the cone of normals negated.
+[[nodiscard]] corpus::Case swapped(const corpus::Case& problem);
+// Every length times 2^k: TOI unchanged.
+[[nodiscard]] std::optional<corpus::Case> scaled(const corpus::Case& problem, int k);
+// Both bodies moved by one vector, chosen among large and small ones, axis by axis, so that every sum is
+// exact; `salt` varies the choice. Nothing where no axis can move. TOI unchanged.
+[[nodiscard]] std::optional<corpus::Case> translated(const corpus::Case& problem, std::uint64_t salt);
+// The shape of A (or B, by `salt`) replaced by a superset (shape_edit.hpp). TOI not later.
+[[nodiscard]] corpus::Case grown(const corpus::Case& problem, std::uint64_t salt);
+// Linear: C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed
+// vertices only.
+[[nodiscard]] std::optional<corpus::Case> ray_against_cso(const corpus::Case& problem);
+// Linear: [0, s] and [s, T] restarted from where the bodies are at s; s in (0, T) dyadic. TOI = TOI_1, or s +
+// TOI_2.
+struct Split {
+  double at = 0;
+  corpus::Case before, after;
+};
+[[nodiscard]] std::optional<Split> split(const corpus::Case& problem, std::uint64_t salt);
+
+// The edits below are for turning bodies; linear cases are taken as well.
+//
+// Both bodies and their motion turned about the origin by one of the rotations that permute the axes; `salt`
+// chooses. TOI unchanged.
+[[nodiscard]] std::optional<corpus::Case> turned_about(const corpus::Case& problem, std::uint64_t salt);
+// x -> -x: turns change their sense about y and z. TOI unchanged.
+[[nodiscard]] corpus::Case mirrored(const corpus::Case& problem);
+// T times 2^k, velocities of both kinds times 2^-k: TOI times 2^k.
+[[nodiscard]] std::optional<corpus::Case> stretched(const corpus::Case& problem, int k);
+// No body turns; what they do else is kept.
+[[nodiscard]] corpus::Case without_turns(const corpus::Case& problem);
+// The body (A for `first`) given a turn that leaves it where it is, instead of its own: a ball's about any
+// axis through its centre, of a capsule, cylinder, cone or ellipsoid of revolution about its own axis. TOI
+// that of the body without a turn. Nothing for other shapes, or where the axis in the world is no exact one.
+[[nodiscard]] std::optional<corpus::Case> with_unseen_turn(const corpus::Case& problem, bool first,
+                                                           std::uint64_t salt);
+// B's motion replaced by A's, about the same axis: they stand still to each other. Nothing where B's pivot
+// takes rounding.
+[[nodiscard]] std::optional<corpus::Case> moved_as_one(const corpus::Case& problem);
+// The bodies as they are at time s, from where they move on: rounded, and no point of them is off by more
+// than `error`. Differs from the true motion by that much at s, and no more later.
+struct Restart {
+  double at = 0, error = 0;
+  corpus::Case after;
+};
+[[nodiscard]] std::optional<Restart> restarted(const corpus::Case& problem, double fraction);
+
+// A 64-bit hash of the numbers of a case: the same on every machine; it salts the choices above.
+[[nodiscard]] std::uint64_t hash_of(const corpus::Case& problem);
+
+}  // namespace graze::law

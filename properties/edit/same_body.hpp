@@ -1,0 +1,27 @@
+// Other numbers for the same set: a shape described in another way. Nothing is returned where there is no
+// other description that takes no rounding. `salt` chooses.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "properties/edit/shape.hpp"
+
+namespace graze::law {
+
+// The vertices of a hull in another order, some of them twice; the parts of a sum or a hull of shapes in
+// another order.
+[[nodiscard]] std::optional<Shape<double>> reordered(const Shape<double>& shape, std::uint64_t salt);
+
+// A hull with points of it besides its vertices: midpoints of two of them, of edges among them, and of those
+// and a third, which mostly lie inside. Segments, triangles and boxes become such hulls.
+[[nodiscard]] std::optional<Shape<double>> with_redundant_points(const Shape<double>& shape,
+                                                                 std::uint64_t salt);
+
+// As another kind: a sphere as a rounded point, a capsule as a rounded segment or the hull of two spheres, a
+// box as a sum of segments or a hull, a cylinder as a disk swept along its axis, a cone as the hull of disk
+// and apex, a rounding as a sum with a sphere, any sum or posing of polytopes as the hull of its vertices.
+[[nodiscard]] std::optional<Shape<double>> described_otherwise(const Shape<double>& shape,
+                                                               std::uint64_t salt);
+
+}  // namespace graze::law

@@ -1,0 +1,97 @@
+#include "properties/judge/by_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/support_value.hpp"
+
+namespace graze::tool {
+
+using engine::Answer;
+
+namespace {
+
+struct Box3 {
+  Vec3<double> low, high;
+  [[nodiscard]] Vec3<double> center() const { return low / 2 + high / 2; }
+  [[nodiscard]] double diagonal() const { return (high - low).norm(); }
+};
+
+// Of the rotated shape, relative to the body's position.
+Box3 bounds_of(const Body<double>& body) {
+  const corpus::Bounds box = corpus::bounds(body.shape, body.orientation);
+  return {box.low, box.high};
+}
+
+// Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
+// origin); then the error of the coordinates is subtracted.
+double scale_from_below(const corpus::Case& problem) {
+  const Box3 a = bounds_of(problem.a), b = bounds_of(problem.b);
+  const double centers = (problem.b.position - problem.a.position + b.center() - a.center()).norm();
+  const auto magnitude = [](const Box3& box) {
+    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  };
+  const double coordinates =
+      magnitude(a) + magnitude(b) + problem.a.position.norm() + problem.b.position.norm();
+  const double scale = std::max({a.diagonal(), b.diagonal(), centers});
+  return std::max(0.0, 0.99 * scale - 64 * kUnitRoundoff<double> * coordinates);
+}
+
+// An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
+//   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
+//   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
+//   the axis proves that the path up to t misses it. Of a symbolic axis |n.v| / |n| is taken as its bound
+//   |v|.
+double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
+  const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
+  const double slope = proof.symbolic ? v.norm() : std::abs(proof.axis.normalized().dot(v));
+  const double before =
+      t > proof.toi_lower ? (proof.has_axis ? (t - proof.toi_lower) * slope : kInfinity<double>) : 0;
+  return kSlack * std::max(apart, before);
+}
+
+}  // namespace
+
+bool proves_verdict(const Proof& proof, Outcome outcome) {
+  switch (outcome) {
+    case Outcome::miss:
+      return proof.toi_lower == kInfinity<double>;
+    case Outcome::hit:
+      return proof.toi_upper < kInfinity<double>;
+    case Outcome::initially_overlapping:
+      return proof.toi_upper == 0;
+    default:
+      return false;
+  }
+}
+
+bool settled_by(const Proof& proof, const corpus::Case& problem, const Answer& answer, const Limits& limits) {
+  if (!proves_verdict(proof, answer.outcome)) return false;
+  if (answer.outcome != Outcome::hit) return true;
+  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+  const double rounding = 8 * kUnitRoundoff<double> *
+                          (problem.a.displacement.norm() + problem.b.displacement.norm()) * answer.toi_upper;
+  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
+                                proved_backward_error(proof, v, answer.toi_upper));
+  return error + rounding <= limits.kappa * limits.unit_roundoff * scale_from_below(problem);
+}
+
+double rounding_of_times(const corpus::Case& problem, double time, const Limits& limits) {
+  if (limits.unit_roundoff != kUnitRoundoff<float> || !(time < kInfinity<double>)) return 0;
+  const double speed = (problem.b.displacement - problem.a.displacement).stableNorm();
+  return kSlack * speed * (2 * limits.unit_roundoff * time + double(std::numeric_limits<float>::min()));
+}
+
+bool certified_by(const Proof& proof, const corpus::Case& problem, const Answer& answer,
+                  const Limits& limits) {
+  if (!proves_verdict(proof, answer.outcome)) return false;
+  if (answer.outcome != Outcome::hit) return true;
+  if (!(answer.toi_lower <= proof.toi_lower && proof.toi_upper <= answer.toi_upper)) return false;
+  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
+                                proved_backward_error(proof, v, answer.toi_upper));
+  return error <=
+         limits.width * scale_from_below(problem) + rounding_of_times(problem, answer.toi_lower, limits);
+}
+
+}  // namespace graze::tool

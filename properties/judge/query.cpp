@@ -1,0 +1,319 @@
+#include "properties/judge/query.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "corpus/format/names.hpp"
+#include "properties/judge/exact_answer.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/judge/own_frames.hpp"
+
+namespace graze::law {
+namespace {
+
+using corpus::Query;
+using engine::Interval;
+using engine::QueryAnswer;
+using oracle::Enclosure;
+
+class QueryJudge {
+ public:
+  QueryJudge(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits)
+      : truth_(truth), answer_(answer), limits_(limits) {
+    const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
+    scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
+                               (moves ? truth.moving() : truth.at_rest()).scale().high);
+    limit_ = limits.kappa * limits.unit_roundoff * scale_ + unseen_of_trees(truth.problem(), scale_);
+    judgement_.outcome = answer.outcome;
+    judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
+  }
+
+  QueryJudgement operator()() {
+    if (answer_.outcome == Outcome::invalid_input) {
+      convict(judgement_.wrong, "a valid case was refused");
+      return judgement_;
+    }
+    switch (truth_.problem().query) {
+      case Query::overlap:
+        verdict_at_rest();
+        separating_normal();
+        break;
+      case Query::distance:
+        distance();
+        break;
+      case Query::penetration:
+        penetration();
+        break;
+      case Query::penetration_along:
+        penetration_along();
+        break;
+      case Query::line:
+        line();
+        break;
+      case Query::swept_overlap:
+        swept_overlap();
+        break;
+      case Query::cast:
+        convict(judgement_.wrong, "a cast is judged elsewhere");
+        break;
+    }
+    return judgement_;
+  }
+
+ private:
+  static void convict(std::string& fault, std::string why) {
+    if (fault.empty()) fault = std::move(why);
+  }
+  [[nodiscard]] double in_scale(double length) const {
+    return length == 0 ? 0 : scale_ > 0 ? length / scale_ : kInfinity<double>;
+  }
+
+  // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
+  template <class Apart, class Deep>
+  void verdict(bool claims, bool contact, const Apart& apart, const Deep& deep) {
+    if (answer_.outcome == Outcome::not_converged || claims == contact) return;
+    const double error = (claims ? apart() : deep()).low;
+    judgement_.backward = std::fmax(judgement_.backward, in_scale(error));
+    if (error <= limit_) {
+      judgement_.excused = true;
+    } else {
+      convict(judgement_.wrong,
+              fmt::format("says {}; {} by {:.2e} of scale", corpus::name_of(answer_.outcome),
+                          claims ? "they are apart" : "they overlap", in_scale(error)));
+    }
+  }
+  // Either end of a bracket; one that says of itself that it is wide may be.
+  void measure(const char* what, double error) {
+    if (judgement_.stalled) return;
+    judgement_.backward = std::fmax(judgement_.backward, in_scale(error));
+    if (!(error <= limit_)) {
+      convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
+    }
+  }
+  // A bracket that does not hold the truth is off, however wide it says it is.
+  void holds(const char* what, const Interval& bracket, const Enclosure& value) {
+    if (!(bracket.lower <= bracket.upper))
+      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+    const double miss = std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0});
+    if (!(miss <= limit_)) {
+      convict(judgement_.off,
+              fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
+    }
+    measure(what, std::max(std::abs(bracket.lower - value.low), std::abs(bracket.upper - value.high)));
+  }
+  void normal_off(double error) {
+    judgement_.normal = std::fmax(judgement_.normal, in_scale(std::max(error, 0.0)));
+    if (!(error <= limit_)) {
+      convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
+    }
+  }
+  // The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
+  [[nodiscard]] double rounding(const Vec3<double>& point) const {
+    return 2 * limits_.unit_roundoff * point.norm();
+  }
+  void witnesses() {
+    for (const char body : {'a', 'b'}) {
+      const std::optional<Vec3<double>>& point = body == 'a' ? answer_.point_a : answer_.point_b;
+      if (!point) return convict(judgement_.bad_contact, "a witness is missing");
+      const double error = truth_.at_rest().distance_from_body(body, 0, *point).low - rounding(*point);
+      judgement_.witness = std::fmax(judgement_.witness, in_scale(std::max(error, 0.0)));
+      if (!(error <= limit_)) {
+        convict(judgement_.bad_contact,
+                fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
+      }
+    }
+  }
+  [[nodiscard]] double pair_rounding() const {
+    return rounding(*answer_.point_a) + rounding(*answer_.point_b);
+  }
+
+  void verdict_at_rest() {
+    const bool contact = truth_.at_rest().outcome() != Outcome::miss;
+    verdict(
+        answer_.outcome == Outcome::initially_overlapping, contact,
+        [&] { return truth_.at_rest().distance(); }, [&] { return truth_.penetration().depth(); });
+  }
+  // Of a miss: all of C is on the far side, h(n) <= 0.
+  void separating_normal() {
+    if (answer_.outcome == Outcome::miss && answer_.normal) {
+      normal_off(truth_.penetration().reach(*answer_.normal).low);
+    }
+  }
+
+  void distance() {
+    verdict_at_rest();
+    if (!answer_.distance) return convict(judgement_.wrong, "no distance");
+    const Enclosure exact = truth_.at_rest().distance();
+    holds("the distance", *answer_.distance, exact);
+    if (answer_.outcome != Outcome::miss || judgement_.stalled) return;
+    // h(n) = -distance for the axis of the closest points.
+    if (answer_.normal) normal_off(truth_.penetration().reach(*answer_.normal).low + exact.high);
+    witnesses();
+    if (!judgement_.bad_contact.empty()) return;
+    const double error =
+        std::abs((*answer_.point_a - *answer_.point_b).norm() - exact.high) - pair_rounding();
+    if (!(error <= 3 * limit_)) {
+      convict(judgement_.bad_contact,
+              fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
+    }
+  }
+
+  // Common to both kinds. True if there is a depth to judge.
+  bool has_depth() {
+    verdict_at_rest();
+    if (answer_.outcome != Outcome::initially_overlapping) return false;
+    if (!answer_.depth) convict(judgement_.wrong, "no depth");
+    return answer_.depth.has_value() && truth_.penetration().in_contact();
+  }
+  void penetration() {
+    if (!has_depth()) return separating_normal();
+    holds("the depth", *answer_.depth, truth_.penetration().depth());
+    if (judgement_.stalled) return;
+    if (answer_.normal) normal_off(truth_.penetration().normal_error(*answer_.normal).low);
+    witnesses();
+    if (!judgement_.bad_contact.empty()) return;
+    const double error =
+        truth_.penetration().pair_error(*answer_.point_a, *answer_.point_b).low - pair_rounding();
+    if (!(error <= 3 * limit_)) {
+      convict(judgement_.bad_contact,
+              fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
+    }
+  }
+  void penetration_along() {
+    if (!has_depth()) return;
+    const Vec3<double> d = truth_.problem().direction;
+    for (const double depth : {answer_.depth->lower, answer_.depth->upper}) {
+      // s d in length: the quotient rounds by u of the depth.
+      const double rounded = 4 * kUnitRoundoff<double> * depth;
+      measure("the depth", truth_.penetration().along_error(d, depth / d.norm()).low - rounded);
+    }
+    witnesses();
+  }
+
+  void line() {
+    const oracle::LinearTruth& exact = truth_.moving();
+    const bool meets = exact.contact_interval().has_value();
+    verdict(
+        answer_.outcome == Outcome::hit, meets, [&] { return exact.line_clearance(); },
+        [&] { return exact.line_depth(); });
+    if (answer_.outcome != Outcome::hit || !meets || !answer_.t_in || !answer_.t_out) return;
+    const oracle::ContactInterval ends = *exact.contact_interval();
+    end_of_line("t_in", *answer_.t_in, ends.in, [&](double t) { return exact.entry_error(t).low; });
+    end_of_line("t_out", *answer_.t_out, ends.out, [&](double t) { return exact.exit_error(t).low; });
+  }
+
+  template <class Error>
+  void end_of_line(const char* what, const Interval& bracket, const Enclosure& end, const Error& error) {
+    // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
+    if ((is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
+         is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) &&
+        bracket.lower <= end.high && end.low <= bracket.upper) {
+      return;
+    }
+    // A finite end that the scalar cannot hold is no nearer than its largest number.
+    const double largest = limits_.unit_roundoff == kUnitRoundoff<float>
+                               ? double(std::numeric_limits<float>::max())
+                               : std::numeric_limits<double>::max();
+    const bool finite = std::isfinite(end.low) && std::isfinite(end.high);
+    for (const double t : {bracket.lower, bracket.upper})
+      measure(what, error(finite ? std::clamp(t, -largest, largest) : t));
+  }
+
+  void swept_overlap() {
+    const oracle::LinearTruth& exact = truth_.moving();
+    verdict(
+        answer_.outcome == Outcome::hit, exact.outcome() != Outcome::miss, [&] { return exact.clearance(); },
+        [&] { return exact.depth(); });
+  }
+
+  QueryTruth& truth_;
+  const QueryAnswer& answer_;
+  const QueryLimits& limits_;
+  double scale_ = 0, limit_ = 0;
+  QueryJudgement judgement_;
+};
+
+corpus::Case rest(corpus::Case problem) {
+  problem.query = Query::cast;
+  problem.a.displacement.setZero();
+  problem.b.displacement.setZero();
+  problem.target_distance = 0;
+  problem.start_policy = StartPolicy::report;
+  return problem;
+}
+
+}  // namespace
+
+const oracle::LinearTruth& QueryTruth::moving() {
+  if (!moving_) moving_ = std::make_unique<oracle::LinearTruth>(problem_);
+  return *moving_;
+}
+const oracle::LinearTruth& QueryTruth::at_rest() {
+  if (!at_rest_) at_rest_ = std::make_unique<oracle::LinearTruth>(rest(problem_));
+  return *at_rest_;
+}
+const oracle::PenetrationTruth& QueryTruth::penetration() {
+  if (!penetration_) penetration_ = std::make_unique<oracle::PenetrationTruth>(rest(problem_));
+  return *penetration_;
+}
+
+double scale_of_question(corpus::Query query, double target_distance, double scale_of_pair) {
+  return query == Query::line ? std::max(scale_of_pair, target_distance) : scale_of_pair;
+}
+
+QueryJudgement judge_query(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits) {
+  return QueryJudge(truth, answer, limits)();
+}
+
+QueryJudgement judge_exact_query(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits) {
+  const corpus::Case& problem = truth.problem();
+  const bool in_float = limits.unit_roundoff == kUnitRoundoff<float>;
+  QueryJudgement judgement;
+  judgement.outcome = answer.outcome;
+  corpus::Case question = problem;
+  // An overlap knows no target distance.
+  if (problem.query == Query::overlap) question.target_distance = 0;
+  if (!engine::is_exact_question(question)) {
+    judgement.not_asked = true;
+    if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
+    return judgement;
+  }
+  judgement.stalled = answer.outcome == Outcome::not_converged;
+  if (problem.query == Query::line) {
+    const std::optional<oracle::ContactInterval> exact = truth.moving().contact_interval();
+    if (answer.outcome != (exact ? Outcome::hit : Outcome::miss))
+      judgement.wrong = "the verdict is not the oracle's";
+    if (!exact || !judgement.wrong.empty()) return judgement;
+    const auto is = [&](const std::optional<Interval>& bracket, const Enclosure& end) {
+      return bracket && bracket->lower == detail::outward_down(end.low, in_float) &&
+             bracket->upper == detail::outward_up(end.high, in_float);
+    };
+    if (!is(answer.t_in, exact->in)) judgement.off = "t_in is not the oracle's, rounded outward";
+    if (!is(answer.t_out, exact->out)) judgement.off = "t_out is not the oracle's, rounded outward";
+    return judgement;
+  }
+  const bool swept = problem.query == Query::swept_overlap;
+  const bool contact = (swept ? truth.moving() : truth.at_rest()).outcome() != Outcome::miss;
+  const Outcome claim = swept ? Outcome::hit : Outcome::initially_overlapping;
+  if (answer.outcome != (contact ? claim : Outcome::miss))
+    judgement.wrong = "the verdict is not the oracle's";
+  if (!swept && answer.outcome == Outcome::miss && !contact && answer.normal) {
+    const double beyond = std::max(0.0, truth.penetration().reach(*answer.normal).low);
+    const double scale = truth.at_rest().scale().high;
+    if (beyond > limits.contact_kappa * limits.unit_roundoff * scale) {
+      judgement.bad_contact = fmt::format("the normal is {:.2e} off separating", beyond);
+    }
+    judgement.normal = scale > 0 ? beyond / scale : 0;
+  }
+  return judgement;
+}
+
+QueryJudgement judge_query(QueryTruth& truth, const engine::QueryMethod& method, const QueryAnswer& answer,
+                           const QueryLimits& limits) {
+  return method.is_exact() ? judge_exact_query(truth, answer, limits) : judge_query(truth, answer, limits);
+}
+
+}  // namespace graze::law

@@ -1,0 +1,283 @@
+#include "properties/laws/linear/advancement.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "properties/laws/ask_twice.hpp"
+#include "properties/laws/linear/proof.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::Answer;
+using engine::EngineMethod;
+using oracle::CaseTruth;
+
+namespace {
+
+// Support evaluations: one after the other where a search begins, then farther apart.
+constexpr int kBudgets[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 24, 48, 96};
+
+bool same_bits(const Vec3<double>& l, const Vec3<double>& r) { return l == r; }
+
+// Of verdict, times, contact, cost and bounds proved.
+bool is_same_answer(const Answer& one, const Answer& two) {
+  const Counters &c = one.counters, &d = two.counters;
+  const auto same = [](double l, double r) { return l == r || (std::isnan(l) && std::isnan(r)); };
+  if (one.outcome != two.outcome || one.passed_over != two.passed_over ||
+      !same(one.toi_lower, two.toi_lower) || !same(one.toi_upper, two.toi_upper) ||
+      !same(one.distance, two.distance)) {
+    return false;
+  }
+  if (!same_bits(one.normal, two.normal) || !same_bits(one.point_a, two.point_a) ||
+      !same_bits(one.point_b, two.point_b)) {
+    return false;
+  }
+  if (c.iterations != d.iterations || c.supports != d.supports || c.gjk_iterations != d.gjk_iterations ||
+      c.portal_steps != d.portal_steps || c.exact_decisions != d.exact_decisions) {
+    return false;
+  }
+  if (one.proof.has_value() != two.proof.has_value()) return false;
+  return !one.proof ||
+         (one.proof->toi_lower == two.proof->toi_lower && one.proof->toi_upper == two.proof->toi_upper &&
+          one.proof->portal_size == two.proof->portal_size && one.proof->axis == two.proof->axis);
+}
+
+}  // namespace
+
+LawResult interrupting(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  const Answer full = method.cast(seen, {});
+  LawResult result = holds({label_of(full.outcome)});
+  if (full.outcome == Outcome::not_converged) return result;
+  // The default, which the full answer may have used up at one stage of the search.
+  constexpr int kDefault = 256;
+  if (const Answer more = method.cast(seen, {.max_iterations = 4096});
+      full.counters.supports < kDefault && !is_same_answer(full, more)) {
+    return broken(fmt::format("a budget larger than needed changes the answer: {}; against {}",
+                              describe(full), describe(more)));
+  }
+  // Searches whose every support point may raise the bound go the same way until the budget ends.
+  // Conservative advancement advances by a distance that is cut short, too, and then along another axis.
+  const bool every_support_counts = method.name != "ca";
+  double proved = 0;  // by a smaller budget
+  for (const int budget : kBudgets) {
+    const Answer cut = method.cast(seen, {.max_iterations = budget});
+    if (is_same_answer(cut, full)) break;
+    const auto with_budget = [&] {
+      return fmt::format("with a budget of {}: {}; in full: {}", budget, describe(cut), describe(full));
+    };
+    if (cut.outcome == Outcome::invalid_input) return broken("refused " + with_budget());
+    const double u = method.unit_roundoff;
+    bool consistent = agree_within_rows(method, seen, cut, full);
+    if (cut.outcome == Outcome::not_converged) {
+      result.labels.push_back("interrupted");
+      if (!(cut.toi_lower >= 0 && cut.toi_lower <= cut.toi_upper))
+        return broken("no bracket " + with_budget());
+      if (every_support_counts && cut.toi_lower < proved * (1 - 16 * u)) {
+        // Each is a lower bound within the row; at a graze two that are may be far apart.
+        if (const auto open = without_truth(seen)) return *open;
+        Answer before = cut;
+        before.toi_lower = proved;
+        if (const std::string late = late_fault(truth_of(seen), before, proved_bound_of(method, seen));
+            !late.empty()) {
+          return broken(fmt::format("the lower bound goes back from {} {}", hex(proved), with_budget()));
+        }
+        result.labels.push_back("goes back");
+      }
+      proved = std::max(proved, cut.toi_lower);
+      // The bracket meets that of the answer; a miss leaves nothing but the end of the path.
+      consistent = full.outcome == Outcome::miss || (cut.toi_lower <= full.toi_upper * (1 + 16 * u) &&
+                                                     cut.toi_upper * (1 + 16 * u) >= full.toi_lower);
+    }
+    if (consistent) continue;
+    // A stall is nobody's fault here: tier certified is asked to decide only with its own budget.
+    const double bound = has_truth(seen) ? proved_bound_of(method, seen) : 0;
+    if (const auto open = without_truth(seen)) return *open;
+    for (const Answer* said : {&cut, &full}) {
+      for (const auto fault : {&verdict_fault, &late_fault, &early_fault}) {
+        if (const std::string why = fault(truth_of(seen), *said, bound); !why.empty())
+          return broken(why + "; " + with_budget());
+      }
+    }
+    result.labels.push_back("arbitrated");
+  }
+  return result;
+}
+
+LawResult tightening(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  const double u = method.unit_roundoff;
+  const Answer full = method.cast(seen, {});
+  LawResult result = holds({label_of(full.outcome)});
+  Answer best;  // the bracket that looser tolerances leave
+  best.outcome = Outcome::not_converged;
+  best.toi_lower = 0;
+  best.toi_upper = kInfinity<double>;
+  for (const double tolerance : {1.0, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0.0}) {
+    const Answer answer = tolerance > 0 ? method.cast(seen, {.tolerance = tolerance}) : full;
+    if (answer.outcome != Outcome::hit) continue;
+    if (answer.toi_lower < best.toi_lower * (1 - 16 * u) ||
+        answer.toi_upper > best.toi_upper * (1 + 16 * u)) {
+      // Each may be right within the row, whatever the tolerance.
+      if (const auto open = without_truth(seen)) return *open;
+      const double bound = proved_bound_of(method, seen);
+      for (const Answer* said : {static_cast<const Answer*>(&best), &answer}) {
+        for (const auto fault : {&late_fault, &early_fault}) {
+          if (const std::string why = fault(truth_of(seen), *said, bound); !why.empty()) {
+            return broken(fmt::format("the tolerance {} leaves [{}, {}], a looser one [{}, {}]: {}",
+                                      hex(tolerance), hex(answer.toi_lower), hex(answer.toi_upper),
+                                      hex(best.toi_lower), hex(best.toi_upper), why));
+          }
+        }
+      }
+      result.labels.push_back("arbitrated");
+    }
+    if (answer.toi_lower > best.toi_lower && best.toi_lower > 0) result.labels.push_back("advanced");
+    best.toi_lower = std::max(best.toi_lower, answer.toi_lower);
+    best.toi_upper = std::min(best.toi_upper, answer.toi_upper);
+  }
+  return result;
+}
+
+LawResult interrupted_is_right(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  if (const auto open = without_truth(seen)) return *open;
+  const CaseTruth& truth = truth_of(seen);
+  const double bound = proved_bound_of(method, seen);
+  LawResult result = holds({label_of(truth.outcome())});
+  for (const int budget : kBudgets) {
+    const Answer cut = method.cast(seen, {.max_iterations = budget});
+    for (const auto fault : {&verdict_fault, &late_fault, &early_fault}) {
+      if (const std::string why = fault(truth, cut, bound); !why.empty())
+        return broken(fmt::format("{}; with a budget of {}: {}", why, budget, describe(cut)));
+    }
+    // What follows is the full answer, which other laws judge.
+    if (cut.outcome != Outcome::not_converged) break;
+    result.labels.push_back("interrupted");
+  }
+  return result;
+}
+
+LawResult every_iterate_is_proved(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  LawResult result = holds();
+  for (const int budget : kBudgets) {
+    const Answer cut = method.cast(seen, {.request = Request::proof, .max_iterations = budget});
+    if (const std::string fault = proof_fault(seen, cut); !fault.empty())
+      return broken(fmt::format("{}; with a budget of {}: {}", fault, budget, describe(cut)));
+    if (cut.outcome != Outcome::not_converged) {
+      result.labels.push_back(label_of(cut.outcome));
+      break;
+    }
+    result.labels.push_back(cut.proof && cut.proof->has_axis ? "interrupted with an axis" : "interrupted");
+  }
+  return result;
+}
+
+LawResult tolerance_bounds_the_error(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  if (const auto open = without_truth(seen)) return *open;
+  const CaseTruth& truth = truth_of(seen);
+  LawResult result = holds({label_of(truth.outcome())});
+  for (const double tolerance : {0x1p-30, 0x1p-10, 0.5}) {
+    const Answer answer = method.cast(seen, {.tolerance = tolerance});
+    const double row = proved_bound_of(method, seen);
+    const double wide = bound_of(method, seen) + tolerance * truth.scale().high;
+    // The verdict and the early side of the bracket owe nothing to the tolerance.
+    std::string fault = verdict_fault(truth, answer, row);
+    if (fault.empty()) fault = late_fault(truth, answer, row);
+    if (fault.empty()) fault = early_fault(truth, answer, row);
+    if (fault.empty()) fault = time_fault(truth, answer, wide);
+    if (!fault.empty())
+      return broken(fmt::format("{}; with the tolerance {}: {}", fault, hex(tolerance), describe(answer)));
+    if (answer.outcome == Outcome::hit && answer.toi_lower < answer.toi_upper)
+      result.labels.push_back("wide");
+  }
+  return result;
+}
+
+LawResult scalars_meet(const Case& problem, const EngineMethod& method) {
+  if (method.scalar != "float") return not_applicable("double is what float is compared with");
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  const EngineMethod* wide = engine::find_method(method.name + "/double");
+  if (wide == nullptr || !same_input(wide->seen(seen), seen))
+    return not_applicable("no such method in double");
+  const Answer one = method.cast(seen, {}), two = wide->cast(seen, {});
+  LawResult result = holds({label_of(two.outcome)});
+  if (agree_within_rows(method, seen, one, two)) return result;
+  // Each within its own row.
+  if (const auto open = without_truth(seen)) return *open;
+  for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(wide, &two)}) {
+    if (const std::string fault = any_fault(*judged, seen, *answer); !fault.empty()) {
+      return broken(fmt::format("float and double do not meet: {}; against {}; at fault is {}: {}",
+                                describe(one), describe(two), judged->full_name(), fault));
+    }
+  }
+  result.labels.push_back("arbitrated");
+  return result;
+}
+
+LawResult tiers_nest(const Case& problem, const EngineMethod& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  const Case seen = method.seen(problem);
+  const EngineMethod* exact = engine::find_method("exact/" + method.scalar);
+  if (exact == nullptr || !is_question_for(*exact, seen)) return not_applicable("not a cast of tier exact");
+  // Tier certified leaves polytopes to tier exact: the same set as a hull of shapes, which it searches
+  // itself.
+  Case round = seen;
+  round.a.shape = hull_of<double>(seen.a.shape, seen.a.shape);
+  if (!is_sound_edit(round, method)) return not_applicable("nested too deep");
+  const Answer inner = exact->cast(seen, {}), outer = method.cast(round, {});
+  bool nests = false;
+  switch (outer.outcome) {
+    case Outcome::miss:
+    case Outcome::initially_overlapping:
+      nests = inner.outcome == outer.outcome;
+      break;
+    case Outcome::hit:
+    case Outcome::not_converged:
+      // A bracket from 0 leaves open whether the start is in contact.
+      nests = inner.outcome == Outcome::hit
+                  ? outer.toi_lower <= inner.toi_lower && inner.toi_upper <= outer.toi_upper
+                  : outer.toi_lower == 0 ||
+                        (inner.outcome == Outcome::miss && outer.outcome == Outcome::not_converged);
+      if (outer.outcome == Outcome::hit && inner.outcome == Outcome::miss) nests = false;
+      break;
+    case Outcome::invalid_input:
+      break;
+  }
+  if (!nests) {
+    return broken(fmt::format("the exact answer is not within the certified bracket: {}; against {}",
+                              describe(inner), describe(outer)));
+  }
+  LawResult result = holds({label_of(inner.outcome)});
+  if (outer.outcome == Outcome::not_converged) result.labels.push_back("left open");
+  return result;
+}
+
+LawResult asking_again(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return outside();
+  const engine::Ask ask{.request = Request::everything};
+  const Answer first = method.cast(seen, ask);
+  // Another question between: the same bodies the other way round, or grown, or apart.
+  Case other = (hash_of(seen) & 1) != 0 ? swapped(seen) : grown(seen, hash_of(seen));
+  if ((hash_of(seen) & 2) != 0) other.b.position += Vec3<double>(1, 2, 4);
+  (void)method.cast(other, ask);
+  const Answer second = method.cast(seen, ask);
+  if (!is_same_answer(first, second)) {
+    return broken(fmt::format("asked again, after another question: {}; before it: {}", describe(second),
+                              describe(first)));
+  }
+  return holds({label_of(first.outcome)});
+}
+
+}  // namespace graze::law

@@ -1,0 +1,18 @@
+// Laws of what a search may be told and what it leaves behind: budgets that end too soon, tolerances, another
+// scalar or tier, and the same question again.
+#pragma once
+
+#include "properties/laws/law.hpp"
+
+namespace graze::law {
+
+LawResult interrupting(const corpus::Case&, const engine::EngineMethod&);
+LawResult tightening(const corpus::Case&, const engine::EngineMethod&);
+LawResult interrupted_is_right(const corpus::Case&, const engine::EngineMethod&);
+LawResult every_iterate_is_proved(const corpus::Case&, const engine::EngineMethod&);
+LawResult tolerance_bounds_the_error(const corpus::Case&, const engine::EngineMethod&);
+LawResult scalars_meet(const corpus::Case&, const engine::EngineMethod&);
+LawResult tiers_nest(const corpus::Case&, const engine::EngineMethod&);
+LawResult asking_again(const corpus::Case&, const engine::EngineMethod&);
+
+}  // namespace graze::law

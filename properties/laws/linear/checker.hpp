@@ -1,0 +1,11 @@
+// The law of the checker of proofs itself, by proofs that claim too much. What each says and when it does not
+// apply: laws_checker.cpp and the table in law.cpp.
+#pragma once
+
+#include "properties/laws/law.hpp"
+
+namespace graze::law {
+
+LawResult overclaims_are_refused(const corpus::Case& problem, const engine::EngineMethod& method);
+
+}  // namespace graze::law

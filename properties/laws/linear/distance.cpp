@@ -1,0 +1,58 @@
+#include "properties/laws/linear/distance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "properties/judge/linear.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::Answer;
+using engine::EngineMethod;
+using oracle::CaseTruth;
+
+namespace {
+
+// Of support evaluations: few enough that most searches are cut short, and all that the search wants.
+constexpr int kBudgets[] = {3, 9, 256};
+
+// C is rounded by the target distance, so the distance of toi_lower v from C is what the bodies' exceeds it
+// by.
+std::string distance_fault(const CaseTruth& truth, const Answer& answer, double bound, double unit_roundoff) {
+  if (!(answer.distance >= 0)) return fmt::format("the distance at toi_lower is {}", answer.distance);
+  if (std::isinf(answer.distance)) {
+    return answer.outcome == Outcome::hit ? "the distance at a hit's toi_lower is not known" : "";
+  }
+  const double away = truth.distance_at(answer.toi_lower).low;
+  // Formed of a few rounded numbers.
+  const double stated = answer.distance * (1 + 8 * unit_roundoff);
+  if (away <= stated + bound) return "";
+  return fmt::format("at toi_lower the bodies are {} apart, {} is stated and {} allowed", away,
+                     answer.distance, bound);
+}
+
+}  // namespace
+
+LawResult distance_is_stated(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
+  if (const auto open = without_truth(seen)) return *open;
+  const CaseTruth& truth = truth_of(seen);
+  const double bound = proved_bound_of(method, seen);
+  LawResult result = holds({label_of(truth.outcome())});
+  for (const int budget : kBudgets) {
+    const Answer answer = method.cast(seen, {.max_iterations = budget});
+    if (answer.outcome != Outcome::hit && answer.outcome != Outcome::not_converged) break;
+    if (is_beyond_range(answer.toi_lower, answer.toi_upper, method.unit_roundoff)) break;
+    const std::string fault = distance_fault(truth, answer, bound, method.unit_roundoff);
+    if (!fault.empty())
+      return broken(fmt::format("{}; with a budget of {}: {}", fault, budget, describe(answer)));
+    if (answer.outcome == Outcome::hit) break;
+    result.labels.push_back(std::isinf(answer.distance) ? "interrupted, no distance" : "interrupted");
+  }
+  return result;
+}
+
+}  // namespace graze::law

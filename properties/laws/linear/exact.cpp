@@ -1,0 +1,126 @@
+#include "properties/laws/linear/exact.hpp"
+
+#include <fmt/format.h>
+
+#include "corpus/format/names.hpp"
+#include "engines/queries.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/exact_answer.hpp"
+#include "properties/judge/linear.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using corpus::Query;
+using engine::Answer;
+using engine::EngineMethod;
+using engine::QueryAnswer;
+
+namespace {
+
+// The exact oracle looks at one case in so many, chosen by its numbers; it takes up to a millisecond.
+constexpr std::uint64_t kOracleShare = 16;
+
+bool is_asked(const EngineMethod& method, const Case& seen) {
+  return method.is_exact() && is_question_for(method, seen);
+}
+
+const engine::QueryMethod* exact_query(Query query, const std::string& scalar) {
+  for (const engine::QueryMethod& one : engine::query_methods()) {
+    if (one.query == query && one.is_exact() && one.scalar == scalar) return &one;
+  }
+  return nullptr;
+}
+
+std::string line_fault(const Case& seen, const QueryAnswer& line, bool in_float) {
+  if (!is_exactly_decided(seen)) return {};
+  const std::optional<oracle::ContactInterval> interval = oracle::LinearTruth(seen).contact_interval();
+  if ((line.outcome == Outcome::hit) != interval.has_value()) return "the line's verdict is not the oracle's";
+  if (!interval) return {};
+  if (!line.t_in || !line.t_out) return "the line is met at no time";
+  const auto is = [&](const engine::Interval& bracket, const oracle::Enclosure& end) {
+    return bracket.lower == detail::outward_down(end.low, in_float) &&
+           bracket.upper == detail::outward_up(end.high, in_float);
+  };
+  if (!is(*line.t_in, interval->in)) {
+    return fmt::format("t_in is [{}, {}], not [{}, {}]", hex(line.t_in->lower), hex(line.t_in->upper),
+                       hex(interval->in.low), hex(interval->in.high));
+  }
+  if (!is(*line.t_out, interval->out)) {
+    return fmt::format("t_out is [{}, {}], not [{}, {}]", hex(line.t_out->lower), hex(line.t_out->upper),
+                       hex(interval->out.low), hex(interval->out.high));
+  }
+  return {};
+}
+
+// overlap, swept overlap and line say what the cast says; `cast` has been judged.
+std::string query_fault(const Case& seen, const EngineMethod& method, const Answer& cast, bool ask_oracle) {
+  const auto ask = [&](Query query) {
+    Case question = seen;
+    question.query = query;
+    question.start_policy = StartPolicy::report;
+    return exact_query(query, method.scalar)->answer(question);
+  };
+  const bool contact = cast.outcome != Outcome::miss;
+  const QueryAnswer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line);
+  if (swept.outcome != (contact ? Outcome::hit : Outcome::miss)) return "the swept overlap is not the cast's";
+  const bool starts = cast.outcome == Outcome::initially_overlapping;
+  if (overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
+    return "the overlap is not the cast's";
+  if (line.outcome != Outcome::hit && line.outcome != Outcome::miss) return "the line has no verdict";
+  if (contact && line.outcome != Outcome::hit) return "the line misses what the cast meets";
+  const bool moves = seen.a.displacement != seen.b.displacement;
+  if (line.outcome == Outcome::hit && moves) {
+    const engine::Interval in = line.t_in.value_or(engine::Interval{1, 0});
+    const engine::Interval out = line.t_out.value_or(engine::Interval{0, 1});
+    if (!(in.lower <= in.upper && out.lower <= out.upper && in.lower <= out.upper))
+      return "the line's ends are no interval";
+    if (cast.outcome == Outcome::hit && !(in.lower == cast.toi_lower && in.upper == cast.toi_upper))
+      return "the line enters at another time than the cast's";
+    if (starts && !(in.lower <= 0 && out.upper >= 0)) return "the line is not met at the start";
+    if (!contact && in.upper <= seen.t_max && out.lower >= 0) return "the cast misses what the line meets";
+  }
+  return ask_oracle ? line_fault(seen, line, method.scalar == "float") : "";
+}
+
+}  // namespace
+
+ExactJudgement judge_exact(const Case& seen, const EngineMethod& method, bool ask_oracle) {
+  const bool in_float = method.scalar == "float";
+  ExactJudgement judgement;
+  judgement.answer = method.cast(seen, {.request = Request::proof});
+  const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
+  judgement.fault = finding.fault;
+  if (!judgement.fault.empty() || (finding.settled && !ask_oracle)) return judgement;
+  if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
+  judgement.by_oracle = true;
+  judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
+  if (!judgement.fault.empty()) {
+    judgement.fault +=
+        fmt::format(": [{}, {}]", hex(truth_of(seen).toi_lower()), hex(truth_of(seen).toi_upper()));
+  }
+  return judgement;
+}
+
+LawResult exact_equals_oracle(const Case& problem, const EngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
+  const ExactJudgement judgement = judge_exact(seen, method, hash_of(seen) % kOracleShare == 0);
+  if (!judgement.fault.empty()) return broken(judgement.fault + "; answered: " + describe(judgement.answer));
+  LawResult result = holds({label_of(judgement.answer.outcome)});
+  if (judgement.by_oracle) result.labels.push_back("by oracle");
+  if (judgement.answer.counters.exact_decisions > 0) result.labels.push_back("near a tie");
+  return result;
+}
+
+LawResult exact_queries_agree(const Case& problem, const EngineMethod& method) {
+  Case seen = method.seen(problem);
+  if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
+  seen.start_policy = StartPolicy::report;
+  const Answer cast = method.cast(seen, {});
+  const std::string fault = query_fault(seen, method, cast, hash_of(seen) % kOracleShare == 0);
+  if (!fault.empty()) return broken(fault + "; the cast: " + describe(cast));
+  return holds({label_of(cast.outcome)});
+}
+
+}  // namespace graze::law

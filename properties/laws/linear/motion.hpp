@@ -1,0 +1,18 @@
+// Laws of the motion: the same bodies on a longer, slower, shared, reversed or farther path, or with a target
+// distance between them. The true answer is known from the original's; where two answers differ, the oracle
+// arbitrates (judge.hpp).
+#pragma once
+
+#include "properties/laws/law.hpp"
+
+namespace graze::law {
+
+LawResult moving_the_horizon(const corpus::Case&, const engine::EngineMethod&);
+LawResult keeping_distance(const corpus::Case&, const engine::EngineMethod&);
+LawResult changing_the_clock(const corpus::Case&, const engine::EngineMethod&);
+LawResult moving_together(const corpus::Case&, const engine::EngineMethod&);
+LawResult reversing(const corpus::Case&, const engine::EngineMethod&);
+LawResult extending(const corpus::Case&, const engine::EngineMethod&);
+LawResult threshold_of_swept_overlap(const corpus::Case&, const engine::EngineMethod&);
+
+}  // namespace graze::law

@@ -1,0 +1,314 @@
+// Laws that hold of every query alike: what changes nothing, what is asked for, what must be refused.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/queries/asked.hpp"
+#include "properties/laws/queries/checks.hpp"
+#include "properties/laws/queries/question.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using corpus::Query;
+using engine::Interval;
+using engine::QueryAnswer;
+using engine::QueryMethod;
+
+namespace {
+
+bool is_about_motion(Query query) { return query == Query::line || query == Query::swept_overlap; }
+
+std::string pair_of(const QueryAnswer& one, const QueryAnswer& two) {
+  return describe(one) + "; against " + describe(two);
+}
+
+// Two answers to what is one question: `two` told in the terms of `one`. Gaps differ by both limits at most;
+// where the rest differs by more than rounding the oracle decides.
+LawResult same_answers(const QueryMethod& method, const Question& first, const QueryAnswer& one,
+                       const Question& second, const QueryAnswer& asked, const QueryAnswer& two,
+                       std::string_view edit) {
+  const double allowed = first.limit + second.limit;
+  if (!is_about_motion(method.query)) {
+    const bool gap = method.query != Query::penetration_along;
+    if (const double off = gap ? apart(gap_of(one), gap_of(two)) : 0; off > allowed) {
+      return broken(fmt::format("{} changes the answer by {}, the rows allow {}: {}", edit, off, allowed,
+                                pair_of(one, two)));
+    }
+    const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
+    const bool far = one.depth && two.depth && apart(*one.depth, *two.depth) > allowed;
+    if (!says || (one.outcome == two.outcome && !far)) return holds({label_of(one.outcome)});
+  } else if (method.query == Query::swept_overlap ? one.outcome == two.outcome
+                                                  : same_line(one, two, first.u)) {
+    return holds({label_of(one.outcome)});
+  }
+  LawResult result =
+      arbitrate({{"the original", method, first.seen, one}, {"the edited", method, second.seen, asked}},
+                fmt::format("{} changes the answer", edit));
+  result.labels.push_back(label_of(one.outcome));
+  return result;
+}
+
+}  // namespace
+
+LawResult query_swapping(const Case& problem, const QueryMethod& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  Case other = swapped(question->seen);
+  other.direction = -other.direction;
+  const auto second = requestioned(std::move(other), method);
+  if (!second) return no_question();
+  const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+  LawResult result = same_answers(method, *question, one, *second, two, two, "swapping");
+  if (result.holding != Holding::holds || one.outcome != two.outcome || is_about_motion(method.query))
+    return result;
+  if (method.query == Query::penetration_along || !one.normal || !two.normal || one.stalled || two.stalled)
+    return result;
+  // The other's normal, negated, separates the original or ends it as deep as its own does.
+  const Reach h = reach(question->seen, Vec3<double>(-*two.normal));
+  const Interval gap = gap_of(one);
+  const double off = h.value + (std::isfinite(gap.lower) ? gap.lower : 0),
+               allowed = 2 * question->limit + 2 * second->limit + h.error +
+                         (method.is_exact() ? 32 * question->u * h.error / kUnitRoundoff<double> : 0);
+  if (off > allowed) {
+    return broken(fmt::format("the normal of the swapped, negated, is {} off the gap, {} allowed: {}", off,
+                              allowed, pair_of(one, two)));
+  }
+  return result;
+}
+
+LawResult query_translating(const Case& problem, const QueryMethod& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
+    const std::optional<Case> other = translated(question->seen, salt);
+    const auto second = other ? requestioned(*other, method) : std::nullopt;
+    if (!second) continue;
+    const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+    return same_answers(method, *question, one, *second, two, two, "translating both");
+  }
+  return not_applicable("no exact translation");
+}
+
+namespace {
+
+std::optional<Interval> scaled_by(const std::optional<Interval>& x, int k) {
+  if (!x) return x;
+  return Interval{std::scalbn(x->lower, k), std::scalbn(x->upper, k)};
+}
+std::optional<Vec3<double>> scaled_by(const std::optional<Vec3<double>>& x, int k) {
+  if (!x) return x;
+  return Vec3<double>(std::scalbn((*x)[0], k), std::scalbn((*x)[1], k), std::scalbn((*x)[2], k));
+}
+bool same(const std::optional<Interval>& one, const std::optional<Interval>& two) {
+  return one.has_value() == two.has_value() &&
+         (!one || (one->lower == two->lower && one->upper == two->upper));
+}
+bool same(const std::optional<Vec3<double>>& one, const std::optional<Vec3<double>>& two) {
+  return one.has_value() == two.has_value() && (!one || *one == *two);
+}
+
+// What every length times 2^k changed that it should not; or empty.
+std::string changed_by_scale(const QueryAnswer& one, const QueryAnswer& two, int k) {
+  if (one.outcome != two.outcome || one.stalled != two.stalled) return "outcome";
+  if (!same(one.t_in, two.t_in) || !same(one.t_out, two.t_out)) return "time";
+  if (!same(scaled_by(one.distance, k), two.distance)) return "distance";
+  if (!same(scaled_by(one.depth, k), two.depth)) return "depth";
+  if (!same(one.normal, two.normal) || !same(one.normal_out, two.normal_out)) return "normal";
+  if (one.counters.iterations != two.counters.iterations || one.counters.supports != two.counters.supports)
+    return "count of iterations or supports";
+  if (!same(scaled_by(one.point_a, k), two.point_a) || !same(scaled_by(one.point_b, k), two.point_b))
+    return "witness";
+  return {};
+}
+
+// A length of the answer that is, or becomes, subnormal.
+bool loses_bits(const QueryAnswer& answer, double least) {
+  const auto small = [&](double x) { return x != 0 && std::abs(x) < least; };
+  bool any = false;
+  for (const std::optional<Interval>* x : {&answer.distance, &answer.depth})
+    any = any || (*x && (small((*x)->lower) || small((*x)->upper)));
+  for (const std::optional<Vec3<double>>* x : {&answer.point_a, &answer.point_b})
+    any = any || (*x && (small((**x)[0]) || small((**x)[1]) || small((**x)[2])));
+  return any;
+}
+
+}  // namespace
+
+LawResult query_scaling(const Case& problem, const QueryMethod& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  constexpr std::array<int, 8> kPowers = {-1, 1, 7, -9, 24, -31, 60, -60};
+  const std::uint64_t first = hash_of(question->seen);
+  const double least = method.scalar == "float" ? double(std::numeric_limits<float>::min())
+                                                : std::numeric_limits<double>::min();
+  for (std::size_t j = 0; j < kPowers.size(); ++j) {
+    const int k = kPowers[(j + first) % kPowers.size()];
+    const std::optional<Case> other = scaled(question->seen, k);
+    const auto second = other ? requestioned(*other, method) : std::nullopt;
+    if (!second) continue;
+    const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+    if (loses_bits(one, least * std::max(1.0, std::scalbn(1.0, -k))) || loses_bits(two, least)) continue;
+    const std::string fault = changed_by_scale(one, two, k);
+    if (!fault.empty())
+      return broken(fmt::format("every length times 2^{} changes the {}: {}", k, fault, pair_of(one, two)));
+    return holds({label_of(one.outcome), std::abs(k) > 20 ? "far scale" : "near scale"});
+  }
+  return not_applicable("no power of two keeps every number in range");
+}
+
+LawResult query_requesting(const Case& problem, const QueryMethod& method) {
+  if (method.query == Query::overlap || method.query == Query::swept_overlap) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const QueryAnswer all = method.ask(question->seen, Request::normal | Request::witnesses);
+  for (const Request request : {Request::verdict, Request::normal, Request::witnesses}) {
+    const QueryAnswer less = method.ask(question->seen, request);
+    if (less.outcome != all.outcome || !same(less.distance, all.distance) || !same(less.depth, all.depth) ||
+        !same(less.t_in, all.t_in) || !same(less.t_out, all.t_out) || less.stalled != all.stalled) {
+      return broken("asking for less changes the answer: " + pair_of(less, all));
+    }
+    if (less.counters.supports > all.counters.supports ||
+        less.counters.iterations > all.counters.iterations) {
+      return broken("asking for less costs more: " + pair_of(less, all));
+    }
+    // The axis of a miss comes with its verdict; a distance has no miss.
+    const bool verdict_has_axis = all.outcome == Outcome::miss && method.query != Query::distance;
+    const bool normal = asks_for(request, Request::normal), points = asks_for(request, Request::witnesses);
+    if ((!normal && !verdict_has_axis && (less.normal || less.normal_out)) ||
+        (!points && (less.point_a || less.point_b))) {
+      return broken("computed unasked: " + describe(less));
+    }
+    if ((normal && (!same(less.normal, all.normal) || !same(less.normal_out, all.normal_out))) ||
+        (points && (!same(less.point_a, all.point_a) || !same(less.point_b, all.point_b)))) {
+      return broken("asked for alone it is another: " + pair_of(less, all));
+    }
+  }
+  return holds({label_of(all.outcome)});
+}
+
+namespace {
+
+bool is_bracket(const std::optional<Interval>& x) { return x && x->lower <= x->upper; }
+bool is_length(const std::optional<Interval>& x) {
+  return is_bracket(x) && x->lower >= 0 && std::isfinite(x->upper);
+}
+
+std::string inconsistent(const Question& question, const QueryMethod& method, const QueryAnswer& answer) {
+  const bool moving = is_about_motion(method.query);
+  const Outcome contact = moving ? Outcome::hit : Outcome::initially_overlapping;
+  if (answer.outcome == Outcome::invalid_input) return "a valid question was refused";
+  if (answer.outcome == Outcome::not_converged) return "";
+  if (answer.outcome != contact && answer.outcome != Outcome::miss) return "no outcome of this query";
+  const bool meets = answer.outcome == contact;
+  if (method.query == Query::distance) {
+    if (!is_length(answer.distance)) return "no bracket of a distance";
+    if (meets ? answer.distance->upper != 0 : !(answer.distance->lower > 0))
+      return "outcome and distance say two things";
+  }
+  const bool deep = meets && (method.query == Query::penetration || method.query == Query::penetration_along);
+  if (deep && !is_length(answer.depth)) return "no bracket of a depth";
+  if (!deep && answer.depth) return "a depth without a penetration";
+  if (method.query == Query::line && meets) {
+    if (!is_bracket(answer.t_in) || !is_bracket(answer.t_out) || !(answer.t_in->lower <= answer.t_out->upper))
+      return "the line's ends are no interval";
+  }
+  for (const std::optional<Vec3<double>>* n : {&answer.normal, &answer.normal_out}) {
+    if (*n && !(std::abs((**n).norm() - 1) <= 8 * question.u)) return "a normal of a length other than 1";
+  }
+  for (const std::optional<Vec3<double>>* x : {&answer.point_a, &answer.point_b}) {
+    if (*x && !(**x).allFinite()) return "a witness that is not a point";
+  }
+  // What does not say of itself that it is wide is no wider than its row.
+  if (answer.stalled || method.query == Query::penetration_along) return "";
+  for (const std::optional<Interval>* x : {&answer.distance, &answer.depth}) {
+    if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit)) return "a wide bracket that is no stall";
+  }
+  return "";
+}
+
+}  // namespace
+
+LawResult query_answer_is_consistent(const Case& problem, const QueryMethod& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const QueryAnswer answer = method.answer(question->seen);
+  const std::string fault = inconsistent(*question, method, answer);
+  if (!fault.empty()) return broken(fault + ": " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
+namespace {
+
+// Calls `refused(case, what)` for edits that make a valid question a bad one.
+template <class F>
+void spoil(const Case& seen, const F& refused) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = kInfinity<double>,
+                   kMost = std::numeric_limits<double>::max();
+  const bool moving = is_about_motion(seen.query);
+  const std::size_t count = scalars(seen).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const double poison : {kNan, kInf, -kInf, kMost}) {
+      std::size_t at = 0;
+      bool bad = true;
+      const Case poisoned = map_scalars(seen, [&](Slot slot, double x) {
+        if (at++ != i) return x;
+        // A line has no horizon, what is at rest neither that nor a target distance; a horizon may be
+        // infinite.
+        if (slot == Slot::horizon && (poison > 0 || seen.query != Query::swept_overlap)) bad = false;
+        if (slot == Slot::target && !moving) bad = false;
+        return poison;
+      });
+      if (bad) refused(poisoned, fmt::format("{} as scalar number {}", poison, i));
+    }
+  }
+  for (const bool first : {true, false}) {
+    Case bad = seen;
+    Body<double>& body = first ? bad.a : bad.b;
+    body.orientation = {0, 0, 0, 0};
+    refused(bad, "a zero quaternion");
+    body = first ? seen.a : seen.b;
+    for (Shape<double>& shape : std::vector<Shape<double>>{
+             Hull<double>(), Sphere<double>{-1}, Box<double>{{1, -0x1p-30, 1}}, Cone<double>{1, -1},
+             rounded<double>(Point<double>{}, -1), Sum<double>{}}) {
+      body.shape = std::move(shape);
+      refused(bad, "a malformed shape");
+    }
+  }
+  Case bad = seen;
+  bad.target_distance = -1;
+  if (moving) refused(bad, "a negative target distance");
+  bad = seen;
+  bad.t_max = -1;
+  if (seen.query == Query::swept_overlap) refused(bad, "a negative t_max");
+  if (seen.query != Query::penetration_along) return;
+  bad = seen;
+  for (const Vec3<double>& d : {Vec3<double>(0, 0, 0), Vec3<double>(1, kNan, 1), Vec3<double>(kInf, 0, 0),
+                                Vec3<double>(0, 0, kMost)}) {
+    bad.direction = d;
+    refused(bad, "a direction that is none");
+  }
+}
+
+}  // namespace
+
+LawResult query_bad_input_is_refused(const Case& problem, const QueryMethod& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  std::string fault;
+  spoil(question->seen, [&](const Case& bad, const std::string& what) {
+    const QueryAnswer answer = method.answer(bad);
+    const bool silent = !answer.distance && !answer.depth && !answer.t_in && !answer.normal &&
+                        answer.counters.iterations == 0 && answer.counters.supports == 0;
+    if (answer.outcome == Outcome::invalid_input && answer.invalid != Invalid::none && silent) return;
+    if (fault.empty()) fault = fmt::format("{} is let in: {}", what, describe(answer));
+  });
+  if (!fault.empty()) return broken(fault);
+  return holds({label_of(method.answer(question->seen).outcome)});
+}
+
+}  // namespace graze::law

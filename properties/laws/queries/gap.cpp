@@ -1,0 +1,245 @@
+// Laws of the gap between two bodies at rest: the distance, or minus the depth.
+//
+// One function of C, apart and in contact: gap = max over unit n of -h(n), h(n) = max over C of n.c. So it
+// does not rise as C grows, falls by r as C is rounded by r, and rises by s as B is moved by s along the
+// normal of an answer. Right answers have it within their limits (query_asked.hpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/queries/asked.hpp"
+#include "properties/laws/queries/checks.hpp"
+#include "properties/laws/queries/question.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using corpus::Query;
+using engine::Interval;
+using engine::QueryAnswer;
+using engine::QueryMethod;
+
+namespace {
+
+bool asks_for_gap(const QueryMethod& method) {
+  return method.query == Query::overlap || method.query == Query::distance ||
+         method.query == Query::penetration;
+}
+
+bool is_finite(const Interval& x) { return std::isfinite(x.lower) && std::isfinite(x.upper); }
+
+Case with_query(Case seen, Query query) {
+  seen.query = query;
+  return seen;
+}
+
+// What is known of the gap.
+struct Gap {
+  Interval bracket;
+  double limit = 0;
+  QueryAnswer answer;  // the method's own
+  std::string text;
+};
+
+// By the method, and where that knows one side alone, by whichever of distance and penetration knows both.
+Gap gap_by(const QueryMethod& method, const Case& seen) {
+  Gap gap;
+  gap.answer = method.answer(seen);
+  gap.bracket = gap_of(gap.answer);
+  gap.limit = limit_of(method, seen);
+  gap.text = describe(gap.answer);
+  for (const Query query : {Query::distance, Query::penetration}) {
+    if (is_finite(gap.bracket) || query == method.query) continue;
+    const QueryMethod& other = default_method(query, method.scalar);
+    const QueryAnswer answer = other.answer(with_query(seen, query));
+    if (!is_finite(gap_of(answer)) || answer.stalled) continue;
+    gap.bracket = gap_of(answer);
+    gap.limit = std::max(gap.limit, limit_of(other, seen));
+    gap.text += fmt::format("; {}: {}", other.full_name(), describe(answer));
+  }
+  return gap;
+}
+
+std::string pair_of(const Gap& one, const Gap& two) { return one.text + "; against " + two.text; }
+
+LawResult held(const QueryAnswer& answer) { return holds({label_of(answer.outcome)}); }
+
+}  // namespace
+
+LawResult gaps_agree(const Case& problem, const QueryMethod& method) {
+  if (!asks_for_gap(method)) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const QueryAnswer one = method.answer(question->seen);
+  LawResult result = held(one);
+  for (const QueryMethod& other : engine::query_methods()) {
+    if (&other == &method || other.scalar != method.scalar || !asks_for_gap(other)) continue;
+    const auto same = requestioned(with_query(question->seen, other.query), other);
+    if (!same) continue;
+    const QueryAnswer two = other.answer(same->seen);
+    const double off = apart(gap_of(one), gap_of(two));
+    if (off > question->limit + same->limit) {
+      return broken(fmt::format("{} and {} are {} apart, the rows allow {}: {}; against {}",
+                                method.full_name(), other.full_name(), off, question->limit + same->limit,
+                                describe(one), describe(two)));
+    }
+    // One says contact and the other none, and neither says how much.
+    const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
+    if (!says || in_contact(one) == in_contact(two)) continue;
+    LawResult judged = arbitrate(
+        {{method.full_name(), method, question->seen, one}, {other.full_name(), other, same->seen, two}},
+        "contact to one and none to the other");
+    if (judged.holding == Holding::broken) return judged;
+    result.labels.push_back("arbitrated");
+  }
+  return result;
+}
+
+LawResult growing_closes_gaps(const Case& problem, const QueryMethod& method) {
+  if (!asks_for_gap(method)) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
+    const auto more = requestioned(grown(question->seen, salt), method);
+    if (!more) continue;
+    const Gap one = gap_by(method, question->seen), two = gap_by(method, more->seen);
+    const double wider = two.bracket.lower - one.bracket.upper;
+    if (wider > one.limit + two.limit) {
+      return broken(fmt::format("a superset is {} farther away, or less deep: {}", wider, pair_of(one, two)));
+    }
+    return held(one.answer);
+  }
+  return not_applicable("no superset in this scalar");
+}
+
+LawResult rounding_takes_its_radius(const Case& problem, const QueryMethod& method) {
+  if (!asks_for_gap(method)) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question || question->limit == 0) return no_question();
+  const Gap one = gap_by(method, question->seen);
+  if (!is_finite(one.bracket)) return not_applicable("the gap is not known");
+  // A power of two, which rounds nothing: about half of the gap, all of it, or more.
+  const std::uint64_t salt = mix(hash_of(question->seen));
+  const double size = std::abs(one.bracket.lower) + std::abs(one.bracket.upper);
+  const int exponent =
+      size > one.limit ? std::ilogb(size) - 2 + static_cast<int>(salt % 4) : std::ilogb(one.limit) + 40;
+  const double r = std::scalbn(1.0, exponent);
+  Case round = question->seen;
+  Body<double>& body = salt & 4 ? round.a : round.b;
+  body.shape = rounded<double>(std::move(body.shape), r);
+  const auto after = requestioned(std::move(round), method);
+  if (!after) return not_applicable("no such rounding in this scalar");
+  const Gap two = gap_by(method, after->seen);
+  const Interval expected{one.bracket.lower - r, one.bracket.upper - r};
+  const double off = apart(expected, two.bracket);
+  if (off > one.limit + two.limit) {
+    return broken(fmt::format("rounded by {} the gap is off by {}, the rows allow {}: {}", hex(r), off,
+                              one.limit + two.limit, pair_of(one, two)));
+  }
+  return held(two.answer);
+}
+
+LawResult moving_along_the_normal(const Case& problem, const QueryMethod& method) {
+  if (method.query != Query::distance && method.query != Query::penetration) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const Case& seen = question->seen;
+  const Gap one = gap_by(method, seen);
+  if (!is_finite(gap_of(one.answer)) || one.answer.stalled || !one.answer.normal || !one.answer.point_a ||
+      !one.answer.point_b) {
+    return not_applicable("no normal to move along");
+  }
+  const Vec3<double>&n = *one.answer.normal, &a = *one.answer.point_a, &b = *one.answer.point_b;
+  const double gap = one.bracket.upper;
+  // Nearer, farther; out of each other in part, wholly, and beyond.
+  constexpr std::array<double, 4> kOfDistance = {-0.5, -0.875, 0.5, 2}, kOfDepth = {0.5, 1, 1.5, 3};
+  const std::size_t pick = mix(hash_of(seen)) % 4;
+  const double s = gap > 0 ? kOfDistance[pick] * gap : kOfDepth[pick] * std::abs(one.bracket.lower);
+  Case moved = seen;
+  moved.b.position += s * n;
+  const auto after = requestioned(seen_by(method, moved), method);
+  if (!after) return not_applicable("moved out of range");
+  const Gap two = gap_by(method, after->seen);
+  // The position rounds, below the normal numbers by more than u; so do the coordinates of the witnesses.
+  const double placed = (after->seen.b.position - moved.b.position).norm(),
+               rounded = 4 * question->u * (after->seen.b.position.norm() + a.norm() + b.norm()) + placed,
+               allowed = 3 * one.limit + two.limit + rounded;
+  // n keeps them apart by as much more; the witnesses, one of them moved, are no nearer than the bodies.
+  const Interval expected{one.bracket.lower + s, (a - b - s * n).norm()};
+  if (two.bracket.upper < expected.lower - allowed) {
+    return broken(fmt::format("B moved by {} along the normal is nearer than {}: {}", hex(s),
+                              hex(expected.lower), pair_of(one, two)));
+  }
+  if (two.bracket.lower > expected.upper + allowed) {
+    return broken(fmt::format("B moved by {} along the normal is farther than {}: {}", hex(s),
+                              hex(expected.upper), pair_of(one, two)));
+  }
+  return held(one.answer);
+}
+
+namespace {
+
+// The question along another direction; nothing if the scalar has none such.
+std::optional<Question> along(const Case& seen, const Vec3<double>& d, const QueryMethod& method) {
+  Case other = seen;
+  other.query = Query::penetration_along;
+  other.direction = d;
+  return requestioned(std::move(other), method);
+}
+
+}  // namespace
+
+LawResult no_way_is_shorter(const Case& problem, const QueryMethod& method) {
+  if (method.query != Query::penetration_along) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const QueryMethod& least_by = default_method(Query::penetration, method.scalar);
+  const Case rest = with_query(question->seen, Query::penetration);
+  const QueryAnswer least = least_by.answer(rest);
+  if (!least.depth || least.stalled || !least.normal) {
+    return holds({label_of(method.answer(question->seen).outcome), "no depth to compare with"});
+  }
+  const double allowed = question->limit + limit_of(least_by, rest);
+  const Vec3<double>& n = *least.normal;
+  for (const Vec3<double>& d :
+       {question->seen.direction, n, Vec3<double>(-question->seen.direction), Vec3<double>(1, 0, 0)}) {
+    const auto way = along(question->seen, d, method);
+    if (!way) continue;
+    const QueryAnswer answer = method.answer(way->seen);
+    if (!answer.depth || answer.stalled) continue;
+    const std::string both = fmt::format("{}; least: {}", describe(answer), describe(least));
+    if (answer.depth->upper < least.depth->lower - allowed)
+      return broken(fmt::format("the way out along {} is shorter than the least: {}", hex(d), both));
+    // Beyond the plane that the least normal supports there is nothing of C.
+    const double along_normal = answer.depth->lower * n.dot(d.stableNormalized());
+    if (along_normal > least.depth->upper + allowed)
+      return broken(fmt::format("the way out along {} ends outside of C: {}", hex(d), both));
+  }
+  return holds({label_of(least.outcome)});
+}
+
+LawResult growing_lengthens_the_way(const Case& problem, const QueryMethod& method) {
+  if (method.query != Query::penetration_along) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
+    const auto more = requestioned(grown(question->seen, salt), method);
+    if (!more) continue;
+    const QueryAnswer one = method.answer(question->seen), two = method.answer(more->seen);
+    LawResult result = held(one);
+    const bool shorter = !in_contact(two) || !two.depth || (one.depth && two.depth->upper < one.depth->lower);
+    if (!in_contact(one) || !shorter) return result;
+    LawResult judged =
+        arbitrate({{"the original", method, question->seen, one}, {"the superset", method, more->seen, two}},
+                  "a superset has a shorter way out");
+    judged.labels.push_back(label_of(one.outcome));
+    return judged;
+  }
+  return not_applicable("no superset in this scalar");
+}
+
+}  // namespace graze::law

@@ -1,0 +1,72 @@
+#include "properties/laws/reach.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace graze::law {
+
+namespace {
+
+constexpr OutOfReach kOutOfReach[] = {
+    {"ray_is_point_cast", "",
+     "hulls_rotated target_margin noisy_copy smooth_graze combinators mixed_magnitudes",
+     "the differences of turned, noisy, rounded and many vertices, and of nested parts, are no doubles"},
+    {"turning", "", "slivers far_own_frame",
+     "what is added to the last bits, or lies far out, leaves no room for the products of a rational turn"},
+    {"reordering", "", "aligned_boxes", "a box has neither vertices nor parts to put in another order"},
+    {"tiers_nest", "", "target_margin smooth_graze",
+     "tier exact takes neither a target distance nor a curve"},
+    {"exact_equals_oracle", "", "target_margin smooth_graze",
+     "tier exact takes neither a target distance nor a curve"},
+    {"exact_queries_agree", "", "target_margin smooth_graze",
+     "tier exact takes neither a target distance nor a curve"},
+    {"as_one_stands_still", "hit", "", "bodies that move as one stand still to each other: no hit"},
+    {"turning_splitting", "initially_overlapping", "", "a step is split before the first contact"},
+    {"idle_pivot_is_nothing", "", "both_turn", "in that family no body is without a turn"},
+};
+
+// None: an entry is the law, the methods by full name, and what is known of it.
+constexpr std::array<KnownBreach, 0> kKnownBreaches = {};
+
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == word) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+std::span<const OutOfReach> out_of_reach() { return kOutOfReach; }
+
+std::span<const KnownBreach> known_breaches() { return kKnownBreaches; }
+
+bool is_known_breach(std::string_view law, std::string_view method) {
+  return std::any_of(kKnownBreaches.begin(), kKnownBreaches.end(),
+                     [&](const KnownBreach& one) { return one.law == law && has_word(one.methods, method); });
+}
+
+std::vector<std::string_view> outcomes_to_see(Kind kind, std::string_view law) {
+  std::vector<std::string_view> outcomes = {"hit", "miss", "initially_overlapping"};
+  if (kind == Kind::query) outcomes = {"miss", kContact};
+  std::erase_if(outcomes, [&](std::string_view outcome) {
+    return std::any_of(std::begin(kOutOfReach), std::end(kOutOfReach), [&](const OutOfReach& one) {
+      return one.law == law && has_word(one.outcomes, outcome);
+    });
+  });
+  return outcomes;
+}
+
+std::span<const corpus::Family> families_of(Kind kind) {
+  return kind == Kind::rotating ? corpus::rotating_families() : corpus::families();
+}
+
+bool must_reach(std::string_view law, std::string_view family) {
+  return std::none_of(std::begin(kOutOfReach), std::end(kOutOfReach), [&](const OutOfReach& one) {
+    return one.law == law && has_word(one.families, family);
+  });
+}
+
+}  // namespace graze::law

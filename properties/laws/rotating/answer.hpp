@@ -1,0 +1,18 @@
+// Laws about what an answer of a rotating method says of itself, and how it changes with what is asked: the
+// options, the shapes, the method.
+#pragma once
+
+#include "engines/rotating.hpp"
+#include "properties/laws/law.hpp"
+
+namespace graze::law {
+
+LawResult turning_methods_meet(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_superset(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult tolerance_is_kept(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_requesting(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_answer_is_consistent(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_budget(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_scalars_meet(const corpus::Case&, const engine::RotatingEngineMethod&);
+
+}  // namespace graze::law

@@ -1,0 +1,245 @@
+#include "properties/laws/rotating/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/rotating/question.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::RotatingAnswer;
+using engine::RotatingAsk;
+using engine::RotatingEngineMethod;
+using oracle::RotatingTruth;
+
+namespace {
+
+struct Asking {
+  std::string_view name;
+  Economies economies;
+};
+constexpr std::array<Asking, 11> kEconomies = {{
+    {"every economy", {}},
+    {"all but a static query", {.at_rest = false}},
+    {"all but unseen turns", {.unseen_spin = false}},
+    {"all but turning as one", {.as_one = false}},
+    {"all but slow turns", {.slow_spin = false}},
+    {"all but bounds", {.bounds = false}},
+    {"a static query only", {true, false, false, false, false}},
+    {"unseen turns only", {false, true, false, false, false}},
+    {"turning as one only", {false, false, true, false, false}},
+    {"slow turns only", {false, false, false, true, false}},
+    {"bounds only", {false, false, false, false, true}},
+}};
+// Over scale: half of the slow turns drawn sway by less.
+constexpr double kAskedTolerance = 0x1p-10;
+
+// The scale leaves the target distance out. Where it is 1e9 lengths and more, its rounding is what a turn
+// drowns in: a search stops within 4 roundings of a gap, each 8 u of the target distance. Such a pair is in
+// contact from the start, or the distance of the boxes is as large and the row grants as much.
+double rounding_of_target(const Case& seen) {
+  return 32 * kUnitRoundoff<double> * seen.target_distance * (1 + 0x1p-40);
+}
+
+}  // namespace
+
+LawResult plan_changes_nothing(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
+  LawResult result;
+  for (const double tolerance : {0.0, kAskedTolerance, 64 * kAskedTolerance}) {
+    RotatingAsk ask{.tolerance = tolerance, .economies = Economies::none()};
+    const RotatingAnswer whole = method.cast(seen, ask);
+    for (const Asking& one : kEconomies) {
+      ask.economies = one.economies;
+      const RotatingAnswer spared = method.cast(seen, ask);
+      LawResult found = compare(method, {"without economies", seen, whole, tolerance},
+                                {one.name, seen, spared, tolerance}, "economies change the answer");
+      if (found.holding == Holding::broken) return found;
+      result.labels = std::move(found.labels);
+      // Brackets as wide as the tolerance meet, late or not.
+      if (spared.plan.added > 0) {
+        const RotatingTruth* truth = rotating_truth_of(seen);
+        const std::string fault =
+            truth == nullptr ? "" : late_error(*truth, spared, row_of(method, seen, tolerance)).fault;
+        if (!fault.empty()) return broken(fmt::format("with {}: {}: {}", one.name, fault, describe(spared)));
+      }
+      if (spared.plan.effects != Effects::rotating) result.labels.push_back(to_text(spared.plan.effects));
+      if (spared.plan.added > 0) result.labels.push_back("slow");
+    }
+  }
+  return result;
+}
+
+LawResult plan_spares_the_work(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
+  LawResult result;
+  for (const double tolerance : {0.0, kAskedTolerance}) {
+    const RotatingAnswer answer = method.cast(seen, {.tolerance = tolerance});
+    const Plan& plan = answer.plan;
+    const Plan said = method.plan(seen, {.tolerance = tolerance});
+    Plan without = plan;
+    without.reasons &=
+        static_cast<std::uint16_t>(~(1u << static_cast<unsigned>(PlanReason::linear_left_open)));
+    std::string fault;
+    if (said.effects != plan.effects || said.reasons != without.reasons || said.added != plan.added) {
+      fault = "plan() says otherwise than what is simulated";
+    } else if (plan.effects == Effects::rotating && !engine::turns(seen)) {
+      fault = "a rotating cast where neither body turns";
+    } else if (plan.effects != Effects::rotating && !(plan.added > 0) && answer.counters.poses != 0) {
+      fault = "turning bodies are placed where no turn is to be simulated";
+    } else if (plan.effects == Effects::nothing &&
+               (answer.counters.supports != 0 || answer.outcome != Outcome::miss)) {
+      fault = "bounds that never meet are searched";
+    } else if (plan.effects == Effects::at_rest && answer.outcome == Outcome::hit) {
+      fault = "a static query that finds a later contact";
+    } else if (plan.added > row_of(method, seen, tolerance).wide + rounding_of_target(seen)) {
+      fault = "more is added than was asked for";
+    } else if (plan.reasons == 0) {
+      fault = "a plan without a reason";
+    }
+    const Plan full = method.plan(seen, {.tolerance = tolerance, .economies = Economies::none()});
+    if (fault.empty() && engine::turns(seen) && full.effects != Effects::rotating)
+      fault = "without economies a turn is not simulated";
+    if (!fault.empty()) return broken(fault + ": " + describe(answer));
+    result = holds({label_of(answer.outcome), to_text(plan.effects)});
+    if (plan.added > 0) result.labels.push_back("slow");
+  }
+  return result;
+}
+
+LawResult plan_is_monotone(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
+  constexpr unsigned kSubsets = 1u << 5;
+  const auto economies = [](unsigned set) {
+    return Economies{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0, (set & 8) != 0, (set & 16) != 0};
+  };
+  LawResult result = holds();
+  for (const double tolerance : {0.0, kAskedTolerance, 64 * kAskedTolerance}) {
+    std::array<Plan, kSubsets> plans;
+    for (unsigned set = 0; set < kSubsets; ++set)
+      plans[set] = method.plan(seen, {.tolerance = tolerance, .economies = economies(set)});
+    for (unsigned set = 0; set < kSubsets; ++set) {
+      for (unsigned one = 1; one < kSubsets; one <<= 1) {
+        const Plan &less = plans[set & ~one], &more = plans[set | one];
+        // A static query is spared by the bounds alone, a linear cast by either, and so on; what is linear
+        // with a length added may have to be marched after all.
+        const auto work = [](const Plan& plan) {
+          return std::pair(plan.effects, plan.added > 0 ? plan.added : 0.0);
+        };
+        if (work(more) <= work(less)) continue;
+        return broken(fmt::format("with the economies {:05b} it is {} ({} added), with {:05b} it is {} ({})",
+                                  set & ~one, to_text(less.effects), less.added, set | one,
+                                  to_text(more.effects), more.added));
+      }
+    }
+    const Plan& all = plans[kSubsets - 1];
+    result.labels.push_back(to_text(all.effects));
+    if (all.added > 0) result.labels.push_back("slow");
+  }
+  return labelled(std::move(result), {label_of(plain_answer(method, seen).outcome)});
+}
+
+LawResult unturned_is_linear(const Case& problem, const RotatingEngineMethod& method) {
+  Case still = without_turns(method.seen(problem));
+  // Few cases come with that policy; here it may be had in every other one.
+  if (follows_plan(method) && hash_of(still) % 2 == 0) still.start_policy = StartPolicy::pass_over;
+  if (!engine::unsupported_rotating(still).empty() || !in_domain(still)) return no_rotating_question();
+  const bool ray = std::isinf(still.t_max) || still.start_policy != StartPolicy::report;
+  const RotatingAnswer answer = method.cast(still, {});
+  if (ray && !follows_plan(method)) {
+    // What no method alone takes is refused.
+    const bool refused = answer.outcome == Outcome::invalid_input && answer.invalid == Invalid::not_linear;
+    if (std::isinf(still.t_max) && !refused)
+      return broken("a rotating method takes a ray: " + describe(answer));
+    return no_rotating_question();
+  }
+  LawResult result = holds({label_of(answer.outcome)});
+  if (follows_plan(method)) {
+    // By the tier's method: of tier standard one of two, whichever suits the shapes.
+    std::string said;
+    for (const char* name : {"certified", "mpr", "gjk"}) {
+      if (method.is_certified() != (name == std::string_view("certified"))) continue;
+      const engine::EngineMethod* linear = engine::find_method(std::string(name) + "/" + method.scalar);
+      if (linear == nullptr) return not_applicable("no linear method of this tier");
+      const engine::Answer its = linear->cast(still, {});
+      if (answer.outcome == its.outcome && answer.passed_over == its.passed_over &&
+          (answer.outcome == Outcome::invalid_input ||
+           (answer.toi_lower == its.toi_lower && answer.toi_upper == its.toi_upper)))
+        return result;
+      said += "; " + linear->full_name() + " says " + describe(its);
+    }
+    return broken("without turns the plan says " + describe(answer) + said);
+  }
+  const engine::EngineMethod* linear = engine::find_method("gjk/" + method.scalar);
+  if (linear == nullptr) return not_applicable("no linear method in this scalar");
+  const engine::Answer said = linear->cast(still, {});
+  if (overlap(times_of(answer), {said.toi_lower, said.toi_upper})) return result;
+  const RotatingTruth* truth = rotating_truth_of(still);
+  if (truth == nullptr) return not_applicable("no oracle decides the case");
+  const std::string fault = any_fault(*truth, answer, row_of(method, still));
+  if (!fault.empty())
+    return broken(fmt::format("without turns: {}; the linear cast says {}", fault, describe(said)));
+  return labelled(std::move(result), {"arbitrated"});
+}
+
+// Against the body without its turn. The other body keeps what it has, or, at times, turns unseen as well:
+// then the plan must come to a linear cast, for rays and policies too.
+LawResult unseen_turn_is_none(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!in_domain(seen)) return no_rotating_question();
+  const std::uint64_t salt = hash_of(seen);
+  std::optional<Case> spun = with_unseen_turn(seen, true, salt);
+  const bool a = spun.has_value();
+  bool b = false;
+  if (const auto both = with_unseen_turn(spun ? *spun : seen, false, mix(salt)); both) {
+    spun = both;
+    b = true;
+  }
+  if (!spun || !fits(*spun, method)) return not_applicable("every turn can be seen");
+  Case still = *spun;
+  if (a) still.spin_a = {};
+  if (b) still.spin_b = {};
+  const bool linear = !engine::turns(still);
+  const bool is_ray = linear && follows_plan(method) && turns_within_range(*spun);
+  if (!is_rotating_question(*spun) && !is_ray) return no_rotating_question();
+  const RotatingAnswer one = method.cast(*spun, {}), two = method.cast(still, {});
+  if (!linear || !follows_plan(method)) {
+    return compare(method, {"with the turn", *spun, one}, {"without", still, two},
+                   "a turn that cannot be seen changes the answer");
+  }
+  if (one.plan.effects == Effects::rotating)
+    return broken("a turn that cannot be seen is simulated: " + describe(one));
+  // By the same query, to the bit.
+  if (one.plan.effects == two.plan.effects && !(one.plan.added > 0) && !same_times(one, two))
+    return broken("a turn that cannot be seen changes the answer: " + pair_of(one, two));
+  if (!is_rotating_question(*spun)) return holds({label_of(one.outcome), "ray"});
+  return labelled(compare(method, {"with the turn", *spun, one}, {"without", still, two},
+                          "a turn that cannot be seen changes the answer"),
+                  {"linear"});
+}
+
+LawResult as_one_stands_still(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const std::optional<Case> alike = moved_as_one(seen);
+  if (!alike || !fits(*alike, method)) return not_applicable("no exact common pivot");
+  Case still = without_turns(*alike);
+  still.a.displacement.setZero();
+  still.b.displacement.setZero();
+  const RotatingAnswer one = method.cast(*alike, {}), two = method.cast(still, {});
+  if (follows_plan(method) && one.plan.effects == Effects::rotating)
+    return broken("bodies that stand still to each other are simulated: " + describe(one));
+  return compare(method, {"both moving as one", *alike, one}, {"both at rest", still, two},
+                 "moving as one changes the answer");
+}
+
+}  // namespace graze::law

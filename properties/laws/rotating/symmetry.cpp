@@ -1,0 +1,146 @@
+#include "properties/laws/rotating/symmetry.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "properties/edit/case.hpp"
+#include "properties/edit/turning.hpp"
+#include "properties/judge/linear.hpp"
+#include "properties/laws/rotating/question.hpp"
+
+namespace graze::law {
+
+using corpus::Case;
+using engine::RotatingAnswer;
+using engine::RotatingEngineMethod;
+
+LawResult turning_swapping(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const Case other = swapped(seen);
+  const RotatingAnswer one = plain_answer(method, seen), two = method.cast(other, {});
+  return compare(method, {"the original", seen, one}, {"the swapped", other, two},
+                 "swapping changes the answer");
+}
+
+LawResult turning_scaling(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const int powers[] = {-1, 1, 7, -9, 24, -31, 60, -60};
+  const std::uint64_t first = hash_of(seen);
+  for (std::size_t j = 0; j < std::size(powers); ++j) {
+    const int k = powers[(j + first) % std::size(powers)];
+    const std::optional<Case> other = scaled(seen, k);
+    if (!other || !fits(*other, method)) continue;
+    const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+    const std::string what = difference(one, two);
+    if (!what.empty())
+      return broken(fmt::format("every length times 2^{} changes the {}: {}", k, what, pair_of(one, two)));
+    return holds({label_of(one.outcome), std::abs(k) > 20 ? "far scale" : "near scale"});
+  }
+  return not_applicable("no power of two keeps every number in range");
+}
+
+LawResult turning_translating(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
+    const std::optional<Case> other = translated(seen, salt);
+    if (!other || !fits(*other, method)) continue;
+    const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+    return compare(method, {"the original", seen, one}, {"the translated", *other, two},
+                   "translating both changes the answer");
+  }
+  return not_applicable("no exact translation");
+}
+
+LawResult turning_both(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const RotatingAnswer one = plain_answer(method, seen);
+  const std::optional<Case> turned = turned_about(seen, hash_of(seen));
+  LawResult result = not_applicable("no exact turn");
+  if (turned && fits(*turned, method)) {
+    const RotatingAnswer two = method.cast(*turned, {});
+    result = compare(method, {"the original", seen, one}, {"the turned", *turned, two},
+                     "turning both changes the answer");
+    if (result.holding == Holding::broken) return result;
+  }
+  const Case image = mirrored(seen);
+  const RotatingAnswer three = method.cast(image, {});
+  LawResult second = compare(method, {"the original", seen, one}, {"the mirror image", image, three},
+                             "mirroring changes the answer");
+  return second.holding == Holding::broken || result.holding == Holding::not_applicable ? second : result;
+}
+
+LawResult pivot_is_a_line(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  LawResult result = not_applicable("no exact place on the axis for another pivot");
+  for (const bool first : {true, false}) {
+    const std::optional<SlidPivot> slid = with_slid_pivot(seen, first, hash_of(seen) + (first ? 0 : 1));
+    if (!slid || !fits(slid->before, method) || !fits(slid->after, method)) continue;
+    const RotatingAnswer one = plain_answer(method, slid->before), two = method.cast(slid->after, {});
+    result =
+        compare(method, {"as it was", slid->before, one}, {"with a pivot along the axis", slid->after, two},
+                "a pivot moved along its axis changes the answer");
+    if (result.holding == Holding::broken) return result;
+    // Nothing is below noise in tier certified: what is exactly unseen stays so. Bounds are about the pivots.
+    const Vec3<double>& w = first ? slid->before.spin_a.rotation : slid->before.spin_b.rotation;
+    const bool plain = (w.array() != 0).count() == 1;
+    const auto bounded = [](const RotatingAnswer& a) { return a.plan.effects == Effects::nothing; };
+    if (plain && method.is_certified() && !bounded(one) && !bounded(two) &&
+        one.plan.effects != two.plan.effects)
+      return broken("a pivot moved along its axis changes the plan: " + pair_of(one, two));
+  }
+  return result;
+}
+
+LawResult idle_pivot_is_nothing(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const std::optional<Case> other = with_idle_pivots(seen, hash_of(seen));
+  if (!other || !fits(*other, method)) return not_applicable("both bodies turn");
+  const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+  const std::string what = difference(one, two);
+  if (!what.empty()) {
+    return broken(
+        fmt::format("the pivot of a body that does not turn changes the {}: {}", what, pair_of(one, two)));
+  }
+  return holds({label_of(one.outcome), engine::turns(seen) ? "one turns" : "none turns"});
+}
+
+// Velocities count by their difference alone, and their sums here are exact: the same to the bit, but for
+// witnesses, which are carried along.
+LawResult turning_drifting(const Case& problem, const RotatingEngineMethod& method) {
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const std::optional<Drift> drift = drifting(seen, hash_of(seen));
+  if (!drift || !fits(drift->problem, method)) return not_applicable("no exact sum of velocities");
+  constexpr Request kContact = Request::normal | Request::witnesses;
+  const RotatingAnswer one = method.cast(seen, {.request = kContact}),
+                       two = method.cast(drift->problem, {.request = kContact});
+  LawResult result = compare(method, {"the original", seen, one}, {"the drifting", drift->problem, two},
+                             "a velocity that both share changes the answer");
+  // A linear cast answers to the given numbers, and may come to another end of its bracket.
+  if (result.holding == Holding::broken || one.outcome != Outcome::hit || !same_times(one, two))
+    return result;
+  const Vec3<double> way = one.toi_lower * drift->drift;
+  const double u = method.unit_roundoff;
+  for (const bool first : {true, false}) {
+    const Vec3<double>&x = first ? one.point_a : one.point_b, &y = first ? two.point_a : two.point_b;
+    const double off = (y - x - way).norm();
+    // Each is rounded to the scalar: u of itself an axis, and in between of what is summed.
+    const double granted =
+        2 * row_of(method, seen).contact_limit + 8 * u * (x.norm() + y.norm() + way.norm());
+    if (off > granted) {
+      return broken(fmt::format("carried along by {}, witness {} is {} off: {}", hex(way), first ? 'a' : 'b',
+                                off, pair_of(one, two)));
+    }
+  }
+  return labelled(std::move(result), {"witnesses"});
+}
+
+}  // namespace graze::law

@@ -1,0 +1,273 @@
+#include "report/answer_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "corpus/format/json_value.hpp"
+#include "corpus/format/names.hpp"
+
+namespace graze::tool {
+namespace {
+
+// The shortest decimal that reads back to the same bits; null for what JSON has no number for. An integer
+// keeps a decimal point, for readers that would take -0 for an integer and lose its sign.
+std::string json_number(double x) {
+  if (!std::isfinite(x)) return "null";
+  std::string text = fmt::format("{}", x);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+// Of a time, which may be infinite of either sign.
+std::string json_time(double t) { return std::isinf(t) ? corpus::json_number(t) : json_number(t); }
+
+std::string json_vector(const Vec3<double>& v) {
+  return fmt::format("[{}, {}, {}]", json_number(v.x()), json_number(v.y()), json_number(v.z()));
+}
+
+std::string vector_text(const Vec3<double>& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
+
+template <class Answer>
+bool has_times(const Answer& answer) {
+  return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
+}
+
+// Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
+template <class Answer>
+std::string reason_of(const Answer& answer) {
+  if (answer.outcome == Outcome::invalid_input) return invalid_text(answer.invalid);
+  if constexpr (requires { answer.passed_over; }) {
+    if (answer.passed_over) return "the motion leaves or slides from its start in contact";
+  }
+  return {};
+}
+
+std::string json_text(const std::string& text) { return text.empty() ? "null" : corpus::json_quote(text); }
+
+// Who answered, in JSON without braces.
+template <class AnyMethod>
+std::string method_fields(const AnyMethod& method) {
+  return fmt::format(R"("method": "{}", "scalar": "{}", "tier": "{}")", method.name, method.scalar,
+                     method.tier);
+}
+std::string work_fields(const Counters& counters) {
+  return fmt::format(R"("iterations": {}, "supports": {})", counters.iterations, counters.supports);
+}
+
+// What the answers of linear and rotating casts have in common, in JSON without braces.
+template <class Answer>
+std::string cast_fields(const corpus::Case& problem, const Answer& answer) {
+  const bool hit = answer.outcome == Outcome::hit;
+  const std::string toi = has_times(answer)
+                              ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
+                                            json_number(answer.toi_upper))
+                              : "null";
+  return fmt::format(
+      R"("id": {}, "outcome": "{}", "because": {}, "toi": {}, "normal": {}, "point_a": {}, "point_b": {})",
+      corpus::json_quote(problem.id), corpus::name_of(answer.outcome), json_text(reason_of(answer)), toi,
+      hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
+      hit ? json_vector(answer.point_b) : "null");
+}
+
+std::string line(const char* name, const std::string& value) {
+  return fmt::format("  {:<9} {}\n", name, value);
+}
+
+// The same as lines of text.
+template <class Answer>
+std::string cast_lines(const Answer& answer) {
+  std::string text = line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
+  if (has_times(answer)) text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
+  if (answer.outcome == Outcome::hit) {
+    text += line("normal", vector_text(answer.normal));
+    text += line("point_a", vector_text(answer.point_a));
+    text += line("point_b", vector_text(answer.point_b));
+  }
+  return text;
+}
+
+template <class AnyMethod>
+std::string method_line(const AnyMethod& method) {
+  return line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
+}
+
+}  // namespace
+
+std::string invalid_text(Invalid invalid) {
+  switch (invalid) {
+    case Invalid::none:
+      return "a kind of case that this method does not answer";
+    case Invalid::not_finite:
+      return "a NaN or an infinite number";
+    case Invalid::out_of_range:
+      return "a magnitude outside 1e-60 to 1e60";
+    case Invalid::empty_hull:
+      return "a hull without a vertex";
+    case Invalid::negative_extent:
+      return "a radius or a half extent below zero";
+    case Invalid::zero_quaternion:
+      return "an orientation of (0, 0, 0, 0)";
+    case Invalid::missing_part:
+      return "a combinator without parts";
+    case Invalid::too_complex:
+      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices, or, in tier "
+             "exact, "
+             "too many nested rotations";
+    case Invalid::rounding_mode:
+      return "another rounding mode than to nearest";
+    case Invalid::unsafe_math:
+      return "compiled with a part of -ffast-math";
+    case Invalid::bad_horizon:
+      return "a t_max below zero";
+    case Invalid::bad_target:
+      return "a target distance below zero or out of range";
+    case Invalid::bad_tolerance:
+      return "a tolerance below zero or beyond the scalar's range, or a budget below one";
+    case Invalid::not_exact:
+      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
+             "which tier exact does not know";
+    case Invalid::not_linear:
+      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
+             "linear motions";
+  }
+  return "an unknown reason";
+}
+
+std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
+                         const engine::Answer& answer) {
+  return fmt::format("{}\n", problem.id) + method_line(method) + cast_lines(answer) +
+         line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                                  answer.counters.supports));
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
+                        const engine::Answer& answer) {
+  return fmt::format("{{{}, {}, {}}}", cast_fields(problem, answer), method_fields(method),
+                     work_fields(answer.counters));
+}
+
+namespace {
+
+struct NamedInterval {
+  const char* name;
+  const std::optional<engine::Interval>& value;
+};
+std::array<NamedInterval, 4> intervals(const engine::QueryAnswer& answer) {
+  return {NamedInterval{"distance", answer.distance},
+          {"depth", answer.depth},
+          {"t_in", answer.t_in},
+          {"t_out", answer.t_out}};
+}
+struct NamedVector {
+  const char* name;
+  const std::optional<Vec3<double>>& value;
+};
+std::array<NamedVector, 4> vectors(const engine::QueryAnswer& answer) {
+  return {NamedVector{"normal", answer.normal},
+          {"normal_out", answer.normal_out},
+          {"point_a", answer.point_a},
+          {"point_b", answer.point_b}};
+}
+
+}  // namespace
+
+std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
+                         const engine::QueryAnswer& answer) {
+  std::string text = fmt::format("{}\n", problem.id);
+  text += line("query", std::string(corpus::name_of(problem.query)));
+  text += method_line(method);
+  text += line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
+  for (const auto& [name, value] : intervals(answer)) {
+    if (value) text += line(name, fmt::format("[{}, {}]", value->lower, value->upper));
+  }
+  if (answer.stalled) text += line("stalled", "the bracket is wider than rounding alone would make it");
+  for (const auto& [name, value] : vectors(answer)) {
+    if (value) text += line(name, vector_text(*value));
+  }
+  return text + line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
+                                         answer.counters.supports));
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
+                        const engine::QueryAnswer& answer) {
+  std::string text = fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}", "because": {})",
+                                 corpus::json_quote(problem.id), corpus::name_of(problem.query),
+                                 corpus::name_of(answer.outcome), json_text(reason_of(answer)));
+  for (const auto& [name, value] : intervals(answer)) {
+    if (!value) continue;
+    text += fmt::format(R"(, "{}": {{"lower": {}, "upper": {}}})", name, json_time(value->lower),
+                        json_time(value->upper));
+  }
+  text += fmt::format(R"(, "stalled": {})", answer.stalled);
+  for (const auto& [name, value] : vectors(answer)) {
+    text += fmt::format(R"(, "{}": {})", name, value ? json_vector(*value) : "null");
+  }
+  return text + fmt::format(", {}, {}}}", method_fields(method), work_fields(answer.counters));
+}
+
+namespace {
+
+std::vector<std::string_view> reasons_of(const Plan& plan) {
+  std::vector<std::string_view> reasons;
+  for (int k = 0; k < kPlanReasons; ++k) {
+    const auto reason = static_cast<PlanReason>(k);
+    if (plan.has(reason)) reasons.push_back(to_text(reason));
+  }
+  return reasons;
+}
+
+// "linear: A's turn cannot be seen; ..."
+std::string plan_text(const Plan& plan) {
+  const std::vector<std::string_view> reasons = reasons_of(plan);
+  std::string text(to_text(plan.effects));
+  if (!reasons.empty()) text += fmt::format(": {}", fmt::join(reasons, "; "));
+  if (plan.added > 0) text += fmt::format("; {} of motion added", plan.added);
+  return text;
+}
+
+// The fields, without braces.
+std::string plan_fields(const Plan& plan) {
+  std::vector<std::string> reasons;
+  for (const std::string_view reason : reasons_of(plan)) reasons.push_back(corpus::json_quote(reason));
+  return fmt::format(R"("plan": "{}", "reasons": [{}], "added": {})", to_text(plan.effects),
+                     fmt::join(reasons, ", "), json_number(plan.added));
+}
+
+}  // namespace
+
+std::string answer_block(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
+                         const engine::RotatingAnswer& answer) {
+  std::string text = fmt::format("{}\n", problem.id) + method_line(method);
+  if (answer.outcome != Outcome::invalid_input) text += line("plan", plan_text(answer.plan));
+  text += cast_lines(answer);
+  if (answer.hidden_motion > 0) {
+    text += line("hidden", fmt::format("contacts by motions below {} may be missed", answer.hidden_motion));
+  }
+  return text + line("work", fmt::format("{} iterations, {} support evaluations, {} poses",
+                                         answer.counters.iterations, answer.counters.supports,
+                                         answer.counters.poses));
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
+                        const engine::RotatingAnswer& answer) {
+  return fmt::format(R"({{{}, {}, "hidden_motion": {}, {}, {}, "poses": {}}})", cast_fields(problem, answer),
+                     plan_fields(answer.plan), json_number(answer.hidden_motion), method_fields(method),
+                     work_fields(answer.counters), answer.counters.poses);
+}
+
+std::string plan_block(const corpus::Case& problem, const Plan& plan) {
+  std::string text = fmt::format("{}\n", problem.id) + line("plan", std::string(to_text(plan.effects)));
+  for (const std::string_view reason : reasons_of(plan)) text += line("because", std::string(reason));
+  if (plan.added > 0) text += line("added", fmt::format("{}", plan.added));
+  return text;
+}
+
+std::string plan_json(const corpus::Case& problem, const Plan& plan) {
+  return fmt::format(R"({{"id": {}, {}}})", corpus::json_quote(problem.id), plan_fields(plan));
+}
+
+}  // namespace graze::tool

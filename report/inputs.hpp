@@ -1,0 +1,48 @@
+// The files of a command line: what was wrong in one goes to stderr, a line each, and the others are read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "corpus/format/case_io.hpp"
+#include "corpus/format/proof_io.hpp"
+#include "engines/method.hpp"
+#include "engines/rotating.hpp"
+#include "report/outputs.hpp"
+
+namespace graze::tool {
+
+// `graze: what` on stderr. Where nothing can be written there, nothing is said.
+void complain(const std::string& what);
+
+struct CaseFile {
+  std::string name;
+  std::vector<corpus::Case> cases;
+};
+
+struct CaseFiles {
+  std::vector<CaseFile> files;
+  bool bad = false;  // something was complained about
+};
+
+// "-" is standard input, which may hold one object or one a line. An id is read once: a case that has it
+// again, in the same file or in another, is complained about and left out.
+[[nodiscard]] CaseFiles read_case_files(const std::vector<std::string>& names);
+
+// The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
+[[nodiscard]] std::string read_stdin();
+
+// The casts that `names` select: "mpr" all scalars of it, "mpr/float" that one, "all" every one; in the order
+// of the engine tables. A name may stand for a linear method and a rotating one. Throws std::runtime_error
+// for a name that selects nothing.
+struct SelectedMethods {
+  std::vector<const engine::EngineMethod*> linear;
+  std::vector<const engine::RotatingEngineMethod*> rotating;
+};
+[[nodiscard]] SelectedMethods select_methods(const std::vector<std::string>& names);
+
+// Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.
+[[nodiscard]] std::string linear_names();
+[[nodiscard]] std::string rotating_names();
+
+}  // namespace graze::tool

@@ -1,0 +1,79 @@
+#include "report/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+
+namespace graze::tool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr auto kPace = std::chrono::milliseconds(100);
+constexpr double kFirstLine = 10, kNextLine = 20;
+
+// Of the command, whatever it is that runs: seconds from its start at which the next line of a log is due.
+const Clock::time_point g_start = Clock::now();
+std::atomic<double> g_due = kFirstLine;
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const long long whole = std::llround(seconds);
+  if (whole < 100) return fmt::format("{} s", whole);
+  const long long minutes = (whole + 30) / 60;
+  return minutes < 100 ? fmt::format("{} min", minutes)
+                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+Progress::Progress(std::string label, std::uint64_t total, std::uint64_t before)
+    : label_(std::move(label)),
+      total_(total),
+      before_(before),
+      done_(before),
+      on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() { wipe(); }
+
+void Progress::wipe() const {
+  if (on_terminal_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::step() {
+  const std::lock_guard lock(mutex_);
+  ++done_;
+  show({});
+}
+
+void Progress::reach(std::uint64_t done, const std::string& more) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  show(more);
+}
+
+void Progress::show(const std::string& more) {
+  const auto now = Clock::now();
+  if (on_terminal_) {
+    if (now - shown_ < kPace) return;
+    shown_ = now;
+  } else {
+    const double ran = Seconds(now - g_start).count();
+    double due = g_due;
+    if (ran < due || !g_due.compare_exchange_strong(due, ran + kNextLine)) return;
+  }
+  std::string text = fmt::format("{}: {} of {}", label_, done_, total_);
+  if (!more.empty()) text += ", " + more;
+  if (const double seconds = Seconds(now - start_).count(); done_ > before_ && seconds > 1) {
+    const double rate = static_cast<double>(done_ - before_) / seconds;
+    text += fmt::format(", {:.3g} a second, {} left", rate,
+                        duration_text(static_cast<double>(total_ - done_) / rate));
+  }
+  std::fputs((on_terminal_ ? "\r\033[K" + text : "graze: " + text + "\n").c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,120 @@
+// Laws over suites: what is counted, what a broken law leaves, and that threads change nothing.
+#include "certify/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include "certify/suites.hpp"
+#include "corpus/families.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/linear.hpp"
+
+namespace graze::tool {
+namespace {
+
+using law::AnyLaw;
+using law::Kind;
+using law::LawResult;
+
+// "Nothing is hit", broken by every hit of either method.
+AnyLaw nothing_is_hit() {
+  return {.kind = Kind::linear,
+          .name = "nothing_is_hit",
+          .sentence = "Nothing is ever hit.",
+          .needs = law::Needs::metamorphic,
+          .methods = {"mpr/double", "gjk/double"},
+          .check = [](const corpus::Case& problem, std::size_t m) -> LawResult {
+            if (!law::is_linear_question(problem)) return law::not_applicable("no linear cast");
+            const engine::EngineMethod& method = *engine::find_method(m == 0 ? "mpr/double" : "gjk/double");
+            const Outcome outcome = method.cast(problem, {}).outcome;
+            if (outcome == Outcome::hit) return law::broken("it is hit");
+            return law::holds({law::label_of(outcome)});
+          }};
+}
+
+AnyLaw counts_turning() {
+  return {.kind = Kind::rotating,
+          .name = "counts_turning",
+          .sentence = "It holds.",
+          .needs = law::Needs::metamorphic,
+          .methods = {"plan/double"},
+          .check = [](const corpus::Case&, std::size_t) { return law::holds({"miss"}); }};
+}
+
+std::vector<LawSuite> small_suites() {
+  const corpus::Family &lattice = *corpus::find_family("lattice"), &spin = *corpus::find_family("pure_spin");
+  return {{.suite = drawn_suite(lattice, lattice.levels, 30, 1),
+           .turning = false,
+           .seed = [](std::size_t i) { return "number " + std::to_string(i); }},
+          {.suite = drawn_suite(spin, spin.levels, 5, 1), .turning = true}};
+}
+
+TEST(LawCertification, counts_and_finds_the_first_case_that_breaks_made_small) {
+  const std::vector<LawSuite> suites = small_suites();
+  const LawSettings settings{.laws = {nothing_is_hit(), counts_turning()}};
+  const LawCertification result = certify_laws(suites, settings);
+  EXPECT_EQ(result.cases, 35U);
+  EXPECT_EQ(result.tallies[0].applied(), 60U);
+  EXPECT_EQ(result.tallies[1].count("miss"), 5U);
+  ASSERT_EQ(result.breaches.size(), 2U);
+  const LawBreach& breach = result.breaches[0];
+  EXPECT_EQ(breach.finding.method, "mpr/double");
+  EXPECT_EQ(breach.times + result.breaches[1].times, result.tallies[0].broken());
+
+  // The first: none before it breaks the law. The seed draws it.
+  const AnyLaw law = nothing_is_hit();
+  for (std::size_t i = 0; i < breach.index; ++i) {
+    EXPECT_NE(law.check(suites[0].suite.at(i), 0).holding, law::Holding::broken);
+  }
+  EXPECT_EQ(breach.first, suites[0].suite.at(breach.index).id);
+  EXPECT_EQ(breach.finding.seed, "number " + std::to_string(breach.index));
+  EXPECT_EQ(law.check(breach.finding.problem, 0).holding, law::Holding::broken);
+  EXPECT_TRUE(std::holds_alternative<Point<double>>(breach.finding.problem.a.shape));
+  EXPECT_TRUE(std::holds_alternative<Point<double>>(breach.finding.problem.b.shape));
+  for (const double x : law::scalars(breach.finding.problem)) EXPECT_LE(std::abs(x), 2);
+
+  const std::string table = law_table(result, settings);
+  EXPECT_NE(table.find("nothing_is_hit"), std::string::npos) << table;
+  EXPECT_NE(table.find("rotating"), std::string::npos) << table;
+}
+
+TEST(LawCertification, the_threads_change_nothing) {
+  const std::vector<LawSuite> suites = small_suites();
+  LawSettings settings{.laws = {nothing_is_hit(), counts_turning()}};
+  const LawCertification one = certify_laws(suites, settings);
+  settings.threads = 4;
+  const LawCertification four = certify_laws(suites, settings);
+  EXPECT_EQ(law_table(one, settings), law_table(four, settings));
+  ASSERT_EQ(one.breaches.size(), four.breaches.size());
+  for (std::size_t i = 0; i < one.breaches.size(); ++i) {
+    EXPECT_EQ(one.breaches[i].first, four.breaches[i].first);
+    EXPECT_EQ(one.breaches[i].times, four.breaches[i].times);
+    EXPECT_TRUE(law::same_input(one.breaches[i].finding.problem, four.breaches[i].finding.problem));
+  }
+}
+
+TEST(LawCertification, asks_the_methods_that_are_wanted) {
+  LawSettings settings{.laws = {nothing_is_hit()}};
+  settings.is_asked = [](Kind, std::string_view method) { return method == "gjk/double"; };
+  const LawCertification result = certify_laws(small_suites(), settings);
+  EXPECT_EQ(result.tallies[0].applied(), 30U);
+  ASSERT_EQ(result.breaches.size(), 1U);
+  EXPECT_EQ(result.breaches[0].finding.method, "gjk/double");
+}
+
+TEST(Suites, deal_the_cases_to_the_levels) {
+  const corpus::Family& family = *corpus::find_family("touching");
+  const std::size_t levels = family.levels.size();
+  const Suite suite = drawn_suite(family, family.levels, 2 * levels + 1, 7);
+  std::vector<std::size_t> by_level(levels);
+  for (std::size_t i = 0; i < suite.size(); ++i) {
+    for (std::size_t l = 0; l < levels; ++l) by_level[l] += suite.at(i).hardness == family.levels[l];
+  }
+  EXPECT_EQ(by_level[0], 3U);
+  for (std::size_t l = 1; l < levels; ++l) EXPECT_EQ(by_level[l], 2U) << l;
+  EXPECT_EQ(suite.at(0).id, family.generate(family.levels[0], 7).id);
+  EXPECT_THROW((void)wanted_families({"touchy"}, false), std::runtime_error);
+  EXPECT_TRUE(wanted_families({}, true).empty());
+}
+
+}  // namespace
+}  // namespace graze::tool

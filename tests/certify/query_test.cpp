@@ -1,0 +1,219 @@
+// Certification of the queries: made-up methods on questions that are asked as they are, and what is kept.
+#include "certify/query.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "corpus/format/case_io.hpp"
+#include "corpus/format/names.hpp"
+#include "properties/judge/curved_query.hpp"
+#include "properties/laws/queries/question.hpp"
+#include "tools/commands/intake.hpp"
+
+namespace graze::tool {
+namespace {
+
+using corpus::Case;
+using corpus::Query;
+using engine::QueryAnswer;
+using engine::QueryAsk;
+using engine::QueryMethod;
+
+// Cubes of side 2, the second 3 away along x: a distance of 1.
+Case cubes(Query query) {
+  Case problem;
+  problem.id = "test/cubes";
+  problem.a.shape = problem.b.shape = Box<double>{{1, 1, 1}};
+  problem.b.position = {3, 0, 0};
+  problem.b.displacement = {-4, 0, 0};
+  problem.query = query;
+  problem.direction = {1, 0, 0};
+  return problem;
+}
+
+QueryAnswer right_answer(const Case&, const QueryAsk&) {
+  QueryAnswer answer;
+  answer.outcome = Outcome::miss;
+  answer.distance = {1, 1};
+  answer.normal = {1, 0, 0};
+  answer.point_a = {1, 0, 0};
+  answer.point_b = {2, 0, 0};
+  return answer;
+}
+QueryAnswer stalled_answer(const Case& problem, const QueryAsk& ask) {
+  QueryAnswer answer = right_answer(problem, ask);
+  answer.distance = {0.5, 1.5};
+  answer.stalled = true;
+  return answer;
+}
+QueryAnswer wrong_answer(const Case& problem, const QueryAsk& ask) {
+  QueryAnswer answer = right_answer(problem, ask);
+  answer.distance = {1.25, 1.25};
+  return answer;
+}
+
+QueryMethod distance_by(QueryAnswer (*ask)(const Case&, const QueryAsk&)) {
+  return {.query = Query::distance, .name = "made_up", .scalar = "double", .tier = "standard", .ask = ask};
+}
+
+QueryCertification certified(const QueryMethod& method, const Case& problem) {
+  const engine::Guarantee row{.query = "distance",
+                              .method = "made_up",
+                              .scalar = "double",
+                              .tier = "standard",
+                              .kappa_polytope = 64,
+                              .kappa_rounded = 64,
+                              .stall_cap = 0.5,
+                              .mechanism = "a test"};
+  return certify_queries({problem}, {}, {.methods = {&method, 1}, .guarantees = {&row, 1}});
+}
+
+struct AnyQuestion {
+  Query query;
+  bool curved;
+  double x;  // of B: the bodies are apart, or deep in each other
+};
+std::vector<AnyQuestion> every_question() {
+  std::vector<AnyQuestion> all;
+  for (const bool curved : {false, true}) {
+    for (const double x : {3.0, 1.5}) {
+      for (const Query query : {Query::line, Query::overlap, Query::distance, Query::penetration,
+                                Query::penetration_along, Query::swept_overlap}) {
+        all.push_back({query, curved, x});
+      }
+    }
+  }
+  return all;
+}
+
+TEST(QueryCertification, a_stall_is_kept_to_be_saved_and_counts_against_the_cap) {
+  const QueryCertification stalled = certified(distance_by(stalled_answer), cubes(Query::distance));
+  EXPECT_EQ(stalled.tallies.at(0).cases, 1U);
+  EXPECT_EQ(stalled.tallies.at(0).stalled, 1U);
+  ASSERT_EQ(stalled.convicted.size(), 1U);
+  EXPECT_TRUE(corpus::same_case(stalled.convicted[0], cubes(Query::distance)));
+  EXPECT_EQ(stalled.breaches.size(), 1U);
+
+  const QueryCertification right = certified(distance_by(right_answer), cubes(Query::distance));
+  EXPECT_TRUE(right.convicted.empty());
+  EXPECT_TRUE(right.breaches.empty());
+}
+
+TEST(QueryCertification, a_question_is_asked_as_it_is_and_of_its_own_methods_alone) {
+  const QueryCertification wrong = certified(distance_by(wrong_answer), cubes(Query::distance));
+  EXPECT_EQ(wrong.tallies.at(0).off, 1U);
+  ASSERT_EQ(wrong.breaches.size(), 1U);
+  EXPECT_NE(wrong.breaches[0].find("test/cubes"), std::string::npos) << wrong.breaches[0];
+  EXPECT_EQ(wrong.convicted.at(0).id, "test/cubes");
+  EXPECT_EQ(certified(distance_by(wrong_answer), cubes(Query::line)).tallies.at(0).cases, 0U);
+}
+
+// Ours answer rightly, of polytopes and of curved shapes, apart and deep in each other.
+TEST(QueryCertification, every_query_of_ours_is_judged) {
+  for (const auto& [query, curved, x] : every_question()) {
+    SCOPED_TRACE(fmt::format("{}, {}, at {}", corpus::name_of(query), curved ? "curved" : "cubes", x));
+    Case problem = cubes(query);
+    problem.b.position = {x, 0.25, 0.125};
+    problem.direction = {1, 0.5, 0.25};
+    if (curved) problem.a.shape = Ellipsoid<double>{{1, 1.5, 2}};
+    const QueryCertification result =
+        certify_queries({problem}, {}, {.guarantees = engine::guarantees(), .threads = 2});
+    std::size_t cases = 0;
+    for (const QueryTally& tally : result.tallies) {
+      EXPECT_TRUE(tally.cases == 0 || tally.method->query == query);
+      cases += tally.cases;
+    }
+    EXPECT_GE(cases, 2U);
+    EXPECT_TRUE(result.breaches.empty()) << result.breaches.at(0);
+  }
+}
+
+// What a row of 64 u grants is none of this: each is off by a thousandth.
+TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
+  for (const auto& [query, curved, x] : every_question()) {
+    if (!curved) continue;
+    SCOPED_TRACE(fmt::format("{}, at {}", corpus::name_of(query), x));
+    Case problem = cubes(query);
+    problem.b.position = {x, 0.25, 0.125};
+    problem.direction = {1, 0.5, 0.25};
+    problem.a.shape = Ellipsoid<double>{{1, 1.5, 2}};
+    const engine::QueryMethod& ours = law::default_method(query, "double");
+    const law::QueryLimits limits{.kappa = 64, .unit_roundoff = kUnitRoundoff<double>};
+    const QueryAnswer right = ours.answer(problem);
+    EXPECT_EQ(judge_curved_query(problem, ours, right, limits).fault(), "");
+    // The other verdict.
+    QueryAnswer other = right;
+    const Outcome contact =
+        query == Query::line || query == Query::swept_overlap ? Outcome::hit : Outcome::initially_overlapping;
+    other.outcome = right.outcome == contact ? Outcome::miss : contact;
+    EXPECT_NE(judge_curved_query(problem, ours, other, limits).wrong, "");
+    // Either end of each bracket, in and out.
+    using Bracket = std::optional<engine::Interval>;
+    for (Bracket QueryAnswer::*const bracket :
+         {&QueryAnswer::distance, &QueryAnswer::depth, &QueryAnswer::t_in, &QueryAnswer::t_out}) {
+      if (!(right.*bracket)) continue;
+      const double size = std::abs((right.*bracket)->upper);
+      if (size == 0) continue;
+      for (const double by : {-1e-3 * size, 1e-3 * size}) {
+        QueryAnswer moved = right;
+        (moved.*bracket)->lower += by;
+        (moved.*bracket)->upper += by;
+        EXPECT_NE(judge_curved_query(problem, ours, moved, limits).fault(), "") << by;
+      }
+    }
+    if (query != Query::distance || !right.point_a) continue;
+    QueryAnswer off = right;
+    *off.point_a += 1e-3 * *right.normal;
+    EXPECT_NE(judge_curved_query(problem, ours, off, limits).bad_contact, "");
+  }
+}
+
+TEST(Intake, sorts_every_question_and_counts_what_nothing_judges) {
+  Case curved = cubes(Query::penetration);
+  curved.id = "test/curved";
+  curved.a.shape = Ellipsoid<double>{{1, 2, 3}};
+  Case turning_distance = cubes(Query::distance), turning_line = cubes(Query::line);
+  turning_distance.id = "test/turning-distance";
+  turning_line.id = "test/turning-line";
+  turning_distance.spin_b.rotation = turning_line.spin_b.rotation = {0, 0, 1};
+  Case swept = turning_line;
+  swept.id = "test/turning-swept";
+  swept.query = Query::swept_overlap;
+  Intake intake;
+  intake.take("given",
+              {cubes(Query::cast), cubes(Query::line), cubes(Query::overlap), curved, turning_distance,
+               turning_line, swept},
+              false);
+  ASSERT_EQ(intake.asked.size(), 4U);
+  EXPECT_EQ(intake.asked[0].query, Query::line);
+  EXPECT_EQ(intake.asked[1].query, Query::overlap);
+  EXPECT_EQ(intake.asked[2].id, "test/curved");
+  // What is asked of t = 0 sees no turn.
+  EXPECT_EQ(intake.asked[3].id, "test/turning-distance");
+  EXPECT_EQ(intake.asked[3].spin_b.rotation, Vec3<double>::Zero());
+  EXPECT_EQ(intake.left_out, 1U);
+  EXPECT_EQ(intake.recast, 2U);
+  ASSERT_EQ(intake.linear.size(), 1U);
+  EXPECT_EQ(intake.linear[0].size(), 2U);  // the cast and the overlap's
+  ASSERT_EQ(intake.rotating.size(), 1U);
+  EXPECT_EQ(intake.rotating[0].at(0).id, "test/turning-swept");
+  EXPECT_EQ(intake.rotating[0].at(0).query, Query::cast);
+}
+
+TEST(Intake, what_is_saved_can_be_read_again) {
+  const std::vector<Case> found = {cubes(Query::cast), cubes(Query::line), cubes(Query::line),
+                                   cubes(Query::swept_overlap)};
+  std::string text;
+  for (const Case& problem : with_own_ids(found)) text += corpus::write_case(problem) + "\n";
+  const corpus::ReadResult read = corpus::read_text(text, "saved.jsonl", true);
+  EXPECT_TRUE(read.ok()) << read.errors.at(0).text();
+  ASSERT_EQ(read.cases.size(), 3U);
+  EXPECT_EQ(read.cases[0].id, "test/cubes");
+  EXPECT_EQ(read.cases[1].id, "test/cubes/line");
+  EXPECT_EQ(read.cases[2].id, "test/cubes/swept_overlap");
+}
+
+}  // namespace
+}  // namespace graze::tool

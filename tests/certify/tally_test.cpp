@@ -1,0 +1,70 @@
+// A row of the certification table breaks its guarantee when, and only when, it should.
+#include "certify/tally.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace graze::tool {
+namespace {
+
+const engine::Guarantee kRow{.method = "gjk",
+                             .scalar = "double",
+                             .tier = "standard",
+                             .kappa_polytope = 1024,
+                             .kappa_rounded = 1024,
+                             .stall_cap = 0.01,
+                             .mechanism = "a test"};
+
+Tally tally_of(std::size_t good, const std::vector<Judgement>& bad) {
+  Tally tally{.method = "gjk", .scalar = "double", .family = "made-up"};
+  for (std::size_t i = 0; i < good; ++i) tally.add("good/" + std::to_string(i), {});
+  for (std::size_t i = 0; i < bad.size(); ++i) tally.add("bad/" + std::to_string(i), bad[i]);
+  return tally;
+}
+
+TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {}), &kRow).empty()); }
+
+TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
+  Judgement faulty;
+  faulty.wrong = "reason-wrong";
+  faulty.late = "reason-late";
+  faulty.off = "reason-off";
+  faulty.bad_contact = "reason-contact";
+  faulty.false_proof = "reason-proof";
+  const Tally tally = tally_of(3, {faulty, faulty});
+  const std::vector<std::string> lines = breaches(tally, &kRow);
+  ASSERT_EQ(lines.size(), 5U);
+  for (const char* reason : {"reason-wrong", "reason-late", "reason-off", "reason-contact", "reason-proof"}) {
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.starts_with("gjk/double standard, made-up: 2 ") &&
+             line.find("bad/0") != std::string::npos && line.find(reason) != std::string::npos;
+    })) << reason;
+  }
+}
+
+TEST(Breaches, stalls_break_a_row_only_above_their_cap) {
+  Judgement stall;
+  stall.stalled = true;
+  EXPECT_TRUE(breaches(tally_of(99, {stall}), &kRow).empty());
+  const std::vector<std::string> lines = breaches(tally_of(98, {stall, stall}), &kRow);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("bad/0"), std::string::npos);
+}
+
+TEST(Breaches, excused_verdicts_break_nothing_and_are_counted) {
+  Judgement excused;
+  excused.excused = true;
+  const Tally tally = tally_of(0, {excused});
+  EXPECT_EQ(tally.excused, 1U);
+  EXPECT_TRUE(breaches(tally, &kRow).empty());
+}
+
+TEST(Breaches, a_method_without_a_row_promises_nothing) {
+  Judgement wrong;
+  wrong.wrong = "reason";
+  EXPECT_TRUE(breaches(tally_of(0, {wrong}), nullptr).empty());
+}
+
+}  // namespace
+}  // namespace graze::tool

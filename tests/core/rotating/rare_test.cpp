@@ -1,0 +1,185 @@
+// What casts of turning bodies rarely meet: spheres of bounds that meet where the bodies do, a contact
+// between two times, a published step that stands still; and what plans say.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <graze/rotating_cast.hpp>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "tests/shared/generate.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+using V = Vec3<double>;
+
+RotatingOptions<double> by(RotatingMethod method) {
+  return {.method = method, .request = Request::everything};
+}
+
+// The farthest corner of a triangle, on the axis that it turns about, flies into a ball: the bodies meet as
+// the spheres about their pivots do, at the time that subdivision begins with.
+TEST(RotatingRare, SpheresThatMeetWhereTheBodiesDoHaveTheirWitnesses) {
+  const RotatingBody<double> a{
+      .body = {.shape = Triangle<double>{{1, 0, 0}, {-0.5, 0.5, 0}, {-0.5, -0.5, 0}}}, .rotation = {2, 0, 0}};
+  const RotatingBody<double> b{
+      .body = {.shape = Sphere<double>{0.5}, .position = {3, 0, 0}, .displacement = {-4, 0, 0}}};
+  const auto r = cast(a, b, by(RotatingMethod::bounding_spheres));
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  // 64 u of the scale, 3, for the contact and for the bracket, over the speed, 4.
+  EXPECT_NEAR(r.toi_lower, 1.5 / 4, 2 * 64 * kUnitRoundoff<double> * 3 / 4);
+  EXPECT_LE((r.point_a - V(1, 0, 0)).norm(), 1e-8);
+  EXPECT_LE((r.point_b - V(1, 0, 0)).norm(), 1e-8);
+}
+
+// A point flies through a triangle that turns: contact is proved between two times, the first of which is no
+// earlier than the proof's lower end.
+TEST(RotatingRare, ACrossingSaysFromWhen) {
+  const RotatingBody<double> a{
+      .body = {.shape = Triangle<double>{{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, .position = {0.5, 0.25, 0}},
+      .rotation = {0, 0, 0.125}};
+  const RotatingBody<double> b{
+      .body = {.shape = Point<double>{}, .position = {0.375, 0.25, 1}, .displacement = {0, 0, -2}}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  ASSERT_TRUE(r.proof.has_value());
+  ASSERT_TRUE(r.proof->crossing);
+  // The tier's width, 1e-9 of the scale, the triangle's diagonal, over the speed.
+  EXPECT_NEAR(r.proof->contact_from, 0.5, 1e-9 * std::sqrt(8.0) / 2);
+  EXPECT_LE(r.proof->contact_from, r.proof->toi_upper);
+  EXPECT_LE(0.5, r.proof->toi_upper);
+}
+
+// Ellipsoids a little farther apart than the tolerance, which GJK knows to a quarter of it only: where the
+// pair that is pushed back is within the tolerance already, the step stands still. That is contact by the
+// tolerance.
+TEST(RotatingRare, AStepThatStandsStillIsContact) {
+  Draw draw{1};
+  int contacts = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const auto ellipsoid = [&](double longest) {
+      return Ellipsoid<double>{{longest, draw.between(0.05, 1), draw.between(0.05, 1)}};
+    };
+    RotatingBody<double> a{.body = {.shape = ellipsoid(1), .orientation = draw.turn<double>()},
+                           .rotation = draw.vector<double>(1)};
+    RotatingBody<double> b{.body = {.shape = ellipsoid(draw.between(0.2, 1)),
+                                    .position = draw.vector<double>(2.5),
+                                    .orientation = draw.turn<double>(),
+                                    .displacement = draw.vector<double>(2)},
+                           .rotation = draw.vector<double>(1)};
+    RotatingOptions<double> options = by(RotatingMethod::bilateral_published);
+    options.tolerance = draw.between(0.01, 0.2);
+    const auto r = cast(a, b, options);
+    EXPECT_NE(r.outcome, Outcome::not_converged) << round;
+    contacts += r.outcome == Outcome::hit || r.outcome == Outcome::initially_overlapping;
+  }
+  EXPECT_GT(contacts, 1000);
+}
+
+// A start that touches, and is not proved to, is a hit that begins at 0. The search had ended where the balls
+// about the cores met, with an axis on its way to the closest points and with others than those.
+TEST(RotatingRare, AStartThatTouchesHasItsClosestPoints) {
+  const RotatingBody<double> a{.body = {.shape = Segment<double>{{-3, -4, -2}, {-4, -1, -3}}},
+                               .rotation = {2, -2, -1},
+                               .pivot = {43, 25, -25}};
+  const RotatingBody<double> b{
+      .body = {.shape = Capsule<double>{4, 2}, .position = {-8, -1, -3}, .displacement = {3, 1, -4}},
+      .rotation = {1.4, -2.1, -0.7}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_EQ(r.toi_lower, 0);
+  EXPECT_LE((r.normal - V(-1, 0, 0)).norm(), 1e-9);
+  EXPECT_LE((r.point_a - V(-4, -1, -3)).norm(), 1e-9);
+  EXPECT_LE((r.point_b - V(-4, -1, -3)).norm(), 1e-9);
+}
+
+// Two points, at one place at t = 0, one of which turns about a pivot beside it: what is left of arms that
+// cancel is known to 2^-90 of them, so the certified tier cannot tell, and must not say miss.
+TEST(RotatingRare, ArmsThatCancelLeaveAStartOpen) {
+  const RotatingBody<double> a{.body = {.position = {1, 1, 0}}};
+  const RotatingBody<double> b{.body = {.position = {1, 1, 0}, .orientation = {0, 0, 1, 32}},
+                               .rotation = {0, 0, 1},
+                               .pivot = {0, 0, 1}};
+  RotatingOptions<double> options;
+  EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_NE(r.outcome, Outcome::miss);
+  EXPECT_EQ(r.toi_lower, 0);
+}
+
+// A rod and a needle with a square for a tip, on one line and 4e-8 into each other: the origin is amid the
+// square, on the diagonal of its corners, and of four corners of C none surround it.
+TEST(RotatingRare, AContactThatNoFourCornersSurroundIsOneAtTheStart) {
+  const double thick = 0x1p-14;
+  const std::vector<V> tip = {
+      {0, thick, thick}, {0, thick, -thick}, {0, -thick, thick}, {0, -thick, -thick}, {-2, 0, 0}};
+  const RotatingBody<double> a{.body = {.shape = Hull<double>(std::span<const V>(tip))},
+                               .rotation = {0, 0, 0.25}};
+  const RotatingBody<double> b{.body = {.shape = Segment<double>{{-0x1p-24, 0, 0}, {2, 0, 0}}}};
+  RotatingOptions<double> options{.request = Request::everything};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_EQ(r.outcome, Outcome::initially_overlapping);
+  ASSERT_TRUE(r.proof.has_value());
+  EXPECT_EQ(r.proof->toi_upper, 0);
+  options.request = Request::verdict;
+  EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
+}
+
+// Bodies on equal arms of 2.7e8 about pivots apart: each moves at 1.7e8, neither to the other. One slice says
+// so.
+TEST(RotatingRare, EqualArmsStandStillToEachOther) {
+  const V w(0.19577492773532867, 0.5873247981071472, -0.19577492773532867),
+      pivot(-141477904, 113182320, 198069072);
+  const RotatingBody<double> a{
+      .body = {.shape = Sphere<double>{1.1884433031082153}, .position = {1.661403992159194e-08, 0, 0}},
+      .rotation = w,
+      .pivot = pivot};
+  const RotatingBody<double> b{
+      .body = {.position = {-1.1884433031082153, 0, 0}}, .rotation = w, .pivot = pivot};
+  RotatingOptions<double> options{.request = Request::everything, .t_max = 4};
+  options.tier = Tier::certified;
+  const auto r = cast(a, b, options);
+  EXPECT_EQ(r.outcome, Outcome::miss);
+  ASSERT_TRUE(r.proof.has_value());
+  EXPECT_LE(r.proof->chain.size(), 2u);
+}
+
+// Two balls that turn almost as one come together at 1.6e-11 while both move at 1e6. Nearer than an axis that
+// turns with them can tell, the axes of the world gave slices of 1e-9, until the budget was spent.
+TEST(RotatingRare, BodiesThatTurnAlmostAsOneMeet) {
+  const V v(0.027732805807881095, -0.06418070310430851, 0.019166119004061566), w(0, -0.11847878992557526, 0);
+  const RotatingBody<double> a{.body = {.shape = Sphere<double>{3.650273614563048},
+                                        .position = {1.0116077415523674e-09, 0, 0},
+                                        .displacement = v},
+                               .rotation = w,
+                               .pivot = {2188331.9999999995, -20359664.000000004, 13129996}};
+  const RotatingBody<double> b{.body = {.shape = Sphere<double>{3.738158341497183},
+                                        .position = {-7.388431956060231, 0, 0},
+                                        .displacement = v},
+                               .rotation = w,
+                               .pivot = {2188339.388431956, -10212219, 13129996}};
+  const auto r = cast(a, b, {.t_max = 64});
+  EXPECT_EQ(r.outcome, Outcome::hit);
+  EXPECT_LE(r.counters.supports, 500);
+}
+
+TEST(RotatingRare, EveryReasonHasItsOwnWords) {
+  constexpr int kReasons = kPlanReasons;
+  std::set<std::string_view> texts;
+  for (int k = 0; k < kReasons; ++k) texts.insert(to_text(static_cast<PlanReason>(k)));
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_a), "A's turn cannot be seen");
+  EXPECT_EQ(to_text(PlanReason::unseen_spin_b), "B's turn cannot be seen");
+}
+
+}  // namespace
+}  // namespace graze

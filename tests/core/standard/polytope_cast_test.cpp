@@ -1,0 +1,274 @@
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+#include <graze/cast.hpp>
+#include <graze/standard/cast.hpp>
+
+#include "tests/shared/generate.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+
+template <class S>
+class QuickCast : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(QuickCast, Scalars);
+
+// How often the walk answered what.
+struct Tally {
+  int hits = 0, misses = 0, contacts = 0, gave_up = 0;
+};
+
+template <class S>
+double scale_of(const Body<S>& a, const Body<S>& b) {
+  const Cso<S> cso(a, b);
+  return std::ldexp(double(cso.scale()), cso.length_exponent());
+}
+
+// What the walk claims, against the exact tier and against the careful search. `thin`: the verdict may be
+// that of shapes that are moved by the noise of contact.
+template <class S>
+void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally& tally) {
+  CastOptions<S> options;
+  options.method = Method::mpr_sweep;
+  options.t_max = t_max;
+  CastResult<S> quick;
+  if (!detail::quick_cast(a, b, options, quick)) {
+    ++tally.gave_up;
+    return;
+  }
+  CastResult<S> careful;
+  detail::careful_mpr_sweep(a, b, options, careful);
+  const CastResult<S> exact = cast_exact(a, b, options);
+  ASSERT_EQ(exact.invalid, Invalid::none);
+  const double speed =
+      (b.displacement.template cast<double>() - a.displacement.template cast<double>()).norm();
+  const double noise = 2 * kContact * double(kUnitRoundoff<S>) * scale_of(a, b);
+  switch (quick.outcome) {
+    case Outcome::miss:
+      ++tally.misses;
+      // Shown in doubles, beyond their rounding.
+      EXPECT_EQ(exact.outcome, Outcome::miss);
+      if (!thin) {
+        EXPECT_EQ(careful.outcome, Outcome::miss);
+      }
+      return;
+    case Outcome::initially_overlapping:
+      ++tally.contacts;
+      if (!thin) {
+        EXPECT_EQ(exact.outcome, Outcome::initially_overlapping);
+        EXPECT_EQ(careful.outcome, Outcome::initially_overlapping);
+      }
+      EXPECT_EQ(quick.toi_lower, 0);
+      EXPECT_EQ(quick.toi_upper, 0);
+      return;
+    default:
+      break;
+  }
+  ASSERT_EQ(quick.outcome, Outcome::hit);
+  ++tally.hits;
+  EXPECT_GT(quick.toi_lower, 0);
+  EXPECT_LE(quick.toi_lower, quick.toi_upper);
+  EXPECT_LE(quick.toi_upper, t_max);
+  EXPECT_NEAR(quick.normal.norm(), 1, 4 * double(kUnitRoundoff<S>));
+  if (exact.outcome != Outcome::hit) {
+    EXPECT_TRUE(thin) << "exact: " << int(exact.outcome);
+    return;
+  }
+  // A plane that is moved by the noise is met that much earlier or later.
+  const Vec3<double> v = b.displacement.template cast<double>() - a.displacement.template cast<double>();
+  const double closing = -quick.normal.template cast<double>().dot(v);
+  EXPECT_GT(closing, 0);
+  const double slack = noise / std::max(closing, 1e-300) + 4 * double(kUnitRoundoff<S>) * double(t_max);
+  EXPECT_LE(quick.toi_lower, double(exact.toi_upper) + slack);
+  if (!thin) {
+    EXPECT_GE(quick.toi_upper, double(exact.toi_lower) - slack);
+    EXPECT_EQ(careful.outcome, Outcome::hit);
+    EXPECT_LE(quick.toi_lower, double(careful.toi_upper) + slack);
+    EXPECT_GE(quick.toi_upper, double(careful.toi_lower) - slack);
+  }
+  // Witnesses: within the noise of each other, and of the path's length that the bracket leaves open.
+  const double open = (double(quick.toi_upper) - double(quick.toi_lower)) * speed;
+  const double world = (a.position.norm() + b.position.norm() + v.norm()) * 8 * double(kUnitRoundoff<S>);
+  EXPECT_LE((quick.point_a - quick.point_b).norm(), noise + open + world);
+}
+
+template <class S>
+Shape<S> some_shape(Draw& draw, int kind) {
+  switch (kind % 6) {
+    case 0:
+      return Point<S>{};
+    case 1:
+      return Segment<S>{draw.vector<S>(1), draw.vector<S>(1)};
+    case 2:
+      return Triangle<S>{draw.vector<S>(1), draw.vector<S>(1), draw.vector<S>(1)};
+    case 3:
+      return Box<S>{draw.vector<S>(1).cwiseAbs()};
+    case 4:
+      return draw.hull<S>(8, 1);
+    default:
+      return draw.hull<S>(40, 1);
+  }
+}
+
+TYPED_TEST(QuickCast, RandomPairsAreAnsweredAndRight) {
+  using S = TypeParam;
+  Draw draw{71};
+  Tally tally;
+  for (int round = 0; round < 4000; ++round) {
+    Body<S> a{.shape = some_shape<S>(draw, round), .position = draw.vector<S>(2)};
+    Body<S> b{.shape = some_shape<S>(draw, int(draw.bits() % 6)), .position = draw.vector<S>(2)};
+    a.displacement = draw.vector<S>(1);
+    b.displacement = a.displacement + S(1.5) * (a.position - b.position) + draw.vector<S>(1);
+    if (round % 2 == 0) a.orientation = draw.turn<S>();
+    if (round % 3 == 0) b.orientation = draw.turn<S>();
+    expect_right<S>(a, b, round % 5 == 0 ? kInfinity<S> : S(1), false, tally);
+    if (this->HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.hits, 500);
+  EXPECT_GT(tally.misses, 500);
+  EXPECT_GT(tally.contacts, 100);
+  // Flat pairs seen edge on, points on points: the careful search's.
+  EXPECT_LT(tally.gave_up, 400);
+}
+
+// Nearly every sign is zero: what is claimed all the same is the exact verdict, since on a lattice two things
+// are apart or touch.
+TYPED_TEST(QuickCast, LatticesAreRightOrGivenUp) {
+  using S = TypeParam;
+  Draw draw{72};
+  Tally tally;
+  const auto small = [&] { return S(int(draw.bits() % 7) - 3); };
+  const auto lattice = [&] { return Vec3<S>(small(), small(), small()); };
+  for (int round = 0; round < 20000; ++round) {
+    const auto shape = [&]() -> Shape<S> {
+      if (draw.bits() % 3 == 0) return Box<S>{lattice().cwiseAbs()};
+      std::vector<Vec3<S>> list;
+      for (std::uint64_t n = 2 + draw.bits() % 9; n > 0; --n) list.push_back(lattice());
+      return Hull<S>(std::span<const Vec3<S>>(list));
+    };
+    const Body<S> a{.shape = shape(), .position = lattice()};
+    const Body<S> b{.shape = shape(), .position = 2 * lattice(), .displacement = 3 * lattice()};
+    CastResult<S> quick;
+    CastOptions<S> options;
+    options.method = Method::mpr_sweep;
+    if (detail::quick_cast(a, b, options, quick)) {
+      const Outcome exact = cast_exact(a, b, options).outcome;
+      EXPECT_EQ(quick.outcome, exact) << "round " << round;
+    }
+    expect_right<S>(a, b, S(1), true, tally);
+    if (this->HasFailure()) return;
+  }
+  EXPECT_GT(tally.hits, 200);
+  EXPECT_GT(tally.misses, 2000);
+  EXPECT_GT(tally.contacts, 2000);
+}
+
+// The path passes C's silhouette at a distance from a thousandth of the scale down to a thousandth of u
+// scale, on either side: a miss that is claimed is one, a hit may be one of shapes that are moved by the
+// noise.
+TYPED_TEST(QuickCast, GrazesAreRightOrGivenUp) {
+  using S = TypeParam;
+  Draw draw{73};
+  Tally tally;
+  for (int round = 0; round < 4000; ++round) {
+    Body<S> a{.shape = some_shape<S>(draw, 2 + round % 4)};
+    Body<S> b{.shape = some_shape<S>(draw, 2 + int(draw.bits() % 4))};
+    if (round % 2 == 0) a.orientation = draw.turn<S>();
+    b.displacement = draw.vector<S>(3);
+    if (b.displacement.norm() < 1) continue;
+    const Vec3<double> v = b.displacement.template cast<double>();
+    Vec3<double> n = v.cross(draw.vector<double>(1));
+    n /= n.norm();
+    const double by = std::pow(2.0, -draw.between(10, 63)) * (draw.bits() % 2 ? 1 : -1);
+    // Halfway, B's vertex farthest against n is beside A's farthest along n.
+    const Cso<double> cso(a, b);
+    const Vec3<double> w = std::ldexp(1.0, cso.length_exponent()) * cso.support(n).w;
+    b.position = (w + by * n - 0.5 * v).template cast<S>();
+    expect_right<S>(a, b, S(1), true, tally);
+    if (this->HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.hits, 300);
+  EXPECT_GT(tally.misses, 300);
+}
+
+TYPED_TEST(QuickCast, WhatItDoesNotAnswerChangesOnlyCounters) {
+  using S = TypeParam;
+  const Body<S> a{.shape = Box<S>{{1, 1, 1}}};
+  Body<S> b{.shape = Sphere<S>{1}, .position = {4, 0, 0}, .displacement = {-4, 0, 0}};
+  CastOptions<S> options;
+  CastResult<S> out;
+  EXPECT_FALSE(detail::quick_cast(a, b, options, out)) << "a sphere";
+  b.shape = Box<S>{{1, 1, 1}};
+  options.target_distance = S(0.5);
+  EXPECT_FALSE(detail::quick_cast(a, b, options, out)) << "a target distance";
+  options.target_distance = 0;
+  b.displacement = Vec3<S>::Zero();
+  EXPECT_FALSE(detail::quick_cast(a, b, options, out)) << "no motion";
+  b.displacement = {0, -1, 0};
+  b.position = {S(0.5), 0, 0};
+  options.start_policy = StartPolicy::pass_over;
+  EXPECT_FALSE(detail::quick_cast(a, b, options, out)) << "a start in contact that may be passed over";
+  EXPECT_EQ(out.outcome, Outcome::invalid_input);
+  EXPECT_FALSE(out.proof.has_value());
+}
+
+// Lengths and times of any power of two: the same walk, the same bits.
+TYPED_TEST(QuickCast, PowersOfTwoChangeNoBit) {
+  using S = TypeParam;
+  Draw draw{74};
+  int answered = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Vec3<S>> list_a, list_b;
+    for (int i = 0; i < 12; ++i) {
+      list_a.push_back(draw.vector<S>(1));
+      list_b.push_back(draw.vector<S>(1));
+    }
+    const Vec3<S> start = draw.vector<S>(3), v = -S(1.5) * start + draw.vector<S>(1);
+    const auto ask = [&](int e) {
+      const auto scaled = [&](std::vector<Vec3<S>> list) {
+        for (Vec3<S>& x : list) x *= S(std::ldexp(1.0, e));
+        return Hull<S>(std::span<const Vec3<S>>(list));
+      };
+      const S unit = S(std::ldexp(1.0, e));
+      const Body<S> a{.shape = scaled(list_a)};
+      const Body<S> b{.shape = scaled(list_b), .position = unit * start, .displacement = unit * v};
+      CastResult<S> out;
+      answered += detail::quick_cast(a, b, CastOptions<S>{}, out);
+      return out;
+    };
+    const CastResult<S> one = ask(0);
+    for (const int e : {-60, 60}) {
+      const CastResult<S> other = ask(e);
+      EXPECT_EQ(one.outcome, other.outcome);
+      if (one.outcome != Outcome::hit) continue;
+      EXPECT_EQ(one.toi_lower, other.toi_lower);
+      EXPECT_EQ(one.toi_upper, other.toi_upper);
+      EXPECT_EQ(one.normal, other.normal);
+    }
+  }
+  EXPECT_GT(answered, 800);
+}
+
+// Report: mpr/double missed a needle that crosses a bar of 5e-12 by 5e-12, 2.3e-13 of scale deep. Mechanism:
+// the first portal lay behind the start, and the exit of the line was looked for; an axis that rounding had
+// tilted towards the path by 1e-5 was held to the start alone, as if it faced the path. One in 500,000 of
+// such pairs.
+TEST(QuickWalk, NeedlesThatCrossAreNotMissed) {
+  const Quaternion<double> turn{2, 2, -3, 0};
+  const Body<double> a{.shape = Segment<double>{{1.14007115829736, 2.5e-12, 2.5e-12},
+                                                {-3.4976208060979843, -2.5e-12, -2.5e-12}},
+                       .position = {-0.9910950850257102, -11.893141020308523, 11.893141020308523},
+                       .orientation = turn,
+                       .displacement = {1.255441550822819, 15.065298609873828, -15.065298609873828}};
+  const Body<double> b{.shape = Box<double>{{3.3432041062042117, 2.5e-12, 2.5e-12}}, .orientation = turn};
+  EXPECT_EQ(cast_exact(a, b).outcome, Outcome::hit);
+  CastResult<double> quick;
+  const bool answers = detail::quick_cast(a, b, CastOptions<double>{}, quick);
+  EXPECT_FALSE(answers && quick.outcome == Outcome::miss);
+  EXPECT_EQ(cast_mpr_sweep(a, b).outcome, Outcome::hit);
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,335 @@
+// The judge convicts made-up answers whose fault is known, and no others.
+#include "properties/judge/answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "corpus/format/case_io.hpp"
+#include "engines/guarantees.hpp"
+
+namespace graze::tool {
+namespace {
+
+constexpr double kU = kUnitRoundoff<double>;
+constexpr double kInf = kInfinity<double>;
+constexpr Limits kLimits{.kappa = 1024, .unit_roundoff = kU};
+
+// Two unit cubes, B two above A: they touch at t = 1/4, and the scale is the diagonal, 2 sqrt(3).
+corpus::Case falling_cube() {
+  corpus::Case problem;
+  problem.id = "test/falling-cube";
+  problem.a.shape = problem.b.shape = Box<double>{{1, 1, 1}};
+  problem.b.position = {0.25, 0.5, 3};
+  problem.b.displacement = {0, 0, -4};
+  return problem;
+}
+const double kScale = 2 * std::sqrt(3.0);
+
+engine::Answer right_answer() {
+  engine::Answer answer;
+  answer.outcome = Outcome::hit;
+  answer.toi_lower = answer.toi_upper = 0.25;
+  answer.normal = {0, 0, 1};
+  answer.point_a = answer.point_b = {0.5, 0.5, 1};
+  return answer;
+}
+
+// Axis z proves t >= 1/4; the pair of vertices (1, 1, 1) of A and (1, 1, -1) of B, with three others of their
+// faces, meets the path. One corner pair is not on the path, so the portal takes a triangle around it.
+Proof right_proof() {
+  Proof proof;
+  proof.has_axis = true;
+  proof.axis = {0, 0, 1};
+  proof.toi_lower = proof.toi_upper = 0.25;
+  // CSO vertices a - b over the top face of A and the bottom of B: x in [-2.25, 1.75], y in [-2.5, 1.5].
+  proof.portal_size = 3;
+  proof.portal[0] = {.a = {.vertex = 7}, .b = {.vertex = 0}};  // (1.75, 1.5)
+  proof.portal[1] = {.a = {.vertex = 4}, .b = {.vertex = 1}};  // (-2.25, -0.5)
+  proof.portal[2] = {.a = {.vertex = 5}, .b = {.vertex = 2}};  // (1.75, -2.5)
+  return proof;
+}
+
+Judgement judged(const engine::Answer& answer, bool ask_oracle = true,
+                 const corpus::Case& problem = falling_cube()) {
+  Truth truth(problem);
+  return judge(truth, answer, kLimits, ask_oracle, Request::everything);
+}
+
+TEST(Judge, acquits_a_right_answer_and_measures_no_error) {
+  const Judgement j = judged(right_answer());
+  EXPECT_FALSE(j.faulty()) << j.wrong << j.late << j.off << j.bad_contact;
+  EXPECT_TRUE(j.by_oracle);
+  EXPECT_EQ(j.errors.backward, 0);
+  EXPECT_EQ(j.errors.forward, 0);
+  EXPECT_EQ(j.proof, ProofState::none);
+}
+
+TEST(Judge, needs_no_oracle_where_an_accepted_proof_settles_all) {
+  engine::Answer answer = right_answer();
+  answer.proof = right_proof();
+  const Judgement j = judged(answer, false);
+  EXPECT_EQ(j.proof, ProofState::accepted) << j.false_proof;
+  EXPECT_FALSE(j.by_oracle);
+  EXPECT_FALSE(j.faulty());
+}
+
+TEST(Judge, asks_the_oracle_where_the_bracket_goes_beyond_what_the_proof_proves) {
+  engine::Answer answer = right_answer();
+  answer.proof = right_proof();
+  answer.toi_lower = answer.toi_upper = 0.26;  // within the proof's verdict, but late
+  const Judgement j = judged(answer, false);
+  EXPECT_EQ(j.proof, ProofState::accepted) << j.false_proof;
+  EXPECT_TRUE(j.by_oracle);
+  EXPECT_FALSE(j.late.empty());
+}
+
+TEST(Judge, convicts_a_false_proof_even_of_a_right_answer) {
+  engine::Answer answer = right_answer();
+  answer.proof = right_proof();
+  answer.proof->toi_lower = std::nextafter(0.25, 1);
+  const Judgement j = judged(answer, false);
+  EXPECT_EQ(j.proof, ProofState::refused);
+  EXPECT_FALSE(j.false_proof.empty());
+  EXPECT_TRUE(j.by_oracle);
+  EXPECT_TRUE(j.wrong.empty());
+}
+
+TEST(Judge, convicts_a_time_that_is_late_by_twice_the_limit_and_not_by_half) {
+  for (const double factor : {2.0, 0.5}) {
+    engine::Answer answer = right_answer();
+    // |v| = 4, head on: t later by d / 4 goes d deep.
+    answer.toi_lower = answer.toi_upper = 0.25 + factor * 1024 * kU * kScale / 4;
+    const Judgement j = judged(answer);
+    EXPECT_EQ(!j.late.empty(), factor > 1) << j.late;
+    EXPECT_EQ(!j.off.empty(), factor > 1) << j.off;
+    EXPECT_TRUE(j.wrong.empty());
+  }
+}
+
+TEST(Judge, an_early_time_is_off_but_not_late) {
+  engine::Answer answer = right_answer();
+  answer.toi_lower = 0.24;
+  const Judgement j = judged(answer);
+  EXPECT_TRUE(j.late.empty());
+  EXPECT_FALSE(j.off.empty());
+  EXPECT_NEAR(j.errors.backward, 0.01 * 4 / kScale, 1e-12);
+  EXPECT_NEAR(j.errors.forward, 0.01 * 4 / kScale, 1e-12);
+}
+
+TEST(Judge, convicts_a_wrong_miss) {
+  engine::Answer answer;
+  answer.outcome = Outcome::miss;
+  answer.toi_lower = answer.toi_upper = kInf;
+  EXPECT_FALSE(judged(answer).wrong.empty());
+}
+
+TEST(Judge, convicts_a_wrong_hit) {
+  corpus::Case problem = falling_cube();
+  problem.b.position.x() = 3;
+  EXPECT_FALSE(judged(right_answer(), true, problem).wrong.empty());
+}
+
+TEST(Judge, excuses_a_verdict_that_less_than_the_limit_decides) {
+  corpus::Case problem = falling_cube();
+  problem.b.position.x() = 2 + 16 * kU;  // misses by 16 u
+  const Judgement hit = judged(right_answer(), true, problem);
+  EXPECT_TRUE(hit.wrong.empty()) << hit.wrong;
+  EXPECT_TRUE(hit.excused);
+
+  problem.b.position.x() = 2 - 16 * kU;  // hits, as deep
+  engine::Answer answer;
+  answer.outcome = Outcome::miss;
+  answer.toi_lower = answer.toi_upper = kInf;
+  const Judgement miss = judged(answer, true, problem);
+  EXPECT_TRUE(miss.wrong.empty()) << miss.wrong;
+  EXPECT_TRUE(miss.excused);
+}
+
+TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
+  engine::Answer answer;
+  answer.outcome = Outcome::not_converged;
+  answer.toi_lower = 0.2;
+  answer.toi_upper = kInf;
+  const Judgement honest = judged(answer);
+  EXPECT_TRUE(honest.stalled);
+  EXPECT_FALSE(honest.faulty());
+
+  answer.toi_lower = 0.3;
+  EXPECT_FALSE(judged(answer).late.empty());
+
+  answer.toi_lower = 0.1;
+  answer.toi_upper = 0.2;  // claims contact by 0.2
+  EXPECT_FALSE(judged(answer).wrong.empty());
+}
+
+TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
+  engine::Answer answer = right_answer();
+  answer.normal = {0, 0, -1};
+  EXPECT_FALSE(judged(answer).bad_contact.empty());
+  answer = right_answer();
+  answer.normal = {1, 0, 0};  // perpendicular to the motion, and no normal there
+  EXPECT_FALSE(judged(answer).bad_contact.empty());
+  answer = right_answer();
+  answer.normal *= 1 + 1e-12;
+  EXPECT_FALSE(judged(answer).bad_contact.empty());
+  answer = right_answer();
+  answer.point_b.z() += 1e-11;  // inside B
+  EXPECT_TRUE(judged(answer).bad_contact.empty());
+  answer.point_a.z() += 1e-11;
+  EXPECT_FALSE(judged(answer).bad_contact.empty());
+}
+
+TEST(Judge, convicts_what_is_no_answer_at_all) {
+  engine::Answer answer = right_answer();
+  answer.toi_lower = std::nan("");
+  EXPECT_FALSE(judged(answer).wrong.empty());
+  answer = right_answer();
+  answer.toi_lower = 0.3;  // above toi_upper
+  EXPECT_FALSE(judged(answer).wrong.empty());
+  answer = right_answer();
+  answer.outcome = Outcome::miss;
+  EXPECT_FALSE(judged(answer).wrong.empty());
+}
+
+TEST(Judge, a_valid_case_must_be_answered_and_an_invalid_one_refused) {
+  engine::Answer refusal;
+  EXPECT_FALSE(judged(refusal).wrong.empty());
+  corpus::Case problem = falling_cube();
+  problem.b.orientation = {0, 0, 0, 0};
+  EXPECT_TRUE(judged(refusal, true, problem).wrong.empty());
+  EXPECT_FALSE(judged(right_answer(), true, problem).wrong.empty());
+  problem = falling_cube();
+  problem.a.shape = Box<double>{{1, kInf, 1}};
+  EXPECT_FALSE(judged(right_answer(), true, problem).wrong.empty());
+}
+
+TEST(Judge, over_a_scale_of_zero_only_an_error_of_zero_is_excused) {
+  corpus::Case problem;  // two points in the same place, at rest
+  problem.id = "test/points";
+  problem.a.shape = problem.b.shape = Point<double>{};
+  engine::Answer answer;
+  answer.outcome = Outcome::initially_overlapping;
+  EXPECT_FALSE(judged(answer, true, problem).faulty());
+}
+
+// --- Tier exact: falling from 3 by 3 the cubes touch at t = 1/3, which is no double.
+corpus::Case falling_by_three() {
+  corpus::Case problem = falling_cube();
+  problem.b.displacement = {0, 0, -3};
+  return problem;
+}
+
+engine::Answer exact_answer() {
+  engine::Answer answer = right_answer();
+  answer.proof = right_proof();
+  answer.toi_lower = answer.proof->toi_lower = 1.0 / 3;  // rounds down
+  answer.toi_upper = answer.proof->toi_upper = std::nextafter(1.0 / 3, 1.0);
+  return answer;
+}
+
+Judgement judged_exactly(const engine::Answer& answer, bool ask_oracle,
+                         const corpus::Case& problem = falling_by_three()) {
+  Truth truth(problem);
+  return judge_exact(truth, answer, {.kappa = 0, .unit_roundoff = kU, .contact_kappa = 16}, ask_oracle);
+}
+
+TEST(JudgeExact, acquits_the_two_doubles_next_to_the_time) {
+  for (const bool ask_oracle : {false, true}) {
+    const Judgement j = judged_exactly(exact_answer(), ask_oracle);
+    EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
+    EXPECT_EQ(j.proof, ProofState::accepted);
+    EXPECT_EQ(j.by_oracle, ask_oracle);
+  }
+}
+
+TEST(JudgeExact, convicts_a_bracket_that_is_a_double_too_wide_by_its_proof) {
+  engine::Answer answer = exact_answer();
+  answer.toi_lower = answer.proof->toi_lower = std::nextafter(answer.toi_lower, 0.0);
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer = exact_answer();
+  answer.toi_upper = answer.proof->toi_upper = std::nextafter(answer.toi_upper, 1.0);
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  // 1/4 is a double: the ends are neighbours, and either is a double too far.
+  for (const double beside : {std::nextafter(0.25, 0.0), std::nextafter(0.25, 1.0)}) {
+    answer = right_answer();
+    answer.proof = right_proof();
+    answer.toi_lower = answer.proof->toi_lower = std::min(beside, 0.25);
+    answer.toi_upper = answer.proof->toi_upper = std::max(beside, 0.25);
+    EXPECT_FALSE(judged_exactly(answer, false, falling_cube()).wrong.empty());
+  }
+}
+
+TEST(JudgeExact, convicts_what_is_a_double_late_or_early) {
+  engine::Answer answer = exact_answer();
+  answer.toi_lower = answer.proof->toi_lower = answer.toi_upper;
+  EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
+  answer = exact_answer();
+  answer.toi_upper = answer.proof->toi_upper = answer.toi_lower;
+  EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
+  // What the proof claims is right, and the answer is something else.
+  answer = exact_answer();
+  answer.toi_lower = answer.toi_upper;
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer = exact_answer();
+  answer.proof.reset();
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+  answer.outcome = Outcome::not_converged;
+  EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
+}
+
+TEST(JudgeExact, rounds_the_proved_bracket_outward_to_float) {
+  engine::Answer answer = exact_answer();
+  Truth truth(falling_by_three());
+  const Limits limits{.kappa = 0, .unit_roundoff = kUnitRoundoff<float>, .contact_kappa = 16};
+  EXPECT_FALSE(judge_exact(truth, answer, limits, true).wrong.empty());
+  answer.toi_upper = 1.0F / 3;  // rounds up
+  answer.toi_lower = std::nextafter(1.0F / 3, 0.0F);
+  const Judgement j = judge_exact(truth, answer, limits, true);
+  EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
+}
+
+TEST(JudgeExact, counts_apart_what_the_tier_is_not_asked) {
+  corpus::Case problem = falling_by_three();
+  problem.b.shape = Sphere<double>{1};
+  engine::Answer refusal;
+  refusal.outcome = Outcome::invalid_input;
+  refusal.invalid = Invalid::not_exact;
+  EXPECT_TRUE(judged_exactly(refusal, true, problem).not_asked);
+  EXPECT_FALSE(judged_exactly(refusal, true, problem).faulty());
+  EXPECT_TRUE(judged_exactly(exact_answer(), false, problem).faulty());
+  EXPECT_TRUE(judged_exactly(refusal, false).faulty());
+  refusal.invalid = Invalid::too_complex;
+  EXPECT_TRUE(judged_exactly(refusal, false, problem).faulty());
+}
+
+}  // namespace
+}  // namespace graze::tool
+
+namespace graze::tool {
+namespace {
+
+// One that is right has been mended: it belongs to corpus/cases, where it must stay right.
+TEST(KnownFailures, still_fail) {
+  const std::string file = GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no failure is known";
+  const corpus::ReadResult known = corpus::read_file(file);
+  ASSERT_TRUE(known.ok());
+  for (const corpus::Case& problem : known.cases) {
+    bool fails = false;
+    for (const engine::EngineMethod& method : engine::methods()) {
+      Truth truth(method.seen(problem));
+      const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+      ASSERT_NE(row, nullptr);
+      const engine::Answer answer = method.cast(problem, {.request = Request::everything});
+      const Judgement judgement = judge_method(truth, problem, method, answer, row, true);
+      EXPECT_TRUE(judgement.false_proof.empty()) << problem.id << ", " << method.full_name();
+      fails = fails || judgement.faulty();
+    }
+    EXPECT_TRUE(fails) << problem.id << " is right now: move it to corpus/cases";
+  }
+}
+
+}  // namespace
+}  // namespace graze::tool

@@ -1,0 +1,212 @@
+// The judge of the rotating casts convicts made-up answers whose fault is known, and acquits our own.
+#include "properties/judge/rotating_answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "certify/rotating.hpp"
+#include "rotating_cases.hpp"
+
+namespace graze::tool {
+namespace {
+
+using corpus::Case;
+using engine::RotatingAnswer;
+using engine::Unseen;
+using test::dipping_bar;
+using test::turning_bar;
+using test::turning_bar_above;
+
+constexpr Request kPlain = Request::normal | Request::witnesses;
+
+const engine::RotatingEngineMethod& method(const char* name) { return *engine::find_rotating_method(name); }
+
+RotatingJudgement judged(const Case& problem, const char* name, const RotatingAnswer& answer,
+                         Request request = kPlain) {
+  TurningTruth truth(problem);
+  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method(name));
+  return judge_rotating(truth, answer, limits_of(method(name), row), request);
+}
+
+// The method's own answer stands; with the change it falls, by the fault named.
+void falls(const Case& problem, const char* name, std::string RotatingJudgement::*fault,
+           const std::function<void(RotatingAnswer&)>& change, Request request = kPlain) {
+  RotatingAnswer answer = method(name).cast(problem, {.request = request});
+  const RotatingJudgement before = judged(problem, name, answer, request);
+  EXPECT_FALSE(before.faulty()) << name << ": " << before.fault();
+  EXPECT_FALSE(before.stalled || before.excused || before.hidden);
+  change(answer);
+  EXPECT_NE(judged(problem, name, answer, request).*fault, "") << name;
+}
+
+// In time; the lower edge falls at about 1.4 per unit of t, and the scale is 5.7.
+constexpr double kOff = 1e-9;
+
+void become_miss(RotatingAnswer& a) {
+  a.outcome = Outcome::miss;
+  a.toi_lower = a.toi_upper = kInfinity<double>;
+}
+
+TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
+  for (const char* name : {"ca", "bilateral", "plan"}) {
+    falls(turning_bar(), name, &RotatingJudgement::late,
+          [](RotatingAnswer& a) { a.toi_upper = a.toi_lower += kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::early,
+          [](RotatingAnswer& a) { a.toi_lower = a.toi_upper -= kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_lower -= kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_upper += kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) {
+      a.toi_lower -= 4e-12;  // within the row, but nearer than it says
+      a.distance = 0;
+    });
+  }
+}
+
+TEST(RotatingJudge, convicts_a_wrong_verdict) {
+  falls(turning_bar(), "bilateral", &RotatingJudgement::wrong, become_miss);
+  falls(dipping_bar(), "bilateral", &RotatingJudgement::wrong, become_miss);
+  falls(turning_bar_above(), "bilateral", &RotatingJudgement::wrong, [](RotatingAnswer& a) {
+    a.outcome = Outcome::hit;
+    a.toi_lower = a.toi_upper = 0.75;
+  });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::early, [](RotatingAnswer& a) {
+    a.outcome = Outcome::initially_overlapping;
+    a.toi_lower = a.toi_upper = 0;
+  });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
+        [](RotatingAnswer& a) { a.outcome = Outcome::invalid_input; });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
+        [](RotatingAnswer& a) { std::swap(a.toi_lower, a.toi_upper = 2); });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
+        [](RotatingAnswer& a) { a.toi_lower = std::nan(""); });
+}
+
+TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_another) {
+  RotatingAnswer stall = method("ca").cast(turning_bar(), {});
+  stall.outcome = Outcome::not_converged;
+  stall.toi_lower = 0.25;
+  stall.toi_upper = kInfinity<double>;
+  stall.distance = 0.2;
+  EXPECT_TRUE(judged(turning_bar(), "ca", stall).stalled);
+  EXPECT_FALSE(judged(turning_bar(), "ca", stall).faulty());
+  stall.toi_lower = 0.5;
+  EXPECT_NE(judged(turning_bar(), "ca", stall).late, "");
+  stall.toi_lower = 0.125;
+  stall.toi_upper = 0.25;
+  EXPECT_NE(judged(turning_bar(), "ca", stall).early, "");
+}
+
+TEST(RotatingJudge, convicts_normals_and_witnesses) {
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
+        [](RotatingAnswer& a) { a.normal *= -1; });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
+        [](RotatingAnswer& a) { a.normal *= 1 + 1e-12; });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact, [](RotatingAnswer& a) {
+    a.normal = Vec3<double>(1e-9, -1, 0).normalized();  // the corners of the floor are 2 to the side
+  });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
+        [](RotatingAnswer& a) { a.point_b.y() += kOff; });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
+        [](RotatingAnswer& a) { a.point_a.z() = std::nan(""); });
+}
+
+TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
+  RotatingAnswer miss = method("steps").cast(dipping_bar(), {.time_steps = 1});
+  ASSERT_EQ(miss.outcome, Outcome::miss);
+  const RotatingJudgement hidden = judged(dipping_bar(), "steps", miss);
+  EXPECT_TRUE(hidden.hidden);
+  EXPECT_FALSE(hidden.faulty()) << hidden.fault();
+  EXPECT_NEAR(hidden.passed * 5.744562646538029, 0.03, 0.01);  // the dip, over the diagonal of the floor
+  miss.hidden_motion = 0.01;
+  EXPECT_NE(judged(dipping_bar(), "steps", miss).wrong, "");
+  EXPECT_FALSE(judged(dipping_bar(), "bilateral_published", miss).faulty());
+}
+
+TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
+  const auto ends = [](double lower, double upper) {
+    return [=](RotatingAnswer& a) {
+      a.toi_lower = lower;
+      a.toi_upper = upper;
+    };
+  };
+  const oracle::RotatingTruth truth(turning_bar());
+  ASSERT_EQ(truth.outcome(), Outcome::hit);
+  const double before = std::nextafter(truth.toi_lower(), 0.0),
+               after = std::nextafter(truth.toi_upper(), 1.0);
+  for (const Request request : {kPlain, Request::everything}) {
+    falls(turning_bar(), "certified", &RotatingJudgement::late, ends(after, after), request);
+    falls(turning_bar(), "certified", &RotatingJudgement::early, ends(before, before), request);
+    falls(turning_bar(), "certified", &RotatingJudgement::wide, ends(before - 1e-8, after), request);
+    falls(turning_bar(), "certified", &RotatingJudgement::wide, ends(before, after + 1e-8), request);
+    falls(turning_bar(), "certified", &RotatingJudgement::wrong, become_miss, request);
+    falls(
+        turning_bar_above(), "certified", &RotatingJudgement::undecided,
+        [](RotatingAnswer& a) {
+          a.outcome = Outcome::not_converged;
+          a.toi_lower = 0;
+        },
+        request);
+  }
+}
+
+TEST(RotatingJudge, of_tier_certified_wants_a_proof_that_is_true_and_says_as_much_as_the_answer) {
+  const auto change = [](std::string RotatingJudgement::*fault,
+                         const std::function<void(RotatingAnswer&)>& by) {
+    falls(turning_bar(), "certified", fault, by, Request::everything);
+  };
+  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof.reset(); });
+  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof->toi_lower = a.toi_lower / 2; });
+  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof->toi_upper = kInfinity<double>; });
+  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) { a.proof->toi_lower = a.toi_upper + 1e-6; });
+  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) {
+    a.proof->toi_lower = a.toi_upper + 1e-6;
+    a.proof->chain.back().end = a.toi_upper + 1e-6;
+  });
+  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) { a.proof->toi_upper = a.toi_lower / 2; });
+}
+
+TEST(RotatingJudge, a_horizon_without_end_is_no_question_for_the_oracle) {
+  Case problem = turning_bar();
+  problem.t_max = kInfinity<double>;
+  const RotatingJudgement refused = judged(problem, "bilateral", method("bilateral").cast(problem, {}));
+  EXPECT_TRUE(refused.not_asked);
+  EXPECT_FALSE(refused.faulty());
+  problem.spin_a.pivot.x() = std::nan("");
+  RotatingAnswer answer = method("bilateral").cast(turning_bar(), {});
+  EXPECT_NE(judged(problem, "bilateral", answer).wrong, "");
+}
+
+TEST(RotatingCertification, tallies_by_method_and_family_and_names_the_first_breach) {
+  const std::vector<Suite> suites = {
+      {.family = "bars", .cases = {turning_bar(), turning_bar_above(), dipping_bar()}}};
+  std::vector<engine::Guarantee> strict(engine::guarantees().begin(), engine::guarantees().end());
+  for (engine::Guarantee& row : strict) {
+    if (row.query == "rotating" && row.method == "bilateral") row.kappa_polytope = 0;
+  }
+  for (const unsigned threads : {1U, 3U}) {
+    const RotatingSettings settings{.methods = {&method("bilateral"), &method("certified")},
+                                    .guarantees = engine::guarantees(),
+                                    .threads = threads};
+    const RotatingCertification kept = certify_rotating(suites, settings);
+    ASSERT_EQ(kept.tallies.size(), 2U);
+    EXPECT_EQ(kept.tallies[0].cases, 3U);
+    EXPECT_EQ(kept.tallies[1].accepted, 3U);
+    EXPECT_TRUE(kept.breaches.empty()) << kept.breaches.front();
+    EXPECT_EQ(kept.kept, (std::vector<bool>{true, true}));
+    EXPECT_GT(kept.tallies[0].width.length, 0);
+    EXPECT_NE(rotating_table(kept).find("bars"), std::string::npos);
+    RotatingSettings held = settings;
+    held.guarantees = strict;
+    const RotatingCertification broken = certify_rotating(suites, held);
+    ASSERT_FALSE(broken.breaches.empty());
+    EXPECT_TRUE(broken.breaches[0].starts_with("rotating bilateral/double standard, bars: "))
+        << broken.breaches[0];
+    EXPECT_EQ(broken.kept, (std::vector<bool>{false, true}));
+    EXPECT_EQ(broken.convicted.size(), 2U);  // the hits
+    EXPECT_NE(rotating_guarantee_table(broken, held).find("NO"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace graze::tool

@@ -1,0 +1,337 @@
+// The command graze: its answers, its exit codes, and what it says about bad input.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "corpus/format/case_io.hpp"
+#include "engines/method.hpp"
+#include "run_command.hpp"
+
+namespace graze {
+namespace {
+
+using Json = nlohmann::json;
+using test::CommandRun;
+using test::Folder;
+
+constexpr const char* kHit = R"({"schema": "graze.case/1", "id": "test/hit", "family": "test",
+ "a": {"shape": {"type": "box", "half_extents": [1, 1, 0.1]}},
+ "b": {"shape": {"type": "sphere", "radius": 0.3}, "position": [0.1, 0.2, 1.4], "displacement": [0.1, 0, -10]}}
+)";
+constexpr const char* kMiss = R"({"schema": "graze.case/1", "id": "test/miss", "family": "test",
+ "a": {"shape": {"type": "point"}}, "b": {"shape": {"type": "sphere", "radius": 0.25}, "position": [0, 0, 2]}}
+)";
+constexpr const char* kOverlap = R"({"schema": "graze.case/1", "id": "test/overlap", "family": "test",
+ "a": {"shape": {"type": "point"}}, "b": {"shape": {"type": "sphere", "radius": 0.25}}}
+)";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// Exactly one line, which names the program and everything in `parts`.
+void expect_one_complaint(const CommandRun& run, const std::vector<std::string>& parts) {
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(lines_of(run.err).size(), 1U) << run.err;
+  EXPECT_TRUE(run.err.starts_with("graze: ")) << run.err;
+  for (const std::string& part : parts)
+    EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
+}
+
+TEST(Help, every_command_explains_itself_and_its_exit_code) {
+  const Folder folder;
+  const CommandRun top = folder.graze("--help");
+  EXPECT_EQ(top.exit_code, 0);
+  for (const std::string command : {"cast", "check", "certify", "generate"}) {
+    EXPECT_NE(top.out.find(command), std::string::npos);
+    const CommandRun help = folder.graze(command + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find("  graze " + command), std::string::npos) << help.out;
+    EXPECT_GT(lines_of(help.out).size(), 8U);
+  }
+  EXPECT_EQ(folder.graze("--version").out, "graze 0.1.0\n");
+  expect_one_complaint(folder.graze(""), {"--help"});
+  expect_one_complaint(folder.graze("cats"), {"cats"});
+}
+
+TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same_bits) {
+  const Folder folder;
+  folder.write("hit.json", kHit);
+  const corpus::ReadResult read = corpus::read_text(kHit, "hit.json", false);
+  ASSERT_TRUE(read.ok());
+  for (const std::string scalar : {"double", "float"}) {
+    const CommandRun run = folder.graze("cast hit.json --json --method all --scalar " + scalar);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::vector<std::string> lines = lines_of(run.out);
+    // Of a case with a ball there is no exact answer.
+    ASSERT_EQ(lines.size(), 4U);
+    for (const std::string& line : lines) {
+      const Json json = Json::parse(line);
+      std::set<std::string> keys;
+      for (const auto& [key, value] : json.items()) keys.insert(key);
+      EXPECT_EQ(keys,
+                (std::set<std::string>{"id", "outcome", "because", "toi", "normal", "point_a", "point_b",
+                                       "method", "scalar", "tier", "iterations", "supports"}));
+      EXPECT_EQ(json["id"], "test/hit");
+      EXPECT_EQ(json["outcome"], "hit");
+      const engine::EngineMethod* method =
+          engine::find_method(json["method"].get<std::string>() + "/" + scalar);
+      ASSERT_NE(method, nullptr);
+      EXPECT_EQ(json["tier"], method->tier);
+      const engine::Answer answer =
+          method->cast(read.cases[0], {.request = Request::normal | Request::witnesses});
+      const auto same_bits = [](const Json& number, double x) {
+        return std::bit_cast<std::uint64_t>(number.get<double>()) == std::bit_cast<std::uint64_t>(x);
+      };
+      EXPECT_TRUE(same_bits(json["toi"]["lower"], answer.toi_lower));
+      EXPECT_TRUE(same_bits(json["toi"]["upper"], answer.toi_upper));
+      for (const int i : {0, 1, 2}) {
+        EXPECT_TRUE(same_bits(json["normal"][static_cast<std::size_t>(i)], answer.normal[i]));
+        EXPECT_TRUE(same_bits(json["point_a"][static_cast<std::size_t>(i)], answer.point_a[i]));
+        EXPECT_TRUE(same_bits(json["point_b"][static_cast<std::size_t>(i)], answer.point_b[i]));
+      }
+      EXPECT_EQ(json["iterations"], answer.counters.iterations);
+    }
+  }
+}
+
+TEST(Cast, what_an_answer_does_not_hold_is_null) {
+  const Folder folder;
+  folder.write("miss.json", kMiss);
+  folder.write("overlap.json", kOverlap);
+  const CommandRun run = folder.graze("cast miss.json overlap.json --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::vector<std::string> lines = lines_of(run.out);
+  ASSERT_EQ(lines.size(), 2U);
+  const Json miss = Json::parse(lines[0]), overlap = Json::parse(lines[1]);
+  EXPECT_EQ(miss["outcome"], "miss");
+  EXPECT_TRUE(miss["toi"].is_null());
+  EXPECT_TRUE(miss["normal"].is_null());
+  EXPECT_EQ(overlap["outcome"], "initially_overlapping");
+  EXPECT_EQ(overlap["toi"]["lower"], 0.0);
+  EXPECT_TRUE(overlap["point_a"].is_null());
+}
+
+TEST(Cast, reads_standard_input_whether_one_object_or_one_a_line) {
+  const Folder folder;
+  EXPECT_NE(folder.graze("cast -", kHit).out.find("test/hit"), std::string::npos);
+  const CommandRun generated = folder.graze("generate random --count 3 --seed 5");
+  ASSERT_EQ(generated.exit_code, 0);
+  EXPECT_EQ(lines_of(folder.graze("cast - --json", generated.out).out).size(), 3U);
+}
+
+TEST(Cast, a_malformed_file_is_one_line_of_complaint_and_the_others_are_answered) {
+  struct Bad {
+    const char *text, *field;
+  };
+  const Bad bad[] = {
+      {"not json", ""},
+      {R"({"schema": "graze.case/1", "id": "x", "family": "x", "colour": 1})", "colour"},
+      {R"({"schema": "graze.case/1", "id": "x", "family": "x", "a": {"shape": {"type": "sphere", "radius": "r"}},
+           "b": {"shape": {"type": "point"}}})",
+       "a.shape.radius"},
+      {R"({"schema": "graze.case/1", "id": "x", "family": "x", "a": {"shape": {"type": "point"}},
+           "b": {"shape": {"type": "hull", "vertices": []}}})",
+       "b.shape.vertices"},
+  };
+  const std::string deep = std::string(100000, '[');
+  for (const Bad& one : bad) {
+    const Folder folder;
+    folder.write("bad.json", one.text);
+    folder.write("good.json", kHit);
+    const CommandRun run = folder.graze("cast bad.json good.json --json");
+    expect_one_complaint(run, {"bad.json", one.field});
+    EXPECT_NE(run.out.find("test/hit"), std::string::npos);
+  }
+  const Folder folder;
+  folder.write("deep.json", deep);
+  expect_one_complaint(folder.graze("cast deep.json"), {"deep.json"});
+  expect_one_complaint(folder.graze("cast missing.json"), {"missing.json"});
+}
+
+TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
+  const Folder folder;
+  const std::string cube = R"({"schema": "graze.case/1", "id": "test/cube", "family": "test",
+ "a": {"shape": {"type": "box", "half_extents": [1, 1, 1]}},
+ "b": {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "position": [0, 0, 3], "displacement": [0, 0, -3]}})";
+  folder.write("cube.json", cube);
+  for (const std::string choice : {"--method exact", "--tier exact"}) {
+    const CommandRun run = folder.graze("cast cube.json --json --proof proof.jsonl " + choice);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["tier"], "exact");
+    EXPECT_EQ(json["toi"]["lower"], std::nextafter(json["toi"]["upper"].get<double>(), 0.0));
+    EXPECT_EQ(json["toi"]["lower"], 1.0 / 3);
+    EXPECT_EQ(folder.graze("check proof.jsonl").exit_code, 0);
+  }
+  EXPECT_EQ(lines_of(folder.graze("cast cube.json --json --method all").out).size(), 5U);
+  std::string line = cube;
+  line.insert(line.rfind('}'), R"(, "query": "line")");
+  folder.write("line.json", line);
+  const Json answer = Json::parse(folder.graze("cast line.json --json --tier exact").out);
+  EXPECT_EQ(answer["tier"], "exact");
+  EXPECT_EQ(answer["t_in"]["lower"], 1.0 / 3);
+  folder.write("hit.json", kHit);
+  expect_one_complaint(folder.graze("cast hit.json --tier exact"), {"test/hit", "target distance"});
+}
+
+TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
+  const Folder folder;
+  const CommandRun run =
+      folder.graze("certify --family grazing_edge --family curved --count 300 --method exact --queries 20");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("0 wrong, 0 stalled"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("below 3/n"), std::string::npos) << run.out;
+}
+
+TEST(Cast, what_this_version_lacks_is_said_and_not_answered) {
+  const Folder folder;
+  folder.write("hit.json", kHit);
+  expect_one_complaint(folder.graze("cast hit.json --tier exact --method mpr"), {"--tier", "mpr"});
+  expect_one_complaint(folder.graze("cast hit.json --method epa"), {"epa", "gjk"});
+  expect_one_complaint(folder.graze("cast hit.json --scalar half"), {"half", "float"});
+  expect_one_complaint(folder.graze("cast hit.json --proof no/such/folder.jsonl"), {"no/such/folder.jsonl"});
+}
+
+TEST(Check, accepts_the_proofs_that_cast_writes) {
+  const Folder folder;
+  folder.write("hit.json", kHit);
+  folder.write("miss.json", kMiss);
+  for (const std::string scalar : {"double", "float"}) {
+    ASSERT_EQ(folder.graze("cast hit.json miss.json --method all --proof proofs.jsonl --scalar " + scalar)
+                  .exit_code,
+              0);
+    const CommandRun check = folder.graze("check proofs.jsonl");
+    EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+    EXPECT_EQ(check.out, "8 accepted, 0 refused\n");
+  }
+}
+
+TEST(Check, refuses_a_proof_that_was_tampered_with_and_names_the_claim) {
+  const Folder folder;
+  folder.write("hit.json", kHit);
+  ASSERT_EQ(folder.graze("cast hit.json --proof proofs.jsonl").exit_code, 0);
+  Json record = Json::parse(folder.read("proofs.jsonl"));
+  record["proof"]["toi_lower"] = 0.5;  // the contact is at about 0.1
+  folder.write("tampered.jsonl", record.dump() + "\n");
+  const CommandRun check = folder.graze("check proofs.jsonl tampered.jsonl");
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_NE(check.out.find("test/hit"), std::string::npos);
+  EXPECT_NE(check.out.find("lower_not_proved"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("1 accepted, 1 refused"), std::string::npos);
+}
+
+TEST(Check, bad_input_wins_over_a_refusal) {
+  const Folder folder;
+  folder.write("bad.jsonl", "{}\n");
+  expect_one_complaint(folder.graze("check bad.jsonl"), {"bad.jsonl"});
+  folder.write("hit.json", kHit);
+  ASSERT_EQ(folder.graze("cast hit.json --proof proofs.jsonl").exit_code, 0);
+  Json record = Json::parse(folder.read("proofs.jsonl"));
+  record["proof"]["toi_lower"] = 0.5;
+  folder.write("tampered.jsonl", record.dump() + "\n");
+  const CommandRun both = folder.graze("check bad.jsonl tampered.jsonl");
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.out.find("1 refused"), std::string::npos);
+}
+
+// A table that no arithmetic can keep: any rounding at all breaks it.
+std::string guarantees_with(double kappa) {
+  Json rows = Json::array();
+  for (const engine::EngineMethod& method : engine::methods()) {
+    rows.push_back({{"method", method.name},
+                    {"scalar", method.scalar},
+                    {"tier", method.tier},
+                    {"kappa_polytope", kappa},
+                    {"kappa_rounded", kappa},
+                    {"stall_cap", 1},
+                    {"mechanism", "a test"}});
+  }
+  return Json{{"schema", "graze.guarantees/1"}, {"rows", rows}}.dump();
+}
+
+TEST(Certify, exits_with_1_and_names_row_and_case_if_a_method_breaks_its_row) {
+  const Folder folder;
+  folder.write("generous.json", guarantees_with(1e15));
+  folder.write("strict.json", guarantees_with(0));
+  const std::string family = "certify --family random --count 40 --method mpr/double --guarantees ";
+  const CommandRun kept = folder.graze(family + "generous.json");
+  EXPECT_EQ(kept.exit_code, 0) << kept.out << kept.err;
+  EXPECT_NE(kept.out.find("Every method keeps its row"), std::string::npos);
+  const CommandRun broken = folder.graze(family + "strict.json --save saved.jsonl");
+  EXPECT_EQ(broken.exit_code, 1) << broken.out << broken.err;
+  EXPECT_NE(broken.out.find("broken: mpr/double standard, random: "), std::string::npos);
+  EXPECT_NE(broken.out.find("the first is random/h"), std::string::npos);
+  const corpus::ReadResult saved = corpus::read_text(folder.read("saved.jsonl"), "saved.jsonl", true);
+  EXPECT_TRUE(saved.ok());
+  EXPECT_FALSE(saved.cases.empty());
+}
+
+TEST(Certify, bad_input_wins_and_the_other_files_are_still_judged) {
+  const Folder folder;
+  folder.write("bad.json", "{");
+  folder.write("hit.json", kHit);
+  folder.write("strict.json", guarantees_with(0));
+  const CommandRun run = folder.graze("certify bad.json hit.json --guarantees strict.json");
+  expect_one_complaint(run, {"bad.json"});
+  EXPECT_NE(run.out.find("hit.json"), std::string::npos);
+  expect_one_complaint(folder.graze("certify --family nonsense"), {"nonsense"});
+  expect_one_complaint(folder.graze("certify --method nonsense"), {"nonsense"});
+  expect_one_complaint(folder.graze("certify hit.json --guarantees hit.json"), {"hit.json", "schema"});
+  expect_one_complaint(folder.graze("certify hit.json --save no/such/folder"), {"no/such/folder"});
+}
+
+// All but the times, which are the last column of the first two tables.
+std::string without_times(const std::string& text) {
+  std::string kept;
+  for (std::string line : lines_of(text)) {
+    while (!line.empty() && (std::isdigit(static_cast<unsigned char>(line.back())) != 0)) line.pop_back();
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    kept += line + '\n';
+  }
+  return kept;
+}
+
+TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
+  const Folder folder;
+  const CommandRun one = folder.graze("certify --family grazing_edge --count 60 --threads 1");
+  const CommandRun three = folder.graze("certify --family grazing_edge --count 60 --threads 3");
+  EXPECT_EQ(one.exit_code, three.exit_code);
+  EXPECT_NE(one.out.find("grazing"), std::string::npos);
+  EXPECT_EQ(without_times(one.out), without_times(three.out));
+}
+
+TEST(Certify, draws_error_against_time) {
+  const Folder folder;
+  folder.write("generous.json", guarantees_with(1e15));
+  const CommandRun run = folder.graze(
+      "certify --family random --count 40 --method gjk/double --plot p --guarantees generous.json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(folder.read("p/error_against_time.dat").find("gjk/double"), std::string::npos);
+  EXPECT_NE(folder.read("p/error_against_time.gp").find("plot"), std::string::npos);
+}
+
+TEST(Generate, repeats_itself_and_refuses_what_the_family_has_not) {
+  const Folder folder;
+  const CommandRun once = folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9");
+  ASSERT_EQ(once.exit_code, 0);
+  const corpus::ReadResult read = corpus::read_text(once.out, "generated", true);
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read.cases.size(), 4U);
+  for (const corpus::Case& problem : read.cases) EXPECT_EQ(problem.hardness, 12);
+  EXPECT_EQ(once.out, folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9").out);
+  expect_one_complaint(folder.graze("generate nonsense"), {"nonsense"});
+  expect_one_complaint(folder.graze("generate grazing_vertex --hardness 1e9"), {"--hardness"});
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,318 @@
+// graze campaign: millions of generated casts, each judged. docs/campaigns.md.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <thread>
+
+#include "corpus/families.hpp"
+#include "certify/campaign/run.hpp"
+#include "certify/campaign/summary.hpp"
+#include "tools/commands/commands.hpp"
+#include "report/inputs.hpp"
+#include "report/outputs.hpp"
+
+namespace graze::tool {
+namespace {
+
+// The size of the largest published benchmark of continuous collision detection (Wang et al. 2021).
+constexpr std::uint64_t kCasts = 60'000'000;
+// An exact answer takes the oracle 4 ms, over the families, and a cast and its judgement 50 microseconds: of
+// one in 2048 they are 4 % of the time.
+constexpr std::uint64_t kOracleEvery = 2048;
+// A block takes a tenth of a second, so that a run stops at once and loses little. Other answers than linear
+// casts take a hundred times as long.
+constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
+// Of a case of turning bodies the oracle takes 10 ms and more, the casts and the checks of their proofs 1 ms.
+constexpr std::uint64_t kRotatingOracleEvery = 64;
+
+struct Arguments {
+  std::optional<std::uint64_t> casts, rotating, per_family, rotating_per_family, queries;
+  std::optional<std::uint64_t> oracle_every, block;
+  std::uint64_t judge_every = 1;
+  std::uint64_t seed = 1;
+  std::vector<std::string> families, methods;
+  std::string shard = "1/1", state;
+  unsigned threads = 0;  // 0: as many as the machine has
+  CampaignOutputs outputs;
+
+  [[nodiscard]] bool casts_linear() const {
+    const bool other = rotating || rotating_per_family || queries;
+    return casts || per_family || !other;
+  }
+  [[nodiscard]] bool casts_rotating() const { return rotating || rotating_per_family; }
+};
+
+// Those named, in the order of the table, so that the order of the options says nothing.
+std::vector<const corpus::Family*> chosen_families(const std::vector<std::string>& names,
+                                                   std::span<const corpus::Family> all) {
+  std::vector<const corpus::Family*> chosen;
+  for (const corpus::Family& family : all) {
+    if (names.empty() || std::find(names.begin(), names.end(), family.name) != names.end())
+      chosen.push_back(&family);
+  }
+  return chosen;
+}
+
+void check_families(const Arguments& arguments) {
+  for (const std::string& name : arguments.families) {
+    const corpus::Family* family = corpus::find_family(name);
+    if (family == nullptr) {
+      throw std::runtime_error(
+          fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
+    }
+    if (family->rotating && !arguments.casts_rotating())
+      throw std::runtime_error(fmt::format("--family: bodies of {} turn; they are cast by --rotating", name));
+    if (!family->rotating && !arguments.casts_linear() && !arguments.queries)
+      throw std::runtime_error(
+          fmt::format("--family: no body of {} turns, and --rotating casts those", name));
+  }
+}
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool slash = index.ec == std::errc{} && index.ptr != end && *index.ptr == '/';
+  const auto count = slash ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!slash || count.ec != std::errc{} || count.ptr != end || shard.index < 1 || shard.index > shard.count) {
+    throw std::runtime_error(
+        fmt::format("--shard: {} is no share; it is i/n with 1 <= i <= n, as 3/8", text));
+  }
+  return shard;
+}
+
+// Block numbers and the sums of counts stay far from overflow.
+void require_count(const char* option, std::uint64_t count) {
+  constexpr std::uint64_t kMost = 1'000'000'000'000'000;
+  if (count < 1 || count > kMost) throw std::runtime_error(fmt::format("{}: must be 1 to {}", option, kMost));
+}
+
+// Fails now rather than after hours.
+void require_writable(const std::string& name) {
+  if (name.empty() || name == "-") return;
+  const bool existed = std::filesystem::exists(name);
+  const bool writable = std::ofstream(name, std::ios::app).is_open();
+  if (!writable) throw std::runtime_error(name + ": cannot be written; name a file in a folder that can");
+  if (!existed) std::filesystem::remove(name);
+}
+
+// The state to begin with: what the file holds, or nothing done.
+CampaignState initial_state(const Arguments& arguments, const CampaignState& fresh) {
+  if (arguments.state.empty() || !std::filesystem::exists(arguments.state)) return fresh;
+  CampaignState kept = read_state(arguments.state);
+  std::string what = difference(fresh.settings, kept.settings);
+  if (what.empty() && kept.shard != fresh.shard) {
+    what = fmt::format("the shard is {}/{} here and {}/{} there", fresh.shard.index, fresh.shard.count,
+                       kept.shard.index, kept.shard.count);
+  }
+  if (what.empty() && kept.cells != fresh.cells) what = "its levels are not those of this build";
+  if (!what.empty()) {
+    throw std::runtime_error(
+        fmt::format("--state: {} is of another campaign: {}; name another file", arguments.state, what));
+  }
+  return kept;
+}
+
+// What depends on the machine and the hour, beside the summary.
+void print_cost(std::uint64_t casts, double seconds, unsigned threads) {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  const double processor = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  fmt::print(stderr,
+             "{} casts in {:.1f} s: {:.0f} a second on {} thread{}; {:.1f} s of processor time; at most {} "
+             "MiB of memory\n",
+             casts, seconds, static_cast<double>(casts) / std::max(seconds, 1e-9), threads,
+             threads == 1 ? "" : "s", processor, usage.ru_maxrss / 1024);
+}
+
+int stopped_by(int signal, const CampaignState& state, const std::string& file) {
+  const CampaignCounts total = state.tally.total();
+  complain(fmt::format(
+      "stopped at {} of {} blocks, {} failures so far; {}", state.blocks_done(),
+      boost::icl::cardinality(state.share()), total.faults + total.stalls,
+      file.empty() ? "nothing is kept without --state" : "the same command goes on from " + file));
+  return 128 + signal;
+}
+
+// What is asked, part by part.
+CampaignPlan plan_of(const Arguments& arguments) {
+  for (const auto& [option, count] : {std::pair("--casts", arguments.casts),
+                                      {"--per-family", arguments.per_family},
+                                      {"--rotating", arguments.rotating},
+                                      {"--rotating-per-family", arguments.rotating_per_family},
+                                      {"--queries", arguments.queries},
+                                      {"--judge-every", std::optional(arguments.judge_every)},
+                                      {"--block", arguments.block}}) {
+    if (count) require_count(option, *count);
+  }
+  const auto only_one = [](const char* one, const char* other, bool both) {
+    if (both) throw std::runtime_error(fmt::format("{}: says with {} how many casts; give one", one, other));
+  };
+  only_one("--casts", "--per-family", arguments.casts && arguments.per_family);
+  only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
+  check_families(arguments);
+  CampaignPlan plan(arguments.seed);
+  const auto add = [&](PartKind kind, std::optional<std::uint64_t> each, std::uint64_t count,
+                       std::uint64_t oracle_every) {
+    const auto all = kind == PartKind::rotating ? corpus::rotating_families() : corpus::families();
+    const auto families = chosen_families(arguments.families, all);
+    std::vector<Contender> contenders = chosen_contenders(kind, arguments.methods);
+    const Sampling sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
+                            .judge_every = arguments.judge_every};
+    if (each)
+      plan.add_per_family(families, std::move(contenders), *each, sampling);
+    else
+      plan.add(families, std::move(contenders), count, sampling);
+  };
+  if (arguments.casts_linear())
+    add(PartKind::casts, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
+  if (arguments.queries) add(PartKind::queries, arguments.queries, 0, 1);
+  if (arguments.casts_rotating())
+    add(PartKind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
+        kRotatingOracleEvery);
+  return plan;
+}
+
+int run(const Arguments& arguments) {
+  const Shard shard = parse_shard(arguments.shard);
+  for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save,
+                                  &arguments.outputs.save_undecided})
+    require_writable(*name);
+  // No two of them are one file; a state is written beside its place first.
+  const auto beside = [](const std::string& name) { return name.empty() ? "" : name + ".new"; };
+  require_own_files({arguments.state, beside(arguments.state), arguments.outputs.json, arguments.outputs.save,
+                     arguments.outputs.save_undecided});
+  const CampaignPlan plan = plan_of(arguments);
+  const bool slow = arguments.queries || arguments.casts_rotating();
+  const std::uint64_t block = arguments.block.value_or(slow ? kSlowBlock : kBlock);
+  CampaignState state = initial_state(arguments, fresh_state(plan, block, shard));
+
+  const CampaignJob job{.plan = &plan,
+                        .threads = arguments.threads > 0 ? arguments.threads
+                                                         : std::max(1U, std::thread::hardware_concurrency()),
+                        .state_file = arguments.state,
+                        .stop = [] { return StopBySignal::received() != 0; }};
+  const std::uint64_t before = state.casts_done();
+  const auto start = std::chrono::steady_clock::now();
+  int signal = 0;
+  {
+    const StopBySignal guard;
+    run_campaign(job, state);
+    if (!arguments.state.empty()) write_state(state, arguments.state);
+    signal = StopBySignal::received();
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  if (!state.is_complete()) return stopped_by(signal, state, arguments.state);
+  const int exit_code = hand_out(state, arguments.outputs);
+  print_cost(state.casts_done() - before, spent.count(), job.threads);
+  return exit_code;
+}
+
+}  // namespace
+
+void add_campaign_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("campaign", "Millions of generated casts, each judged; can be stopped and resumed.");
+  command
+      ->add_option("--casts", arguments->casts,
+                   "Linear casts (60000000, unless other questions are asked for)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--per-family", arguments->per_family,
+                   "N of each family, by each method, in place of --casts")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_option("--rotating", arguments->rotating, "Casts of turning bodies")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--rotating-per-family", arguments->rotating_per_family,
+                   "N of each family, by each method, in place of --rotating")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--queries", arguments->queries,
+                   "Ask each other query N times in each linear family, of each method")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--family", arguments->families,
+                   "Ask about cases of this family (may be repeated); without it, of all")
+      ->type_name("NAME");
+  command
+      ->add_option(
+          "--method,--methods", arguments->methods,
+          fmt::format("Of linear casts {} (exact), of turning bodies {} (plan and certified, both scalars), "
+                      "or of a query (each with a row); standard: every row of that tier; may be repeated",
+                      linear_names(), rotating_names()))
+      ->type_name("NAME");
+  command->add_option("--seed", arguments->seed, "Another campaign of the same kind (1)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
+  command
+      ->add_option(
+          "--oracle-every", arguments->oracle_every,
+          fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
+                      "of queries, which have no proofs, it judges one in N alone (1); 0: none",
+                      kOracleEvery, kRotatingOracleEvery))
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option(
+          "--judge-every", arguments->judge_every,
+          "Judge one case in N, chosen at random, and every answer that did not converge, is refused or "
+          "makes no sense; of the rest the outcomes are counted, for rates of stalls (1)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--threads", arguments->threads, "Threads that cast; the result does not depend on them")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command
+      ->add_option("--state", arguments->state,
+                   "Keep what is done in this file, and go on from it if it is there")
+      ->type_name("FILE");
+  command->add_option("--shard", arguments->shard, "Only share I of N, from 1; `graze merge` joins them")
+      ->type_name("I/N");
+  command
+      ->add_option(
+          "--block", arguments->block,
+          fmt::format("Casts that are done or not at all ({}; other than linear {})", kBlock, kSlowBlock))
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_option("--save", arguments->outputs.save, "Write the cases of failures to this file")
+      ->type_name("OUT.jsonl");
+  command
+      ->add_option("--save-undecided", arguments->outputs.save_undecided,
+                   "Write the cases that the oracle left undecided to this file")
+      ->type_name("OUT.jsonl");
+  command->add_flag("--levels", arguments->outputs.levels, "Show every level of hardness");
+  command
+      ->add_option("--json", arguments->outputs.json, "Write the result to this file; - is standard output")
+      ->type_name("OUT");
+  command->footer(
+      "An answer is judged by its proof; the exact oracle decides what a proof leaves open, and a sample.\n"
+      "The summary does not depend on threads, stops or shards. docs/campaigns.md says more.\n\n"
+      "  graze campaign --state campaign.json\n"
+      "  graze campaign --casts 100000 --family grazing_face --method mpr/float --save hard.jsonl\n"
+      "  graze campaign --casts 2000000 --queries 2000 --methods standard --state standard.json\n"
+      "  graze campaign --rotating 2000000 --state rotating.json\n"
+      "  graze campaign --state part3.json --shard 3/8      on one of eight machines; graze merge "
+      "part*.json\n\n"
+      "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input; 130 or 143 if stopped by a signal.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,311 @@
+// graze cast: the answer of a method to each case of the files.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "corpus/format/names.hpp"
+#include "properties/judge/answer.hpp"
+#include "tools/commands/commands.hpp"
+#include "report/inputs.hpp"
+#include "report/answer_text.hpp"
+
+namespace graze::tool {
+namespace {
+
+struct Settings {
+  std::vector<std::string> files;
+  std::string method, scalar = "double", tier = "standard", proofs;
+  double tolerance = 0;
+  bool json = false, plan = false;
+};
+
+void check(const Settings& settings) {
+  if (settings.tier != "standard" && settings.tier != "certified" && settings.tier != "exact") {
+    throw std::runtime_error(
+        fmt::format("--tier: {} is no tier; it is standard, certified or exact", settings.tier));
+  }
+  if (settings.tier != "standard" && !settings.method.empty() && settings.method != settings.tier) {
+    throw std::runtime_error(
+        fmt::format("--tier: {} has one method, not {}; leave --method away, or leave the tier",
+                    settings.tier, settings.method));
+  }
+  if (settings.scalar != "double" && settings.scalar != "float") {
+    throw std::runtime_error(
+        fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
+  }
+  if (!(settings.tolerance >= 0 && std::isfinite(settings.tolerance))) {
+    throw std::runtime_error(
+        fmt::format("--tolerance: {} is no tolerance; it is a length over the scale of the bodies, 0 or more",
+                    settings.tolerance));
+  }
+  if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
+    throw std::runtime_error(
+        fmt::format("--plan: nothing is cast, so {} has no meaning beside it; leave one of them away",
+                    settings.method.empty() ? "--proof" : "--method"));
+  }
+}
+
+// Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
+// the default is.
+template <class AnyMethod>
+bool selected(const Settings& settings, const AnyMethod& method, const char* by_default) {
+  if (settings.method.empty()) return method.scalar == settings.scalar && method.name == by_default;
+  if (settings.method == method.full_name()) return true;
+  return method.scalar == settings.scalar && (settings.method == "all" || settings.method == method.name);
+}
+
+// The methods that a case's query can be answered by.
+std::vector<const engine::QueryMethod*> methods_for(corpus::Query query) {
+  std::vector<const engine::QueryMethod*> out;
+  for (const engine::QueryMethod& method : engine::query_methods()) {
+    if (method.query == query) out.push_back(&method);
+  }
+  return out;
+}
+
+class Run {
+ public:
+  explicit Run(const Settings& given) : settings_(given) {
+    check(given);
+    will_read(given.files);
+    if (given.tier != "standard") settings_.method = given.tier;
+    std::set<std::string> names = {"all"};
+    const auto take = [&](const auto& all, auto& chosen, const char* by_default) {
+      for (const auto& method : all) {
+        names.insert({method.name, method.full_name()});
+        if (selected(settings_, method, by_default)) chosen.push_back(&method);
+      }
+    };
+    take(engine::methods(), linear_, "gjk");
+    take(engine::rotating_methods(), rotating_, "plan");
+    for (const engine::QueryMethod& method : engine::query_methods()) {
+      names.insert({method.name, method.full_name()});
+    }
+    if (!settings_.method.empty() && !names.contains(settings_.method)) {
+      throw std::runtime_error(fmt::format("--method: {} is no method; it is one of {}", settings_.method,
+                                           fmt::join(names, ", ")));
+    }
+    // No rotation that is seen has an exact answer; what the plan makes of the others may.
+    if (given.tier == "exact") {
+      rotating_.assign(1, engine::find_rotating_method("plan/" + given.scalar));
+      ask_.tier = Tier::exact;
+    }
+    if (!settings_.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings_.proofs);
+    const Request request =
+        Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
+    ask_.request = request;
+    ask_.tolerance = given.tolerance;
+  }
+
+  int operator()() {
+    const CaseFiles inputs = read_case_files(settings_.files);
+    bad_ = inputs.bad;
+    for (const CaseFile& file : inputs.files) {
+      for (const corpus::Case& problem : file.cases) {
+        if (settings_.plan) {
+          plan(file.name, problem);
+        } else if (problem.query == corpus::Query::cast) {
+          cast(file.name, problem);
+        } else {
+          ask(file.name, problem);
+        }
+      }
+    }
+    if (proofs_) proofs_->close();
+    return bad_ ? 2 : 0;
+  }
+
+ private:
+  void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
+    complain(fmt::format("{}: case {}: {}", file, problem.id, why));
+    bad_ = true;
+  }
+  template <class AnyMethod, class Answer>
+  void show(const std::string& file, const corpus::Case& problem, const AnyMethod& method,
+            const Answer& answer) {
+    fmt::print("{}\n",
+               settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
+    if (answer.outcome == Outcome::invalid_input) {
+      refuse(file, problem,
+             fmt::format("is invalid_input for {}: {}", method.full_name(), invalid_text(answer.invalid)));
+    }
+  }
+
+  // Of all methods, those of tier exact are meant where there is one.
+  [[nodiscard]] bool is_left_out(Invalid invalid) const {
+    return settings_.method == "all" && invalid == Invalid::not_exact;
+  }
+
+  // A body that turns needs a rotating method; a linear cast may have either, the linear one first.
+  void cast(const std::string& file, const corpus::Case& problem) {
+    const bool turns = engine::turns(problem);
+    if (!turns && !linear_.empty()) {
+      for (const engine::EngineMethod* method : linear_)
+        cast_by(*method, engine::Ask{.request = ask_.request, .tolerance = ask_.tolerance}, file, problem);
+    } else if (!rotating_.empty()) {
+      for (const engine::RotatingEngineMethod* method : rotating_) cast_by(*method, ask_, file, problem);
+    } else if (turns) {
+      refuse(file, problem,
+             fmt::format("has a rotating motion, which --method {} does not cast; {} do", settings_.method,
+                         rotating_names()));
+    } else {
+      refuse(file, problem,
+             fmt::format("--method {} does not cast; {} and {} do", settings_.method, linear_names(),
+                         rotating_names()));
+    }
+  }
+
+  template <class AnyMethod, class AnyAsk>
+  void cast_by(const AnyMethod& method, const AnyAsk& ask, const std::string& file,
+               const corpus::Case& problem) {
+    const auto answer = method.cast(problem, ask);
+    if (is_left_out(answer.invalid)) return;
+    show(file, problem, method, answer);
+    if (!proofs_ || !answer.proof) return;
+    corpus::ProofRecord record;
+    record.problem = method.seen(problem);
+    record.method = method.name;
+    record.scalar = method.scalar;
+    record.tier = method.tier == "certified" ? Tier::certified
+                  : method.tier == "exact"   ? Tier::exact
+                                             : Tier::standard;
+    record.outcome = answer.outcome;
+    if (answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input) {
+      record.toi = {answer.toi_lower, answer.toi_upper};
+    }
+    if constexpr (std::same_as<AnyMethod, engine::RotatingEngineMethod>) {
+      if (ask.tier) record.tier = ask.tier;
+      record.rotating = answer.proof;
+    } else {
+      record.proof = *answer.proof;
+    }
+    proofs_->write_line(corpus::write_proof(record));
+  }
+
+  // What would be simulated, by the tier asked for.
+  void plan(const std::string& file, const corpus::Case& problem) {
+    if (const std::string why = engine::unsupported_rotating(problem); !why.empty()) {
+      return refuse(file, problem, fmt::format("has {}, which has no plan; give a cast", why));
+    }
+    const engine::RotatingEngineMethod& method = *rotating_.front();
+    if (const std::string why = why_invalid(method.seen(problem)); !why.empty()) {
+      return refuse(file, problem, fmt::format("is invalid_input: {}", why));
+    }
+    const Plan plan = method.plan(problem, ask_);
+    fmt::print("{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
+  }
+
+  void ask(const std::string& file, const corpus::Case& problem) {
+    if (const std::string why = engine::unsupported_query(problem); !why.empty()) {
+      return refuse(file, problem, fmt::format("has {}, which this version does not answer", why));
+    }
+    const std::vector<const engine::QueryMethod*> methods = methods_for(problem.query);
+    bool answered = false;
+    for (const engine::QueryMethod* method : methods) {
+      // Without --method the first of the query.
+      if (settings_.method.empty() ? answered || method->scalar != settings_.scalar
+                                   : !selected(settings_, *method, "")) {
+        continue;
+      }
+      answered = true;
+      const engine::QueryAnswer answer = method->answer(problem, settings_.tolerance);
+      if (!is_left_out(answer.invalid)) show(file, problem, *method, answer);
+    }
+    if (answered) return;
+    std::set<std::string> names;
+    for (const engine::QueryMethod* method : methods) names.insert(method->name);
+    refuse(file, problem,
+           fmt::format("--method {} does not answer the query {}; {} does", settings_.method,
+                       corpus::name_of(problem.query), fmt::join(names, " or ")));
+  }
+
+  Settings settings_;
+  std::vector<const engine::EngineMethod*> linear_;
+  std::vector<const engine::RotatingEngineMethod*> rotating_;
+  engine::RotatingAsk ask_;
+  std::unique_ptr<OutputFile> proofs_;
+  bool bad_ = false;
+};
+
+}  // namespace
+
+void add_cast_command(CLI::App& app, int& exit_code) {
+  const auto settings = std::make_shared<Settings>();
+  CLI::App* command =
+      app.add_subcommand("cast", "When do the bodies of a case first touch? Answers each case of the files.");
+  command
+      ->add_option("files", settings->files,
+                   "Case files: .json holds one case, .jsonl one a line; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--method", settings->method,
+                   "For a linear cast: gjk (GJK ray cast, the default), mpr (MPR sweep), ca (conservative "
+                   "advancement), exact (the tier's); for a rotating one and for another query see below; or "
+                   "all")
+      ->type_name("NAME");
+  command
+      ->add_option("--scalar", settings->scalar,
+                   "double (the default) or float: rounds the case, then casts it")
+      ->type_name("NAME");
+  command
+      ->add_option(
+          "--tier", settings->tier,
+          "standard (the default); certified: a proved bracket; or exact: polytopes, to the last bit. "
+          "The same as --method certified, --method exact")
+      ->type_name("NAME");
+  command
+      ->add_option(
+          "--tolerance", settings->tolerance,
+          "The search may stop once the bracket is as narrow, a length over the scale of the bodies; "
+          "0 (the default): where rounding ends it. Tier exact and whether bodies overlap need none")
+      ->type_name("X");
+  command->add_flag("--json", settings->json,
+                    "One JSON object a line, which says all that the text says; numbers read back to the "
+                    "same bits");
+  command->add_flag("--plan", settings->plan,
+                    "Only say what must be simulated, nothing, static, linear or rotating, and why");
+  command
+      ->add_option("--proof,--proofs", settings->proofs,
+                   "Also write the proofs to this file, for `graze check`")
+      ->type_name("OUT.jsonl");
+  command->footer(
+      "The time runs from 0 to the case's t_max (1 by default). A bracket [lower, upper] holds the time of "
+      "impact;\n"
+      "use lower in a simulator: it is never late. The normal is from A to B; point_a and point_b are the "
+      "contact\n"
+      "on each body at lower, in world coordinates. Tier exact: points, segments, triangles, boxes, hulls, "
+      "posed "
+      "and\n"
+      "summed, without a target distance; lower and upper are the two doubles next to the time, or both are "
+      "it.\n\n"
+      "Of a case in which a body turns:\n"
+      "  plan (default)       simulates what can be seen, and names it; --plan says why\n"
+      "  bilateral            bilateral advancement: never passes the first contact\n"
+      "  ca                   conservative advancement: the same, slower where the bodies graze\n"
+      "  certified            the tier's: a proved bracket\n"
+      "  steps, spheres       overlap at equal steps, and from where bounding spheres meet: either may miss\n"
+      "                       contacts by motions smaller than it says\n"
+      "  bilateral_published  as published: may pass a contact between the ends of a step\n\n"
+      "A case may ask another query:\n"
+      "  overlap            gjk (default), mpr,      do the bodies touch at t = 0?\n"
+      "                     exact\n"
+      "  distance           gjk                      how far apart are they, closest points\n"
+      "  penetration        epa                      how deep, and the shortest way out\n"
+      "  penetration_along  mpr                      how deep along the case's direction\n"
+      "  line               mpr (default), exact     [t_in, t_out] over all times, negative ones too\n"
+      "  swept_overlap      gjk (default), mpr,      do they touch at any t in [0, t_max]? only whether\n"
+      "                     before_after, exact\n\n"
+      "  graze cast pair.json\n"
+      "  graze cast --plan --json cases.jsonl\n"
+      "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
+      "Exit code: 0, or 2 if a file or a case could not be read or answered, or an output not be written; "
+      "the "
+      "other\ncases are answered all the same.");
+  command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,85 @@
+// graze check: verifies proofs that anyone wrote, and that they prove what their records say.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "oracles/arithmetic/default_environment.hpp"
+#include "oracles/checker/check_record.hpp"
+#include "tools/commands/commands.hpp"
+#include "report/inputs.hpp"
+#include "report/outputs.hpp"
+
+namespace graze::tool {
+namespace {
+
+// Exit codes, the gravest that applies.
+constexpr int kAllAccepted = 0, kRefused = 1, kUnreadable = 2, kInPart = 3;
+
+int run(const std::vector<std::string>& files) {
+  will_read(files);
+  const oracle::DefaultEnvironment environment;  // for what reads numbers, too
+  std::size_t accepted = 0, in_part = 0, refused = 0;
+  bool bad = false;
+  for (const std::string& name : files) {
+    const corpus::ProofReadResult read = name == "-"
+                                             ? corpus::read_proofs_text(read_stdin(), "standard input")
+                                             : corpus::read_proofs_file(name);
+    for (const corpus::ReadError& error : read.errors) complain(error.text());
+    bad = bad || !read.ok();
+    for (const corpus::ProofRecord& record : read.proofs) {
+      const oracle::RecordVerdict verdict = oracle::check_record(record);
+      if (verdict.finding == oracle::RecordFinding::accepted) {
+        ++accepted;
+        continue;
+      }
+      const bool is_refused = verdict.finding == oracle::RecordFinding::refused;
+      ++(is_refused ? refused : in_part);
+      fmt::print("{}  {}  {}/{}  {}{}\n", is_refused ? "refused" : "in part", record.problem.id,
+                 record.method, record.scalar, is_refused ? verdict.reason + ": " : "", verdict.detail);
+    }
+  }
+  fmt::print("{} accepted, {}{} refused\n", accepted,
+             in_part > 0 ? fmt::format("{} proved in part, ", in_part) : "", refused);
+  return bad ? kUnreadable : refused > 0 ? kRefused : in_part > 0 ? kInPart : kAllAccepted;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Is each proof of the files true, and does it prove what its record says? Exact, in balls where bodies "
+      "turn; independent of who wrote it.");
+  command
+      ->add_option("files", *files,
+                   "Files of proofs, one a line, as `graze cast --proof` writes them; - is standard input")
+      ->required()
+      ->type_name("FILE");
+  command->footer(
+      "A proof holds its case, an axis that bounds the time of impact from below, and a portal of support "
+      "pairs that\n"
+      "bounds it from above; of a rotating answer, a chain of axes with their slices of time, and pairs in "
+      "contact at\n"
+      "its end. Its record also says what was answered: an outcome and, where it states one, a bracket.\n\n"
+      "  accepted  the proof is true and proves the outcome; and the bracket, but in tier standard, whose "
+      "bracket\n"
+      "            holds within rounding and may be narrower than what can be proved\n"
+      "  in part   the proof is true and proves less: one of a hit's two halves; in tier standard, of "
+      "contact "
+      "or a miss\n"
+      "            by the rounding alone, perhaps nothing; of a start under pass_over what the format can "
+      "say\n"
+      "  refused   the proof is false, or contradicts what its record says, or proves nothing of it\n\n"
+      "Each that is not accepted is a line: the case, the method, what is claimed, what is proved, or why "
+      "not.\n\n"
+      "  graze cast cases.jsonl --proof proofs.jsonl\n"
+      "  graze check proofs.jsonl\n\n"
+      "Exit code: 0 if every record is accepted; 1 if one is refused; 2 if a file could not be read; 3 if "
+      "none "
+      "is\n"
+      "refused and some are proved in part.");
+  command->callback([files, &exit_code] { exit_code = run(*files); });
+}
+
+}  // namespace graze::tool

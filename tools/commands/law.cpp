@@ -1,0 +1,211 @@
+#include "tools/commands/law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "certify/laws.hpp"
+#include "certify/suites.hpp"
+#include "corpus/curate/location.hpp"
+#include "report/inputs.hpp"
+
+namespace graze::tool {
+namespace {
+
+using law::AnyLaw;
+using law::Kind;
+
+// Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
+// does the oracle takes a tenth of a second to some.
+constexpr std::size_t kLinearCases = 40, kRotatingCases = 4;
+
+std::vector<AnyLaw> wanted_laws(const std::vector<std::string>& names) {
+  std::vector<AnyLaw> all = law::all_laws(), wanted;
+  if (names.empty()) return all;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const AnyLaw& law) { return law.name == name; });
+    if (found == all.end()) {
+      throw std::runtime_error(fmt::format("--law: {} is no law; `graze laws` lists them", name));
+    }
+    wanted.push_back(*found);
+  }
+  return wanted;
+}
+
+// "mpr" and "mpr/float" stand for a method of any kind; that of a query is called "overlap mpr/float".
+bool is_named(std::string_view full_name, std::string_view name) {
+  const std::size_t space = full_name.find(' ');
+  if (space != std::string_view::npos) full_name.remove_prefix(space + 1);
+  return name == "all" || full_name == name || full_name.substr(0, full_name.find('/')) == name;
+}
+
+void check_methods(const std::vector<std::string>& names, const std::vector<AnyLaw>& laws) {
+  for (const std::string& name : names) {
+    const bool known = std::any_of(laws.begin(), laws.end(), [&](const AnyLaw& law) {
+      return std::any_of(law.methods.begin(), law.methods.end(),
+                         [&](const std::string& method) { return is_named(method, name); });
+    });
+    if (!known) {
+      throw std::runtime_error(fmt::format(
+          "--method: no law asks a method {}; it is one of {} or {}, of the queries epa and slow, "
+          "one with its scalar (mpr/float), or all",
+          name, linear_names(), rotating_names()));
+    }
+  }
+}
+
+// The bodies of a question beside the cast are cast: the laws of the queries make their own questions.
+void take(std::vector<LawSuite>& suites, const std::string& name, const std::vector<corpus::Case>& cases) {
+  LawSuite straight{.suite = {.family = name}}, turning{.suite = {.family = name}, .turning = true};
+  for (corpus::Case problem : cases) {
+    const bool turns = engine::turns(problem);
+    if (!turns) problem.query = corpus::Query::cast;
+    (turns ? turning : straight).suite.cases.push_back(std::move(problem));
+  }
+  for (LawSuite* one : {&straight, &turning}) {
+    if (one->suite.size() > 0) suites.push_back(std::move(*one));
+  }
+}
+
+LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments) {
+  // Where bodies turn, the easier half of the levels: the hardest take the oracle minutes.
+  const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
+  const std::size_t count =
+      family.rotating ? arguments.rotating.value_or(kRotatingCases) : arguments.count.value_or(kLinearCases);
+  LawSuite one{.suite = drawn_suite(family, family.levels.first(levels), count, arguments.seed),
+               .turning = family.rotating};
+  one.seed = [draw = one.suite.draw](std::size_t i) {
+    // name/h<hardness>/s<seed>
+    const std::string id = draw(i).id;
+    const std::size_t h = id.find("/h"), s = id.find("/s", h);
+    return fmt::format("graze generate {} --hardness {} --seed {} --count 1", id.substr(0, h),
+                       id.substr(h + 2, s - h - 2), id.substr(s + 2));
+  };
+  return one;
+}
+
+void print_breach(const LawBreach& breach) {
+  const law::Finding& finding = breach.finding;
+  fmt::print(
+      "broken: {} by {}, {} times: {}\n"
+      "  first    {}\n"
+      "  again    {}\n"
+      "  reason   {}\n"
+      "  smallest {}\n",
+      finding.law, finding.method, breach.times, finding.sentence, breach.first, finding.seed, finding.reason,
+      corpus::write_case(law::as_case(finding)));
+}
+
+void print_idle(const LawCertification& certification, const LawSettings& settings) {
+  std::vector<std::string> idle;
+  for (std::size_t l = 0; l < settings.laws.size(); ++l) {
+    if (certification.tallies[l].applied() == 0) idle.push_back(settings.laws[l].name);
+  }
+  if (!idle.empty()) fmt::print("No case was one for: {}\n", fmt::join(idle, ", "));
+}
+
+}  // namespace
+
+namespace {
+
+std::filesystem::path curated_directory(const LawArguments& arguments) {
+  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
+                                  : std::filesystem::path(arguments.corpus);
+}
+
+}  // namespace
+
+int run_laws(const LawArguments& arguments) {
+  const bool takes_curated = arguments.files.empty() && arguments.families.empty();
+  if (takes_curated && !std::filesystem::is_directory(curated_directory(arguments))) {
+    throw std::runtime_error(curated_directory(arguments).string() + ": is no folder of cases");
+  }
+  will_read(takes_curated ? std::vector{curated_directory(arguments).string()} : arguments.files);
+  LawSettings settings;
+  settings.laws = wanted_laws(arguments.laws);
+  check_methods(arguments.methods, settings.laws);
+  settings.is_asked = [&](Kind, std::string_view method) {
+    return std::any_of(arguments.methods.begin(), arguments.methods.end(),
+                       [&](const std::string& name) { return is_named(method, name); });
+  };
+  settings.threads =
+      arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::vector<const corpus::Family*> families =
+      wanted_families(arguments.families, !arguments.files.empty());
+  std::unique_ptr<OutputFile> save;
+  if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
+
+  std::vector<LawSuite> suites;
+  bool bad = false;
+  if (takes_curated) {
+    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
+    for (const corpus::ReadError& error : curated.errors) complain(error.text());
+    bad = !curated.ok();
+    take(suites, "curated", curated.cases);
+  }
+  const CaseFiles files = read_case_files(arguments.files);
+  for (const CaseFile& file : files.files) take(suites, file.name, file.cases);
+  bad = bad || files.bad;
+  for (const corpus::Family* family : families) suites.push_back(suite_of(*family, arguments));
+  std::erase_if(suites, [](const LawSuite& one) { return one.suite.size() == 0; });
+  if (suites.empty()) {
+    if (!bad) complain("there is no case to judge; give a file with one, or a count above 0");
+    return 2;
+  }
+
+  // Laws of a kind that no case is for say nothing, unless one was asked for by name.
+  if (arguments.laws.empty()) {
+    std::erase_if(settings.laws, [&](const AnyLaw& law) {
+      return std::none_of(suites.begin(), suites.end(),
+                          [&](const LawSuite& one) { return one.turning == (law.kind == Kind::rotating); });
+    });
+  }
+  const LawCertification certification = certify_laws(suites, settings);
+  fmt::print("{} laws over {} cases\n\n{}\n", settings.laws.size(), certification.cases,
+             law_table(certification, settings));
+  fmt::print(
+      "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
+      "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
+      "docs/laws.md "
+      "says what each law is.\n\n");
+  print_idle(certification, settings);
+  for (const LawBreach& breach : certification.breaches) print_breach(breach);
+  const bool held = certification.breaches.empty();
+  fmt::print("{}\n", held ? "Every law holds." : "A law is broken.");
+  if (save) {
+    std::vector<std::string> written;
+    for (const LawBreach& breach : certification.breaches) {
+      // Two methods may break a law on the same smallest case.
+      const corpus::Case problem = law::as_case(breach.finding);
+      if (std::find(written.begin(), written.end(), problem.id) != written.end()) continue;
+      written.push_back(problem.id);
+      save->write_line(corpus::write_case(problem));
+    }
+    save->close();
+  }
+  if (bad) return 2;
+  return held ? 0 : 1;
+}
+
+void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& names) {
+  CLI::Option* all = command.add_flag(
+      "--laws", laws,
+      fmt::format(
+          "Instead: every law of docs/laws.md, a broken case made small; {} cases of a family, {} of a "
+          "rotating one, or as --count and --rotating say",
+          kLinearCases, kRotatingCases));
+  command.add_option("--law", names, "Of the laws, this one (may be repeated)")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->needs(all);
+  for (const char* other : {"--stability", "--plot", "--guarantees", "--oracle-every", "--queries"}) {
+    all->excludes(command.get_option(other));
+  }
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,30 @@
+// The laws as a list to read, and as docs/laws.md: by what they need, with the planted defects that each is
+// known to notice.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "properties/laws/any_law.hpp"
+
+namespace graze::tool {
+
+// A patch of properties/defects: what is wrong, and the laws that it says notice.
+struct PlantedDefect {
+  std::string name, what;
+  std::vector<std::string> laws;
+};
+
+// Of every .patch in the folder, by name. Throws std::runtime_error with one line to show where there is none
+// or one lacks its lines "Defect: ..." and "Law: ...".
+[[nodiscard]] std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory);
+
+// Name and sentence, by what the laws need.
+[[nodiscard]] std::string law_list(std::span<const law::AnyLaw> laws);
+
+// docs/laws.md, whole. Throws std::runtime_error with one line to show for a defect that names no law.
+[[nodiscard]] std::string law_page(std::span<const law::AnyLaw> laws, std::span<const PlantedDefect> defects);
+
+}  // namespace graze::tool

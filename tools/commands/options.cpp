@@ -1,0 +1,33 @@
+#include "tools/commands/options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+namespace graze::tool {
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  return {[=](const std::string& text) {
+            std::uint64_t value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            const bool good = error == std::errc() && stop == end && least <= value && value <= most;
+            return good ? std::string()
+                        : fmt::format("{} is no whole number from {} to {}", text, least, most);
+          },
+          ""};
+}
+
+CLI::Validator seed_number() { return whole_number(0, std::numeric_limits<std::uint64_t>::max()); }
+
+void refuse_empty_values(CLI::App& app) {
+  const CLI::Validator is_not_empty(
+      [](const std::string& text) { return std::string(text.empty() ? "is given nothing" : ""); }, "");
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(is_not_empty);
+  }
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) refuse_empty_values(*command);
+}
+
+}  // namespace graze::tool
