@@ -7,13 +7,16 @@ import re
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?(0x[0-9a-f.]+(p[-+]?\d+)?|\d+(\.\d+)?(e[-+]?\d+)?|inf|nan)(?![\w])", re.IGNORECASE)
 LONGEST = 160
-ROOMS = "(?:core|corpus|oracles|engines|properties|fuzz|tools)"
+ROOMS = "(?:core|corpus|oracles|engines|properties|report|draw|certify|fuzz|tools)"
+# The inline namespace of the compiled library, or of the headers alone, tells no fault from another.
+LINKAGE = re.compile(r"graze::(?:compiled|header_only)::")
 
 
 def _own_frame(report: str) -> str:
     """The first function of ours on the stack, with its file where there are debug symbols."""
     for match in re.finditer(r"^\s*#\d+ 0x[0-9a-f]+ in (.+?) (\S+)$", report, re.MULTILINE):
         function, place = match.groups()
+        function = LINKAGE.sub("graze::", function)
         if not re.match(r"(.* )?graze::", function) and not re.search(f"/{ROOMS}/", place):
             continue
         file = re.search(f"/({ROOMS}/[^:]+)", place)

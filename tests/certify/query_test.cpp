@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "certify/intake.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
 #include "properties/judge/curved_query.hpp"
 #include "properties/laws/queries/question.hpp"
-#include "tools/commands/intake.hpp"
 
 namespace graze::tool {
 namespace {

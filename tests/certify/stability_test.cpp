@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "certify/stability_report.hpp"
-#include "rotating_cases.hpp"
+#include "tests/shared/rotating_cases.hpp"
 
 namespace graze::tool {
 namespace {

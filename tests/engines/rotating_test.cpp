@@ -8,7 +8,7 @@
 #include "engines/guarantees.hpp"
 #include "engines/method.hpp"
 #include "engines/rotating.hpp"
-#include "rotating_cases.hpp"
+#include "tests/shared/rotating_cases.hpp"
 
 namespace graze::engine {
 namespace {

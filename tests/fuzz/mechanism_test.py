@@ -16,7 +16,7 @@ case: {}
 ADDRESS = """==1==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x602000000018 at pc 0x5
 READ of size 8 at 0x602000000018 thread T0
     #0 0x55d0 in std::vector<double>::operator[](unsigned long) /usr/include/c++/12/bits/stl_vector.h:1125:9
-    #1 0x55d1 in double graze::climb<double>(graze::Hull<double> const&) /home/x/graze/core/graze/climb.hpp:91:7
+    #1 0x55d1 in double graze::compiled::climb<double>(graze::compiled::Hull<double> const&) /home/x/graze/core/graze/support/climb.hpp:91:7
     #2 0x55d2 in main /home/x/graze/fuzz/target_main.cpp:3
 """
 
@@ -43,7 +43,7 @@ class Mechanism(unittest.TestCase):
         self.assertEqual(mechanism(bare, 70), "libFuzzer: timeout, graze::leave_line")
 
     def test_undefined_behaviour_is_told_by_its_place(self):
-        text = "/home/x/graze/core/graze/scan.hpp:12:9: runtime error: 1e+300 is outside the range of type 'int'\n"
+        text = "/home/x/graze/core/graze/support/scan.hpp:12:9: runtime error: 1e+300 is outside the range of type 'int'\n"
         self.assertEqual(mechanism(text, 1),
                          "undefined behaviour: # is outside the range of type 'int', core/graze/support/scan.hpp:12")
 

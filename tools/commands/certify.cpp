@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "certify/intake.hpp"
 #include "certify/linear.hpp"
 #include "certify/query.hpp"
 #include "certify/rotating.hpp"
@@ -16,9 +17,8 @@
 #include "corpus/curate/location.hpp"
 #include "corpus/families.hpp"
 #include "corpus/format/case_json.hpp"
-#include "tools/commands/commands.hpp"
 #include "report/inputs.hpp"
-#include "tools/commands/intake.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/commands/law.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/stability.hpp"

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "certify/rotating.hpp"
-#include "rotating_cases.hpp"
+#include "tests/shared/rotating_cases.hpp"
 
 namespace graze::tool {
 namespace {

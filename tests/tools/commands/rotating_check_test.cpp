@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "corpus/format/case_io.hpp"
-#include "rotating_cases.hpp"
 #include "run_command.hpp"
+#include "tests/shared/rotating_cases.hpp"
 
 namespace graze {
 namespace {

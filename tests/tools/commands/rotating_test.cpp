@@ -7,8 +7,8 @@
 
 #include "corpus/format/case_io.hpp"
 #include "engines/rotating.hpp"
-#include "rotating_cases.hpp"
 #include "run_command.hpp"
+#include "tests/shared/rotating_cases.hpp"
 
 namespace graze {
 namespace {

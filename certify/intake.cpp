@@ -1,4 +1,4 @@
-#include "tools/commands/intake.hpp"
+#include "certify/intake.hpp"
 
 #include <fmt/format.h>
 
