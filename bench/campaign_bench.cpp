@@ -28,6 +28,7 @@
 #include <limits>
 #include <vector>
 
+#include "certify/campaign/run.hpp"
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
@@ -35,7 +36,6 @@
 #include "oracles/checker/check_rotating_proof.hpp"
 #include "oracles/truth/rotating_truth.hpp"
 #include "properties/judge/exact_answer.hpp"
-#include "certify/campaign/run.hpp"
 
 namespace graze::bench {
 namespace {

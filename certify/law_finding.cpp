@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "corpus/format/case_io.hpp"
-#include "properties/edit/case.hpp"
 #include "draw/draw.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::law {
 

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tools/commands/commands.hpp"
 #include "report/inputs.hpp"
-#include "tools/commands/options.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/commands/corpus.hpp"
+#include "tools/commands/options.hpp"
 
 namespace {
 

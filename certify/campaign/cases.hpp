@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/families.hpp"
 #include "certify/campaign/contender.hpp"
+#include "corpus/families.hpp"
 
 namespace graze::tool {
 

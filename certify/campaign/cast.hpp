@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "certify/campaign/cases.hpp"
 #include "properties/judge/query.hpp"
 #include "properties/judge/rotating_answer.hpp"
-#include "certify/campaign/cases.hpp"
 
 namespace graze::tool {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "certify/campaign/cast.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/random.hpp"
-#include "certify/campaign/cast.hpp"
 
 namespace graze::tool {
 namespace {

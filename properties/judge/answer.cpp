@@ -140,8 +140,7 @@ bool is_settled_beyond_range(Judgement& judgement, Truth& truth, const Answer& a
   } else {
     convict(judgement.wrong,
             fmt::format("a time beyond the scalar's range; {} by {:.1e} of scale",
-                        contact ? "contact is before that," : "the path stays away",
-                        over(error, scale)));
+                        contact ? "contact is before that," : "the path stays away", over(error, scale)));
   }
   return true;
 }

@@ -6,11 +6,11 @@
 #include <atomic>
 #include <cmath>
 
+#include "certify/campaign/run.hpp"
+#include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "properties/laws/queries/question.hpp"
-#include "certify/campaign/run.hpp"
-#include "certify/campaign/summary.hpp"
 
 namespace graze::tool {
 namespace {

@@ -3,8 +3,13 @@
 set -euo pipefail
 cd "$1"
 command -v clang-format-14 >/dev/null || { echo "clang-format-14 is missing: packages.txt lists it"; exit 1; }
-mapfile -t files < <(find core corpus oracles engines properties fuzz tools tests bench examples \
+mapfile -t files < <(find core corpus oracles engines properties report draw certify fuzz tools tests bench examples \
   \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) | sort)
 ((${#files[@]} > 20)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
-clang-format-14 --dry-run --Werror "${files[@]}"
-echo "${#files[@]} sources are laid out as .clang-format says"
+# By its output: --dry-run takes the comment that ends an inline namespace for wrong, and would write the same.
+failed=0
+for file in "${files[@]}"; do
+  clang-format-14 "$file" | diff -q - "$file" >/dev/null || { echo "$file: not as clang-format lays it out"; failed=1; }
+done
+((failed)) || echo "${#files[@]} sources are laid out as .clang-format says"
+exit $failed

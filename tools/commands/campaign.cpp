@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "corpus/families.hpp"
 #include "certify/campaign/run.hpp"
 #include "certify/campaign/summary.hpp"
-#include "tools/commands/commands.hpp"
+#include "corpus/families.hpp"
 #include "report/inputs.hpp"
 #include "report/outputs.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace graze::tool {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "corpus/format/names.hpp"
 #include "properties/judge/answer.hpp"
-#include "tools/commands/commands.hpp"
-#include "report/inputs.hpp"
 #include "report/answer_text.hpp"
+#include "report/inputs.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace graze::tool {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/checker/check_record.hpp"
-#include "tools/commands/commands.hpp"
 #include "report/inputs.hpp"
 #include "report/outputs.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace graze::tool {
 namespace {

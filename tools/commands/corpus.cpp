@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "corpus/format/case_io.hpp"
+#include "report/inputs.hpp"
 #include "tools/commands/corpus_add.hpp"
 #include "tools/commands/corpus_files.hpp"
 #include "tools/commands/corpus_verify.hpp"
-#include "report/inputs.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {

@@ -12,8 +12,8 @@
 #include "corpus/curate/flags.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
-#include "tools/commands/corpus_files.hpp"
 #include "report/inputs.hpp"
+#include "tools/commands/corpus_files.hpp"
 
 namespace graze::tool {
 namespace {

@@ -12,10 +12,10 @@
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
 #include "oracles/truth/derive.hpp"
-#include "tools/commands/corpus_files.hpp"
 #include "report/inputs.hpp"
 #include "report/parallel.hpp"
 #include "report/progress.hpp"
+#include "tools/commands/corpus_files.hpp"
 
 namespace graze::tool {
 namespace {

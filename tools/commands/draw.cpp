@@ -8,12 +8,12 @@
 #include <memory>
 #include <stdexcept>
 
+#include "draw/families.hpp"
 #include "engines/queries.hpp"
 #include "engines/rotating.hpp"
-#include "tools/commands/commands.hpp"
-#include "report/inputs.hpp"
-#include "draw/families.hpp"
 #include "report/answer_text.hpp"
+#include "report/inputs.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace graze::tool {
 namespace {

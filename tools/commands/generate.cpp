@@ -7,8 +7,8 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
-#include "tools/commands/commands.hpp"
 #include "report/inputs.hpp"
+#include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "certify/campaign/summary.hpp"
-#include "tools/commands/commands.hpp"
 #include "report/outputs.hpp"
+#include "tools/commands/commands.hpp"
 
 namespace graze::tool {
 namespace {
