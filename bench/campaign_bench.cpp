@@ -32,7 +32,6 @@
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
 #include "engines/method.hpp"
-#include "engines/rotating.hpp"
 #include "oracles/checker/check_rotating_proof.hpp"
 #include "oracles/truth/rotating_truth.hpp"
 #include "properties/judge/exact_answer.hpp"
@@ -54,8 +53,8 @@ const Family& family_of(const benchmark::State& state) {
 Case generated(const Family& family, std::uint64_t seed) {
   return family.generate(static_cast<double>(8 + seed % 9), seed);
 }
-const engine::EngineMethod& method() {
-  static const engine::EngineMethod& exact = *engine::find_method("exact/double");
+const engine::Method& method() {
+  static const engine::Method& exact = *engine::find_method(engine::Kind::linear, "exact/double");
   return exact;
 }
 
@@ -67,7 +66,7 @@ std::vector<Job> jobs_of(const Family& family) {
   std::vector<Job> jobs(kCases);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     jobs[i].problem = generated(family, i);
-    jobs[i].answer = method().cast(jobs[i].problem, kEverything);
+    jobs[i].answer = method().ask(jobs[i].problem, kEverything);
   }
   return jobs;
 }
@@ -94,7 +93,7 @@ void judged(benchmark::State& state) {
   std::uint64_t seed = 0, open = 0;
   for (auto _ : state) {
     const Case problem = generated(family, seed++);
-    open += !judge(problem, method().cast(problem, kEverything));
+    open += !judge(problem, method().ask(problem, kEverything));
   }
   set_rate(state);
   state.counters["open"] = static_cast<double>(open) / static_cast<double>(seed);
@@ -105,7 +104,7 @@ void judged(benchmark::State& state) {
     const Clock::time_point start = Clock::now();
     const Case problem = generated(family, seed++);
     const Clock::time_point made = Clock::now();
-    const Answer answer = method().cast(problem, kEverything);
+    const Answer answer = method().ask(problem, kEverything);
     const Clock::time_point cast = Clock::now();
     benchmark::DoNotOptimize(judge(problem, answer));
     const Clock::time_point end = Clock::now();
@@ -151,15 +150,15 @@ const Family& rotating_family(benchmark::State& state) {
 
 void turning(benchmark::State& state) {
   tool::CampaignPlan plan(1);
-  plan.add({&rotating_family(state)}, tool::chosen_contenders(tool::PartKind::rotating, {}), kMost, 0);
+  plan.add({&rotating_family(state)}, tool::chosen_contenders(tool::engine::Kind::rotating, {}), kMost, 0);
   run_blocks(state, plan, 64);
 }
 
 void stages(benchmark::State& state) {
   const Family& family = rotating_family(state);
-  const engine::RotatingEngineMethod &planned = *engine::find_rotating_method("plan"),
-                                     &certified = *engine::find_rotating_method("certified");
-  const engine::RotatingAsk everything{.request = Request::everything};
+  const engine::Method &planned = *engine::find_method(engine::Kind::rotating, "plan"),
+                                     &certified = *engine::find_method(engine::Kind::rotating, "certified");
+  const engine::Ask everything{.request = Request::everything};
   std::array<double, 5> spent{};
   std::uint64_t seed = 0;
   for (auto _ : state) {
@@ -167,9 +166,9 @@ void stages(benchmark::State& state) {
     at[0] = std::clock();
     const Case problem = family.generate(family.levels[seed % family.levels.size()], seed);
     at[1] = std::clock();
-    benchmark::DoNotOptimize(planned.cast(problem, everything));
+    benchmark::DoNotOptimize(planned.ask(problem, everything));
     at[2] = std::clock();
-    const engine::RotatingAnswer answer = certified.cast(problem, everything);
+    const engine::Answer answer = certified.ask(problem, everything);
     at[3] = std::clock();
     if (answer.proof) benchmark::DoNotOptimize(oracle::check_rotating_proof(problem, *answer.proof).refusal);
     at[4] = std::clock();
@@ -213,7 +212,7 @@ void convert(benchmark::State& state) {
   });
 }
 void cast(benchmark::State& state) {
-  measure(state, [](const Job& job) { benchmark::DoNotOptimize(method().cast(job.problem, kEverything)); });
+  measure(state, [](const Job& job) { benchmark::DoNotOptimize(method().ask(job.problem, kEverything)); });
 }
 void search(benchmark::State& state) {
   measure(state, [](const Job& job) {

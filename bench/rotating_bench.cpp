@@ -94,7 +94,7 @@ class Rounds {
       for (const std::size_t i : turns) {
         shuffle(order);
         const double start = processor_ns();
-        for (const std::size_t k : order) out[i].answers[k] = field[i].cast(pairs[k]);
+        for (const std::size_t k : order) out[i].answers[k] = field[i].ask(pairs[k]);
         const double ns = (processor_ns() - start) / static_cast<double>(pairs.size());
         if (round >= 0) out[i].round_ns.push_back(ns);
       }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
-#include "certify/query.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
-#include "engines/rotating.hpp"
 
 namespace graze::tool {
 namespace {
@@ -32,7 +31,8 @@ struct Kept {
 }  // namespace
 
 void Intake::take(const std::string& name, const std::vector<Case>& cases, bool ours) {
-  Suite straight{.family = name}, turning{.family = name};
+  Suite straight{.family = name}, turning{.kind = engine::Kind::rotating, .family = name},
+      asked{.kind = engine::Kind::query, .family = name};
   std::map<std::string, Kept> kept_out;
   for (const Case& problem : cases) {
     const bool turns = engine::turns(problem);
@@ -43,7 +43,7 @@ void Intake::take(const std::string& name, const std::vector<Case>& cases, bool 
     Case question = problem;
     if (is_asked_at_rest(problem.query)) question.spin_a = question.spin_b = {};
     const std::string unjudged = why_unjudged(question);
-    if (unjudged.empty()) asked.push_back(std::move(question));
+    if (unjudged.empty()) asked.cases.push_back(std::move(question));
     if (is_answered_by_a_cast(problem.query, turns)) {
       ++recast;
       Case cast = problem;
@@ -57,13 +57,29 @@ void Intake::take(const std::string& name, const std::vector<Case>& cases, bool 
       if (kept.count++ == 0) kept.first = problem.id;
     }
   }
-  if (straight.size() > 0) linear.push_back(std::move(straight));
-  if (turning.size() > 0) rotating.push_back(std::move(turning));
+  questions += asked.size();
+  for (Suite* suite : {&straight, &asked, &turning}) {
+    if (suite->size() > 0) suites.push_back(std::move(*suite));
+  }
   if (ours) return;
   for (const auto& [reason, kept] : kept_out) {
     why.push_back(fmt::format("{}: case {} {}, and is not judged{}", name, kept.first, reason,
                               kept.count > 1 ? fmt::format("; nor are {} more", kept.count - 1) : ""));
   }
+}
+
+void Intake::leave_out(engine::Kind kind, const std::vector<std::string>& files) {
+  for (const Suite& suite : suites) {
+    const bool is_ours = suite.kind != kind || suite.asks_every_query;
+    if (is_ours || std::find(files.begin(), files.end(), suite.family) == files.end()) continue;
+    left_out += suite.size();
+    why.push_back(fmt::format(
+        "{}: {} {} are not judged{}: the command line leaves no method for them", suite.family, suite.size(),
+        kind == engine::Kind::query ? "questions" : "casts",
+        kind == engine::Kind::query ? "" : fmt::format(", in which {} body turns",
+                                                       kind == engine::Kind::rotating ? "a" : "no")));
+  }
+  std::erase_if(suites, [&](const Suite& suite) { return suite.kind == kind; });
 }
 
 std::vector<Case> with_own_ids(const std::vector<Case>& found) {

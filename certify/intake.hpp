@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "certify/linear.hpp"
+#include "certify/suites.hpp"
 
 namespace graze::tool {
 
 struct Intake {
-  std::vector<Suite> linear, rotating;
-  // Questions beside the cast; those at t = 0 without the turn that they do not see.
-  std::vector<corpus::Case> asked;
-  std::size_t recast = 0;        // questions about contact that are judged as the cast of their bodies, too
+  std::vector<Suite> suites;  // of each source up to one of each kind
+  std::size_t questions = 0;     // beside the cast; those at t = 0 without the turn that they do not see
+  std::size_t recast = 0;        // of those about contact, judged as the cast of their bodies, too
   std::size_t left_out = 0;      // cases that nothing judges
   std::vector<std::string> why;  // of files: which and why not, a line a reason
 
@@ -21,7 +20,8 @@ struct Intake {
   // judged as the cast of the same bodies as well, which is the harder question.
   void take(const std::string& name, const std::vector<corpus::Case>& cases, bool ours);
 
-  [[nodiscard]] bool empty() const { return linear.empty() && rotating.empty() && asked.empty(); }
+  // The suites of a kind that no method is left for. Those of files are said to be left out.
+  void leave_out(engine::Kind kind, const std::vector<std::string>& files);
 };
 
 // The cases that a run found, to be written to a file and read again: each once, and each with its own id.

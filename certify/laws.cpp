@@ -15,9 +15,9 @@
 namespace graze::tool {
 namespace {
 
-using law::AnyLaw;
+using law::Law;
 using law::Holding;
-using law::Kind;
+using engine::Kind;
 using law::LawResult;
 
 // (law, method): what breaks, until now the first of its cases.
@@ -33,21 +33,21 @@ void add_breach(Breaches& breaches, LawBreach one) {
 }
 
 void make_small(LawBreach& breach, const LawSettings& settings) {
-  const AnyLaw& law = settings.laws[breach.law];
+  const Law& law = settings.laws[breach.law];
   corpus::Case& problem = breach.finding.problem;
   const auto is_broken = [&](const corpus::Case& c) {
-    return law.check(c, breach.method).holding == Holding::broken;
+    return law.check(c, law.methods()[breach.method]).holding == Holding::broken;
   };
   problem = law::minimised(problem, is_broken,
                            law.kind == Kind::rotating ? settings.shrinking / 10 : settings.shrinking);
-  breach.finding.reason = law.check(problem, breach.method).reason;
+  breach.finding.reason = law.check(problem, law.methods()[breach.method]).reason;
 }
 
 }  // namespace
 
 LawCertification certify_laws(std::span<const LawSuite> suites, const LawSettings& settings) {
   LawCertification result;
-  for (const AnyLaw& law : settings.laws) result.tallies.emplace_back(law);
+  for (const Law& law : settings.laws) result.tallies.emplace_back(law);
   Breaches breaches;
   std::mutex mutex;
   for (std::size_t s = 0; s < suites.size(); ++s) {
@@ -58,19 +58,19 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
       const corpus::Case problem = one.suite.at(i);
       // All laws on one case, then the next: they share what the oracle said about it.
       for (std::size_t l = 0; l < settings.laws.size(); ++l) {
-        const AnyLaw& law = settings.laws[l];
+        const Law& law = settings.laws[l];
         if ((law.kind == Kind::rotating) != one.turning) continue;
         law::LawTally tally(law);
-        for (std::size_t m = 0; m < law.methods.size(); ++m) {
-          if (!settings.is_asked(law.kind, law.methods[m])) continue;
-          const LawResult answer = law.check(problem, m);
+        for (std::size_t m = 0; m < law.methods().size(); ++m) {
+          if (!settings.is_asked(law.methods()[m])) continue;
+          const LawResult answer = law.check(problem, law.methods()[m]);
           tally.add(m, one.suite.family, answer);
           if (answer.holding != Holding::broken) continue;
           LawBreach breach{
               .law = l, .method = m, .suite = s, .index = i, .times = 1, .finding = {}, .first = problem.id};
           breach.finding = {.law = law.name,
                             .sentence = law.sentence,
-                            .method = law.methods[m],
+                            .method = law.methods()[m].question_name(),
                             .reason = answer.reason,
                             .seed = one.seed && i >= one.suite.cases.size() ? one.seed(i) : problem.id,
                             .problem = problem};
@@ -105,10 +105,10 @@ std::string law_table(const LawCertification& certification, const LawSettings& 
                {"not for\nthe law"},
                {"broken"}});
   for (std::size_t l = 0; l < settings.laws.size(); ++l) {
-    const AnyLaw& law = settings.laws[l];
+    const Law& law = settings.laws[l];
     const law::LawTally& tally = certification.tallies[l];
     if (l > 0 && settings.laws[l - 1].kind != law.kind) table.add_gap();
-    table.add_row({law.name, std::string(law::name_of(law.kind)), std::string(law::name_of(law.needs)),
+    table.add_row({law.name, std::string(engine::to_text(law.kind)), std::string(law::to_text(law.needs)),
                    fmt::to_string(tally.applied()), fmt::to_string(tally.count("hit")),
                    fmt::to_string(tally.count("miss")), fmt::to_string(tally.count("initially_overlapping")),
                    fmt::to_string(tally.count("not_converged")), fmt::to_string(tally.left_open()),

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "certify/law_finding.hpp"
-#include "certify/linear.hpp"
+#include "certify/suites.hpp"
 #include "corpus/case.hpp"
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 #include "properties/laws/tally.hpp"
 
 namespace graze::tool {
@@ -24,11 +24,8 @@ struct LawSuite {
 };
 
 struct LawSettings {
-  std::vector<law::AnyLaw> laws;
-  // Whether a law asks this method, by full name.
-  std::function<bool(law::Kind, std::string_view)> is_asked = [](law::Kind, std::string_view) {
-    return true;
-  };
+  std::vector<law::Law> laws;
+  std::function<bool(const engine::Method&)> is_asked = [](const engine::Method&) { return true; };
   unsigned threads = 1;
   int shrinking = 1000;  // calls of a law to make its first broken case small; a tenth where bodies turn
 };

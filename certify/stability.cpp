@@ -8,9 +8,8 @@
 #include <memory>
 
 #include "corpus/format/case_io.hpp"
-#include "properties/judge/answer.hpp"
-#include "properties/judge/rotating.hpp"
-#include "properties/judge/rotating_answer.hpp"
+#include "properties/judge/judge.hpp"
+#include "properties/judge/limits.hpp"
 #include "report/parallel.hpp"
 #include "report/progress.hpp"
 #include "report/statistics.hpp"
@@ -19,6 +18,8 @@ namespace graze::tool {
 namespace {
 
 using corpus::Case;
+using law::Judgement;
+using law::Truth;
 
 bool is_contact(Outcome outcome) {
   return outcome == Outcome::hit || outcome == Outcome::initially_overlapping;
@@ -33,7 +34,6 @@ std::string first_of(std::initializer_list<const std::string*> faults) {
 }
 
 // The case as each scalar sees it, and what is true of it. Where rounding changes nothing, all share one.
-template <class Truth>
 class Truths {
  public:
   explicit Truths(const Case& problem) : problem_(problem) {}
@@ -53,25 +53,27 @@ class Truths {
   std::map<std::string, std::shared_ptr<Truth>> by_scalar_;
 };
 
+Measured begun(const Case& problem, const Judgement& judgement) {
+  return {.rounded = engine::is_rounded(problem),
+          .asked = !judgement.not_asked,
+          .stalled = judgement.stalled,
+          .late = !judgement.late.empty(),
+          .fault = first_of({&judgement.wrong, &judgement.late, &judgement.early, &judgement.off})};
+}
+
 // A start in contact that is called a hit, or a hit called a start, is judged by the time.
-Measured measure(const Case& problem, const engine::EngineMethod& method, const engine::Guarantee* row,
-                 Truths<Truth>& truths) {
-  Truth& truth = truths.of(method.scalar, method.seen(problem));
-  const engine::Answer answer = method.cast(problem, {.request = Request::everything});
-  const Judgement judgement = judge_method(truth, problem, method, answer, row, true);
-  Measured measured{.rounded = engine::is_rounded(problem),
-                    .asked = !judgement.not_asked,
-                    .stalled = judgement.stalled,
-                    .late = !judgement.late.empty(),
-                    .fault = first_of({&judgement.wrong, &judgement.late, &judgement.off})};
+Measured measure_linear(const Case& problem, const engine::Method& method, Truth& truth) {
+  const engine::Answer answer = method.ask(problem, {.request = Request::everything});
+  const Judgement judgement = judge(truth, method, answer, Request::everything, true);
+  Measured measured = begun(problem, judgement);
   if (!judgement.by_oracle || answer.outcome == Outcome::not_converged) return measured;
   measured.backward = judgement.errors.backward;
   measured.forward = judgement.errors.forward;
-  const oracle::CaseTruth& exact = truth.exact();
+  const oracle::CaseTruth& exact = truth.cast();
   if (answer.outcome == Outcome::miss && is_contact(exact.outcome())) {
-    measured.denied = over(exact.depth().high, exact.scale().high);
+    measured.denied = law::over(exact.depth().high, exact.scale().high);
   } else if (is_contact(answer.outcome) && exact.outcome() == Outcome::miss) {
-    measured.denied = over(exact.clearance().high, exact.scale().high);
+    measured.denied = law::over(exact.clearance().high, exact.scale().high);
   }
   measured.wrong = !std::isnan(measured.denied);
   return measured;
@@ -81,57 +83,46 @@ Measured measure(const Case& problem, const engine::EngineMethod& method, const 
 // fastest points of the two bodies.
 double forward_error(const oracle::RotatingTruth& truth, double time, double speed) {
   const double off = std::max({truth.toi_lower() - time, time - truth.toi_upper(), 0.0});
-  return over(off * speed, truth.scale().high);
+  return law::over(off * speed, truth.scale().high);
 }
 
-Measured measure(const Case& problem, const engine::RotatingEngineMethod& method,
-                 const engine::Guarantee* row, Truths<TurningTruth>& truths) {
+Measured measure_rotating(const Case& problem, const engine::Method& method, Truth& truth) {
   // What a caller gets by default; a normal and witnesses are judged elsewhere.
-  constexpr Request kAsked = Request::normal | Request::witnesses;
-  TurningTruth& truth = truths.of(method.scalar, method.seen(problem));
-  const RotatingLimits limits = limits_of(method, row);
-  const engine::RotatingAnswer answer = method.cast(problem, {.request = kAsked});
-  const RotatingJudgement judgement = judge_rotating(truth, answer, limits, Request::verdict);
-  Measured measured{.rounded = engine::is_rounded(truth.problem()),
-                    .asked = !judgement.not_asked,
-                    .stalled = judgement.stalled || !judgement.undecided.empty(),
-                    .late = !judgement.late.empty(),
-                    .fault = first_of({&judgement.wrong, &judgement.late, &judgement.early, &judgement.wide,
-                                       &judgement.undecided})};
+  const engine::Answer answer = method.answer(problem);
+  const Judgement judgement = judge(truth, method, answer, Request::verdict, true);
+  Measured measured = begun(truth.problem(), judgement);
   if (judgement.not_asked || answer.outcome == Outcome::not_converged ||
       answer.outcome == Outcome::invalid_input || !std::isfinite(truth.problem().t_max)) {
     return measured;
   }
   const oracle::RotatingTruth& bracket = truth.bracket();
   if (answer.outcome == Outcome::miss) {
-    if (is_contact(bracket.outcome())) measured.denied = judgement.passed;
+    if (is_contact(bracket.outcome())) measured.denied = judgement.errors.passed;
   } else if (bracket.outcome() == Outcome::miss) {
-    measured.denied = over(bracket.clearance().low, bracket.scale().high);
+    measured.denied = law::over(bracket.clearance().low, bracket.scale().high);
   } else if (is_contact(bracket.outcome())) {
     const double speed = law::top_speed_of(truth.problem());
     measured.forward = std::fmax(forward_error(bracket, answer.toi_lower, speed),
                                  forward_error(bracket, answer.toi_upper, speed));
   }
-  measured.backward = std::fmax(std::fmax(judgement.width, judgement.passed), measured.denied);
+  measured.backward = std::fmax(std::fmax(judgement.errors.backward, judgement.errors.passed), measured.denied);
   measured.wrong = !std::isnan(measured.denied);
   return measured;
 }
 
-template <class Truth, class Method>
-std::vector<Measured> measure_all(const Case& problem, const std::vector<const Method*>& methods,
-                                  const std::vector<const engine::Guarantee*>& rows) {
-  Truths<Truth> truths(problem);
+std::vector<Measured> measure_all(const Case& problem, const std::vector<const engine::Method*>& methods) {
+  Truths truths(problem);
   std::vector<Measured> all;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    all.push_back(measure(problem, *methods[m], rows[m], truths));
+  for (const engine::Method* method : methods) {
+    Truth& truth = truths.of(method->scalar, method->seen(problem));
+    all.push_back(method->kind == engine::Kind::rotating ? measure_rotating(problem, *method, truth)
+                                                         : measure_linear(problem, *method, truth));
   }
   return all;
 }
 
 // The curves of one method, polytopes and round, before any case.
-template <class Method>
-void add_curves(std::vector<Curve>& curves, const Method& method, const engine::Guarantee* row,
-                const corpus::Family& family) {
+void add_curves(std::vector<Curve>& curves, const engine::Method& method, const corpus::Family& family) {
   for (const bool rounded : {false, true}) {
     Curve curve{.method = method.full_name(),
                 .tier = method.tier,
@@ -139,23 +130,23 @@ void add_curves(std::vector<Curve>& curves, const Method& method, const engine::
                 .family = std::string(family.name),
                 .rotating = family.rotating,
                 .rounded = rounded};
-    if (row != nullptr) curve.row = *row;
+    if (method.guarantee != nullptr) curve.row = *method.guarantee;
     for (const double level : family.levels) curve.levels.push_back({.hardness = level});
     curves.push_back(std::move(curve));
   }
 }
 
-template <class Truth, class Method>
-FamilyStability measure_by(const corpus::Family& family, const std::vector<const Method*>& methods,
-                           std::size_t count, const StabilitySettings& settings) {
+}  // namespace
+
+FamilyStability measure_family(const corpus::Family& family, const StabilitySettings& settings) {
+  const engine::Kind kind = family.rotating ? engine::Kind::rotating : engine::Kind::linear;
+  const std::size_t count = family.rotating ? settings.rotating_count : settings.count;
+  std::vector<const engine::Method*> methods = settings.methods;
+  std::erase_if(methods, [&](const engine::Method* method) { return method->kind != kind; });
   FamilyStability result{.family = std::string(family.name),
                          .hardness_meaning = std::string(family.hardness_meaning),
                          .cases = family.levels.size() * count};
-  std::vector<const engine::Guarantee*> rows;
-  for (const Method* method : methods) {
-    rows.push_back(engine::find_guarantee(settings.guarantees, *method));
-    add_curves(result.curves, *method, rows.back(), family);
-  }
+  for (const engine::Method* method : methods) add_curves(result.curves, *method, family);
   const auto drawn = [&](std::size_t i) {
     return family.generate(family.levels[i / count], settings.seed + i % count);
   };
@@ -163,7 +154,7 @@ FamilyStability measure_by(const corpus::Family& family, const std::vector<const
   {
     Progress progress("stability, " + result.family, result.cases);
     for_each_index(result.cases, settings.threads, [&](std::size_t i) {
-      measured[i] = measure_all<Truth>(drawn(i), methods, rows);
+      measured[i] = measure_all(drawn(i), methods);
       progress.step();
     });
   }
@@ -183,8 +174,6 @@ FamilyStability measure_by(const corpus::Family& family, const std::vector<const
   std::erase_if(result.curves, [](const Curve& curve) { return curve.total().cases == 0; });
   return result;
 }
-
-}  // namespace
 
 void LevelErrors::add(const Measured& measured) {
   if (!measured.asked) return;
@@ -236,12 +225,6 @@ bool Curve::holds() const {
   const LevelErrors sum = total();
   return sum.faulty == 0 &&
          static_cast<double>(sum.stalled) <= std::ceil(row->stall_cap * static_cast<double>(sum.cases));
-}
-
-FamilyStability measure_family(const corpus::Family& family, const StabilitySettings& settings) {
-  return family.rotating
-             ? measure_by<TurningTruth>(family, settings.rotating, settings.rotating_count, settings)
-             : measure_by<Truth>(family, settings.linear, settings.count, settings);
 }
 
 std::vector<Curve> merged(const std::vector<Curve>& curves) {

@@ -2,9 +2,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "corpus/random.hpp"
+#include "oracles/polytope/exact_body.hpp"
+#include "oracles/polytope/integer_scene.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/laws/queries/question.hpp"
+
 namespace graze::tool {
+namespace {
+
+using corpus::Case;
+
+// A vertex pair each: beyond, an exact answer takes a tenth of a second.
+constexpr std::uint64_t kMostDifferences = 1u << 12;
+
+// Of a suite, evenly spread, to find small ones among them.
+constexpr std::size_t kMostLookedAt = 10000;
+
+std::uint64_t differences(const Case& problem) {
+  return law::vertex_count(problem.a.shape) * law::vertex_count(problem.b.shape);
+}
+bool is_represented(const Case& problem) {
+  return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape);
+}
+
+}  // namespace
+
+std::optional<Case> question_for(const Suite& suite, std::size_t i, const Case& problem,
+                                 const engine::Method& method) {
+  if (method.kind != engine::Kind::query) return problem;
+  if (suite.asks_every_query) return law::question_for(problem, method.query, i);
+  if (method.query != problem.query) return std::nullopt;
+  Case asked = problem;
+  asked.expect.reset();
+  asked.start_policy = StartPolicy::report;
+  return asked;
+}
 
 std::vector<const corpus::Family*> wanted_families(const std::vector<std::string>& names,
                                                    bool files_are_given) {
@@ -27,12 +63,43 @@ std::vector<const corpus::Family*> wanted_families(const std::vector<std::string
 
 Suite drawn_suite(const corpus::Family& family, std::span<const double> levels, std::size_t count,
                   std::uint64_t seed) {
-  return {.family = std::string(family.name), .drawn = count, .draw = [=, &family](std::size_t i) {
+  return {.kind = family.rotating ? engine::Kind::rotating : engine::Kind::linear,
+          .family = std::string(family.name),
+          .drawn = count,
+          .draw = [=, &family](std::size_t i) {
             const std::size_t number = levels.size();
             std::size_t level = 0, share = 0;
             for (; i >= (share = (count + number - 1 - level) / number); ++level) i -= share;
             return family.generate(levels[level], seed + level + i * number);
           }};
+}
+
+Suite queried_suite(const Suite& casts, std::size_t count) {
+  Suite suite{.kind = engine::Kind::query, .family = casts.family, .asks_every_query = true};
+  if (count == 0) return suite;
+  std::vector<std::size_t> small;
+  const std::size_t sparse = (casts.size() + kMostLookedAt - 1) / kMostLookedAt;
+  for (std::size_t i = 0; i < casts.size(); i += sparse) {
+    const Case problem = casts.at(i);
+    if (law::in_domain(problem) && is_small(problem)) small.push_back(i);
+  }
+  const std::size_t stride = std::max<std::size_t>(1, small.size() / count);
+  for (std::size_t i = 0; i < small.size() && suite.cases.size() < count; i += stride) {
+    suite.cases.push_back(casts.at(small[i]));
+  }
+  return suite;
+}
+
+bool is_small(const Case& problem) {
+  return is_represented(problem) && differences(problem) <= kMostDifferences;
+}
+
+std::string why_unjudged(const Case& problem) {
+  if (std::string why = law::why_invalid(problem); !why.empty()) return why;
+  if (std::string why = engine::unsupported(engine::Kind::query, problem); !why.empty()) return why;
+  if (is_represented(problem) && differences(problem) > oracle::kMostDifferences)
+    return "bodies with more vertices than the exact oracles take";
+  return {};
 }
 
 }  // namespace graze::tool

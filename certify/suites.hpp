@@ -1,13 +1,39 @@
-// Which families a command line asks for, and the cases that it draws of them.
+// What is certified on: cases of one family or one file, and the questions that each kind of method is asked
+// about them.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "certify/linear.hpp"
 #include "corpus/families.hpp"
+#include "engines/method.hpp"
 
 namespace graze::tool {
+
+// Given cases, or as many as wanted, each generated when it is asked for.
+struct Suite {
+  engine::Kind kind = engine::Kind::linear;  // of the methods that are asked
+  std::string family;
+  std::vector<corpus::Case> cases = {};
+  std::size_t drawn = 0;
+  std::function<corpus::Case(std::size_t)> draw = {};
+  // The exact oracle measures every so many of them, beside what it must decide.
+  std::size_t oracle_every = 1;
+  // Of queries: the bodies of linear casts, which are asked every query; else each case is asked its own.
+  bool asks_every_query = false;
+
+  [[nodiscard]] std::size_t size() const { return cases.size() + drawn; }
+  [[nodiscard]] corpus::Case at(std::size_t i) const {
+    return i < cases.size() ? cases[i] : draw(i - cases.size());
+  }
+};
+
+// Case i of a suite as a method is asked it; nothing where it is no question for the method's query.
+[[nodiscard]] std::optional<corpus::Case> question_for(const Suite& suite, std::size_t i,
+                                                       const corpus::Case& problem,
+                                                       const engine::Method& method);
 
 // The families by these names; without a name every family, unless files are given instead. Throws
 // std::runtime_error with one line to show for a name that is none.
@@ -19,5 +45,14 @@ namespace graze::tool {
 // those of cases dealt to the levels in turn, from `seed` on.
 [[nodiscard]] Suite drawn_suite(const corpus::Family& family, std::span<const double> levels,
                                 std::size_t count, std::uint64_t seed);
+
+// The bodies of up to `count` casts of a suite, evenly spread, that the exact oracles represent and answer in
+// a tenth of a second: to be asked every query.
+[[nodiscard]] Suite queried_suite(const Suite& casts, std::size_t count);
+
+[[nodiscard]] bool is_small(const corpus::Case& problem);
+
+// Why the query of a case cannot be judged; empty if it can.
+[[nodiscard]] std::string why_unjudged(const corpus::Case& problem);
 
 }  // namespace graze::tool

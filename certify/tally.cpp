@@ -2,110 +2,97 @@
 
 #include <fmt/format.h>
 
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include <cmath>
+#include <numeric>
 
 namespace graze::tool {
 
-void Tally::add(const std::string& id, const Judgement& judgement) {
-  const auto count = [&](const std::string& fault, std::size_t& counter, Example& first) {
-    if (!fault.empty() && counter++ == 0) first = {id, fault};
-  };
+void Tally::Worst::take(double candidate, const corpus::Case& problem) {
+  if (std::isnan(candidate) || candidate <= value) return;
+  value = candidate;
+  id = problem.id;
+  hardness = problem.hardness;
+}
+
+void Tally::Worst::take(const Worst& other) {
+  if (!std::isnan(other.value) && !(other.value <= value)) *this = other;
+}
+
+void Tally::add(const corpus::Case& problem, const law::Judgement& judgement, const Counters& counters) {
   if (judgement.not_asked && judgement.wrong.empty()) {
     ++not_asked;
     return;
   }
   ++cases;
-  count(judgement.wrong, wrong, first_wrong);
-  count(judgement.late, late, first_late);
-  count(judgement.off, off, first_off);
-  count(judgement.bad_contact, bad_contact, first_bad_contact);
-  count(judgement.false_proof, refused, first_refused);
-  if (judgement.stalled && stalled++ == 0) first_stalled = {id, ""};
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    const std::string& why = judgement.*law::kFaultKinds[k].why;
+    if (!why.empty() && faults[k]++ == 0) first[k] = {problem.id, why};
+  }
+  if (judgement.stalled && stalled++ == 0) first_stalled = {problem.id, judgement.undecided};
   excused += judgement.excused ? 1 : 0;
-  accepted += judgement.proof == ProofState::accepted ? 1 : 0;
-  unproved += judgement.proof == ProofState::none ? 1 : 0;
+  hidden += judgement.hidden ? 1 : 0;
+  open += judgement.open ? 1 : 0;
+  accepted += judgement.proof == law::ProofState::accepted ? 1 : 0;
+  refused += judgement.proof == law::ProofState::refused ? 1 : 0;
+  unproved += judgement.proof == law::ProofState::none ? 1 : 0;
+  if (method->kind == engine::Kind::rotating) supports.push_back(counters.supports);
   if (!judgement.by_oracle) return;
   ++by_oracle;
-  forward.push_back(judgement.errors.forward);
-  backward.push_back(judgement.errors.backward);
-  normal.push_back(judgement.errors.normal);
-  witness.push_back(judgement.errors.witness);
+  const law::Errors& errors = judgement.errors;
+  forward.push_back(errors.forward);
+  backward.push_back(errors.backward);
+  normal.push_back(errors.normal);
+  witness.push_back(errors.witness);
+  width.take(errors.backward, problem);
+  passed.take(errors.passed, problem);
+  over_limit.take(errors.over_limit, problem);
 }
 
-std::vector<std::string> breaches(const Tally& tally, const engine::Guarantee* row) {
+void Tally::add(const Tally& other) {
+  cases += other.cases;
+  not_asked += other.not_asked;
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (faults[k] == 0) first[k] = other.first[k];
+    faults[k] += other.faults[k];
+  }
+  if (stalled == 0) first_stalled = other.first_stalled;
+  stalled += other.stalled;
+  excused += other.excused;
+  hidden += other.hidden;
+  open += other.open;
+  accepted += other.accepted;
+  refused += other.refused;
+  unproved += other.unproved;
+  by_oracle += other.by_oracle;
+  for (std::vector<double> Tally::*values : {&Tally::forward, &Tally::backward, &Tally::normal,
+                                             &Tally::witness, &Tally::true_backward, &Tally::ns,
+                                             &Tally::supports}) {
+    (this->*values).insert((this->*values).end(), (other.*values).begin(), (other.*values).end());
+  }
+  width.take(other.width);
+  passed.take(other.passed);
+  over_limit.take(other.over_limit);
+}
+
+std::size_t Tally::faulty() const { return std::accumulate(faults.begin(), faults.end(), std::size_t{0}); }
+
+std::vector<std::string> breaches(const Tally& tally) {
   std::vector<std::string> lines;
+  const engine::Guarantee* row = tally.method->guarantee;
   if (row == nullptr) return lines;
-  const auto line = [&](std::size_t count, const char* what, const Tally::Example& first) {
+  const auto line = [&](std::size_t count, const std::string& what, const Tally::Example& first) {
     if (count == 0) return;
     lines.push_back(fmt::format("{}, {}: {} {} of {}; the first is {}{}{}", row->name(), tally.family, count,
                                 what, tally.cases, first.id, first.reason.empty() ? "" : ": ", first.reason));
   };
-  line(tally.wrong, "wrong", tally.first_wrong);
-  line(tally.late, "late", tally.first_late);
-  line(tally.off, "with a bracket off by more than kappa u scale", tally.first_off);
-  line(tally.bad_contact, "with a normal or a witness off by more than kappa u scale",
-       tally.first_bad_contact);
-  line(tally.refused, "with a false proof", tally.first_refused);
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    line(tally.faults[k], law::kFaultKinds[k].sentence, tally.first[k]);
+  }
   if (static_cast<double>(tally.stalled) > row->stall_cap * static_cast<double>(tally.cases)) {
-    line(tally.stalled, fmt::format("not converged, above the cap of {},", row->stall_cap).c_str(),
+    line(tally.stalled, fmt::format("not converged, above the cap of {},", row->stall_cap),
          tally.first_stalled);
   }
   return lines;
-}
-
-std::string tally_table(const std::vector<Tally>& tallies) {
-  Table table({{"method", Align::left},
-               {"family", Align::left},
-               {"cases"},
-               {"not\nasked"},
-               {"wrong"},
-               {"late"},
-               {"off"},
-               {"contact\noff"},
-               {"not con-\nverged"},
-               {"excused"},
-               {"proofs\naccepted"},
-               {"\nrefused"},
-               {"\nnone"},
-               {"by\noracle"},
-               {"forward\nmedian"},
-               {"error\nworst"},
-               {"backward\nmedian"},
-               {"error\nworst"},
-               {"true in.\nworst"},
-               {"normal\nworst"},
-               {"witness\nworst"},
-               {"median\nns"}});
-  const Tally* last = nullptr;
-  for (const Tally& t : tallies) {
-    if (last != nullptr && (last->method != t.method || last->scalar != t.scalar)) table.add_gap();
-    last = &t;
-    const double ns = median(t.ns);
-    table.add_row({t.method + "/" + t.scalar,
-                   t.family,
-                   fmt::to_string(t.cases),
-                   t.not_asked > 0 ? fmt::to_string(t.not_asked) : "-",
-                   fmt::to_string(t.wrong),
-                   fmt::to_string(t.late),
-                   fmt::to_string(t.off),
-                   fmt::to_string(t.bad_contact),
-                   fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused),
-                   fmt::to_string(t.accepted),
-                   fmt::to_string(t.refused),
-                   fmt::to_string(t.unproved),
-                   fmt::to_string(t.by_oracle),
-                   short_number(median(t.forward)),
-                   short_number(worst(t.forward)),
-                   short_number(median(t.backward)),
-                   short_number(worst(t.backward)),
-                   short_number(worst(t.true_backward)),
-                   short_number(worst(t.normal)),
-                   short_number(worst(t.witness)),
-                   std::isnan(ns) ? "-" : fmt::format("{:.0f}", ns)});
-  }
-  return table.text();
 }
 
 }  // namespace graze::tool

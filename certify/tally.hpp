@@ -1,41 +1,60 @@
-// One row of the certification table, a method on a family of cases, and whether the row of the guarantee
-// table holds there.
+// A method on a family: how many answers have which fault, what is no fault by itself, how large the errors
+// were, and whether the method's guarantee holds there.
 #pragma once
 
+#include <array>
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "corpus/case.hpp"
 #include "engines/guarantees.hpp"
-#include "properties/judge/answer.hpp"
+#include "properties/judge/judgement.hpp"
 
 namespace graze::tool {
 
 struct Tally {
-  std::string method, scalar, family;
-  std::size_t cases = 0, not_asked = 0;  // those that are not for the tier are no cases of its row
-  std::size_t wrong = 0, late = 0, off = 0, bad_contact = 0, stalled = 0, excused = 0;
-  std::size_t accepted = 0, refused = 0, unproved = 0;
+  const engine::Method* method = nullptr;
+  std::string family;
+  std::size_t cases = 0, not_asked = 0;  // those that are no question for the method are no cases of its row
+  std::array<std::size_t, law::kFaults> faults = {};  // by law::kFaultKinds
+  std::size_t stalled = 0, excused = 0, hidden = 0, open = 0;
+  std::size_t accepted = 0, refused = 0, unproved = 0;  // by their proofs
   std::size_t by_oracle = 0;
-  std::vector<double> forward = {}, backward = {}, normal = {},
-                      witness = {};        // over scale, of the cases that the oracle measured
+  // Over scale, of the cases that the oracle measured.
+  std::vector<double> forward = {}, backward = {}, normal = {}, witness = {};
   std::vector<double> true_backward = {};  // the same against the input before rounding to float
   std::vector<double> ns = {};             // of the cases that were timed
+  std::vector<double> supports = {};
+
+  // The largest, and the case that has it; NaN where there is none.
+  struct Worst {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    std::string id = {};
+    std::optional<double> hardness = {};
+    void take(double candidate, const corpus::Case& problem);
+    void take(const Worst& other);
+  };
+  Worst width = {};       // errors.backward
+  Worst passed = {};      // errors.passed
+  Worst over_limit = {};  // errors.over_limit
 
   // The first case of each kind, and its reason.
   struct Example {
-    std::string id, reason;
+    std::string id = {}, reason = {};
   };
-  Example first_wrong = {}, first_late = {}, first_off = {}, first_bad_contact = {}, first_stalled = {},
-          first_refused = {};
+  std::array<Example, law::kFaults> first = {};
+  Example first_stalled = {};
 
-  void add(const std::string& id, const Judgement& judgement);
+  void add(const corpus::Case& problem, const law::Judgement& judgement, const Counters& counters);
+  // Of the same method on another family, which it then stands for as well.
+  void add(const Tally& other);
+  [[nodiscard]] std::size_t faulty() const;  // faults of any kind; an answer may have several
 };
 
-// What of a guarantee does not hold in this tally, a line each: the row, the family, how many, and by which
-// case. Without a row nothing is promised and nothing can break.
-[[nodiscard]] std::vector<std::string> breaches(const Tally& tally, const engine::Guarantee* row);
-
-// The table, a line a tally; a gap where the method changes.
-[[nodiscard]] std::string tally_table(const std::vector<Tally>& tallies);
+// What of the method's guarantee does not hold in this tally, a line each: the row, the family, how many, and
+// by which case. Without a row nothing is promised and nothing can break.
+[[nodiscard]] std::vector<std::string> breaches(const Tally& tally);
 
 }  // namespace graze::tool

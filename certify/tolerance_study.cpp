@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "properties/judge/judgement.hpp"
+#include "properties/judge/truth.hpp"
 #include "report/inputs.hpp"
 #include "report/parallel.hpp"
 #include "report/progress.hpp"
@@ -18,19 +20,14 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double over_scale(double length, double scale) {
-  if (length == 0) return 0;
-  return scale > 0 ? length / scale : kInf;
-}
-
 }  // namespace
 
 std::vector<double> studied_tolerances() { return {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14}; }
 
-std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::EngineMethod*>& methods,
-                                           const std::vector<Truth*>& hits, unsigned threads) {
+std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Method*>& methods,
+                                           std::span<const corpus::Case> hits, unsigned threads) {
   std::vector<ToleranceRow> rows;
-  for (const engine::EngineMethod* method : methods) {
+  for (const engine::Method* method : methods) {
     for (const double tolerance : studied_tolerances()) {
       ToleranceRow row{.method = method->full_name(), .tolerance = tolerance, .cases = hits.size()};
       row.lower.resize(hits.size());
@@ -45,16 +42,17 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
   {
     Progress progress("error against time", hits.size());
     for_each_index(hits.size(), threads, [&](std::size_t i) {
-      const oracle::CaseTruth& exact = hits[i]->exact();
+      law::Truth truth(hits[i]);
+      const oracle::CaseTruth& exact = truth.cast();
       const double scale = exact.scale().high;
       for (std::size_t r = 0; r < rows.size(); ++r) {
         const engine::Answer answer =
-            methods[r / per_method]->cast(hits[i]->problem(), {.tolerance = rows[r].tolerance});
+            methods[r / per_method]->ask(hits[i], {.tolerance = rows[r].tolerance});
         const auto error = [&](double t) {
-          return t < kInf ? over_scale(exact.backward_error(t).high, scale) : kNone;
+          return t < kInf ? law::over(exact.backward_error(t).high, scale) : kNone;
         };
         stalled[r][i] = answer.outcome == Outcome::not_converged ? 1 : 0;
-        rows[r].denied[i] = answer.outcome == Outcome::miss ? over_scale(exact.depth().high, scale) : kNone;
+        rows[r].denied[i] = answer.outcome == Outcome::miss ? law::over(exact.depth().high, scale) : kNone;
         rows[r].lower[i] = error(answer.toi_lower);
         rows[r].upper[i] = answer.toi_upper == answer.toi_lower ? rows[r].lower[i] : error(answer.toi_upper);
         rows[r].width[i] = std::fmax(rows[r].lower[i], rows[r].upper[i]);
@@ -67,7 +65,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Engin
       rows[r].not_converged += static_cast<std::size_t>(stalled[r][i]);
       rows[r].missed += std::isnan(rows[r].denied[i]) ? 0 : 1;
       rows[r].ns.push_back(
-          methods[r / per_method]->time_ns(hits[i]->problem(), {.tolerance = rows[r].tolerance}, 3));
+          methods[r / per_method]->time_ns(hits[i], {.tolerance = rows[r].tolerance}, 3));
     }
   }
   return rows;

@@ -1,11 +1,11 @@
 // Error against time: what each digit of a method's tolerance costs, and what it buys.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engines/method.hpp"
-#include "properties/judge/answer.hpp"
 
 namespace graze::tool {
 
@@ -27,7 +27,7 @@ struct ToleranceRow {
 
 // One row a method and tolerance over the given hits. `threads` measure; the timing is done by one.
 [[nodiscard]] std::vector<ToleranceRow> study_tolerances(
-    const std::vector<const engine::EngineMethod*>& methods, const std::vector<Truth*>& hits,
+    const std::vector<const engine::Method*>& methods, std::span<const corpus::Case> hits,
     unsigned threads);
 
 [[nodiscard]] std::string tolerance_table(const std::vector<ToleranceRow>& rows);

@@ -11,8 +11,7 @@
 
 #include "corpus/format/names.hpp"
 #include "draw/canvas.hpp"
-#include "engines/queries.hpp"
-#include "engines/rotating.hpp"
+#include "engines/method.hpp"
 
 namespace graze::draw {
 namespace {
@@ -91,9 +90,9 @@ class Analysis {
   // Fills `result` and `drawable`, and what the answer knows of the contact.
   void ask() {
     if (problem_.query == corpus::Query::cast) {
-      const engine::RotatingEngineMethod& method = *engine::find_rotating_method("plan/double");
-      const engine::RotatingAsk everything{.request = Request::normal | Request::witnesses};
-      const engine::RotatingAnswer answer = method.cast(problem_, everything);
+      const engine::Method& method = *engine::find_method(engine::Kind::rotating, "plan/double");
+      const engine::Ask everything{.request = Request::normal | Request::witnesses};
+      const engine::Answer answer = method.ask(problem_, everything);
       outcome_ = answer.outcome;
       scene_.result = corpus::name_of(answer.outcome);
       scene_.drawable = answer.outcome != Outcome::invalid_input;
@@ -104,7 +103,7 @@ class Analysis {
       }
       if (outcome_ == Outcome::hit) {
         // The same question about A's position: its points are not rounded at a far offset.
-        const engine::RotatingAnswer near = method.cast(near_, everything);
+        const engine::Answer near = method.ask(near_, everything);
         if (near.outcome == Outcome::hit) {
           witness_ = {0, wide(near.normal), wide(near.point_a), wide(near.point_b)};
         } else {
@@ -113,9 +112,9 @@ class Analysis {
         }
       }
     } else {
-      for (const engine::QueryMethod& method : engine::query_methods()) {
+      for (const engine::Method& method : engine::methods(engine::Kind::query)) {
         if (method.query != problem_.query) continue;
-        const engine::QueryAnswer answer = method.answer(problem_);
+        const engine::Answer answer = method.answer(problem_);
         outcome_ = answer.outcome;
         describe(answer);
         break;
@@ -124,10 +123,10 @@ class Analysis {
     scene_.has_contact = outcome_ == Outcome::hit || outcome_ == Outcome::initially_overlapping;
   }
 
-  void describe(const engine::QueryAnswer& answer) {
+  void describe(const engine::Answer& answer) {
     scene_.drawable = answer.outcome != Outcome::invalid_input;
     scene_.result = fmt::format("{}: {}", corpus::name_of(problem_.query), corpus::name_of(answer.outcome));
-    if (answer.distance) scene_.result += fmt::format(", distance {}", answer.distance->lower);
+    if (answer.separation) scene_.result += fmt::format(", distance {}", answer.separation->lower);
     if (answer.depth) scene_.result += fmt::format(", depth {}", answer.depth->upper);
     if (answer.t_in) {
       scene_.result += fmt::format(", in contact from t = {} to {}", answer.t_in->lower, answer.t_out->upper);

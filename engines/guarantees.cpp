@@ -130,29 +130,10 @@ std::span<const Guarantee> guarantees() {
   return kTable;
 }
 
-const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method) {
+const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method) {
+  const std::string_view query = method.kind == Kind::rotating ? kRotating : corpus::name_of(method.query);
   for (const Guarantee& row : table) {
-    if (row.query == "cast" && row.method == method.name && row.scalar == method.scalar &&
-        row.tier == method.tier) {
-      return &row;
-    }
-  }
-  return nullptr;
-}
-
-const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method) {
-  for (const Guarantee& row : table) {
-    if (row.query == corpus::name_of(method.query) && row.method == method.name &&
-        row.scalar == method.scalar && row.tier == method.tier) {
-      return &row;
-    }
-  }
-  return nullptr;
-}
-
-const Guarantee* find_guarantee(std::span<const Guarantee> table, const RotatingEngineMethod& method) {
-  for (const Guarantee& row : table) {
-    if (row.query == kRotating && row.method == method.name && row.scalar == method.scalar &&
+    if (row.query == query && row.method == method.name && row.scalar == method.scalar &&
         row.tier == method.tier) {
       return &row;
     }

@@ -9,8 +9,6 @@
 
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
-#include "engines/queries.hpp"
-#include "engines/rotating.hpp"
 
 namespace graze::engine {
 
@@ -25,7 +23,7 @@ enum class Unseen {
 inline constexpr double kPlainStallCap = 0.001;
 
 struct Guarantee {
-  std::string query = "cast";  // or one of engines/queries.hpp, or "rotating"
+  std::string query = "cast";  // or a query beside the cast, or "rotating"
   std::string method, scalar, tier;
   // kappa: errors up to kappa u scale are within the guarantee. u: unit roundoff of the scalar.
   double kappa_polytope = 0;  // points, boxes and hulls, target distance 0
@@ -61,9 +59,6 @@ struct Guarantee {
 [[nodiscard]] std::vector<Guarantee> parse_guarantees(std::string_view text);
 
 // The row of a method in a table: nullptr if it has none, and then it promises nothing.
-[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const EngineMethod& method);
-[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const QueryMethod& method);
-[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table,
-                                              const RotatingEngineMethod& method);
+[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method);
 
 }  // namespace graze::engine

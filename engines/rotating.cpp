@@ -1,11 +1,9 @@
 // Our rotating casts as engines: a case in, an answer in doubles out.
-#include "engines/rotating.hpp"
-
 #include <array>
-#include <cmath>
 #include <graze/rotating_cast.hpp>
 
 #include "engines/convert.hpp"
+#include "engines/ours.hpp"
 #include "engines/timing.hpp"
 
 namespace graze::engine {
@@ -41,7 +39,7 @@ constexpr Way way_of(Name name) {
 }
 
 template <Scalar S>
-RotatingOptions<S> options_for(const corpus::Case& problem, const RotatingAsk& ask, Way way) {
+RotatingOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Way way) {
   RotatingOptions<S> options;
   options.tier = ask.tier.value_or(way.tier);
   options.method = way.method;
@@ -57,39 +55,37 @@ RotatingOptions<S> options_for(const corpus::Case& problem, const RotatingAsk& a
 }
 
 template <Scalar S>
-RotatingAnswer widened(const RotatingResult<S>& result) {
+Answer widened(const RotatingResult<S>& result) {
   return {.outcome = result.outcome,
           .invalid = result.invalid,
-          .plan = result.plan,
           .toi_lower = result.toi_lower,
           .toi_upper = result.toi_upper,
-          .distance = result.distance,
-          .passed_over = result.passed_over,
-          .hidden_motion = result.hidden_motion,
           .normal = result.normal.template cast<double>(),
           .point_a = result.point_a.template cast<double>(),
           .point_b = result.point_b.template cast<double>(),
-          .proof = result.proof,
-          .counters = result.counters};
+          .distance = result.distance,
+          .passed_over = result.passed_over,
+          .counters = result.counters,
+          .plan = result.plan,
+          .hidden_motion = result.hidden_motion,
+          .rotating_proof = result.proof};
 }
 
 template <Scalar S, Name kName>
-RotatingAnswer cast_case(const corpus::Case& problem, const RotatingAsk& ask) {
-  if (!unsupported_rotating(problem).empty()) {
-    return {.outcome = Outcome::invalid_input, .toi_lower = std::nan(""), .toi_upper = std::nan("")};
-  }
+Answer cast_case(const corpus::Case& problem, const Ask& ask) {
+  if (!unsupported(Kind::rotating, problem).empty()) return not_taken();
   return widened(graze::cast(round_to<S>(problem.a, problem.spin_a), round_to<S>(problem.b, problem.spin_b),
                              options_for<S>(problem, ask, way_of(kName))));
 }
 
 template <Scalar S, Name kName>
-Plan plan_case(const corpus::Case& problem, const RotatingAsk& ask) {
+Plan plan_case(const corpus::Case& problem, const Ask& ask) {
   return graze::plan(round_to<S>(problem.a, problem.spin_a), round_to<S>(problem.b, problem.spin_b),
                      options_for<S>(problem, ask, way_of(kName)));
 }
 
 template <Scalar S, Name kName>
-double time_case(const corpus::Case& problem, const RotatingAsk& ask, int repeats) {
+double time_case(const corpus::Case& problem, const Ask& ask, int repeats) {
   const RotatingBody<S> a = round_to<S>(problem.a, problem.spin_a),
                         b = round_to<S>(problem.b, problem.spin_b);
   const RotatingOptions<S> options = options_for<S>(problem, ask, way_of(kName));
@@ -97,57 +93,36 @@ double time_case(const corpus::Case& problem, const RotatingAsk& ask, int repeat
 }
 
 template <Scalar S, Name kName>
-RotatingEngineMethod engine_of() {
-  return {.name = kNames[static_cast<std::size_t>(kName)],
+Method engine_of() {
+  return {.kind = Kind::rotating,
+          .name = kNames[static_cast<std::size_t>(kName)],
           .scalar = std::same_as<S, float> ? "float" : "double",
           .tier = way_of(kName).tier == Tier::certified ? "certified" : "standard",
           .unit_roundoff = kUnitRoundoff<S>,
-          .cast = &cast_case<S, kName>,
-          .plan = &plan_case<S, kName>,
+          .ask = &cast_case<S, kName>,
           .seen = &rounded_case<S>,
-          .time_ns = &time_case<S, kName>};
+          .time_ns = &time_case<S, kName>,
+          .plan = &plan_case<S, kName>};
 }
 
 template <Scalar S>
-std::array<RotatingEngineMethod, kNames.size()> engines_in() {
-  return {engine_of<S, Name::steps>(),
-          engine_of<S, Name::spheres>(),
-          engine_of<S, Name::ca>(),
-          engine_of<S, Name::bilateral>(),
-          engine_of<S, Name::bilateral_published>(),
-          engine_of<S, Name::plan>(),
-          engine_of<S, Name::certified>()};
+void add_methods(std::vector<Method>& out) {
+  out.push_back(engine_of<S, Name::steps>());
+  out.push_back(engine_of<S, Name::spheres>());
+  out.push_back(engine_of<S, Name::ca>());
+  out.push_back(engine_of<S, Name::bilateral>());
+  out.push_back(engine_of<S, Name::bilateral_published>());
+  out.push_back(engine_of<S, Name::plan>());
+  out.push_back(engine_of<S, Name::certified>());
 }
 
 }  // namespace
 
-std::span<const RotatingEngineMethod> rotating_methods() {
-  static const std::vector<RotatingEngineMethod> kMethods = [] {
-    std::vector<RotatingEngineMethod> out;
-    for (RotatingEngineMethod& method : engines_in<double>()) out.push_back(std::move(method));
+void add_rotating_methods(std::vector<Method>& out) {
+  add_methods<double>(out);
 #ifndef GRAZE_DOUBLE_ALONE  // half the compilation, for the trial of the laws
-    for (RotatingEngineMethod& method : engines_in<float>()) out.push_back(std::move(method));
+  add_methods<float>(out);
 #endif
-    return out;
-  }();
-  return kMethods;
-}
-
-const RotatingEngineMethod* find_rotating_method(std::string_view name) {
-  for (const RotatingEngineMethod& method : rotating_methods()) {
-    if (name == method.name || name == method.full_name()) return &method;
-  }
-  return nullptr;
-}
-
-bool turns(const corpus::Case& problem) {
-  // Written so that a NaN counts as a rotation, too.
-  return !(problem.spin_a.rotation == Vec3<double>::Zero() &&
-           problem.spin_b.rotation == Vec3<double>::Zero());
-}
-
-std::string unsupported_rotating(const corpus::Case& problem) {
-  return problem.query == corpus::Query::cast ? "" : "a query other than cast";
 }
 
 }  // namespace graze::engine

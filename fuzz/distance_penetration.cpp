@@ -7,7 +7,7 @@
 #include "corpus/format/names.hpp"
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws/queries/queries.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::fuzz {
 
@@ -17,13 +17,13 @@ constexpr std::uint64_t kOneIn = 64;
 
 Judged judge_queries(const Input& input) {
   const corpus::Case problem = as_linear(input.problem);
-  const auto methods = engine::query_methods();
+  const auto methods = engine::methods(engine::Kind::query);
   Judged judged;
   judged.by_oracle = input.choice % kOneIn == 0;
   for (std::size_t i = 0; i < methods.size() && !judged.reached; ++i) {
-    const engine::QueryMethod& method = methods[(input.choice / kOneIn + i) % methods.size()];
+    const engine::Method& method = methods[(input.choice / kOneIn + i) % methods.size()];
     const std::string name = std::string(corpus::name_of(method.query)) + " " + method.full_name();
-    for (const law::QueryLaw& one : law::query_laws()) {
+    for (const law::Law& one : law::laws(engine::Kind::query)) {
       if (judged.finding) break;
       if (one.needs == law::Needs::oracle && !judged.by_oracle) continue;
       add(judged, one.name, name, one.check(problem, method), problem);

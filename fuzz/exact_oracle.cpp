@@ -17,9 +17,9 @@ Judged judge_exactly(const Input& input) {
   const corpus::Case problem = as_few_vertices(input.problem);
   const char* const scalar = input.choice % 4 == 0 ? "float" : "double";
   Judged judged;
-  for (const engine::EngineMethod& method : engine::methods()) {
+  for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
     if (method.scalar != scalar) continue;
-    for (const law::Law& one : law::laws()) {
+    for (const law::Law& one : law::laws(engine::Kind::linear)) {
       const bool exact = one.name == "exact_equals_oracle" || one.name == "exact_queries_agree";
       if (one.needs != law::Needs::oracle && !(exact && method.is_exact())) continue;
       add(judged, one.name, method.full_name(), one.check(problem, method), problem);

@@ -1,7 +1,7 @@
 // Does any linear cast answer wrongly?
 //
 //   1  decode; one case in a thousand, by the choice, goes to every method and to the exact oracle, with all
-//      that it can judge (judge_cast.hpp);
+//      that it can judge (judge/cast.hpp);
 //   2  else the choice names one method, and it answers everything;
 //   3  the answer is consistent in itself, and the checker accepts its proof; tier exact is judged by its own
 //      to the last bit (exact_answer.hpp); elsewhere a proof as narrow as the method's row settles it;
@@ -13,6 +13,7 @@
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
 #include "properties/edit/case.hpp"
+#include "properties/judge/by_proof.hpp"
 #include "properties/judge/cast.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/linear.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 
 constexpr std::uint64_t kOracleOneIn = 1000, kArbitratedOneIn = 32;
 // The tiers that prove take ten times as long as other methods where numbers are exact, and of curved shapes
@@ -62,30 +63,34 @@ Judged judge_all(const Case& problem) {
 }
 
 // What is wrong with an answer, by itself and by its proof.
-std::string own_fault(const Case& problem, const EngineMethod& method, const Answer& answer) {
+std::string own_fault(const Case& problem, const Method& method, const Answer& answer) {
   std::string fault = law::consistency_fault(problem, method, answer, Request::everything);
   if (!fault.empty()) return fault;
   if (method.is_exact()) return law::judge_exact_by_proof(problem, answer, false).fault;
   return law::proof_fault(problem, answer);
 }
 
-const EngineMethod& method_of(bool exact, const Seldom& seldom, Choice& choice) {
+bool is_settled(const Case& problem, const Method& method, const Answer& answer) {
+  return answer.proof && law::is_settled_by(*answer.proof, method, problem, answer);
+}
+
+const Method& method_of(bool exact, const Seldom& seldom, Choice& choice) {
   const char* const standard[] = {"ca", "gjk", "mpr"};
-  if (exact && choice.once_in(kExactOneIn)) return *engine::find_method("exact");
-  if (choice.once_in(seldom.certified)) return *engine::find_method("certified");
-  return *engine::find_method(standard[choice.below(std::size(standard))]);
+  if (exact && choice.once_in(kExactOneIn)) return *engine::find_method(engine::Kind::linear, "exact");
+  if (choice.once_in(seldom.certified)) return *engine::find_method(engine::Kind::linear, "certified");
+  return *engine::find_method(engine::Kind::linear, standard[choice.below(std::size(standard))]);
 }
 
 Judged judge_one(const Case& problem, Choice choice) {
   Judged judged;
   judged.reached = law::is_linear_question(problem);
-  const bool refused = !judged.reached && law::must_be_refused(problem);
+  const bool refused = !judged.reached && !law::in_domain(problem);
   if (!judged.reached && !refused) return judged;  // out of range: an answer promises nothing
   const bool exact = judged.reached && engine::is_exact_question(problem);
   const Seldom& seldom = exact ? kOfExactQuestions : kOfOthers;
-  const EngineMethod& method = method_of(exact, seldom, choice);
-  const Answer answer = method.cast(problem, {.request = Request::everything});
-  const auto find = [&](const char* name, const EngineMethod& blamed, const Answer& said, std::string fault) {
+  const Method& method = method_of(exact, seldom, choice);
+  const Answer answer = method.ask(problem, {.request = Request::everything});
+  const auto find = [&](const char* name, const Method& blamed, const Answer& said, std::string fault) {
     if (fault.empty() || judged.finding) return;
     judged.finding = {name, blamed.full_name(), std::move(fault), problem,
                       fmt::format("{}: {}\n", blamed.full_name(), law::describe(said))};
@@ -98,11 +103,11 @@ Judged judge_one(const Case& problem, Choice choice) {
     return judged;
   }
   find("proof_and_answer", method, answer, own_fault(problem, method, answer));
-  if (judged.finding || method.is_exact() || law::is_settled_by_proof(problem, method, answer)) return judged;
+  if (judged.finding || method.is_exact() || is_settled(problem, method, answer)) return judged;
 
-  const EngineMethod& proving = *engine::find_method(exact ? "exact" : "certified");
+  const Method& proving = *engine::find_method(engine::Kind::linear, exact ? "exact" : "certified");
   if (method.name == proving.name || !choice.once_in(seldom.compared)) return judged;
-  const Answer proved = proving.cast(problem, {.request = Request::everything});
+  const Answer proved = proving.ask(problem, {.request = Request::everything});
   find("proof_and_answer", proving, proved, own_fault(problem, proving, proved));
   if (judged.finding || law::agree(answer, proved, method.unit_roundoff)) return judged;
   if (!choice.once_in(kArbitratedOneIn) || !law::has_truth(problem)) return judged;

@@ -59,10 +59,10 @@ Judged judge_linear(const Case& problem, corpus::Random& random) {
   if (!judged.reached) return judged;
   Proof proof;
   if (!random.once_in(8)) {
-    const auto methods = engine::methods();
-    const engine::EngineMethod& method = methods[random.below(methods.size())];
+    const auto methods = engine::methods(engine::Kind::linear);
+    const engine::Method& method = methods[random.below(methods.size())];
     // A proof in float is about the case in float; here it is one more way to be wrong.
-    proof = method.cast(problem, {.request = Request::proof}).proof.value_or(Proof());
+    proof = method.ask(problem, {.request = Request::proof}).proof.value_or(Proof());
   }
   spoil(proof, problem, random);
   if (!oracle::check_proof(problem, proof).accepted()) return judged;
@@ -73,7 +73,7 @@ Judged judge_linear(const Case& problem, corpus::Random& random) {
     record.proof = of;
     judged.finding = finding(name, std::move(fault), problem, std::move(record));
   };
-  const engine::Answer certified = engine::find_method("certified")->cast(problem, {});
+  const engine::Answer certified = engine::find_method(engine::Kind::linear, "certified")->ask(problem, {});
   if (!within(certified, lower, upper) && law::has_truth(problem)) {
     judged.by_oracle = true;
     std::string fault = false_claim(law::truth_of(problem), lower, upper);
@@ -94,8 +94,8 @@ Judged judge_turning(const Case& problem, corpus::Random& random) {
   Judged judged;
   judged.reached = law::is_rotating_question(problem);
   if (!judged.reached) return judged;
-  const engine::RotatingAnswer certified =
-      engine::find_rotating_method("certified")->cast(problem, {.request = Request::proof});
+  const engine::Answer certified =
+      engine::find_method(engine::Kind::rotating, "certified")->ask(problem, {.request = Request::proof});
   RotatingProof proof = random.once_in(8) ? RotatingProof() : certified.proof.value_or(RotatingProof());
   spoil(proof, problem, random);
   if (!oracle::check_rotating_proof(problem, proof).accepted()) return judged;

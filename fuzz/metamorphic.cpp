@@ -19,7 +19,7 @@ constexpr std::size_t kTries = 8;
 const std::vector<const law::Law*>& metamorphic_laws() {
   static const std::vector<const law::Law*> kLaws = [] {
     std::vector<const law::Law*> out;
-    for (const law::Law& one : law::laws()) {
+    for (const law::Law& one : law::laws(engine::Kind::linear)) {
       // Poisons every number of the case in turn: hundreds of casts, all refused alike.
       if (one.needs == law::Needs::metamorphic && one.name != "bad_input_is_refused") out.push_back(&one);
     }
@@ -31,14 +31,14 @@ const std::vector<const law::Law*>& metamorphic_laws() {
 Judged judge_edits(const Input& input) {
   const corpus::Case problem = as_linear(input.problem);
   const auto& laws = metamorphic_laws();
-  const auto& methods = engine::methods();
+  const auto& methods = engine::methods(engine::Kind::linear);
   std::size_t chosen = input.choice / 256 % methods.size();
   // Tier exact takes few; every case has a method that does.
   for (std::size_t i = 0;
        i < methods.size() && !law::is_question_for(methods[chosen], methods[chosen].seen(problem)); ++i) {
     chosen = (chosen + 1) % methods.size();
   }
-  const engine::EngineMethod& method = methods[chosen];
+  const engine::Method& method = methods[chosen];
   Judged judged;
   for (std::size_t i = 0; i < kTries && !judged.reached; ++i) {
     const law::Law& one = *laws[(input.choice % 256 + i) % laws.size()];

@@ -8,7 +8,6 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "engines/method.hpp"
-#include "engines/queries.hpp"
 #include "fuzz/placing.hpp"
 #include "properties/edit/case.hpp"
 
@@ -37,7 +36,7 @@ bool never_negative(Slot slot) {
 // To the last bit where tier exact answers, else within rounding. Quick: mutating must not cost more than
 // judging, as tier certified does of curved shapes.
 engine::Answer first_contact(const Case& linear) {
-  return engine::find_method(engine::is_exact_question(linear) ? "exact" : "gjk")->cast(linear, {});
+  return engine::find_method(engine::Kind::linear, engine::is_exact_question(linear) ? "exact" : "gjk")->ask(linear, {});
 }
 
 class Mover {
@@ -177,7 +176,7 @@ class Mover {
   }
 
   bool touch() {
-    if (law::must_be_refused(case_)) return false;
+    if (!law::in_domain(case_)) return false;
     Case linear = case_;
     linear.spin_a = linear.spin_b = {};
     linear.query = corpus::Query::cast;
@@ -190,10 +189,10 @@ class Mover {
       case_.b.position += (t - keep * horizon) * law::velocity(case_);
       return true;
     }
-    for (const engine::QueryMethod& method : engine::query_methods()) {
+    for (const engine::Method& method : engine::methods(engine::Kind::query)) {
       if (method.query != corpus::Query::distance || method.scalar != "double") continue;
       linear.query = corpus::Query::distance;
-      const engine::QueryAnswer answer = method.answer(linear);
+      const engine::Answer answer = method.answer(linear);
       if (!answer.point_a || !answer.point_b) return false;
       case_.b.position += *answer.point_a - *answer.point_b;
       return true;
@@ -300,7 +299,7 @@ class Mover {
             case_.start_policy == StartPolicy::report ? StartPolicy::pass_over : StartPolicy::report;
         return true;
       default: {
-        if (law::must_be_refused(case_)) return false;
+        if (!law::in_domain(case_)) return false;
         Case linear = case_;
         linear.spin_a = linear.spin_b = {};
         linear.query = corpus::Query::cast;

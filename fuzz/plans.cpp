@@ -7,7 +7,7 @@
 
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws/rotating/rotating.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::fuzz {
 
@@ -20,10 +20,10 @@ bool is_of_plans(std::string_view name) {
   return false;
 }
 
-const std::vector<const law::RotatingLaw*>& plan_laws() {
-  static const std::vector<const law::RotatingLaw*> kLaws = [] {
-    std::vector<const law::RotatingLaw*> out;
-    for (const law::RotatingLaw& one : law::rotating_laws()) {
+const std::vector<const law::Law*>& plan_laws() {
+  static const std::vector<const law::Law*> kLaws = [] {
+    std::vector<const law::Law*> out;
+    for (const law::Law& one : law::laws(engine::Kind::rotating)) {
       if (is_of_plans(one.name)) out.push_back(&one);
     }
     return out;
@@ -32,10 +32,10 @@ const std::vector<const law::RotatingLaw*>& plan_laws() {
 }
 
 // The methods whose answer is the plan's: the others ask it nothing.
-const std::vector<const engine::RotatingEngineMethod*>& planned_methods() {
-  static const std::vector<const engine::RotatingEngineMethod*> kMethods = [] {
-    std::vector<const engine::RotatingEngineMethod*> out;
-    for (const engine::RotatingEngineMethod& one : engine::rotating_methods()) {
+const std::vector<const engine::Method*>& planned_methods() {
+  static const std::vector<const engine::Method*> kMethods = [] {
+    std::vector<const engine::Method*> out;
+    for (const engine::Method& one : engine::methods(engine::Kind::rotating)) {
       if (one.name == "plan" || one.is_certified()) out.push_back(&one);
     }
     return out;
@@ -46,11 +46,11 @@ const std::vector<const engine::RotatingEngineMethod*>& planned_methods() {
 Judged judge_plan(const Input& input) {
   const corpus::Case problem = as_turning(input.problem);
   const auto& laws = plan_laws();
-  const engine::RotatingEngineMethod& method =
+  const engine::Method& method =
       *planned_methods()[input.choice / 256 % planned_methods().size()];
   Judged judged;
   for (std::size_t i = 0; i < laws.size() && !judged.reached; ++i) {
-    const law::RotatingLaw& one = *laws[(input.choice % 256 + i) % laws.size()];
+    const law::Law& one = *laws[(input.choice % 256 + i) % laws.size()];
     add(judged, one.name, method.full_name(), one.check(problem, method), problem);
   }
   return judged;

@@ -6,7 +6,7 @@
 //   4  one case in kOneIn goes to the bracket oracle, which judges all of the answer.
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/laws/rotating/rotating.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::fuzz {
 
@@ -17,11 +17,11 @@ constexpr std::uint64_t kOneIn = 64;
 
 Judged judge_turning(const Input& input) {
   const corpus::Case problem = as_turning(input.problem);
-  const auto methods = engine::rotating_methods();
-  const engine::RotatingEngineMethod& method = methods[input.choice / kOneIn % methods.size()];
+  const auto methods = engine::methods(engine::Kind::rotating);
+  const engine::Method& method = methods[input.choice / kOneIn % methods.size()];
   Judged judged;
   judged.by_oracle = input.choice % kOneIn == 0;
-  for (const law::RotatingLaw& one : law::rotating_laws()) {
+  for (const law::Law& one : law::laws(engine::Kind::rotating)) {
     if (judged.finding) break;
     const bool asked = one.needs == law::Needs::proof || one.name == "turning_answer_is_consistent" ||
                        (one.needs == law::Needs::oracle && judged.by_oracle);

@@ -20,10 +20,10 @@ namespace {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 
 struct Said {
-  const EngineMethod* method;
+  const Method* method;
   const Case* seen;  // as the method saw it
   Answer answer;
   [[nodiscard]] bool proved() const { return method->is_exact() || method->is_certified(); }
@@ -35,9 +35,9 @@ class Comparison {
       : problem_(problem),
         in_float_(engine::rounded_case<float>(problem)),
         one_question_(law::same_input(problem, in_float_)) {
-    for (const EngineMethod& method : engine::methods()) {
+    for (const Method& method : engine::methods(engine::Kind::linear)) {
       const Case& seen = method.scalar == "float" && !one_question_ ? in_float_ : problem_;
-      if (law::is_question_for(method, seen)) said_.push_back({&method, &seen, method.cast(seen, {})});
+      if (law::is_question_for(method, seen)) said_.push_back({&method, &seen, method.ask(seen, {})});
     }
     judged_.reached = said_.size() >= 2;
   }

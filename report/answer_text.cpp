@@ -29,26 +29,21 @@ std::string json_vector(const Vec3<double>& v) {
 
 std::string vector_text(const Vec3<double>& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
 
-template <class Answer>
-bool has_times(const Answer& answer) {
+bool has_times(const engine::Answer& answer) {
   return answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input;
 }
 
 // Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
-template <class Answer>
-std::string reason_of(const Answer& answer) {
+std::string reason_of(const engine::Answer& answer) {
   if (answer.outcome == Outcome::invalid_input) return invalid_text(answer.invalid);
-  if constexpr (requires { answer.passed_over; }) {
-    if (answer.passed_over) return "the motion leaves or slides from its start in contact";
-  }
+  if (answer.passed_over) return "the motion leaves or slides from its start in contact";
   return {};
 }
 
 std::string json_text(const std::string& text) { return text.empty() ? "null" : corpus::json_quote(text); }
 
 // Who answered, in JSON without braces.
-template <class AnyMethod>
-std::string method_fields(const AnyMethod& method) {
+std::string method_fields(const engine::Method& method) {
   return fmt::format(R"("method": "{}", "scalar": "{}", "tier": "{}")", method.name, method.scalar,
                      method.tier);
 }
@@ -57,8 +52,7 @@ std::string work_fields(const Counters& counters) {
 }
 
 // What the answers of linear and rotating casts have in common, in JSON without braces.
-template <class Answer>
-std::string cast_fields(const corpus::Case& problem, const Answer& answer) {
+std::string cast_fields(const corpus::Case& problem, const engine::Answer& answer) {
   const bool hit = answer.outcome == Outcome::hit;
   const std::string toi = has_times(answer)
                               ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
@@ -76,8 +70,7 @@ std::string line(const char* name, const std::string& value) {
 }
 
 // The same as lines of text.
-template <class Answer>
-std::string cast_lines(const Answer& answer) {
+std::string cast_lines(const engine::Answer& answer) {
   std::string text = line("outcome", std::string(corpus::name_of(answer.outcome)));
   if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
   if (has_times(answer)) text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
@@ -89,8 +82,7 @@ std::string cast_lines(const Answer& answer) {
   return text;
 }
 
-template <class AnyMethod>
-std::string method_line(const AnyMethod& method) {
+std::string method_line(const engine::Method& method) {
   return line("method", fmt::format("{}, {}, tier {}", method.name, method.scalar, method.tier));
 }
 
@@ -136,46 +128,45 @@ std::string invalid_text(Invalid invalid) {
   return "an unknown reason";
 }
 
-std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
+namespace {
+
+std::string linear_block(const corpus::Case& problem, const engine::Method& method,
                          const engine::Answer& answer) {
   return fmt::format("{}\n", problem.id) + method_line(method) + cast_lines(answer) +
          line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
                                   answer.counters.supports));
 }
 
-std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
+std::string linear_json(const corpus::Case& problem, const engine::Method& method,
                         const engine::Answer& answer) {
   return fmt::format("{{{}, {}, {}}}", cast_fields(problem, answer), method_fields(method),
                      work_fields(answer.counters));
 }
 
-namespace {
-
 struct NamedInterval {
   const char* name;
   const std::optional<engine::Interval>& value;
 };
-std::array<NamedInterval, 4> intervals(const engine::QueryAnswer& answer) {
-  return {NamedInterval{"distance", answer.distance},
+std::array<NamedInterval, 4> intervals(const engine::Answer& answer) {
+  return {NamedInterval{"distance", answer.separation},
           {"depth", answer.depth},
           {"t_in", answer.t_in},
           {"t_out", answer.t_out}};
 }
 struct NamedVector {
   const char* name;
-  const std::optional<Vec3<double>>& value;
+  const Vec3<double>& value;
+  bool given;
 };
-std::array<NamedVector, 4> vectors(const engine::QueryAnswer& answer) {
-  return {NamedVector{"normal", answer.normal},
-          {"normal_out", answer.normal_out},
-          {"point_a", answer.point_a},
-          {"point_b", answer.point_b}};
+std::array<NamedVector, 4> vectors(const engine::Answer& answer) {
+  return {NamedVector{"normal", answer.normal, answer.has_normal()},
+          {"normal_out", answer.normal_out, !answer.normal_out.isZero(0)},
+          {"point_a", answer.point_a, answer.has_points},
+          {"point_b", answer.point_b, answer.has_points}};
 }
 
-}  // namespace
-
-std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
-                         const engine::QueryAnswer& answer) {
+std::string query_block(const corpus::Case& problem, const engine::Method& method,
+                         const engine::Answer& answer) {
   std::string text = fmt::format("{}\n", problem.id);
   text += line("query", std::string(corpus::name_of(problem.query)));
   text += method_line(method);
@@ -185,15 +176,15 @@ std::string answer_block(const corpus::Case& problem, const engine::QueryMethod&
     if (value) text += line(name, fmt::format("[{}, {}]", value->lower, value->upper));
   }
   if (answer.stalled) text += line("stalled", "the bracket is wider than rounding alone would make it");
-  for (const auto& [name, value] : vectors(answer)) {
-    if (value) text += line(name, vector_text(*value));
+  for (const auto& [name, value, given] : vectors(answer)) {
+    if (given) text += line(name, vector_text(value));
   }
   return text + line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
                                          answer.counters.supports));
 }
 
-std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
-                        const engine::QueryAnswer& answer) {
+std::string query_json(const corpus::Case& problem, const engine::Method& method,
+                        const engine::Answer& answer) {
   std::string text = fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}", "because": {})",
                                  corpus::json_quote(problem.id), corpus::name_of(problem.query),
                                  corpus::name_of(answer.outcome), json_text(reason_of(answer)));
@@ -203,13 +194,11 @@ std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& 
                         json_time(value->upper));
   }
   text += fmt::format(R"(, "stalled": {})", answer.stalled);
-  for (const auto& [name, value] : vectors(answer)) {
-    text += fmt::format(R"(, "{}": {})", name, value ? json_vector(*value) : "null");
+  for (const auto& [name, value, given] : vectors(answer)) {
+    text += fmt::format(R"(, "{}": {})", name, given ? json_vector(value) : "null");
   }
   return text + fmt::format(", {}, {}}}", method_fields(method), work_fields(answer.counters));
 }
-
-namespace {
 
 std::vector<std::string_view> reasons_of(const Plan& plan) {
   std::vector<std::string_view> reasons;
@@ -237,10 +226,8 @@ std::string plan_fields(const Plan& plan) {
                      fmt::join(reasons, ", "), json_number(plan.added));
 }
 
-}  // namespace
-
-std::string answer_block(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
-                         const engine::RotatingAnswer& answer) {
+std::string rotating_block(const corpus::Case& problem, const engine::Method& method,
+                         const engine::Answer& answer) {
   std::string text = fmt::format("{}\n", problem.id) + method_line(method);
   if (answer.outcome != Outcome::invalid_input) text += line("plan", plan_text(answer.plan));
   text += cast_lines(answer);
@@ -252,11 +239,39 @@ std::string answer_block(const corpus::Case& problem, const engine::RotatingEngi
                                          answer.counters.poses));
 }
 
-std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
-                        const engine::RotatingAnswer& answer) {
+std::string rotating_json(const corpus::Case& problem, const engine::Method& method,
+                        const engine::Answer& answer) {
   return fmt::format(R"({{{}, {}, "hidden_motion": {}, {}, {}, "poses": {}}})", cast_fields(problem, answer),
                      plan_fields(answer.plan), json_number(answer.hidden_motion), method_fields(method),
                      work_fields(answer.counters), answer.counters.poses);
+}
+
+}  // namespace
+
+std::string answer_block(const corpus::Case& problem, const engine::Method& method,
+                         const engine::Answer& answer) {
+  switch (method.kind) {
+    case engine::Kind::linear:
+      return linear_block(problem, method, answer);
+    case engine::Kind::query:
+      return query_block(problem, method, answer);
+    case engine::Kind::rotating:
+      break;
+  }
+  return rotating_block(problem, method, answer);
+}
+
+std::string answer_json(const corpus::Case& problem, const engine::Method& method,
+                        const engine::Answer& answer) {
+  switch (method.kind) {
+    case engine::Kind::linear:
+      return linear_json(problem, method, answer);
+    case engine::Kind::query:
+      return query_json(problem, method, answer);
+    case engine::Kind::rotating:
+      break;
+  }
+  return rotating_json(problem, method, answer);
 }
 
 std::string plan_block(const corpus::Case& problem, const Plan& plan) {

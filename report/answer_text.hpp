@@ -5,37 +5,24 @@
 
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
-#include "engines/queries.hpp"
-#include "engines/rotating.hpp"
 
 namespace graze::tool {
 
-[[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::EngineMethod& method,
+[[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::Method& method,
                                        const engine::Answer& answer);
 
 // {"id", "outcome", "because", "toi": {"lower", "upper"}, "normal", "point_a", "point_b", "method", "scalar",
 // "tier", "iterations", "supports"}; null for what the answer does not hold: a miss has no toi, only a hit
 // has a normal and witnesses, and "upper" is null where nothing bounds the time from above. "because" is why
 // a case was refused, or that its start was passed over. The JSON says all that the block says.
-[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::EngineMethod& method,
+//
+// Of a rotating method also "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and "poses".
+// Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them, "distance",
+// "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
+[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                                       const engine::Answer& answer);
 
 [[nodiscard]] std::string invalid_text(Invalid invalid);
-
-// With "query", "stalled", "normal_out" and, where the query has them, "distance", "depth", "t_in" and
-// "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
-[[nodiscard]] std::string answer_block(const corpus::Case& problem, const engine::QueryMethod& method,
-                                       const engine::QueryAnswer& answer);
-[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::QueryMethod& method,
-                                      const engine::QueryAnswer& answer);
-
-// As of a linear cast, with "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and
-// "poses".
-[[nodiscard]] std::string answer_block(const corpus::Case& problem,
-                                       const engine::RotatingEngineMethod& method,
-                                       const engine::RotatingAnswer& answer);
-[[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::RotatingEngineMethod& method,
-                                      const engine::RotatingAnswer& answer);
 
 // What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"], "added": 0.0}
 [[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 namespace graze::tool {
 namespace {
@@ -52,27 +53,10 @@ CaseFiles read_case_files(const std::vector<std::string>& names) {
 
 namespace {
 
-template <class AnyMethod>
-std::vector<const AnyMethod*> select_from(std::span<const AnyMethod> all,
-                                          const std::vector<std::string>& names, std::vector<bool>& used) {
-  std::vector<const AnyMethod*> selected;
-  for (const AnyMethod& method : all) {
-    bool wanted = false;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == "all" || names[i] == method.name || names[i] == method.full_name()) {
-        used[i] = wanted = true;
-      }
-    }
-    if (wanted) selected.push_back(&method);
-  }
-  return selected;
-}
-
-// Each once, in the order of the table.
-template <class AnyMethod>
-std::string names_of(std::span<const AnyMethod> all) {
+// Each once, in the order of the list.
+std::string names_of(engine::Kind kind) {
   std::vector<std::string> names;
-  for (const AnyMethod& method : all) {
+  for (const engine::Method& method : engine::methods(kind)) {
     if (std::find(names.begin(), names.end(), method.name) == names.end()) names.push_back(method.name);
   }
   return fmt::format("{}", fmt::join(names, ", "));
@@ -80,18 +64,31 @@ std::string names_of(std::span<const AnyMethod> all) {
 
 }  // namespace
 
-std::string linear_names() { return names_of(engine::methods()); }
-std::string rotating_names() { return names_of(engine::rotating_methods()); }
+std::string linear_names() { return names_of(engine::Kind::linear); }
+std::string rotating_names() { return names_of(engine::Kind::rotating); }
 
-SelectedMethods select_methods(const std::vector<std::string>& names) {
+bool selects(std::string_view name, const engine::Method& method) {
+  if (name == "all" || name == method.name || name == method.full_name()) return true;
+  const std::string question = method.question_name();
+  return name == question || name == std::string_view(question).substr(0, question.rfind('/'));
+}
+
+std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names) {
+  std::vector<const engine::Method*> selected;
   std::vector<bool> used(names.size(), false);
-  SelectedMethods selected{.linear = select_from(engine::methods(), names, used),
-                           .rotating = select_from(engine::rotating_methods(), names, used)};
+  for (const engine::Method& method : engine::methods()) {
+    bool wanted = false;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!selects(names[i], method)) continue;
+      used[i] = wanted = true;
+    }
+    if (wanted) selected.push_back(&method);
+  }
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
     throw std::runtime_error(fmt::format(
-        "--method: {} is no method; it is {}, of rotating casts {}, one of them with its scalar "
-        "(mpr/float), or all",
+        "--method: {} is no method; it is {}, of rotating casts {}, one of a query with it (overlap gjk), one "
+        "of them with its scalar (mpr/float), or all",
         names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names()));
   }
   return selected;

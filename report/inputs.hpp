@@ -7,7 +7,6 @@
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/proof_io.hpp"
 #include "engines/method.hpp"
-#include "engines/rotating.hpp"
 #include "report/outputs.hpp"
 
 namespace graze::tool {
@@ -32,14 +31,13 @@ struct CaseFiles {
 // The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
 [[nodiscard]] std::string read_stdin();
 
-// The casts that `names` select: "mpr" all scalars of it, "mpr/float" that one, "all" every one; in the order
-// of the engine tables. A name may stand for a linear method and a rotating one. Throws std::runtime_error
-// for a name that selects nothing.
-struct SelectedMethods {
-  std::vector<const engine::EngineMethod*> linear;
-  std::vector<const engine::RotatingEngineMethod*> rotating;
-};
-[[nodiscard]] SelectedMethods select_methods(const std::vector<std::string>& names);
+// Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their question
+// and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those of one query,
+// "all" for every one.
+[[nodiscard]] bool selects(std::string_view name, const engine::Method& method);
+// The methods that `names` select, in the order of the list. Throws std::runtime_error for a name that selects
+// nothing.
+[[nodiscard]] std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names);
 
 // Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.
 [[nodiscard]] std::string linear_names();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
@@ -30,8 +31,9 @@ std::string duration_text(double seconds) {
                        : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-Progress::Progress(std::string label, std::uint64_t total, std::uint64_t before)
+Progress::Progress(std::string label, std::uint64_t total, std::uint64_t before, Show show)
     : label_(std::move(label)),
+      kind_(show),
       total_(total),
       before_(before),
       done_(before),
@@ -55,6 +57,21 @@ void Progress::reach(std::uint64_t done, const std::string& more) {
   show(more);
 }
 
+void Progress::advance(std::uint64_t by, const std::string& more) {
+  const std::lock_guard lock(mutex_);
+  done_ += by;
+  show(more);
+}
+
+std::string Progress::text_of_done() const {
+  if (kind_ == Show::counts) return fmt::format("{}: {} of {}", label_, done_, total_);
+  constexpr std::uint64_t kBar = 30;
+  const std::uint64_t of = std::max<std::uint64_t>(total_, 1);
+  const std::uint64_t full = std::min(kBar, kBar * done_ / of);
+  const std::string bar = std::string(full, '#') + std::string(kBar - full, '.');
+  return fmt::format("{}: {}{} %", label_, on_terminal_ ? "[" + bar + "] " : "", 100 * done_ / of);
+}
+
 void Progress::show(const std::string& more) {
   const auto now = Clock::now();
   if (on_terminal_) {
@@ -65,12 +82,12 @@ void Progress::show(const std::string& more) {
     double due = g_due;
     if (ran < due || !g_due.compare_exchange_strong(due, ran + kNextLine)) return;
   }
-  std::string text = fmt::format("{}: {} of {}", label_, done_, total_);
+  std::string text = text_of_done();
   if (!more.empty()) text += ", " + more;
   if (const double seconds = Seconds(now - start_).count(); done_ > before_ && seconds > 1) {
     const double rate = static_cast<double>(done_ - before_) / seconds;
-    text += fmt::format(", {:.3g} a second, {} left", rate,
-                        duration_text(static_cast<double>(total_ - done_) / rate));
+    if (kind_ == Show::counts) text += fmt::format(", {:.3g} a second", rate);
+    text += fmt::format(", {} left", duration_text(static_cast<double>(total_ - done_) / rate));
   }
   std::fputs((on_terminal_ ? "\r\033[K" + text : "graze: " + text + "\n").c_str(), stderr);
   std::fflush(stderr);

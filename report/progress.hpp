@@ -11,8 +11,11 @@ namespace graze::tool {
 
 class Progress {
  public:
+  // Counts, or, where things of different cost are counted, the share that is done, with a bar.
+  enum class Show { counts, percent };
+
   // `before`: of the total, what was done before this run.
-  Progress(std::string label, std::uint64_t total, std::uint64_t before = 0);
+  Progress(std::string label, std::uint64_t total, std::uint64_t before = 0, Show show = Show::counts);
   ~Progress();  // wipes the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -20,6 +23,8 @@ class Progress {
   // From any thread: one more is done; or so many are, and what else there is to say.
   void step();
   void reach(std::uint64_t done, const std::string& more = {});
+  // So many more are done.
+  void advance(std::uint64_t by, const std::string& more);
   // Before another line is printed.
   void wipe() const;
 
@@ -27,7 +32,10 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void show(const std::string& more);
 
+  [[nodiscard]] std::string text_of_done() const;
+
   std::string label_;
+  Show kind_;
   std::uint64_t total_, before_, done_;
   bool on_terminal_;
   std::mutex mutex_;

@@ -9,7 +9,7 @@ namespace graze::tool {
 namespace {
 
 // Each kind has a word of the seed's own stream.
-std::uint64_t key_of(std::uint64_t seed, PartKind kind) {
+std::uint64_t key_of(std::uint64_t seed, engine::Kind kind) {
   corpus::Random words(seed);
   for (int i = 0; i < static_cast<int>(kind); ++i) words.bits();
   return words.bits();
@@ -18,8 +18,8 @@ std::uint64_t key_of(std::uint64_t seed, PartKind kind) {
 }  // namespace
 
 CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families,
-                             std::vector<Contender> contenders, std::uint64_t seed, const Sampling& sampling)
-    : contenders_(std::move(contenders)), key_(key_of(seed, contenders_.at(0).kind())), sampling_(sampling) {
+                             Contenders contenders, std::uint64_t seed, const Sampling& sampling)
+    : contenders_(std::move(contenders)), key_(key_of(seed, contenders_.at(0)->kind)), sampling_(sampling) {
   for (const corpus::Family* family : families) {
     const std::size_t first = slots_.size();
     std::string levels;

@@ -43,11 +43,11 @@ class CampaignCases {
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
   // The contenders are of one kind, each of which has its own stream of seeds.
-  CampaignCases(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
+  CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders,
                 std::uint64_t seed, const Sampling& sampling);
 
   [[nodiscard]] DrawnCase draw(std::uint64_t index) const;
-  [[nodiscard]] const std::vector<Contender>& contenders() const { return contenders_; }
+  [[nodiscard]] const Contenders& contenders() const { return contenders_; }
   [[nodiscard]] const std::vector<Slot>& slots() const { return slots_; }
   // Of those that are asked, in the order of the table.
   [[nodiscard]] std::vector<std::string> families() const;
@@ -57,7 +57,7 @@ class CampaignCases {
  private:
   [[nodiscard]] bool is_asked(const Slot& slot) const;
 
-  std::vector<Contender> contenders_;
+  Contenders contenders_;
   std::uint64_t key_;
   Sampling sampling_;
   std::vector<Slot> slots_;         // by family, then by level

@@ -6,200 +6,132 @@
 #include <bit>
 #include <cmath>
 #include <exception>
-#include <graze/support/tree.hpp>
 #include <utility>
 
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/random.hpp"
+#include "properties/edit/case.hpp"
 #include "properties/laws/queries/question.hpp"
 
 namespace graze::tool {
 namespace {
 
-// What a caller gets by default.
-constexpr Request kPlain = Request::normal | Request::witnesses;
+using engine::Kind;
+using engine::Method;
 
-Request request_of(const DrawnCase& drawn) { return drawn.seed % 2 == 0 ? Request::everything : kPlain; }
-
-AnswerWords words_of(const engine::RotatingAnswer& answer) {
-  return {.outcome = answer.outcome, .numbers = {answer.toi_lower, answer.toi_upper}, .count = 2};
-}
-
-AnswerWords words_of(const engine::QueryAnswer& answer) {
-  AnswerWords words{.outcome = answer.outcome};
-  for (const auto* bracket : {&answer.distance, &answer.depth, &answer.t_in, &answer.t_out}) {
-    if (!*bracket) continue;
-    words.numbers[words.count++] = (*bracket)->lower;
-    words.numbers[words.count++] = (*bracket)->upper;
-  }
-  return words;
-}
-
-// The truth about the case as it is seen: one that there is, or a new one.
-template <class T, class... Arguments>
-T& truth_of(std::vector<std::unique_ptr<T>>& truths, corpus::Case seen, const Arguments&... arguments) {
-  for (const std::unique_ptr<T>& truth : truths) {
-    if (corpus::same_case(truth->problem(), seen)) return *truth;
-  }
-  return *truths.emplace_back(std::make_unique<T>(std::move(seen), arguments...));
+// Of turning bodies every other answer is without a proof; a query has none.
+Request request_of(const Method& method, const DrawnCase& drawn) {
+  if (method.kind == Kind::query || !drawn.judged) return engine::kPlain;
+  const bool whole = method.kind == Kind::linear || drawn.seed % 2 == 0;
+  return whole ? Request::everything : engine::kPlain;
 }
 
 // The proof that the method has when it is asked for one; why it is refused, or empty.
-std::string refusal_of_proof(TurningTruth& truth, const engine::RotatingEngineMethod& method,
-                             const corpus::Case& problem) {
-  const engine::RotatingAnswer answer = method.cast(problem, {.request = Request::everything});
-  if (!answer.proof) return {};
-  const oracle::RotatingVerdict verdict = truth.check(*answer.proof);
+std::string refusal_of_proof(law::Truth& truth, const Method& method, const corpus::Case& problem) {
+  const engine::Answer answer = method.ask(problem, {.request = Request::everything});
+  if (!answer.rotating_proof) return {};
+  const oracle::RotatingVerdict verdict = truth.check(*answer.rotating_proof);
   if (verdict.accepted() && verdict.detail.empty()) return {};
   return fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
 }
 
-std::string& fault_of(CampaignCast& cast, Fault fault) {
-  return cast.faults[static_cast<std::size_t>(fault)];
+// What is counted and not judged where a case is not: an answer that converged, with times that make sense.
+bool is_answer(const Method& method, const engine::Answer& answer, double t_max) {
+  return answer.outcome != Outcome::not_converged && answer.outcome != Outcome::invalid_input &&
+         (method.kind == Kind::query || law::senseless(answer, t_max).empty());
 }
 
-// An answer, with times that make sense: what is counted and not judged where a case is not.
-bool is_answer(Outcome outcome, double lower, double upper, double t_max) {
-  return outcome != Outcome::not_converged && outcome != Outcome::invalid_input &&
-         senseless(outcome, lower, upper, t_max).empty();
+law::Judgement unjudged(const engine::Answer& answer) {
+  law::Judgement judgement;
+  judgement.outcome = answer.outcome;
+  judgement.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
+  return judgement;
 }
 
 }  // namespace
 
 AnswerWords words_of(const engine::Answer& answer) {
-  return {.outcome = answer.outcome, .numbers = {answer.toi_lower, answer.toi_upper}, .count = 2};
-}
-
-bool CampaignCast::faulty() const {
-  return std::any_of(faults.begin(), faults.end(), [](const std::string& why) { return !why.empty(); });
+  AnswerWords words{.outcome = answer.outcome};
+  bool is_query = false;
+  for (const auto* bracket : {&answer.separation, &answer.depth, &answer.t_in, &answer.t_out}) {
+    if (!*bracket) continue;
+    is_query = true;
+    words.numbers[words.count++] = (*bracket)->lower;
+    words.numbers[words.count++] = (*bracket)->upper;
+  }
+  if (is_query) return words;
+  words.numbers = {answer.toi_lower, answer.toi_upper};
+  words.count = 2;
+  return words;
 }
 
 std::string CampaignCast::reason() const {
-  const auto first =
-      std::find_if(faults.begin(), faults.end(), [](const std::string& why) { return !why.empty(); });
-  if (first != faults.end()) return *first;
+  if (judgement.faulty()) return judgement.fault();
+  if (!judgement.undecided.empty()) return judgement.undecided;
   return answer.outcome == Outcome::not_converged ? "did not converge" : "stalled with a wide bracket";
 }
 
-corpus::Case question_of(const Contender& contender, const DrawnCase& drawn) {
-  if (contender.kind() != PartKind::queries) return drawn.problem;
-  const corpus::Query query = std::get<1>(contender.method)->query;
-  corpus::Case question = law::question_for(drawn.problem, query, drawn.seed);
+corpus::Case question_of(const Method& contender, const DrawnCase& drawn) {
+  if (contender.kind != Kind::query) return drawn.problem;
+  corpus::Case question = law::question_for(drawn.problem, contender.query, drawn.seed);
   // Where bodies stay where they are, the case has no other id yet.
-  if (question.id == drawn.problem.id) question.id.append("/").append(corpus::name_of(query));
+  if (question.id == drawn.problem.id) question.id.append("/").append(corpus::name_of(contender.query));
   return question;
 }
 
-CampaignCast CaseJudge::ask(const Contender& contender) {
+law::Truth& CaseJudge::truth_of(const Method& method, corpus::Case seen) {
+  for (const std::unique_ptr<law::Truth>& truth : truths_) {
+    if (corpus::same_case(truth->problem(), seen)) return *truth;
+  }
+  const Method* reference =
+      method.kind == Kind::rotating ? engine::find_method(Kind::rotating, "certified/" + method.scalar) : nullptr;
+  return *truths_.emplace_back(std::make_unique<law::Truth>(std::move(seen), reference));
+}
+
+law::Judgement CaseJudge::judge(const Method& method, const corpus::Case& question,
+                                const engine::Answer& answer, Request request, std::string& undecided) {
+  law::Truth& truth = truth_of(method, method.seen(question));
+  std::string refused;
+  const bool hides_its_proof = method.kind == Kind::rotating && !asks_for(request, Request::proof);
+  if (hides_its_proof) refused = refusal_of_proof(truth, method, question);
+  law::Judgement judgement = law::judge(truth, method, answer, request, drawn_.sampled);
+  law::convict(judgement.false_proof, std::move(refused));
+  if (judgement.by_oracle && judgement.open) undecided = truth.bracket().reason();
+  return judgement;
+}
+
+CampaignCast CaseJudge::ask(const Method& contender) {
   CampaignCast asked;
   try {
-    switch (contender.kind()) {
-      case PartKind::casts:
-        return cast(*std::get<0>(contender.method), contender.row);
-      case PartKind::queries:
-        return query(*std::get<1>(contender.method), contender);
-      case PartKind::rotating:
-        return turn(*std::get<2>(contender.method), contender.row);
+    const corpus::Case question = question_of(contender, drawn_);
+    // The scalar has made it another question.
+    if (contender.kind == Kind::query && !law::in_domain(contender.seen(question))) {
+      asked.judgement.not_asked = true;
+      return asked;
     }
+    Request request = request_of(contender, drawn_);
+    engine::Answer answer = contender.ask(question, {.request = request});
+    asked.answer = words_of(answer);
+    const bool is_query = contender.kind == Kind::query;
+    if (is_query ? !drawn_.sampled || !drawn_.judged
+                 : !drawn_.judged && is_answer(contender, answer, drawn_.problem.t_max)) {
+      asked.judgement = unjudged(answer);
+      asked.judgement.not_asked = is_query && answer.invalid == Invalid::not_exact;
+      if (is_query && answer.outcome == Outcome::invalid_input && !asked.judgement.not_asked)
+        asked.judgement.wrong = "refuses a valid case";
+      return asked;
+    }
+    if (contender.kind == Kind::linear && request != Request::everything) {
+      request = Request::everything;
+      answer = contender.ask(question, {.request = request});
+      asked.answer = words_of(answer);
+    }
+    asked.judgement = judge(contender, question, answer, request, asked.undecided);
+    asked.judgement.not_asked = asked.judgement.not_asked && asked.judgement.wrong.empty();
+    if (contender.is_exact() && asked.judgement.faulty()) asked.judgement.stalled = false;
   } catch (const std::exception& error) {
-    fault_of(asked, Fault::wrong) = std::string("could not be judged: ") + error.what();
-  }
-  return asked;
-}
-
-CampaignCast CaseJudge::cast(const engine::EngineMethod& method, const engine::Guarantee* row) {
-  const corpus::Case& problem = drawn_.problem;
-  if (!drawn_.judged) {
-    const engine::Answer answer = method.cast(problem, {.request = kPlain});
-    if (is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, problem.t_max))
-      return {.answer = words_of(answer)};
-  }
-  const engine::Answer answer = method.cast(problem, {.request = Request::everything});
-  CampaignCast asked{.answer = words_of(answer)};
-  try {
-    Truth& truth = truth_of(casts_, method.seen(problem));
-    Judgement judgement = judge_method(truth, problem, method, answer, row, drawn_.sampled);
-    asked.faults = {std::move(judgement.wrong),       std::move(judgement.late),
-                    std::move(judgement.off),         std::move(judgement.bad_contact),
-                    std::move(judgement.false_proof), {}};
-    asked.proof = judgement.proof;
-    asked.by_oracle = judgement.by_oracle;
-    // Of tier exact a stall is a fault; it is counted once.
-    asked.stalled = judgement.stalled && !asked.faulty();
-    asked.excused = judgement.excused;
-    const double granted =
-        row == nullptr ? 0 : row->width.value_or(row->kappa(problem) * method.unit_roundoff);
-    if (granted > 0) asked.widest = judgement.errors.backward / granted;
-  } catch (const std::exception& error) {
-    fault_of(asked, Fault::wrong) = std::string("could not be judged: ") + error.what();
-  }
-  return asked;
-}
-
-CampaignCast CaseJudge::query(const engine::QueryMethod& method, const Contender& contender) {
-  const engine::Guarantee* row = contender.row;
-  const corpus::Case question = question_of(contender, drawn_);
-  corpus::Case seen = law::seen_by(method, question);
-  CampaignCast asked;
-  // The scalar has made it another question.
-  asked.not_asked = !why_invalid(seen).empty();
-  if (asked.not_asked) return asked;
-  const engine::QueryAnswer answer = method.answer(question);
-  asked.answer = words_of(answer);
-  const double kappa = row != nullptr ? row->kappa(seen) : kPlainKappa;
-  const law::QueryLimits limits{
-      .kappa = kappa,
-      .unit_roundoff = method.scalar == "float" ? kUnitRoundoff<float> : kUnitRoundoff<double>,
-      .contact_kappa = row != nullptr ? row->contact_kappa(seen) : kPlainKappa};
-  if (!drawn_.sampled || !drawn_.judged) {
-    asked.not_asked = answer.invalid == Invalid::not_exact;
-    asked.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
-    if (answer.outcome == Outcome::invalid_input && !asked.not_asked)
-      fault_of(asked, Fault::wrong) = "refuses a valid case";
-    return asked;
-  }
-  law::QueryJudgement judgement =
-      law::judge_query(truth_of(queries_, std::move(seen)), method, answer, limits);
-  asked.not_asked = judgement.not_asked && judgement.wrong.empty();
-  asked.by_oracle = !asked.not_asked;
-  asked.faults = {std::move(judgement.wrong),       {}, std::move(judgement.off),
-                  std::move(judgement.bad_contact), {}, {}};
-  asked.stalled = judgement.stalled && !asked.faulty();
-  asked.excused = judgement.excused;
-  if (kappa > 0) asked.widest = judgement.backward / (kappa * limits.unit_roundoff);
-  return asked;
-}
-
-CampaignCast CaseJudge::turn(const engine::RotatingEngineMethod& method, const engine::Guarantee* row) {
-  const Request request = drawn_.judged ? request_of(drawn_) : kPlain;
-  const engine::RotatingAnswer answer = method.cast(drawn_.problem, {.request = request});
-  CampaignCast asked{.answer = words_of(answer)};
-  if (!drawn_.judged && is_answer(answer.outcome, answer.toi_lower, answer.toi_upper, drawn_.problem.t_max))
-    return asked;
-  try {
-    TurningTruth& truth = truth_of(turns_, method.seen(drawn_.problem),
-                                   engine::find_rotating_method("certified/" + method.scalar));
-    std::string refused;
-    if (!asks_for(request, Request::proof)) refused = refusal_of_proof(truth, method, drawn_.problem);
-    RotatingJudgement judgement =
-        judge_rotating_by_proof(truth, answer, limits_of(method, row), request, drawn_.sampled);
-    asked.not_asked = judgement.not_asked;
-    asked.faults = {std::move(judgement.wrong),
-                    std::move(judgement.late),
-                    std::move(judgement.early.empty() ? judgement.wide : judgement.early),
-                    std::move(judgement.bad_contact),
-                    std::move(judgement.false_proof),
-                    std::move(judgement.unproved)};
-    if (std::string& why = fault_of(asked, Fault::false_proof); why.empty()) why = std::move(refused);
-    asked.proof = judgement.proof;
-    asked.by_oracle = judgement.by_oracle;
-    if (judgement.by_oracle && judgement.open) asked.undecided = truth.bracket().reason();
-    asked.stalled = judgement.stalled || !judgement.undecided.empty();
-    asked.excused = judgement.excused;
-    if (judgement.width_limit > 0) asked.widest = judgement.width / judgement.width_limit;
-  } catch (const std::exception& error) {
-    fault_of(asked, Fault::wrong) = std::string("could not be judged: ") + error.what();
+    asked.judgement.wrong = std::string("could not be judged: ") + error.what();
   }
   return asked;
 }
@@ -215,19 +147,9 @@ std::uint64_t answer_hash(std::uint64_t index, const AnswerWords& answer) {
   return hash;
 }
 
-std::uint64_t answer_hash(std::uint64_t index, const Contender& contender, const DrawnCase& drawn) {
+std::uint64_t answer_hash(std::uint64_t index, const Method& contender, const DrawnCase& drawn) {
   const corpus::Case question = question_of(contender, drawn);
-  switch (contender.kind()) {
-    case PartKind::casts:
-      return answer_hash(
-          index, words_of(std::get<0>(contender.method)->cast(question, {.request = Request::everything})));
-    case PartKind::queries:
-      return answer_hash(index, words_of(std::get<1>(contender.method)->answer(question)));
-    case PartKind::rotating:
-      break;
-  }
-  return answer_hash(index,
-                     words_of(std::get<2>(contender.method)->cast(question, {.request = request_of(drawn)})));
+  return answer_hash(index, words_of(contender.ask(question, {.request = request_of(contender, drawn)})));
 }
 
 }  // namespace graze::tool

@@ -9,14 +9,9 @@
 #include <vector>
 
 #include "certify/campaign/cases.hpp"
-#include "properties/judge/query.hpp"
-#include "properties/judge/rotating_answer.hpp"
+#include "properties/judge/judge.hpp"
 
 namespace graze::tool {
-
-// What an answer can be convicted of.
-enum class Fault { wrong, late, off, contact, false_proof, unproved };
-inline constexpr std::size_t kFaults = 6;
 
 // An outcome and the numbers that bracket it.
 struct AnswerWords {
@@ -28,22 +23,14 @@ struct AnswerWords {
 
 struct CampaignCast {
   AnswerWords answer;
-  std::array<std::string, kFaults> faults = {};  // why, or empty
-  ProofState proof = ProofState::none;
-  bool by_oracle = false;
+  law::Judgement judgement;    // of tier exact a stall is a fault, and is counted once
   std::string undecided = {};  // why the oracle, which was asked, could not tell
-  bool stalled = false;        // not_converged, and not excused; its frequency is capped by the row
-  bool excused = false;        // decided by less than the row's limit
-  bool not_asked = false;      // no question for this contender
-  // By the oracle: the error of the bracket's worse end, over what the row grants.
-  double widest = std::numeric_limits<double>::quiet_NaN();
 
-  [[nodiscard]] bool faulty() const;
   [[nodiscard]] std::string reason() const;  // the first fault, or what stalled
 };
 
 // A case as a contender is asked it: of queries another than what was drawn.
-[[nodiscard]] corpus::Case question_of(const Contender& contender, const DrawnCase& drawn);
+[[nodiscard]] corpus::Case question_of(const engine::Method& contender, const DrawnCase& drawn);
 
 // One case and what is found out about it, for all contenders that are asked. One thread.
 class CaseJudge {
@@ -54,26 +41,23 @@ class CaseJudge {
   // Asked for everything, with its proof; of turning bodies every other answer is without one, since the plan
   // simulates less then, and is held to the proof that the method has of the same case. The oracle decides
   // what proofs leave open and, of a case that is sampled, the rest as well; a query has no proof, and only
-  // the oracle. Without a row a method is held to kPlainKappa. Does not throw: a judge that cannot judge
-  // convicts with its reason.
-  [[nodiscard]] CampaignCast ask(const Contender& contender);
+  // the oracle. Does not throw: a judge that cannot judge convicts with its reason.
+  [[nodiscard]] CampaignCast ask(const engine::Method& contender);
 
  private:
-  [[nodiscard]] CampaignCast cast(const engine::EngineMethod& method, const engine::Guarantee* row);
-  [[nodiscard]] CampaignCast query(const engine::QueryMethod& method, const Contender& contender);
-  [[nodiscard]] CampaignCast turn(const engine::RotatingEngineMethod& method, const engine::Guarantee* row);
+  [[nodiscard]] law::Judgement judge(const engine::Method& method, const corpus::Case& question,
+                                     const engine::Answer& answer, Request request, std::string& undecided);
+  [[nodiscard]] law::Truth& truth_of(const engine::Method& method, corpus::Case seen);
 
   DrawnCase drawn_;
-  // Of the case as each scalar sees it; where that is the same case, one.
-  std::vector<std::unique_ptr<Truth>> casts_;
-  std::vector<std::unique_ptr<law::QueryTruth>> queries_;
-  std::vector<std::unique_ptr<TurningTruth>> turns_;
+  // Of the case as each scalar and query sees it; where that is the same case, one.
+  std::vector<std::unique_ptr<law::Truth>> truths_;
 };
 
 // Of one answer: its index, its outcome and the bits of its numbers.
 [[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const AnswerWords& answer);
 // The contender asked, and not judged.
-[[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const Contender& contender,
+[[nodiscard]] std::uint64_t answer_hash(std::uint64_t index, const engine::Method& contender,
                                         const DrawnCase& drawn);
 
 }  // namespace graze::tool

@@ -5,80 +5,58 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "certify/query.hpp"
-#include "corpus/format/names.hpp"
-#include "properties/judge/answer.hpp"
-#include "report/inputs.hpp"
+#include "certify/suites.hpp"
+#include "properties/edit/case.hpp"
 
 namespace graze::tool {
 namespace {
 
+using engine::Kind;
+using engine::Method;
+
 constexpr std::string_view kStandard = "standard";
 
-template <class Methods>
-std::vector<Contender> each_of(const Methods& methods) {
-  std::vector<Contender> all;
-  for (const auto& method : methods) all.push_back(contender_of(method));
-  return all;
-}
-
-struct Names {
-  std::string plain, full, scalar, tier;
-};
-Names names_of(const Contender& contender) {
-  return std::visit(
-      [](const auto* method) {
-        return Names{method->name, method->full_name(), method->scalar, method->tier};
-      },
-      contender.method);
-}
-
 // Asked for where nothing is named.
-bool is_default(const Contender& contender) {
-  const Names names = names_of(contender);
-  switch (contender.kind()) {
-    case PartKind::casts:
-      return names.full == "exact/double";
-    case PartKind::queries:
-      return contender.row != nullptr;
-    case PartKind::rotating:
-      return names.plain == "certified" || names.plain == "plan";
+bool is_default(const Method& method) {
+  switch (method.kind) {
+    case Kind::linear:
+      return method.full_name() == "exact/double";
+    case Kind::query:
+      return method.guarantee != nullptr;
+    case Kind::rotating:
+      return method.name == "certified" || method.name == "plan";
   }
   return false;
 }
 
-bool is_named(const Contender& contender, const std::string& name) {
-  const Names names = names_of(contender);
-  if (name == kStandard) return names.tier == kStandard && contender.row != nullptr;
-  return name == names.full || (name == names.plain && names.scalar == "double");
+bool is_named(const Method& method, const std::string& name) {
+  if (name == kStandard) return method.tier == kStandard && method.guarantee != nullptr;
+  return name == method.full_name() || (name == method.name && !method.in_float());
 }
 
-std::string no_method(PartKind kind, const std::string& name, const std::vector<Contender>& all) {
+std::string no_method(Kind kind, const std::string& name) {
   std::vector<std::string> known;
-  for (const Contender& contender : all) {
-    const std::string plain = names_of(contender).plain;
-    if (std::find(known.begin(), known.end(), plain) == known.end()) known.push_back(plain);
+  for (const Method& method : engine::methods(kind)) {
+    if (std::find(known.begin(), known.end(), method.name) == known.end()) known.push_back(method.name);
   }
-  const char* what = kind == PartKind::casts     ? "linear casts"
-                     : kind == PartKind::queries ? "queries"
-                                                 : "casts of turning bodies";
+  const char* what = kind == Kind::linear  ? "linear casts"
+                     : kind == Kind::query ? "queries"
+                                           : "casts of turning bodies";
   return fmt::format(
       "--method: {} is no method for {}; it is {}, one of them with its scalar (mpr/float), or standard",
       name, what, fmt::join(known, ", "));
 }
 
-bool is_asked_of(const Contender& contender, const corpus::Case& problem) {
-  switch (contender.kind()) {
-    case PartKind::casts: {
-      const engine::EngineMethod& method = *std::get<0>(contender.method);
-      if (!method.is_exact()) return engine::unsupported(problem).empty();
+bool is_asked_of(const Method& method, const corpus::Case& problem) {
+  switch (method.kind) {
+    case Kind::linear:
+      if (!method.is_exact()) return engine::unsupported(Kind::linear, problem).empty();
       // In double a case is seen as it is.
-      return engine::is_exact_question(method.scalar == "double" ? problem : method.seen(problem));
-    }
-    case PartKind::queries:
-      return why_invalid(problem).empty() && is_small(problem);
-    case PartKind::rotating:
-      return engine::unsupported_rotating(problem).empty() && problem.t_max < kInfinity<double> &&
+      return engine::is_exact_question(method.in_float() ? method.seen(problem) : problem);
+    case Kind::query:
+      return law::in_domain(problem) && is_small(problem);
+    case Kind::rotating:
+      return engine::unsupported(Kind::rotating, problem).empty() && problem.t_max < kInfinity<double> &&
              problem.start_policy == StartPolicy::report;
   }
   return false;
@@ -86,80 +64,43 @@ bool is_asked_of(const Contender& contender, const corpus::Case& problem) {
 
 }  // namespace
 
-const char* name_of(PartKind kind) {
+const char* part_name(Kind kind) {
   switch (kind) {
-    case PartKind::casts:
+    case Kind::linear:
       return "casts";
-    case PartKind::queries:
+    case Kind::query:
       return "queries";
-    case PartKind::rotating:
+    case Kind::rotating:
       break;
   }
   return "rotating";
 }
 
-std::string Contender::name() const {
-  switch (kind()) {
-    case PartKind::casts:
-      return std::get<0>(method)->full_name();
-    case PartKind::queries:
-      return fmt::format("{} {}", corpus::name_of(std::get<1>(method)->query),
-                         std::get<1>(method)->full_name());
-    case PartKind::rotating:
-      break;
-  }
-  return "rotating " + std::get<2>(method)->full_name();
-}
-
-Contender contender_of(const engine::EngineMethod& method) {
-  return {&method, engine::find_guarantee(engine::guarantees(), method)};
-}
-Contender contender_of(const engine::QueryMethod& method) {
-  return {&method, engine::find_guarantee(engine::guarantees(), method)};
-}
-Contender contender_of(const engine::RotatingEngineMethod& method) {
-  return {&method, engine::find_guarantee(engine::guarantees(), method)};
-}
-
-std::vector<Contender> all_contenders(PartKind kind) {
-  switch (kind) {
-    case PartKind::casts:
-      return each_of(engine::methods());
-    case PartKind::queries:
-      return each_of(engine::query_methods());
-    case PartKind::rotating:
-      break;
-  }
-  return each_of(engine::rotating_methods());
-}
-
-std::vector<Contender> chosen_contenders(PartKind kind, const std::vector<std::string>& names) {
-  const std::vector<Contender> all = all_contenders(kind);
-  std::vector<Contender> chosen;
+Contenders chosen_contenders(Kind kind, const std::vector<std::string>& names) {
+  const std::span<const Method> all = engine::methods(kind);
   for (const std::string& name : names) {
-    const auto selects = [&](const Contender& one) { return is_named(one, name); };
-    if (std::none_of(all.begin(), all.end(), selects)) throw std::runtime_error(no_method(kind, name, all));
+    const auto selects = [&](const Method& one) { return is_named(one, name); };
+    if (std::none_of(all.begin(), all.end(), selects)) throw std::runtime_error(no_method(kind, name));
   }
-  for (const Contender& contender : all) {
+  Contenders chosen;
+  for (const Method& method : all) {
     const bool wanted = std::any_of(names.begin(), names.end(),
-                                    [&](const std::string& name) { return is_named(contender, name); });
-    if (names.empty() ? is_default(contender) : wanted) chosen.push_back(contender);
+                                    [&](const std::string& name) { return is_named(method, name); });
+    if (names.empty() ? is_default(method) : wanted) chosen.push_back(&method);
   }
   return chosen;
 }
 
-std::optional<Contender> find_contender(std::string_view name) {
-  for (const PartKind kind : kPartKinds) {
-    for (const Contender& contender : all_contenders(kind)) {
-      if (contender.name() == name) return contender;
-    }
+const Method* find_contender(std::string_view name) {
+  for (const Method& method : engine::methods()) {
+    if (method.question_name() == name) return &method;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
-bool is_question(const std::vector<Contender>& contenders, const corpus::Case& problem) {
+bool is_question(const Contenders& contenders, const corpus::Case& problem) {
   return std::all_of(contenders.begin(), contenders.end(),
-                     [&](const Contender& contender) { return is_asked_of(contender, problem); });
+                     [&](const Method* method) { return is_asked_of(*method, problem); });
 }
 
 }  // namespace graze::tool

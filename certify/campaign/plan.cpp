@@ -36,13 +36,13 @@ std::string difference(const PartSettings& here, const PartSettings& there) {
 std::string fingerprint(const CampaignPlan& plan) {
   std::uint64_t sum = 0, number = 0;
   for (const CampaignPlan::Part& part : plan.parts()) {
-    const bool fast = part.cases.contenders()[0].kind() == PartKind::casts;
+    const bool fast = part.cases.contenders()[0]->kind == engine::Kind::linear;
     for (const Slot& slot : part.cases.slots()) {
       for (std::uint64_t seed = 0; seed < (fast ? kFingerprintCases : 1); ++seed) {
         const DrawnCase drawn{.problem = slot.family->generate(slot.level, seed), .seed = seed};
         const std::uint64_t text = corpus::fnv1a(corpus::write_case(drawn.problem));
-        for (const Contender& contender : part.cases.contenders())
-          sum += answer_hash(text + number++, contender, drawn);
+        for (const engine::Method* contender : part.cases.contenders())
+          sum += answer_hash(text + number++, *contender, drawn);
       }
     }
   }
@@ -73,7 +73,7 @@ std::string difference(const CampaignSettings& here, const CampaignSettings& the
   return {};
 }
 
-void CampaignPlan::add(const std::vector<const corpus::Family*>& families, std::vector<Contender> contenders,
+void CampaignPlan::add(const std::vector<const corpus::Family*>& families, Contenders contenders,
                        std::uint64_t count, const Sampling& sampling) {
   Part part{.cases = CampaignCases(families, std::move(contenders), seed_, sampling),
             .count = count,
@@ -84,17 +84,17 @@ void CampaignPlan::add(const std::vector<const corpus::Family*>& families, std::
     throw std::runtime_error(
         fmt::format("--family: hardly a case of these is a question for {}; name another family, or a method "
                     "of another tier",
-                    part.cases.contenders()[0].name()));
+                    part.cases.contenders()[0]->question_name()));
   }
   for (const Slot& slot : part.cases.slots()) {
-    for (const Contender& contender : part.cases.contenders())
-      cells_.push_back({contender.name(), std::string(slot.family->name), slot.level});
+    for (const engine::Method* contender : part.cases.contenders())
+      cells_.push_back({contender->question_name(), std::string(slot.family->name), slot.level});
   }
   parts_.push_back(std::move(part));
 }
 
 void CampaignPlan::add_per_family(const std::vector<const corpus::Family*>& families,
-                                  std::vector<Contender> contenders, std::uint64_t each,
+                                  Contenders contenders, std::uint64_t each,
                                   const Sampling& sampling) {
   const std::uint64_t methods = contenders.size();
   add(families, std::move(contenders), 0, sampling);
@@ -115,8 +115,8 @@ std::vector<std::string> CampaignPlan::left_out() const {
   std::vector<std::string> all;
   for (const Part& part : parts_) {
     for (const std::string& name : part.cases.left_out()) {
-      const PartKind kind = part.cases.contenders()[0].kind();
-      all.push_back(parts_.size() == 1 ? name : fmt::format("{} ({})", name, name_of(kind)));
+      const engine::Kind kind = part.cases.contenders()[0]->kind;
+      all.push_back(parts_.size() == 1 ? name : fmt::format("{} ({})", name, part_name(kind)));
     }
   }
   return all;
@@ -126,8 +126,8 @@ CampaignSettings CampaignPlan::settings(std::uint64_t block) const {
   CampaignSettings settings{.parts = {}, .seed = seed_, .block = block, .fingerprint = fingerprint(*this)};
   for (const Part& part : parts_) {
     PartSettings& one = settings.parts.emplace_back();
-    one.kind = name_of(part.cases.contenders()[0].kind());
-    for (const Contender& contender : part.cases.contenders()) one.methods.push_back(contender.name());
+    one.kind = part_name(part.cases.contenders()[0]->kind);
+    for (const engine::Method* contender : part.cases.contenders()) one.methods.push_back(contender->question_name());
     one.families = part.cases.families();
     one.count = part.count;
     one.oracle_every = part.sampling.oracle_every;

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <csignal>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -17,19 +16,6 @@ namespace graze::tool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<int> g_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free, "a handler of signals may only use such");
-
-void note_signal(int number) { g_signal = number; }
-
-void handle(int number, void (*handler)(int)) {
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(number, &action, nullptr);
-}
 
 // What the threads share. They meet here once a block.
 class Run {
@@ -141,7 +127,7 @@ void run_block(const CampaignJob& job, const CampaignSettings& settings, std::ui
     const DrawnCase& drawn = judge->drawn();
     const std::size_t cell = place.cell(drawn);
     if (drawn.is_question) {
-      const Contender& contender = place.part->cases.contenders()[place.contender];
+      const engine::Method& contender = *place.part->cases.contenders()[place.contender];
       tally.add(index, cell, contender, drawn, judge->ask(contender));
     } else {
       tally.add_not_asked(cell);
@@ -150,16 +136,5 @@ void run_block(const CampaignJob& job, const CampaignSettings& settings, std::ui
 }
 
 void run_campaign(const CampaignJob& job, CampaignState& state) { Run(job, state).go(); }
-
-StopBySignal::StopBySignal() {
-  g_signal = 0;
-  for (const int number : {SIGINT, SIGTERM}) handle(number, &note_signal);
-}
-
-StopBySignal::~StopBySignal() {
-  for (const int number : {SIGINT, SIGTERM}) handle(number, SIG_DFL);
-}
-
-int StopBySignal::received() { return g_signal; }
 
 }  // namespace graze::tool

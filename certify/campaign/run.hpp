@@ -26,16 +26,4 @@ void run_block(const CampaignJob& job, const CampaignSettings& settings, std::ui
 // exception of a thread ends the run and is thrown again here.
 void run_campaign(const CampaignJob& job, CampaignState& state);
 
-// While it lives, SIGINT and SIGTERM ask for a stop; the second one ends the program as ever.
-class StopBySignal {
- public:
-  StopBySignal();
-  ~StopBySignal();
-  StopBySignal(const StopBySignal&) = delete;
-  StopBySignal& operator=(const StopBySignal&) = delete;
-
-  // The number of the signal that came, or 0.
-  [[nodiscard]] static int received();
-};
-
 }  // namespace graze::tool

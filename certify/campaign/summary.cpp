@@ -42,7 +42,7 @@ CampaignCounts of_part(const CampaignState& state, const PartSettings& part) {
   });
 }
 
-bool is_rotating(const PartSettings& part) { return part.kind == name_of(PartKind::rotating); }
+bool is_rotating(const PartSettings& part) { return part.kind == part_name(engine::Kind::rotating); }
 
 // A column and what it shows of the counts.
 struct Shown {
@@ -117,7 +117,7 @@ void show_findings(std::string& text, const std::vector<Finding>& findings, cons
 }
 
 std::string part_heading(const PartSettings& part, std::uint64_t seed) {
-  const bool queries = part.kind == name_of(PartKind::queries);
+  const bool queries = part.kind == part_name(engine::Kind::query);
   std::string text = fmt::format("Campaign: {} {} by {}, seed {}; ", part.count,
                                  queries ? "answers" : "casts", fmt::join(part.methods, ", "), seed);
   if (part.judge_every > 1)
@@ -152,8 +152,8 @@ std::string kinds_of(const CampaignCounts& counts) {
 
 void family_failures(std::vector<std::string>& lines, const CampaignState& state, const std::string& method,
                      const std::string& family, const std::string& where) {
-  const std::optional<Contender> contender = find_contender(method);
-  const double cap = contender && contender->row != nullptr ? contender->row->stall_cap : 0;
+  const engine::Method* contender = find_contender(method);
+  const double cap = contender && contender->guarantee != nullptr ? contender->guarantee->stall_cap : 0;
   const CampaignCounts counts = of_family(state, method, family);
   if (counts.faults > 0) {
     lines.push_back(fmt::format("{}: {} of {} casts are at fault: {}", where, counts.faults, counts.casts,
@@ -184,7 +184,7 @@ std::vector<corpus::Case> cases_of(std::vector<Finding> findings) {
   for (const Finding& finding : findings) {
     const corpus::Family* family = corpus::find_family(finding.family);
     if (family == nullptr) throw std::runtime_error(finding.family + " is no family of this build");
-    const std::optional<Contender> contender = find_contender(finding.method);
+    const engine::Method* contender = find_contender(finding.method);
     if (!contender) throw std::runtime_error(finding.method + " is no method of this build");
     corpus::Case problem = question_of(
         *contender, {.problem = family->generate(finding.level, finding.seed), .seed = finding.seed});

@@ -35,10 +35,11 @@ CampaignCounts& CampaignCounts::operator+=(const CampaignCounts& other) {
 
 std::string Finding::id() const { return fmt::format("{}/h{}/s{}", family, level, seed); }
 
-void CampaignTally::add(std::uint64_t index, std::size_t cell, const Contender& contender,
+void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Method& contender,
                         const DrawnCase& drawn, const CampaignCast& cast) {
   CampaignCounts& count = counts[cell];
-  if (cast.not_asked) return add_not_asked(cell);
+  const law::Judgement& judgement = cast.judgement;
+  if (judgement.not_asked) return add_not_asked(cell);
   ++count.casts;
   switch (cast.answer.outcome) {
     case Outcome::initially_overlapping:
@@ -57,28 +58,30 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const Contender& 
       ++count.refused;
       break;
   }
-  if (cast.proof == ProofState::accepted) ++count.proved;
-  if (cast.by_oracle) ++count.by_oracle;
-  if (cast.by_oracle && drawn.sampled) ++count.sampled;
-  if (!cast.undecided.empty()) ++count.undecided;
-  if (cast.excused) ++count.excused;
-  count.widest = std::fmax(count.widest, cast.widest);
-  constexpr std::array kByFault = {
-      &CampaignCounts::wrong,       &CampaignCounts::late,           &CampaignCounts::off,
-      &CampaignCounts::contact_off, &CampaignCounts::proofs_refused, &CampaignCounts::unproved};
-  static_assert(kByFault.size() == kFaults);
-  for (std::size_t i = 0; i < kFaults; ++i) count.*kByFault[i] += cast.faults[i].empty() ? 0 : 1;
+  const auto one_if = [](bool is_so) { return static_cast<std::uint64_t>(is_so); };
+  count.proved += one_if(judgement.proof == law::ProofState::accepted);
+  count.by_oracle += one_if(judgement.by_oracle);
+  count.sampled += one_if(judgement.by_oracle && drawn.sampled);
+  count.undecided += one_if(!cast.undecided.empty());
+  count.excused += one_if(judgement.excused);
+  count.widest = std::fmax(count.widest, judgement.errors.over_limit);
+  count.wrong += one_if(!judgement.wrong.empty());
+  count.late += one_if(!judgement.late.empty());
+  count.off += one_if(!judgement.off.empty() || !judgement.early.empty());
+  count.contact_off += one_if(!judgement.bad_contact.empty());
+  count.proofs_refused += one_if(!judgement.false_proof.empty());
+  count.unproved += one_if(!judgement.unproved.empty());
   digest += answer_hash(index, cast.answer);
   const auto note = [&](std::vector<Finding>& findings, std::string reason) {
     merge_findings(findings, {{.index = index,
-                               .method = contender.name(),
+                               .method = contender.question_name(),
                                .family = drawn.problem.family,
                                .level = drawn.problem.hardness.value_or(0),
                                .seed = drawn.seed,
                                .reason = std::move(reason)}});
   };
-  if (cast.faulty()) ++count.faults, note(faults, cast.reason());
-  if (cast.stalled) ++count.stalls, note(stalls, cast.reason());
+  if (judgement.faulty()) ++count.faults, note(faults, cast.reason());
+  if (judgement.stalled) ++count.stalls, note(stalls, cast.reason());
   if (!cast.undecided.empty()) note(undecided, cast.undecided);
 }
 

@@ -85,7 +85,7 @@ struct CampaignTally {
   std::vector<Finding> faults = {}, stalls = {}, undecided = {};  // by index
 
   explicit CampaignTally(std::size_t cells = 0) : counts(cells) {}
-  void add(std::uint64_t index, std::size_t cell, const Contender& contender, const DrawnCase& drawn,
+  void add(std::uint64_t index, std::size_t cell, const engine::Method& contender, const DrawnCase& drawn,
            const CampaignCast& cast);
   void add_not_asked(std::size_t cell) { ++counts[cell].not_asked; }
   void merge(const CampaignTally& other);  // of the same campaign

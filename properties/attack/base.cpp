@@ -6,7 +6,6 @@
 #include "corpus/families/draw.hpp"
 #include "corpus/families/turning.hpp"
 #include "engines/method.hpp"
-#include "engines/rotating.hpp"
 #include "properties/attack/mutant.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
@@ -153,23 +152,23 @@ std::optional<ProofRecord> proved(const Case& problem, Random& random) {
   if (law::has_spin(problem)) {
     if (!law::is_rotating_question(problem) || angle_of(problem) > kMostAngle) return std::nullopt;
     const char* const name = std::array{"certified", "certified", "bilateral", "ca"}[random.below(4)];
-    engine::RotatingAnswer answer =
-        engine::find_rotating_method(name)->cast(problem, {.request = Request::proof});
+    engine::Answer answer =
+        engine::find_method(engine::Kind::rotating, name)->ask(problem, {.request = Request::proof});
     if (!answer.proof || answer.proof->chain.size() > kMostSlices) return std::nullopt;
     record.method = name;
     record.outcome = answer.outcome;
-    record.tier = tier_of(engine::find_rotating_method(name)->tier);
+    record.tier = tier_of(engine::find_method(engine::Kind::rotating, name)->tier);
     record.toi = {answer.toi_lower, answer.toi_upper};
     record.rotating = std::move(answer.proof);
     return record;
   }
   if (!law::is_linear_question(problem)) return std::nullopt;
   const char* const name = std::array{"certified", "exact", "mpr", "gjk", "ca"}[random.below(5)];
-  const engine::Answer answer = engine::find_method(name)->cast(problem, {.request = Request::proof});
+  const engine::Answer answer = engine::find_method(engine::Kind::linear, name)->ask(problem, {.request = Request::proof});
   if (!answer.proof) return std::nullopt;
   record.method = name;
   record.outcome = answer.outcome;
-  record.tier = tier_of(engine::find_method(name)->tier);
+  record.tier = tier_of(engine::find_method(engine::Kind::linear, name)->tier);
   record.toi = {answer.toi_lower, answer.toi_upper};
   record.proof = *answer.proof;
   return record;

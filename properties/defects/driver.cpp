@@ -34,9 +34,9 @@ int usage(const char* what) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words == std::vector<std::string>{"--laws"}) {
-    for (const AnyLaw& law : all_laws()) {
-      std::printf("%s %s %s\n", law.name.c_str(), std::string(name_of(law.kind)).c_str(),
-                  std::string(name_of(law.needs)).c_str());
+    for (const Law& law : laws()) {
+      std::printf("%s %s %s\n", law.name.c_str(), std::string(to_text(law.kind)).c_str(),
+                  std::string(to_text(law.needs)).c_str());
     }
     return 0;
   }
@@ -46,12 +46,12 @@ int main(int argc, char** argv) {
   if (kind == kKinds.end()) return usage("no such kind of laws");
   int count = 0;
   if (std::sscanf(words[1].c_str(), "%d", &count) != 1 || count < 1) return usage("CASES is 1 or more");
-  std::vector<AnyLaw> laws = laws_of(*kind);
+  std::vector<Law> laws = laws_of(*kind);
   if (words.size() > 2) {
-    std::vector<AnyLaw> named;
+    std::vector<Law> named;
     for (std::size_t i = 2; i < words.size(); ++i) {
       const std::size_t before = named.size();
-      for (const AnyLaw& law : laws) {
+      for (const Law& law : laws) {
         if (law.name == words[i]) named.push_back(law);
       }
       if (named.size() == before) return usage(("no law " + words[i] + " of this kind").c_str());

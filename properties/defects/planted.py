@@ -4,7 +4,7 @@ import re
 import shutil
 import subprocess
 
-METHODS = {"linear": "engines/casts.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
+METHODS = {"linear": "engines/linear.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
 # Entries of core in double, by the header that defines them. One whose header does not include, however deep,
 # what a patch changes is the same with the defect, and is taken from the library.
 ENTRIES = {

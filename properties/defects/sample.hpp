@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "corpus/case.hpp"
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::law {
 

@@ -21,7 +21,7 @@ using corpus::Case;
 namespace {
 
 // The first method that breaks the law, and how; empty if all keep it.
-std::string fault_of(const AnyLaw& law, const Case& problem) {
+std::string fault_of(const Law& law, const Case& problem) {
   for (std::size_t i = 0; i < law.methods.size(); ++i) {
     const LawResult result = law.check(problem, i);
     if (result.holding == Holding::broken) return law.methods[i] + ": " + result.reason;
@@ -32,7 +32,7 @@ std::string fault_of(const AnyLaw& law, const Case& problem) {
 // The bracket oracle takes milliseconds for a case, several times what all laws else take: the laws that need
 // an oracle see one in kBracketShare of the cases that go to it, chosen by their own numbers.
 constexpr std::uint64_t kBracketShare = 4;
-bool is_left_out(const AnyLaw& law, const Case& problem) {
+bool is_left_out(const Law& law, const Case& problem) {
   return law.kind != Kind::rotating && law.needs == Needs::oracle && !is_exactly_decided(problem) &&
          hash_of(problem) % kBracketShare != 0;
 }
@@ -58,23 +58,23 @@ const Case& case_at(const Sample& sample, std::size_t at) {
   return at < sample.all.size() ? sample.all[at] : sample.ties[at - sample.all.size()];
 }
 
-void say(const AnyLaw& law, const char* what, std::size_t number) {
+void say(const Law& law, const char* what, std::size_t number) {
   std::printf("%s %s %zu\n", law.name.c_str(), what, number);
   std::fflush(stdout);
 }
 
-bool applies(const AnyLaw& law, const Sample& sample, std::size_t at) {
+bool applies(const Law& law, const Sample& sample, std::size_t at) {
   if (at >= sample.all.size()) return law.needs == Needs::proof;
   return !is_left_out(law, sample.all[at]);
 }
 
 // Case by case, so that the laws share what the oracle said of it.
-void run(const std::vector<AnyLaw>& laws, const Sample& sample, Progress& progress, bool with_reasons) {
+void run(const std::vector<Law>& laws, const Sample& sample, Progress& progress, bool with_reasons) {
   const std::size_t cases = sample.all.size() + sample.ties.size();
   for (; progress.at < cases; ++progress.at) {
     const Case& problem = case_at(sample, progress.at);
     for (; progress.law < laws.size(); ++progress.law) {
-      const AnyLaw& law = laws[progress.law];
+      const Law& law = laws[progress.law];
       if (progress.broken[progress.law] || !applies(law, sample, progress.at)) continue;
       let_it_run(kSecondsForOne);
       progress.trying = true;
@@ -92,18 +92,18 @@ void run(const std::vector<AnyLaw>& laws, const Sample& sample, Progress& progre
 
 }  // namespace
 
-std::vector<AnyLaw> laws_of(Kind kind) {
-  std::vector<AnyLaw> out;
-  std::vector<AnyLaw> all = all_laws();
-  for (AnyLaw& law : all) {
+std::vector<Law> laws_of(Kind kind) {
+  std::vector<Law> out;
+  std::vector<Law> all = laws();
+  for (Law& law : all) {
     if (law.kind == kind) out.push_back(std::move(law));
   }
   std::stable_sort(out.begin(), out.end(),
-                   [](const AnyLaw& x, const AnyLaw& y) { return x.needs < y.needs; });
+                   [](const Law& x, const Law& y) { return x.needs < y.needs; });
   return out;
 }
 
-bool try_laws(const std::vector<AnyLaw>& laws, const Sample& sample, bool with_reasons) {
+bool try_laws(const std::vector<Law>& laws, const Sample& sample, bool with_reasons) {
   void* const shared =
       mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED || laws.size() > Progress::kMostLaws) std::abort();

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "properties/defects/sample.hpp"
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::law {
 
 // All laws of a kind, cheap ones first.
-[[nodiscard]] std::vector<AnyLaw> laws_of(Kind kind);
+[[nodiscard]] std::vector<Law> laws_of(Kind kind);
 
 // Prints what becomes of each law (driver.cpp); a law is left at its first broken case. True if one breaks.
-bool try_laws(const std::vector<AnyLaw>& laws, const Sample& sample, bool with_reasons);
+bool try_laws(const std::vector<Law>& laws, const Sample& sample, bool with_reasons);
 
 }  // namespace graze::law

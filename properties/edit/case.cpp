@@ -11,12 +11,6 @@ namespace graze::law {
 
 using corpus::Case;
 
-namespace {
-
-bool zero(const Quaternion<double>& q) { return q.w == 0 && q.is_identity(); }
-
-}  // namespace
-
 bool has_spin(const Case& problem) {
   // Written so that a NaN counts.
   for (const corpus::Spin* spin : {&problem.spin_a, &problem.spin_b}) {
@@ -33,30 +27,7 @@ std::vector<double> scalars(const Case& problem) {
   return all;
 }
 
-bool in_domain(const Case& problem) {
-  if (must_be_refused(problem)) return false;
-  bool inside = true;
-  visit_scalars(problem, [&](Slot slot, double x) {
-    const double size = std::abs(x);
-    if (slot != Slot::horizon) inside = inside && (size == 0 || (size >= 1e-60 && size <= 1e60));
-  });
-  return inside;
-}
-
-bool must_be_refused(const Case& problem) {
-  if (is_malformed(problem.a.shape) || is_malformed(problem.b.shape)) return true;
-  if (zero(problem.a.orientation) || zero(problem.b.orientation)) return true;
-  bool bad = false;
-  visit_scalars(problem, [&](Slot slot, double x) {
-    if (slot == Slot::horizon) {
-      bad = bad || !(x >= 0);
-    } else {
-      bad = bad || !std::isfinite(x);
-      if (slot == Slot::extent || slot == Slot::target) bad = bad || x < 0;
-    }
-  });
-  return bad;
-}
+bool in_domain(const Case& problem) { return why_invalid(problem).empty(); }
 
 bool is_polytope(const Case& problem) {
   return problem.target_distance == 0 && is_polytope(problem.a.shape) && is_polytope(problem.b.shape);

@@ -261,7 +261,7 @@ std::vector<Case> simpler(const Case& problem) {
         turned_by_number = slot == Slot::orientation;
         return slot == Slot::extent || slot == Slot::horizon || slot == Slot::target ? std::abs(y) : y;
       });
-      if (turned_by_number && must_be_refused(other) && !must_be_refused(problem)) continue;
+      if (turned_by_number && !in_domain(other) && !!in_domain(problem)) continue;
       all.push_back(std::move(other));
     }
   }

@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "corpus/support_value.hpp"
+#include "properties/judge/limits.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 
 using engine::Answer;
 
@@ -65,33 +66,23 @@ bool proves_verdict(const Proof& proof, Outcome outcome) {
   }
 }
 
-bool settled_by(const Proof& proof, const corpus::Case& problem, const Answer& answer, const Limits& limits) {
+bool is_settled_by(const Proof& proof, const engine::Method& method, const corpus::Case& seen,
+                   const Answer& answer) {
   if (!proves_verdict(proof, answer.outcome)) return false;
   if (answer.outcome != Outcome::hit) return true;
-  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
+  const Vec3<double> v = seen.b.displacement - seen.a.displacement;
+  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
+                                proved_backward_error(proof, v, answer.toi_upper));
+  const double scale = scale_from_below(seen);
+  if (method.is_certified()) {
+    const Limits limits = limits_of(method, seen, scale);
+    const double width = method.guarantee != nullptr ? method.guarantee->width.value_or(0) * scale : 0;
+    const bool holds = answer.toi_lower <= proof.toi_lower && proof.toi_upper <= answer.toi_upper;
+    return holds && error <= width + (limits.rounds_times ? limits.rounding_at(answer.toi_lower) : 0);
+  }
   const double rounding = 8 * kUnitRoundoff<double> *
-                          (problem.a.displacement.norm() + problem.b.displacement.norm()) * answer.toi_upper;
-  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
-                                proved_backward_error(proof, v, answer.toi_upper));
-  return error + rounding <= limits.kappa * limits.unit_roundoff * scale_from_below(problem);
+                          (seen.a.displacement.norm() + seen.b.displacement.norm()) * answer.toi_upper;
+  return error + rounding <= kappa(method, seen) * method.unit_roundoff * scale;
 }
 
-double rounding_of_times(const corpus::Case& problem, double time, const Limits& limits) {
-  if (limits.unit_roundoff != kUnitRoundoff<float> || !(time < kInfinity<double>)) return 0;
-  const double speed = (problem.b.displacement - problem.a.displacement).stableNorm();
-  return kSlack * speed * (2 * limits.unit_roundoff * time + double(std::numeric_limits<float>::min()));
-}
-
-bool certified_by(const Proof& proof, const corpus::Case& problem, const Answer& answer,
-                  const Limits& limits) {
-  if (!proves_verdict(proof, answer.outcome)) return false;
-  if (answer.outcome != Outcome::hit) return true;
-  if (!(answer.toi_lower <= proof.toi_lower && proof.toi_upper <= answer.toi_upper)) return false;
-  const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-  const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
-                                proved_backward_error(proof, v, answer.toi_upper));
-  return error <=
-         limits.width * scale_from_below(problem) + rounding_of_times(problem, answer.toi_lower, limits);
-}
-
-}  // namespace graze::tool
+}  // namespace graze::law

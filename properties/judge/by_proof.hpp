@@ -2,24 +2,18 @@
 // scale down: what is then still within the limit is so without doubt; the rest is the oracle's.
 #pragma once
 
-#include "properties/judge/answer.hpp"
+#include "properties/judge/judgement.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 
 inline constexpr double kSlack = 1 + 1e-6;
 
 // The proof says as much as the outcome claims.
 [[nodiscard]] bool proves_verdict(const Proof& proof, Outcome outcome);
 
-// Of tier standard: nothing about the answer is left open.
-[[nodiscard]] bool settled_by(const Proof& proof, const corpus::Case& problem, const engine::Answer& answer,
-                              const Limits& limits);
+// Nothing about the answer is left open. Of tier standard: its errors are within kappa u scale; of tier
+// certified: the verdict is shown, the bracket holds, and it is narrow. `seen`: the case as the method saw it.
+[[nodiscard]] bool is_settled_by(const Proof& proof, const engine::Method& method, const corpus::Case& seen,
+                                 const engine::Answer& answer);
 
-// Of tier certified: the verdict is shown, the bracket holds, and it is narrow.
-[[nodiscard]] bool certified_by(const Proof& proof, const corpus::Case& problem, const engine::Answer& answer,
-                                const Limits& limits);
-
-// What rounding the times to float costs, a length; nothing in double, whose width counts it.
-[[nodiscard]] double rounding_of_times(const corpus::Case& problem, double time, const Limits& limits);
-
-}  // namespace graze::tool
+}  // namespace graze::law

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace graze::tool {
+#include "properties/judge/judge.hpp"
+
+namespace graze::law {
 
 using engine::Answer;
 using oracle::CaseTruth;
@@ -22,13 +24,13 @@ double normal_error(const CaseTruth& exact, const Answer& answer, const Vec3<dou
       {at_toi, at_toi + (toi - answer.toi_lower) * slope, at_toi + (toi - answer.toi_upper) * slope});
 }
 
-double witness_error(const CaseTruth& exact, const Answer& answer, const Limits& limits) {
+double witness_error(const CaseTruth& exact, const Answer& answer, double unit_roundoff) {
   double worst = 0;
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
     // The coordinates are rounded too, allowed beside the limit: a witness is the sum of position, motion and
     // offset, and both additions round each coordinate by u of its size.
-    const double rounding = 2 * limits.unit_roundoff * point.norm();
+    const double rounding = 2 * unit_roundoff * point.norm();
     worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding);
   }
   return worst;
@@ -37,15 +39,17 @@ double witness_error(const CaseTruth& exact, const Answer& answer, const Limits&
 }  // namespace
 
 void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& answer,
-                   const corpus::Case& problem, const Limits& limits, double limit, Request request) {
+                   const engine::Method& method, const corpus::Case& problem, const Limits& limits,
+                   Request request) {
   if (answer.outcome != Outcome::hit || exact.outcome() == Outcome::miss) return;
   const double scale = exact.scale().low;
+  const double limit = limits.contact_at(std::min(exact.toi_upper(), answer.toi_upper));
   if (asks_for(request, Request::normal)) {
     const double length = answer.normal.norm();
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-    if (!(std::abs(length - 1) <= 16 * limits.unit_roundoff)) {
+    if (!(std::abs(length - 1) <= 16 * method.unit_roundoff)) {
       convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
-    } else if (!(answer.normal.dot(v) <= limits.contact_kappa * limits.unit_roundoff * v.norm())) {
+    } else if (!(answer.normal.dot(v) <= limits.contact_u * v.norm())) {
       convict(judgement.bad_contact, "the normal points along the motion");
     } else if (const double error = normal_error(exact, answer, v); error > limit) {
       convict(judgement.bad_contact,
@@ -55,25 +59,20 @@ void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& a
   if (asks_for(request, Request::witnesses)) {
     if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) {
       convict(judgement.bad_contact, "a witness is not finite");
-    } else if (const double error = witness_error(exact, answer, limits); error > limit) {
+    } else if (const double error = witness_error(exact, answer, method.unit_roundoff); error > limit) {
       convict(judgement.bad_contact,
               fmt::format("a witness is {:.2e} of scale off its body", over(error, scale)));
     }
   }
 }
 
-double over(double length, double scale) {
-  if (length == 0) return 0;
-  return scale > 0 ? length / scale : kInfinity<double>;
-}
-
 Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   Errors errors;
-  const CaseTruth& exact = truth.exact();
+  const CaseTruth& exact = truth.cast();
   const double scale = exact.scale().high;
   const bool contact = exact.outcome() != Outcome::miss;
   if (answer.outcome == Outcome::invalid_input ||
-      !senseless(answer.outcome, answer.toi_lower, answer.toi_upper, truth.problem().t_max).empty())
+      !senseless(answer, truth.problem().t_max).empty())
     return errors;
   if (answer.outcome == Outcome::miss) {
     if (contact) errors.backward = over(exact.depth().high, scale);
@@ -103,4 +102,4 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   return errors;
 }
 
-}  // namespace graze::tool
+}  // namespace graze::law

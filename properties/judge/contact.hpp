@@ -1,18 +1,16 @@
-// The errors of an answer by the oracle, and the contact of a hit: its normal and its witnesses.
+// The contact of a hit by the oracle: its normal and its witnesses.
 #pragma once
 
-#include "properties/judge/answer.hpp"
+#include "oracles/truth/case_truth.hpp"
+#include "properties/judge/judgement.hpp"
+#include "properties/judge/limits.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 
-// Keeps the first reason.
-inline void convict(std::string& fault, std::string why) {
-  if (fault.empty()) fault = std::move(why);
-}
-
-// Into judgement.bad_contact: of a hit the normal and the witnesses, as far as requested, to `limit`, a
-// length.
+// Into judgement.bad_contact, as far as requested. Of tier certified the contact may be off by its width and by
+// what rounding its time costs, too.
 void judge_contact(Judgement& judgement, const oracle::CaseTruth& exact, const engine::Answer& answer,
-                   const corpus::Case& problem, const Limits& limits, double limit, Request request);
+                   const engine::Method& method, const corpus::Case& problem, const Limits& limits,
+                   Request request);
 
-}  // namespace graze::tool
+}  // namespace graze::law

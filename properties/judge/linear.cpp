@@ -9,89 +9,51 @@
 
 #include "engines/guarantees.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/own_frames.hpp"
 
 namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 using oracle::CaseTruth;
-
-double kappa(const EngineMethod& method, const Case& problem) {
-  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
-  return row ? row->kappa(problem) : std::numeric_limits<double>::infinity();
-}
 
 namespace {
 
-// What rounding the times of a hit outward may cost.
-double rounding_of_times(const EngineMethod& method, const Case& problem) {
+// Where the truth is open, contact may be as late as the path goes.
+double latest_contact(const Case& problem) {
   const CaseTruth& truth = truth_of(problem);
-  // Where the truth is open, contact may be as late as the path goes.
-  const bool open = is_undecided(truth);
-  const double latest = open ? std::min(truth.toi_upper(), problem.t_max) : truth.toi_upper();
-  if (!(latest < kInfinity<double>)) return open ? kInfinity<double> : 0;
-  // Below the least normal number a time may become that number, or 0 (a tier may leave subnormal ones out).
-  const double least = method.scalar == "float" ? double(std::numeric_limits<float>::min())
-                                                : std::numeric_limits<double>::min();
-  // |v| rounds, too.
-  return (2 * method.unit_roundoff * latest + least) * velocity(problem).stableNorm() *
-         (1 + 8 * kUnitRoundoff<double>);
+  return is_undecided(truth) ? std::min(truth.toi_upper(), problem.t_max) : truth.toi_upper();
 }
 
-double width(const EngineMethod& method) {
-  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
-  return row && row->width ? *row->width : std::numeric_limits<double>::infinity();
+Limits limits_on(const Method& method, const Case& problem) {
+  return limits_of(method, problem, truth_of(problem).scale().high);
+}
+
+// Of a method whose limit counts the time, contact that may be at any time leaves everything open.
+bool is_open_for_ever(const Limits& limits, const Case& problem) {
+  return limits.rounds_times && is_undecided(truth_of(problem)) &&
+         !(latest_contact(problem) < kInfinity<double>);
 }
 
 }  // namespace
 
-double bound_of(const EngineMethod& method, const Case& problem) {
-  const CaseTruth& truth = truth_of(problem);
-  if (method.is_exact()) return rounding_of_times(method, problem);
-  if (method.is_certified()) {
-    return width(method) * truth.scale().high + unseen_of_own_frames(problem) +
-           (method.scalar == "float" ? rounding_of_times(method, problem) : 0);
-  }
-  const double scale = truth.scale().high;
-  return kappa(method, problem) * method.unit_roundoff * scale + unseen_of_trees(problem, scale);
+double bound_of(const Method& method, const Case& problem) {
+  const Limits limits = limits_on(method, problem);
+  return is_open_for_ever(limits, problem) ? kInfinity<double> : limits.wide_at(latest_contact(problem));
 }
 
-double proved_bound_of(const EngineMethod& method, const Case& problem) {
+double proved_bound_of(const Method& method, const Case& problem) {
   return method.is_certified() ? 0 : bound_of(method, problem);
 }
 
-double contact_kappa(const EngineMethod& method, const Case& problem) {
-  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
-  return row ? row->contact_kappa(problem) : std::numeric_limits<double>::infinity();
-}
-
-double contact_bound_of(const EngineMethod& method, const Case& problem) {
-  // Of tier certified the contact itself is known to its width.
-  return contact_kappa(method, problem) * method.unit_roundoff * truth_of(problem).scale().high +
-         (method.is_certified() ? bound_of(method, problem) : 0);
+double contact_bound_of(const Method& method, const Case& problem) {
+  const Limits limits = limits_on(method, problem);
+  return is_open_for_ever(limits, problem) && method.is_certified()
+             ? kInfinity<double>
+             : limits.contact_at(latest_contact(problem));
 }
 
 namespace {
-
-bool has_exact_bodies(const Case& problem) {
-  return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape);
-}
-
-bool has_many_differences(const Case& problem) {
-  const std::uint64_t a = vertex_count(problem.a.shape), b = vertex_count(problem.b.shape);
-  return a > kMostDifferences || b > kMostDifferences || a * b > kMostDifferences;
-}
-
-// CaseTruth takes polytopes to the exact oracle however many vertices they have. The same set with an
-// ellipsoid of no extent added goes to the bracket oracle.
-CaseTruth truth_within_reach(Case problem) {
-  if (has_exact_bodies(problem) && has_many_differences(problem)) {
-    problem.a.shape = sum<double>(std::move(problem.a.shape), Ellipsoid<double>{Vec3<double>::Zero()});
-  }
-  return CaseTruth(problem);
-}
 
 // nullptr where the oracle refuses the case.
 const CaseTruth* find_truth(const Case& problem) {
@@ -127,50 +89,14 @@ const CaseTruth& truth_of(const Case& problem) {
   return *truth;
 }
 
-bool is_exactly_decided(const Case& problem) {
-  return has_exact_bodies(problem) && !has_many_differences(problem);
-}
-
 bool is_undecided(const CaseTruth& truth) { return truth.outcome() == Outcome::not_converged; }
 
 bool is_linear_question(const Case& problem) {
-  return engine::unsupported(problem).empty() && in_domain(problem);
+  return engine::unsupported(engine::Kind::linear, problem).empty() && in_domain(problem);
 }
 
-bool is_question_for(const EngineMethod& method, const Case& seen) {
+bool is_question_for(const Method& method, const Case& seen) {
   return is_linear_question(seen) && (!method.is_exact() || engine::is_exact_question(seen));
-}
-
-bool claims_contact(const Answer& answer) {
-  return answer.outcome == Outcome::hit || answer.outcome == Outcome::initially_overlapping;
-}
-
-std::string_view label_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::initially_overlapping:
-      return "initially_overlapping";
-    case Outcome::hit:
-      return "hit";
-    case Outcome::miss:
-      return "miss";
-    case Outcome::not_converged:
-      return "not_converged";
-    case Outcome::invalid_input:
-      return "invalid_input";
-  }
-  return "no outcome";
-}
-
-std::string hex(double x) { return fmt::format("{:a} ({})", x, x); }
-std::string hex(const Vec3<double>& x) {
-  return fmt::format("[{}, {}, {}]", hex(x[0]), hex(x[1]), hex(x[2]));
-}
-
-std::string describe(const Answer& answer) {
-  return fmt::format("{}, toi in [{}, {}], normal {}, points {} and {}, {} iterations",
-                     label_of(answer.outcome), hex(answer.toi_lower), hex(answer.toi_upper),
-                     hex(answer.normal), hex(answer.point_a), hex(answer.point_b),
-                     answer.counters.iterations);
 }
 
 namespace {
@@ -217,12 +143,6 @@ std::string early_fault(const CaseTruth& truth, const Answer& answer, double bou
   if (!(early > bound)) return "";
   return fmt::format("toi_upper {} is early by a distance of {}; true: {}", hex(answer.toi_upper),
                      over(early, truth), describe(truth));
-}
-
-bool is_beyond_range(double lower, double upper, double unit_roundoff) {
-  const double largest = unit_roundoff == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
-                                                               : std::numeric_limits<double>::max();
-  return lower == largest && upper == kInfinity<double>;
 }
 
 std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -275,7 +195,7 @@ std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound
   return "";
 }
 
-std::string any_fault(const EngineMethod& method, const Case& problem, const Answer& answer) {
+std::string any_fault(const Method& method, const Case& problem, const Answer& answer) {
   const CaseTruth& truth = truth_of(problem);
   const double bound = bound_of(method, problem);
   std::string reason = any_fault(truth, answer, bound);
@@ -310,7 +230,7 @@ bool agree(const Answer& one, const Answer& other, double u) {
   return gap <= 16 * u * std::max(one.toi_upper, other.toi_upper);
 }
 
-LawResult arbitrate(const EngineMethod& method, std::initializer_list<Asked> asked,
+LawResult arbitrate(const Method& method, std::initializer_list<Asked> asked,
                     std::string_view disagreement) {
   std::string all(disagreement);
   for (const Asked& one : asked) all += fmt::format("; {}: {}", one.name, describe(one.answer));

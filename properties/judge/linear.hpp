@@ -9,34 +9,27 @@
 #pragma once
 
 #include "oracles/truth/case_truth.hpp"
+#include "properties/judge/judgement.hpp"
+#include "properties/judge/limits.hpp"
+#include "properties/judge/truth.hpp"
 #include "properties/laws/law.hpp"
 
 namespace graze::law {
 
-// kappa of the method's row for this kind of case; infinite for a method without a row, which promises
-// nothing.
-[[nodiscard]] double kappa(const engine::EngineMethod& method, const corpus::Case& problem);
 // kappa u scale. Of tier exact, whose kappa is 0: what rounding the times of a hit outward may cost, 2 u TOI
 // |v|; the law exact_equals_oracle leaves it nothing. Of tier certified: the width of its row, and for float
 // that rounding besides.
-[[nodiscard]] double bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+[[nodiscard]] double bound_of(const engine::Method& method, const corpus::Case& problem);
 // What a verdict, a late lower end and an early upper end are held to: the same, but of tier certified, whose
 // bracket holds without condition, nothing.
-[[nodiscard]] double proved_bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+[[nodiscard]] double proved_bound_of(const engine::Method& method, const corpus::Case& problem);
 // Of normals and witnesses.
-[[nodiscard]] double contact_kappa(const engine::EngineMethod& method, const corpus::Case& problem);
-[[nodiscard]] double contact_bound_of(const engine::EngineMethod& method, const corpus::Case& problem);
+[[nodiscard]] double contact_bound_of(const engine::Method& method, const corpus::Case& problem);
 
-// Whether an oracle takes the case: every linear one of valid shapes. Polytopes, alone or rounded by one
-// radius, go to the exact oracle while they have no more than kMostDifferences pairs of vertices (256 x 256
-// take it 0.2 s, 512 x 512 a second; the bracket oracle 2 ms); everything else goes to the bracket oracle.
-inline constexpr std::uint64_t kMostDifferences = 1u << 14;
+// Whether an oracle takes the case: every linear one of valid shapes.
 [[nodiscard]] bool has_truth(const corpus::Case& problem);
 // Its answer, where it has one; the last few are kept, since a campaign asks many laws about one case.
 [[nodiscard]] const oracle::CaseTruth& truth_of(const corpus::Case& problem);
-// Whether it is the exact oracle that takes the case, at microseconds to a millisecond; the bracket oracle
-// takes one to ten milliseconds.
-[[nodiscard]] bool is_exactly_decided(const corpus::Case& problem);
 // The bracket oracle spoke and left the verdict open: bodies that touch within 1e-20 of the scale, or flat
 // ones in one plane.
 [[nodiscard]] bool is_undecided(const oracle::CaseTruth& truth);
@@ -44,13 +37,8 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 // A cast that the methods know, in the domain: the laws speak about nothing else (but the door's).
 [[nodiscard]] bool is_linear_question(const corpus::Case& problem);
 // One that this method answers: tier exact does not answer all of them.
-[[nodiscard]] bool is_question_for(const engine::EngineMethod& method, const corpus::Case& seen);
+[[nodiscard]] bool is_question_for(const engine::Method& method, const corpus::Case& seen);
 
-[[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
-[[nodiscard]] std::string_view label_of(Outcome outcome);
-[[nodiscard]] std::string hex(double x);
-[[nodiscard]] std::string hex(const Vec3<double>& x);
-[[nodiscard]] std::string describe(const engine::Answer& answer);
 
 // Contact or no contact, wrong by more than the bound in clearance or depth. Says nothing of a verdict that
 // the oracle left undecided; the faults below stand there too, by what is proved of distances and depths.
@@ -72,15 +60,11 @@ inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 // not_converged, though clearance or depth exceeds the bound: what tier certified promises to decide.
 [[nodiscard]] std::string undecided_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                           double bound);
-// The bracket of a hit whose time is too large for the scalar: from the largest number of it to infinity.
-// Only float has such, of motion below 1e-38 or so over lengths of 1: nothing but that the TOI is no sooner
-// can be asked of it.
-[[nodiscard]] bool is_beyond_range(double lower, double upper, double unit_roundoff);
 // The first fault of verdict and times.
 [[nodiscard]] std::string any_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                     double bound);
 // The same by the method's own row.
-[[nodiscard]] std::string any_fault(const engine::EngineMethod& method, const corpus::Case& problem,
+[[nodiscard]] std::string any_fault(const engine::Method& method, const corpus::Case& problem,
                                     const engine::Answer& answer);
 
 [[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
@@ -104,7 +88,7 @@ struct Asked {
 };
 // The oracle looks at every answer in turn; the first with a fault is named. None: the questions are
 // ill-conditioned, and every answer is within its row.
-[[nodiscard]] LawResult arbitrate(const engine::EngineMethod& method, std::initializer_list<Asked> asked,
+[[nodiscard]] LawResult arbitrate(const engine::Method& method, std::initializer_list<Asked> asked,
                                   std::string_view disagreement);
 
 }  // namespace graze::law

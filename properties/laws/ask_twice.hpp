@@ -10,7 +10,7 @@ namespace graze::law {
 
 // An edit must survive the rounding to the method's scalar, or the two questions are not the ones meant; and
 // the method must answer it.
-[[nodiscard]] inline bool is_sound_edit(const corpus::Case& edited, const engine::EngineMethod& method) {
+[[nodiscard]] inline bool is_sound_edit(const corpus::Case& edited, const engine::Method& method) {
   return is_question_for(method, edited) && same_input(method.seen(edited), edited);
 }
 
@@ -28,7 +28,7 @@ namespace graze::law {
 
 // Equal verdicts, and times that lie within the rows of both, as far as the path goes between them: no
 // question for an oracle. Of a graze, where right times may be far apart, it says false.
-[[nodiscard]] inline bool agree_within_rows(const engine::EngineMethod& method, const corpus::Case& seen,
+[[nodiscard]] inline bool agree_within_rows(const engine::Method& method, const corpus::Case& seen,
                                             const engine::Answer& one, const engine::Answer& other) {
   if (agree(one, other, method.unit_roundoff)) return true;
   const double gap = std::max(one.toi_lower - other.toi_upper, other.toi_lower - one.toi_upper);
@@ -40,10 +40,10 @@ namespace graze::law {
 }
 
 // Two cases with one contact, at one time. `seen`: as the method sees it; `other`: a sound edit.
-[[nodiscard]] inline LawResult same_contact(const engine::EngineMethod& method, const corpus::Case& seen,
+[[nodiscard]] inline LawResult same_contact(const engine::Method& method, const corpus::Case& seen,
                                             const corpus::Case& other, std::string_view name,
                                             std::string_view disagreement) {
-  const engine::Answer one = method.cast(seen, {}), two = method.cast(other, {});
+  const engine::Answer one = method.ask(seen, {}), two = method.ask(other, {});
   LawResult result = agree(one, two, method.unit_roundoff)
                          ? holds()
                          : arbitrate(method, {{"the original", seen, one}, {name, other, two}}, disagreement);

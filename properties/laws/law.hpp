@@ -6,6 +6,7 @@
 // its row, since at a graze two times may both be right and yet far apart.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,14 +30,25 @@ struct LawResult {
 // What a law stands on, hence what it costs: the method alone, the checker of proofs, or the exact oracle.
 enum class Needs { metamorphic, proof, oracle };
 
+using engine::Kind;
+using engine::Method;
+
 struct Law {
-  std::string_view name;
-  std::string_view sentence;
-  Needs needs;
-  LawResult (*check)(const corpus::Case&, const engine::EngineMethod&);
+  std::string name, sentence;
+  Needs needs = Needs::metamorphic;
+  // Not applicable: the case is no question for the law, or the method none that it is about.
+  std::function<LawResult(const corpus::Case&, const Method&)> check;
+  // Of the methods that it judges; a law of the queries is called with the bodies of a linear case.
+  Kind kind = Kind::linear;
+
+  [[nodiscard]] std::span<const Method> methods() const { return engine::methods(kind); }
 };
 
+// In the order of the tables: of linear casts, of the queries, of casts of turning bodies.
 [[nodiscard]] std::span<const Law> laws();
+[[nodiscard]] std::span<const Law> laws(Kind kind);
 [[nodiscard]] const Law* find_law(std::string_view name);  // nullptr if there is none
+
+[[nodiscard]] std::string_view to_text(Needs needs);
 
 }  // namespace graze::law

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "corpus/families.hpp"
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::law {
 

@@ -91,17 +91,17 @@ std::string LawTally::shortfall_of_families() const {
 
 std::string LawTally::excess_of_stalls() const {
   if (kind_ != Kind::linear) return "";
-  for (std::size_t m = 0; m < methods_.size(); ++m) {
-    const engine::EngineMethod& method = engine::methods()[m];
+  for (std::size_t m = 0; m < stalled_.size(); ++m) {
+    const engine::Method& method = engine::methods(engine::Kind::linear)[m];
     // Where tier certified may leave a verdict open is a law's business: certified_decides.
     if (stalled_[m] == 0 || method.is_certified()) continue;
-    const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+    const engine::Guarantee* row = method.guarantee;
     // One stall is allowed to a run that is too short to hold a fraction to its cap.
     const double allowed = row != nullptr && row->stall_cap > 0
                                ? std::max(1.0, row->stall_cap * static_cast<double>(applied_to_[m]))
                                : 0;
     if (static_cast<double>(stalled_[m]) > allowed) {
-      return law_ + ": " + methods_[m] + " did not converge " + std::to_string(stalled_[m]) + " times in " +
+      return law_ + ": " + method.full_name() + " did not converge " + std::to_string(stalled_[m]) + " times in " +
              std::to_string(applied_to_[m]);
     }
   }

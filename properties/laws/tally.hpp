@@ -6,18 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::law {
 
 class LawTally {
  public:
-  explicit LawTally(const AnyLaw& law)
+  explicit LawTally(const Law& law)
       : law_(law.name),
         kind_(law.kind),
-        methods_(law.methods),
-        applied_to_(law.methods.size()),
-        stalled_(law.methods.size()) {}
+        applied_to_(law.methods().size()),
+        stalled_(law.methods().size()) {}
 
   // family: of the case; empty where it was drawn freely.
   void add(std::size_t method, std::string_view family, const LawResult& result);
@@ -48,7 +47,6 @@ class LawTally {
 
   std::string law_;
   Kind kind_;
-  std::vector<std::string> methods_;
   std::size_t applied_ = 0, not_applicable_ = 0, left_open_ = 0, broken_ = 0;
   std::map<std::string, std::size_t> labels_;
   std::set<std::string> families_;

@@ -50,7 +50,7 @@ Words cast_words(const A& a) {
   return out;
 }
 
-Words query_words(const engine::QueryAnswer& a) {
+Words query_words(const engine::Answer& a) {
   Words out;
   for (const double x :
        {static_cast<double>(a.outcome), static_cast<double>(a.invalid), static_cast<double>(a.stalled)})
@@ -87,26 +87,26 @@ void compare_answers(const Ask& ask, int mutant, Difference& sum, std::size_t me
 
 }  // namespace
 
-void compare(law::Kind kind, const corpus::Case& problem, int mutant, Difference& sum) {
+void compare(engine::Kind kind, const corpus::Case& problem, int mutant, Difference& sum) {
   const Request everything = Request::everything;
   std::size_t at = 0;
-  if (kind == law::Kind::linear) {
-    for (const engine::EngineMethod& method : engine::methods())
-      compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant, sum,
+  if (kind == engine::Kind::linear) {
+    for (const engine::Method& method : engine::methods(engine::Kind::linear))
+      compare_answers([&] { return cast_words(method.ask(problem, {.request = everything})); }, mutant, sum,
                       at++);
     return;
   }
-  at += engine::methods().size();
-  if (kind == law::Kind::query) {
-    for (const engine::QueryMethod& method : engine::query_methods()) {
+  at += engine::methods(engine::Kind::linear).size();
+  if (kind == engine::Kind::query) {
+    for (const engine::Method& method : engine::methods(engine::Kind::query)) {
       const corpus::Case question = law::question_for(problem, method.query, law::hash_of(problem));
       compare_answers([&] { return query_words(method.answer(question)); }, mutant, sum, at++);
     }
     return;
   }
-  at += engine::query_methods().size();
-  for (const engine::RotatingEngineMethod& method : engine::rotating_methods())
-    compare_answers([&] { return cast_words(method.cast(problem, {.request = everything})); }, mutant, sum,
+  at += engine::methods(engine::Kind::query).size();
+  for (const engine::Method& method : engine::methods(engine::Kind::rotating))
+    compare_answers([&] { return cast_words(method.ask(problem, {.request = everything})); }, mutant, sum,
                     at++);
 }
 
@@ -116,7 +116,7 @@ std::string stall_fault(const Difference& sum) {
   const auto check = [&](const auto& methods) {
     for (const auto& method : methods) {
       const Stalls& stalls = sum.stalls[at++];
-      const engine::Guarantee* const row = engine::find_guarantee(engine::guarantees(), method);
+      const engine::Guarantee* const row = method.guarantee;
       const double cap = row != nullptr ? row->stall_cap : 1;
       const bool above =
           static_cast<double>(stalls.with) > std::ceil(cap * static_cast<double>(stalls.asked));
@@ -125,9 +125,9 @@ std::string stall_fault(const Difference& sum) {
                           stalls.with, stalls.asked, stalls.without);
     }
   };
-  check(engine::methods());
-  check(engine::query_methods());
-  check(engine::rotating_methods());
+  check(engine::methods(engine::Kind::linear));
+  check(engine::methods(engine::Kind::query));
+  check(engine::methods(engine::Kind::rotating));
   return out;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::mutants {
 
@@ -23,7 +23,7 @@ struct Difference {
 };
 
 // Every method of the kind on the case, with the mutant and without, added to `sum`.
-void compare(law::Kind kind, const corpus::Case& problem, int mutant, Difference& sum);
+void compare(engine::Kind kind, const corpus::Case& problem, int mutant, Difference& sum);
 
 // The first method that ends undecided more often than its row of the guarantees grants, and more often than
 // without the mutant; empty if none. The cap is a share of a family's cases, here of those compared.

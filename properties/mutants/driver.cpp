@@ -136,9 +136,9 @@ void compare_all(const World& world, const std::vector<std::vector<const Trial*>
                  double seconds, Progress& progress) {
   const double end = processor_seconds() + seconds;
   for (const std::vector<const Trial*>& trials : agenda) {
-    std::set<graze::law::Kind> kinds;
+    std::set<graze::engine::Kind> kinds;
     for (const Trial* trial : trials) kinds.insert(world.laws[trial->law].kind);
-    for (const graze::law::Kind kind : kinds) {
+    for (const graze::engine::Kind kind : kinds) {
       allow(kLeastTime + 4 * seconds);
       compare(kind, world.cases[trials.front()->problem], mutant, progress.difference);
     }

@@ -13,8 +13,8 @@
 
 namespace graze::mutants {
 
-using law::AnyLaw;
-using law::Kind;
+using law::Law;
+using engine::Kind;
 using law::Needs;
 
 namespace {
@@ -31,7 +31,7 @@ constexpr std::uint64_t kBracketShare = 4;
 // One aimed case of each family for so many of the sample.
 constexpr std::size_t kAimedShare = 60, kAimedRotatingShare = 20;
 
-bool applies(const World& world, const AnyLaw& law, std::size_t problem) {
+bool applies(const World& world, const Law& law, std::size_t problem) {
   if (problem >= world.ties_end) return law.kind == Kind::rotating;
   if (law.kind == Kind::rotating) return false;
   if (problem >= world.flat_end) return law.kind == Kind::linear && law.needs == Needs::proof;
@@ -57,7 +57,7 @@ bool read(std::ifstream& file, T& x) {
 
 World make_world(const Counts& counts) {
   World world;
-  world.laws = law::all_laws();
+  world.laws = law::laws();
   const int flat = std::max(counts.linear, counts.query);
   if (flat > 0) {
     law::Sample linear = law::sample_for(Kind::linear, flat);
@@ -80,7 +80,7 @@ World make_world(const Counts& counts) {
   return world;
 }
 
-std::string fault_of(const AnyLaw& law, const corpus::Case& problem) {
+std::string fault_of(const Law& law, const corpus::Case& problem) {
   for (std::size_t i = 0; i < law.methods.size(); ++i) {
     const law::LawResult result = law.check(problem, i);
     if (result.holding == law::Holding::broken) return law.methods[i] + ": " + result.reason;
@@ -95,7 +95,7 @@ Survey survey(const World& world, int mutants) {
   for (std::size_t problem = 0; problem < world.cases.size(); ++problem) {
     if (problem % 20 == 0) std::fprintf(stderr, "\rsurvey: case %zu of %zu ", problem, world.cases.size());
     for (std::size_t i = 0; i < world.laws.size(); ++i) {
-      const AnyLaw& law = world.laws[i];
+      const Law& law = world.laws[i];
       if (!applies(world, law, problem)) continue;
       std::fill_n(graze_mutants::reached, graze_mutants::kMost, static_cast<unsigned char>(0));
       const double before = processor_seconds();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "properties/defects/sample.hpp"
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::mutants {
 
@@ -18,7 +18,7 @@ struct Counts {
 };
 
 struct World {
-  std::vector<law::AnyLaw> laws;
+  std::vector<law::Law> laws;
   std::vector<corpus::Case> cases;  // aimed, linear, near-ties, aimed rotating, rotating
   // Where they end; casts and the other queries are asked about the aimed and the first of the linear ones.
   std::size_t linear_end = 0, queries_end = 0, flat_end = 0, ties_end = 0;
@@ -43,7 +43,7 @@ struct Survey {
 
 [[nodiscard]] World make_world(const Counts& counts);
 // The first method that breaks the law, and how; empty if all keep it.
-[[nodiscard]] std::string fault_of(const law::AnyLaw& law, const corpus::Case& problem);
+[[nodiscard]] std::string fault_of(const law::Law& law, const corpus::Case& problem);
 // Tries everything with no mutant alive. Progress on the standard error.
 [[nodiscard]] Survey survey(const World& world, int mutants);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kCasts = 500, kBlock = 32, kOracleEvery = 50;
 
-const engine::EngineMethod& exact() { return *engine::find_method("exact"); }
+const engine::Method& exact() { return *engine::find_method(engine::Kind::linear, "exact"); }
 
 std::vector<const corpus::Family*> some_families() {
   return {corpus::find_family("random"), corpus::find_family("grazing_face"),
@@ -27,24 +27,24 @@ std::vector<const corpus::Family*> some_families() {
 // A small campaign, and what is needed to run it.
 struct Small {
   // So that the contender outlives a planted method's making.
-  engine::EngineMethod method = exact();
-  engine::RotatingEngineMethod turning = *engine::find_rotating_method("plan");
+  engine::Method method = exact();
+  engine::Method turning = *engine::find_method(engine::Kind::rotating, "plan");
   CampaignPlan plan;
   CampaignJob job{.plan = &plan};
 
-  explicit Small(const engine::EngineMethod& judged, std::uint64_t seed = 7, std::uint64_t casts = kCasts)
+  explicit Small(const engine::Method& judged, std::uint64_t seed = 7, std::uint64_t casts = kCasts)
       : method(judged), plan(seed) {
     plan.add(some_families(), {contender_of(method)}, casts, {kOracleEvery});
   }
   // Every kind of part, of a few families.
   explicit Small(std::uint64_t seed) : plan(seed) {
-    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 126, {kOracleEvery});
-    plan.add_per_family(some_families(), chosen_contenders(PartKind::queries, {"standard"}), 2, {1});
+    plan.add(some_families(), chosen_contenders(engine::Kind::linear, {"standard"}), 126, {kOracleEvery});
+    plan.add_per_family(some_families(), chosen_contenders(engine::Kind::query, {"standard"}), 2, {1});
     plan.add({corpus::find_family("slow_spin"), corpus::find_family("random_rotating")},
-             chosen_contenders(PartKind::rotating, {}), 48, {6});
+             chosen_contenders(engine::Kind::rotating, {}), 48, {6});
   }
   // One turning method.
-  Small(const engine::RotatingEngineMethod& judged, const char* family, std::uint64_t casts)
+  Small(const engine::Method& judged, const char* family, std::uint64_t casts)
       : turning(judged), plan(7) {
     plan.add({corpus::find_family(family)}, {contender_of(turning)}, casts, {0});
   }
@@ -94,7 +94,7 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
 }
 
 TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tier) {
-  const std::vector<Contender> asked = {contender_of(exact())};
+  const Contenders asked = {contender_of(exact())};
   const CampaignCases one(some_families(), asked, 7, {kOracleEvery}),
       again(some_families(), asked, 7, {kOracleEvery}), other(some_families(), asked, 8, {kOracleEvery});
   for (std::uint64_t index = 0; index < 100; ++index) {
@@ -115,7 +115,7 @@ TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
   // Tier standard is asked everything.
-  const CampaignCases standard(families, {contender_of(*engine::find_method("mpr"))}, 1, {});
+  const CampaignCases standard(families, {contender_of(*engine::find_method(engine::Kind::linear, "mpr"))}, 1, {});
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
 }
@@ -235,7 +235,7 @@ TEST(Merge, shards_share_out_every_block_once) {
 
 // A hit is reported one double late.
 engine::Answer late_by_a_double(const corpus::Case& problem, const engine::Ask& ask) {
-  engine::Answer answer = exact().cast(problem, ask);
+  engine::Answer answer = exact().ask(problem, ask);
   if (answer.outcome == Outcome::hit)
     answer.toi_lower = answer.toi_upper = std::nextafter(answer.toi_upper, kInfinity<double>);
   return answer;
@@ -243,7 +243,7 @@ engine::Answer late_by_a_double(const corpus::Case& problem, const engine::Ask& 
 
 // A miss where there is none, and no proof of it: the oracle is asked.
 engine::Answer denies_contact(const corpus::Case& problem, const engine::Ask& ask) {
-  engine::Answer answer = exact().cast(problem, ask);
+  engine::Answer answer = exact().ask(problem, ask);
   if (answer.outcome == Outcome::hit) {
     answer.outcome = Outcome::miss;
     answer.toi_lower = answer.toi_upper = kInfinity<double>;
@@ -253,7 +253,7 @@ engine::Answer denies_contact(const corpus::Case& problem, const engine::Ask& as
 }
 
 engine::Answer gives_up(const corpus::Case& problem, const engine::Ask& ask) {
-  engine::Answer answer = engine::find_method("mpr")->cast(problem, ask);
+  engine::Answer answer = engine::find_method(engine::Kind::linear, "mpr")->ask(problem, ask);
   if (answer.outcome != Outcome::hit) return answer;
   answer.outcome = Outcome::not_converged;
   answer.toi_lower = 0;
@@ -262,10 +262,10 @@ engine::Answer gives_up(const corpus::Case& problem, const engine::Ask& ask) {
   return answer;
 }
 
-engine::EngineMethod planted(const char* name,
+engine::Method planted(const char* name,
                              engine::Answer (*cast)(const corpus::Case&, const engine::Ask&)) {
-  engine::EngineMethod method = *engine::find_method(name);
-  method.cast = cast;
+  engine::Method method = *engine::find_method(engine::Kind::linear, name);
+  method.ask = cast;
   return method;
 }
 
@@ -279,7 +279,7 @@ TEST(Planted, every_wrong_answer_is_counted_and_its_case_is_kept) {
     EXPECT_FALSE(campaign_failures(state).empty());
     EXPECT_NE(campaign_summary(state).find("FAILED"), std::string::npos);
     for (const corpus::Case& problem : found_cases(state)) {
-      EXPECT_EQ(exact().cast(problem, {}).outcome, Outcome::hit) << problem.id;
+      EXPECT_EQ(exact().ask(problem, {}).outcome, Outcome::hit) << problem.id;
       const corpus::ReadResult read = corpus::read_text(corpus::write_case(problem), "found", true);
       ASSERT_TRUE(read.ok());
       EXPECT_TRUE(corpus::same_case(read.cases[0], problem));
@@ -305,13 +305,13 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   const std::uint64_t last = one.tally.faults.back().index;
   std::size_t hits = 0;
   for (std::uint64_t index = 0; index <= last; ++index) {
-    if (exact().cast(small.plan.parts()[0].cases.draw(index).problem, {}).outcome == Outcome::hit) ++hits;
+    if (exact().ask(small.plan.parts()[0].cases.draw(index).problem, {}).outcome == Outcome::hit) ++hits;
   }
   EXPECT_EQ(hits, CampaignTally::kFindings);
 }
 
 TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
-  const Small honest(*engine::find_method("mpr"), 7, 120), stalling(planted("mpr", &gives_up), 7, 120);
+  const Small honest(*engine::find_method(engine::Kind::linear, "mpr"), 7, 120), stalling(planted("mpr", &gives_up), 7, 120);
   EXPECT_TRUE(campaign_failures(honest.run(2)).empty());
   const CampaignState state = stalling.run(2);
   EXPECT_GT(state.tally.total().stalls, 10U);
@@ -361,7 +361,7 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
 
 TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
   CampaignPlan plan(3);
-  plan.add({corpus::find_family("random_rotating")}, chosen_contenders(PartKind::rotating, {"certified"}), 40,
+  plan.add({corpus::find_family("random_rotating")}, chosen_contenders(engine::Kind::rotating, {"certified"}), 40,
            {8});
   CampaignState state = fresh_state(plan, kBlock, {});
   run_campaign({.plan = &plan}, state);
@@ -380,7 +380,7 @@ TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
 TEST(Parts, one_case_in_so_many_is_judged) {
   const auto run = [](const Sampling& sampling) {
     CampaignPlan plan(3);
-    plan.add(some_families(), chosen_contenders(PartKind::casts, {"standard"}), 1200, sampling);
+    plan.add(some_families(), chosen_contenders(engine::Kind::linear, {"standard"}), 1200, sampling);
     CampaignState state = fresh_state(plan, kBlock, {});
     run_campaign({.plan = &plan}, state);
     return state;
@@ -401,11 +401,11 @@ TEST(Parts, one_case_in_so_many_is_judged) {
 
 // --- Turning methods and queries that are wrong in a known way.
 
-const engine::RotatingEngineMethod& turning(const char* name) { return *engine::find_rotating_method(name); }
+const engine::Method& turning(const char* name) { return *engine::find_method(engine::Kind::rotating, name); }
 
 template <int kOff>  // in millionths of the step
-engine::RotatingAnswer moved_in_time(const corpus::Case& problem, const engine::RotatingAsk& ask) {
-  engine::RotatingAnswer answer = turning("plan").cast(problem, ask);
+engine::Answer moved_in_time(const corpus::Case& problem, const engine::Ask& ask) {
+  engine::Answer answer = turning("plan").ask(problem, ask);
   if (answer.outcome != Outcome::hit || answer.toi_lower < 1e-3) return answer;
   answer.toi_lower += kOff * 1e-6 * problem.t_max;
   answer.toi_upper += kOff * 1e-6 * problem.t_max;
@@ -414,14 +414,14 @@ engine::RotatingAnswer moved_in_time(const corpus::Case& problem, const engine::
 }
 
 // True, never late, and the bodies are still apart at toi_lower: measured beside the proof's bracket.
-engine::RotatingAnswer widened_in_time(const corpus::Case& problem, const engine::RotatingAsk& ask) {
-  engine::RotatingAnswer answer = turning("plan").cast(problem, ask);
+engine::Answer widened_in_time(const corpus::Case& problem, const engine::Ask& ask) {
+  engine::Answer answer = turning("plan").ask(problem, ask);
   if (answer.outcome == Outcome::hit && answer.toi_lower > 1e-3) answer.toi_lower -= 1e-4 * problem.t_max;
   return answer;
 }
 
-engine::RotatingAnswer turning_denies_contact(const corpus::Case& problem, const engine::RotatingAsk& ask) {
-  engine::RotatingAnswer answer = turning("certified").cast(problem, ask);
+engine::Answer turning_denies_contact(const corpus::Case& problem, const engine::Ask& ask) {
+  engine::Answer answer = turning("certified").ask(problem, ask);
   if (answer.outcome != Outcome::hit) return answer;
   answer.outcome = Outcome::miss;
   answer.toi_lower = answer.toi_upper = kInfinity<double>;
@@ -430,24 +430,24 @@ engine::RotatingAnswer turning_denies_contact(const corpus::Case& problem, const
 }
 
 // The chain claims more than its slices show.
-engine::RotatingAnswer forges_its_proof(const corpus::Case& problem, const engine::RotatingAsk& ask) {
-  engine::RotatingAnswer answer = turning("certified").cast(problem, ask);
+engine::Answer forges_its_proof(const corpus::Case& problem, const engine::Ask& ask) {
+  engine::Answer answer = turning("certified").ask(problem, ask);
   if (answer.proof && answer.outcome == Outcome::hit)
     answer.proof->toi_lower = 0.5 * (1 + problem.t_max) + answer.toi_upper;
   return answer;
 }
 
-engine::RotatingEngineMethod planted_turning(const char* name,
-                                             engine::RotatingAnswer (*cast)(const corpus::Case&,
-                                                                            const engine::RotatingAsk&)) {
-  engine::RotatingEngineMethod method = turning(name);
-  method.cast = cast;
+engine::Method planted_turning(const char* name,
+                                             engine::Answer (*cast)(const corpus::Case&,
+                                                                            const engine::Ask&)) {
+  engine::Method method = turning(name);
+  method.ask = cast;
   return method;
 }
 
 TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_kept) {
   struct Planted {
-    engine::RotatingEngineMethod method;
+    engine::Method method;
     std::uint64_t CampaignCounts::*kind;
     bool with_proof;  // seen only where a proof was asked for
   };
@@ -468,21 +468,21 @@ TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_k
     const std::vector<corpus::Case> found = found_cases(state);
     EXPECT_EQ(found.size(), total.faults);
     for (const corpus::Case& problem : found) {
-      EXPECT_EQ(turning("certified").cast(problem, {}).outcome, Outcome::hit) << problem.id;
+      EXPECT_EQ(turning("certified").ask(problem, {}).outcome, Outcome::hit) << problem.id;
     }
   }
 }
 
 // What answers a query beside the cast, off by a hundredth of itself.
-engine::QueryAnswer stretched_distance(const corpus::Case& problem, const engine::QueryAsk& asked) {
-  engine::QueryAnswer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
+engine::Answer stretched_distance(const corpus::Case& problem, const engine::Ask& asked) {
+  engine::Answer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
   if (answer.distance)
     answer.distance = engine::Interval{1.01 * answer.distance->lower, 1.01 * answer.distance->upper};
   return answer;
 }
 
 TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
-  engine::QueryMethod method = law::default_method(corpus::Query::distance, "double");
+  engine::Method method = law::default_method(corpus::Query::distance, "double");
   for (const bool honest : {true, false}) {
     if (!honest) method.ask = &stretched_distance;
     CampaignPlan plan(7);
@@ -524,7 +524,7 @@ TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
 
 TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
   CampaignPlan plan(7);
-  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(PartKind::casts, {"ca/double"}), 2000,
+  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(engine::Kind::linear, {"ca/double"}), 2000,
            {0});
   CampaignState state = fresh_state(plan, kBlock, {});
   for (CampaignCounts& counts : state.tally.counts) counts.casts = 800;
@@ -543,7 +543,7 @@ TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
 TEST(Digest, one_bit_of_one_answer_changes_it_and_the_order_does_not) {
   const Small small(exact());
   const DrawnCase drawn = small.plan.parts()[0].cases.draw(0);
-  const AnswerWords answer = words_of(exact().cast(drawn.problem, {}));
+  const AnswerWords answer = words_of(exact().ask(drawn.problem, {}));
   AnswerWords other = answer;
   other.numbers[0] = std::nextafter(other.numbers[0], -1.0);
   EXPECT_NE(answer_hash(0, answer), answer_hash(0, other));

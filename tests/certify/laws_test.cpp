@@ -11,12 +11,12 @@
 namespace graze::tool {
 namespace {
 
-using law::AnyLaw;
-using law::Kind;
+using law::Law;
+using engine::Kind;
 using law::LawResult;
 
 // "Nothing is hit", broken by every hit of either method.
-AnyLaw nothing_is_hit() {
+Law nothing_is_hit() {
   return {.kind = Kind::linear,
           .name = "nothing_is_hit",
           .sentence = "Nothing is ever hit.",
@@ -24,14 +24,14 @@ AnyLaw nothing_is_hit() {
           .methods = {"mpr/double", "gjk/double"},
           .check = [](const corpus::Case& problem, std::size_t m) -> LawResult {
             if (!law::is_linear_question(problem)) return law::not_applicable("no linear cast");
-            const engine::EngineMethod& method = *engine::find_method(m == 0 ? "mpr/double" : "gjk/double");
-            const Outcome outcome = method.cast(problem, {}).outcome;
+            const engine::Method& method = *engine::find_method(engine::Kind::linear, m == 0 ? "mpr/double" : "gjk/double");
+            const Outcome outcome = method.ask(problem, {}).outcome;
             if (outcome == Outcome::hit) return law::broken("it is hit");
             return law::holds({law::label_of(outcome)});
           }};
 }
 
-AnyLaw counts_turning() {
+Law counts_turning() {
   return {.kind = Kind::rotating,
           .name = "counts_turning",
           .sentence = "It holds.",
@@ -61,7 +61,7 @@ TEST(LawCertification, counts_and_finds_the_first_case_that_breaks_made_small) {
   EXPECT_EQ(breach.times + result.breaches[1].times, result.tallies[0].broken());
 
   // The first: none before it breaks the law. The seed draws it.
-  const AnyLaw law = nothing_is_hit();
+  const Law law = nothing_is_hit();
   for (std::size_t i = 0; i < breach.index; ++i) {
     EXPECT_NE(law.check(suites[0].suite.at(i), 0).holding, law::Holding::broken);
   }

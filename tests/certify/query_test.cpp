@@ -9,7 +9,7 @@
 #include "certify/intake.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
-#include "properties/judge/curved_query.hpp"
+#include "properties/judge/judge.hpp"
 #include "properties/laws/queries/question.hpp"
 
 namespace graze::tool {
@@ -17,9 +17,9 @@ namespace {
 
 using corpus::Case;
 using corpus::Query;
-using engine::QueryAnswer;
-using engine::QueryAsk;
-using engine::QueryMethod;
+using engine::Answer;
+using engine::Ask;
+using engine::Method;
 
 // Cubes of side 2, the second 3 away along x: a distance of 1.
 Case cubes(Query query) {
@@ -33,8 +33,8 @@ Case cubes(Query query) {
   return problem;
 }
 
-QueryAnswer right_answer(const Case&, const QueryAsk&) {
-  QueryAnswer answer;
+Answer right_answer(const Case&, const Ask&) {
+  Answer answer;
   answer.outcome = Outcome::miss;
   answer.distance = {1, 1};
   answer.normal = {1, 0, 0};
@@ -42,23 +42,23 @@ QueryAnswer right_answer(const Case&, const QueryAsk&) {
   answer.point_b = {2, 0, 0};
   return answer;
 }
-QueryAnswer stalled_answer(const Case& problem, const QueryAsk& ask) {
-  QueryAnswer answer = right_answer(problem, ask);
+Answer stalled_answer(const Case& problem, const Ask& ask) {
+  Answer answer = right_answer(problem, ask);
   answer.distance = {0.5, 1.5};
   answer.stalled = true;
   return answer;
 }
-QueryAnswer wrong_answer(const Case& problem, const QueryAsk& ask) {
-  QueryAnswer answer = right_answer(problem, ask);
+Answer wrong_answer(const Case& problem, const Ask& ask) {
+  Answer answer = right_answer(problem, ask);
   answer.distance = {1.25, 1.25};
   return answer;
 }
 
-QueryMethod distance_by(QueryAnswer (*ask)(const Case&, const QueryAsk&)) {
+Method distance_by(Answer (*ask)(const Case&, const Ask&)) {
   return {.query = Query::distance, .name = "made_up", .scalar = "double", .tier = "standard", .ask = ask};
 }
 
-QueryCertification certified(const QueryMethod& method, const Case& problem) {
+QueryCertification certified(const Method& method, const Case& problem) {
   const engine::Guarantee row{.query = "distance",
                               .method = "made_up",
                               .scalar = "double",
@@ -139,32 +139,32 @@ TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
     problem.b.position = {x, 0.25, 0.125};
     problem.direction = {1, 0.5, 0.25};
     problem.a.shape = Ellipsoid<double>{{1, 1.5, 2}};
-    const engine::QueryMethod& ours = law::default_method(query, "double");
+    const engine::Method& ours = law::default_method(query, "double");
     const law::QueryLimits limits{.kappa = 64, .unit_roundoff = kUnitRoundoff<double>};
-    const QueryAnswer right = ours.answer(problem);
+    const Answer right = ours.answer(problem);
     EXPECT_EQ(judge_curved_query(problem, ours, right, limits).fault(), "");
     // The other verdict.
-    QueryAnswer other = right;
+    Answer other = right;
     const Outcome contact =
         query == Query::line || query == Query::swept_overlap ? Outcome::hit : Outcome::initially_overlapping;
     other.outcome = right.outcome == contact ? Outcome::miss : contact;
     EXPECT_NE(judge_curved_query(problem, ours, other, limits).wrong, "");
     // Either end of each bracket, in and out.
     using Bracket = std::optional<engine::Interval>;
-    for (Bracket QueryAnswer::*const bracket :
-         {&QueryAnswer::distance, &QueryAnswer::depth, &QueryAnswer::t_in, &QueryAnswer::t_out}) {
+    for (Bracket Answer::*const bracket :
+         {&Answer::distance, &Answer::depth, &Answer::t_in, &Answer::t_out}) {
       if (!(right.*bracket)) continue;
       const double size = std::abs((right.*bracket)->upper);
       if (size == 0) continue;
       for (const double by : {-1e-3 * size, 1e-3 * size}) {
-        QueryAnswer moved = right;
+        Answer moved = right;
         (moved.*bracket)->lower += by;
         (moved.*bracket)->upper += by;
         EXPECT_NE(judge_curved_query(problem, ours, moved, limits).fault(), "") << by;
       }
     }
     if (query != Query::distance || !right.point_a) continue;
-    QueryAnswer off = right;
+    Answer off = right;
     *off.point_a += 1e-3 * *right.normal;
     EXPECT_NE(judge_curved_query(problem, ours, off, limits).bad_contact, "");
   }

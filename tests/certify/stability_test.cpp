@@ -80,19 +80,19 @@ engine::Answer stalled_answer(const Case&, const engine::Ask&) {
 
 Case as_given(const Case& problem) { return problem; }
 
-engine::EngineMethod method_of(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
+engine::Method method_of(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
   return {.name = "made_up",
           .scalar = "double",
           .tier = "standard",
           .unit_roundoff = kUnitRoundoff<double>,
-          .cast = cast,
+          .ask = cast,
           .seen = as_given,
           .time_ns = nullptr};
 }
 
 constexpr std::size_t kCount = 3;
 
-FamilyStability measured(const Family& family, const engine::EngineMethod& method, double kappa,
+FamilyStability measured(const Family& family, const engine::Method& method, double kappa,
                          double stall_cap = 0) {
   const engine::Guarantee row{.method = method.name,
                               .scalar = method.scalar,
@@ -110,7 +110,7 @@ Curve only_curve(const FamilyStability& family) {
 }
 
 TEST(Stability, a_late_time_is_measured_level_by_level) {
-  const engine::EngineMethod method = method_of(late_answer);
+  const engine::Method method = method_of(late_answer);
   const Curve curve = only_curve(measured(kHits, method, 1024));
   ASSERT_EQ(curve.levels.size(), std::size(kLevels));
   for (const LevelErrors& level : curve.levels) {
@@ -132,7 +132,7 @@ TEST(Stability, a_late_time_is_measured_level_by_level) {
 }
 
 TEST(Stability, a_row_that_grants_the_error_holds) {
-  const engine::EngineMethod method = method_of(late_answer);
+  const engine::Method method = method_of(late_answer);
   const double kappa = 1.01 * std::ldexp(kSpeed, -20) / kScale / kUnitRoundoff<double>;
   const Curve curve = only_curve(measured(kHits, method, kappa));
   EXPECT_TRUE(curve.holds()) << curve.first_fault;
@@ -141,7 +141,7 @@ TEST(Stability, a_row_that_grants_the_error_holds) {
 }
 
 TEST(Stability, a_wrong_verdict_counts_by_what_it_denies) {
-  const engine::EngineMethod hits = method_of(hit_answer), misses = method_of(miss_answer);
+  const engine::Method hits = method_of(hit_answer), misses = method_of(miss_answer);
   for (const auto& [family, method] : {std::pair{&kNearMisses, &hits}, std::pair{&kNearHits, &misses}}) {
     // Between the second level and the third.
     const double kappa = std::ldexp(1.0, -35) / kScale / kUnitRoundoff<double>;
@@ -161,7 +161,7 @@ TEST(Stability, a_wrong_verdict_counts_by_what_it_denies) {
 }
 
 TEST(Stability, a_stall_has_no_error_and_a_cap) {
-  const engine::EngineMethod method = method_of(stalled_answer);
+  const engine::Method method = method_of(stalled_answer);
   const Curve curve = only_curve(measured(kHits, method, 64));
   EXPECT_EQ(curve.total().stalled, 9U);
   EXPECT_TRUE(curve.total().backward.empty());
@@ -173,7 +173,7 @@ TEST(Stability, a_stall_has_no_error_and_a_cap) {
 }
 
 TEST(Stability, round_shapes_have_a_curve_of_their_own) {
-  const engine::EngineMethod method = method_of(hit_answer);
+  const engine::Method method = method_of(hit_answer);
   const Curve points = only_curve(measured(kHits, method, 64)),
               balls = only_curve(measured(kBalls, method, 64));
   EXPECT_FALSE(points.rounded);
@@ -188,7 +188,7 @@ TEST(Stability, round_shapes_have_a_curve_of_their_own) {
 }
 
 TEST(Stability, the_worst_family_stands_first) {
-  const engine::EngineMethod late = method_of(late_answer), hits = method_of(hit_answer);
+  const engine::Method late = method_of(late_answer), hits = method_of(hit_answer);
   const Curve bad = only_curve(measured(kHits, late, 64)),
               worse = only_curve(measured(kNearMisses, hits, 64)),
               good = only_curve(measured(kHits, hits, 64));
@@ -209,7 +209,7 @@ TEST(Stability, the_worst_family_stands_first) {
 
 TEST(Stability, our_methods_hold_and_threads_change_nothing) {
   StabilitySettings settings{.guarantees = engine::guarantees(), .count = 2};
-  for (const engine::EngineMethod& method : engine::methods()) settings.linear.push_back(&method);
+  for (const engine::Method& method : engine::methods(engine::Kind::linear)) settings.linear.push_back(&method);
   const Family* family = corpus::find_family("size_ratio");
   ASSERT_NE(family, nullptr);
   const FamilyStability one = measure_family(*family, settings);
@@ -227,19 +227,19 @@ TEST(Stability, our_methods_hold_and_threads_change_nothing) {
 // arm.
 constexpr double kDelay = 1e-6;
 
-engine::RotatingAnswer late_turn(const Case& problem, const engine::RotatingAsk& ask) {
-  engine::RotatingAnswer answer = engine::find_rotating_method("bilateral")->cast(problem, ask);
+engine::Answer late_turn(const Case& problem, const engine::Ask& ask) {
+  engine::Answer answer = engine::find_method(engine::Kind::rotating, "bilateral")->ask(problem, ask);
   answer.toi_lower += kDelay;
   answer.toi_upper += kDelay;
   return answer;
 }
-engine::RotatingAnswer missed_turn(const Case&, const engine::RotatingAsk&) {
+engine::Answer missed_turn(const Case&, const engine::Ask&) {
   return {.outcome = Outcome::miss, .toi_lower = kInfinity<double>, .toi_upper = kInfinity<double>};
 }
 
-Curve measured_turn(engine::RotatingAnswer (*cast)(const Case&, const engine::RotatingAsk&)) {
-  engine::RotatingEngineMethod method = *engine::find_rotating_method("bilateral");
-  method.cast = cast;
+Curve measured_turn(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
+  engine::Method method = *engine::find_method(engine::Kind::rotating, "bilateral");
+  method.ask = cast;
   return only_curve(measure_family(
       kBars, {.rotating = {&method}, .guarantees = engine::guarantees(), .rotating_count = 1}));
 }

@@ -44,11 +44,11 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 TEST(ToleranceStudy, an_excused_miss_has_no_time_and_no_infinite_error) {
-  const engine::EngineMethod method{.name = "made_up",
+  const engine::Method method{.name = "made_up",
                                     .scalar = "double",
                                     .tier = "standard",
                                     .unit_roundoff = kUnitRoundoff<double>,
-                                    .cast = answer_within,
+                                    .ask = answer_within,
                                     .seen = [](const Case& problem) { return problem; },
                                     .time_ns = [](const Case&, const engine::Ask&, int) { return 100.0; }};
   Truth truth(grazing_point());

@@ -30,22 +30,22 @@ corpus::Case falling_cube() {
 }
 
 TEST(Methods, are_ca_gjk_mpr_certified_and_exact_in_both_scalars) {
-  EXPECT_EQ(methods().size(), 10U);
+  EXPECT_EQ(methods(Kind::linear).size(), 10U);
   for (const char* name : {"ca", "gjk", "mpr", "certified", "exact"}) {
-    ASSERT_NE(find_method(name), nullptr);
-    EXPECT_EQ(find_method(name)->scalar, "double");
-    const EngineMethod* in_float = find_method(std::string(name) + "/float");
+    ASSERT_NE(find_method(Kind::linear, name), nullptr);
+    EXPECT_EQ(find_method(Kind::linear, name)->scalar, "double");
+    const Method* in_float = find_method(Kind::linear, std::string(name) + "/float");
     ASSERT_NE(in_float, nullptr);
     EXPECT_EQ(in_float->unit_roundoff, 0x1p-24);
     const std::string tier = name;
     EXPECT_EQ(in_float->tier, tier == "exact" || tier == "certified" ? tier : "standard");
   }
-  EXPECT_EQ(find_method("mp"), nullptr);
+  EXPECT_EQ(find_method(Kind::linear, "mp"), nullptr);
 }
 
 TEST(Methods, hit_in_their_own_precision) {
-  for (const EngineMethod& method : methods()) {
-    const Answer answer = method.cast(falling_cube(), {.request = Request::everything});
+  for (const Method& method : methods(Kind::linear)) {
+    const Answer answer = method.ask(falling_cube(), {.request = Request::everything});
     ASSERT_EQ(answer.outcome, Outcome::hit) << method.full_name();
     EXPECT_NEAR(answer.toi_lower, 0.1, 1024 * method.unit_roundoff) << method.full_name();
     EXPECT_EQ(answer.toi_lower,
@@ -55,7 +55,7 @@ TEST(Methods, hit_in_their_own_precision) {
 
 TEST(Methods, see_the_case_rounded_to_their_scalar) {
   const corpus::Case problem = falling_ball();
-  for (const EngineMethod& method : methods()) {
+  for (const Method& method : methods(Kind::linear)) {
     const corpus::Case seen = method.seen(problem);
     EXPECT_EQ(corpus::same_case(seen, problem), method.scalar == "double");
     if (method.scalar == "float") {
@@ -69,11 +69,11 @@ TEST(Methods, never_answer_another_question_silently) {
   corpus::Case spinning = falling_ball(), overlap = falling_ball();
   spinning.spin_b.rotation = {0, 1e-9, 0};
   overlap.query = corpus::Query::overlap;
-  EXPECT_TRUE(unsupported(falling_ball()).empty());
+  EXPECT_TRUE(unsupported(Kind::linear, falling_ball()).empty());
   for (const corpus::Case* problem : {&spinning, &overlap}) {
-    EXPECT_FALSE(unsupported(*problem).empty());
-    for (const EngineMethod& method : methods()) {
-      EXPECT_EQ(method.cast(*problem, {}).outcome, Outcome::invalid_input);
+    EXPECT_FALSE(unsupported(Kind::linear, *problem).empty());
+    for (const Method& method : methods(Kind::linear)) {
+      EXPECT_EQ(method.ask(*problem, {}).outcome, Outcome::invalid_input);
     }
   }
 }
@@ -81,21 +81,21 @@ TEST(Methods, never_answer_another_question_silently) {
 TEST(Methods, pass_invalid_input_on_with_its_reason) {
   corpus::Case problem = falling_ball();
   problem.b.orientation = {0, 0, 0, 0};
-  for (const EngineMethod& method : methods()) {
-    const Answer answer = method.cast(problem, {});
+  for (const Method& method : methods(Kind::linear)) {
+    const Answer answer = method.ask(problem, {});
     EXPECT_EQ(answer.outcome, Outcome::invalid_input);
     EXPECT_EQ(answer.invalid, Invalid::zero_quaternion);
   }
 }
 
 TEST(Methods, take_time) {
-  for (const EngineMethod& method : methods()) EXPECT_GT(method.time_ns(falling_cube(), {}, 3), 0);
+  for (const Method& method : methods(Kind::linear)) EXPECT_GT(method.time_ns(falling_cube(), {}, 3), 0);
 }
 
 TEST(Methods, exact_ones_refuse_what_is_not_for_their_tier) {
   const auto asked = [](const corpus::Case& problem) {
     for (const char* name : {"exact/double", "exact/float"}) {
-      const Answer answer = find_method(name)->cast(problem, {});
+      const Answer answer = find_method(Kind::linear, name)->ask(problem, {});
       EXPECT_EQ(answer.invalid, is_exact_question(problem) ? Invalid::none : Invalid::not_exact);
     }
     return is_exact_question(problem);
@@ -114,13 +114,13 @@ TEST(Methods, exact_ones_refuse_what_is_not_for_their_tier) {
 
 TEST(Queries, exact_ones_answer_overlap_swept_overlap_and_line) {
   int exact = 0;
-  for (const QueryMethod& method : query_methods()) {
+  for (const Method& method : methods(Kind::query)) {
     EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
     if (!method.is_exact()) continue;
     ++exact;
     corpus::Case problem = falling_cube();
     problem.query = method.query;
-    const QueryAnswer answer = method.answer(problem);
+    const Answer answer = method.answer(problem);
     EXPECT_EQ(answer.outcome, method.query == corpus::Query::overlap ? Outcome::miss : Outcome::hit);
     EXPECT_EQ(answer.t_in.has_value(), method.query == corpus::Query::line);
     problem.b.shape = Sphere<double>{0.3};
@@ -130,7 +130,7 @@ TEST(Queries, exact_ones_answer_overlap_swept_overlap_and_line) {
 }
 
 TEST(Guarantees, have_a_row_for_every_method) {
-  for (const EngineMethod& method : methods()) {
+  for (const Method& method : methods(Kind::linear)) {
     EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
   }
 }
@@ -151,7 +151,7 @@ TEST(Guarantees, hold_spheres_and_target_distances_to_the_rounded_constant) {
 }
 
 TEST(Guarantees, allow_tier_exact_nothing) {
-  for (const EngineMethod& method : methods()) {
+  for (const Method& method : methods(Kind::linear)) {
     if (!method.is_exact()) continue;
     const Guarantee& row = *find_guarantee(guarantees(), method);
     EXPECT_EQ(row.kappa_polytope, 0);

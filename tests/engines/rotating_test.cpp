@@ -7,7 +7,6 @@
 #include "corpus/format/case_io.hpp"
 #include "engines/guarantees.hpp"
 #include "engines/method.hpp"
-#include "engines/rotating.hpp"
 #include "tests/shared/rotating_cases.hpp"
 
 namespace graze::engine {
@@ -29,27 +28,27 @@ double contact_of_turning_bar() {
 }
 
 TEST(RotatingMethods, are_seven_in_both_scalars_and_each_has_a_row) {
-  EXPECT_EQ(rotating_methods().size(), 14U);
+  EXPECT_EQ(methods(Kind::rotating).size(), 14U);
   for (const char* name :
        {"steps", "spheres", "ca", "bilateral", "bilateral_published", "plan", "certified"}) {
-    const RotatingEngineMethod* in_double = find_rotating_method(name);
-    const RotatingEngineMethod* in_float = find_rotating_method(std::string(name) + "/float");
+    const Method* in_double = find_method(Kind::rotating, name);
+    const Method* in_float = find_method(Kind::rotating, std::string(name) + "/float");
     ASSERT_NE(in_double, nullptr) << name;
     ASSERT_NE(in_float, nullptr) << name;
     EXPECT_EQ(in_double->scalar, "double");
     EXPECT_EQ(in_float->unit_roundoff, 0x1p-24);
-    for (const RotatingEngineMethod* method : {in_double, in_float}) {
+    for (const Method* method : {in_double, in_float}) {
       EXPECT_EQ(method->is_certified(), name == std::string("certified"));
       EXPECT_NE(find_guarantee(guarantees(), *method), nullptr) << method->full_name();
     }
   }
-  EXPECT_EQ(find_rotating_method("gjk"), nullptr);
+  EXPECT_EQ(find_method(Kind::rotating, "gjk"), nullptr);
 }
 
 TEST(RotatingMethods, find_the_contact_of_a_bar_that_turns_in_their_own_precision) {
   const double toi = contact_of_turning_bar();
-  for (const RotatingEngineMethod& method : rotating_methods()) {
-    const RotatingAnswer answer = method.cast(turning_bar(), {.request = Request::everything});
+  for (const Method& method : methods(Kind::rotating)) {
+    const Answer answer = method.ask(turning_bar(), {.request = Request::everything});
     ASSERT_EQ(answer.outcome, Outcome::hit) << method.full_name();
     // The published one stops within its slop, 0.005 of a scale of 6; the edge falls faster than 1 per unit
     // of t.
@@ -66,8 +65,8 @@ TEST(RotatingMethods, find_the_contact_of_a_bar_that_turns_in_their_own_precisio
 }
 
 TEST(RotatingMethods, that_prove_what_they_skip_see_a_contact_between_the_ends_of_the_step) {
-  for (const RotatingEngineMethod& method : rotating_methods()) {
-    const RotatingAnswer dips = method.cast(dipping_bar(), {}), above = method.cast(turning_bar_above(), {});
+  for (const Method& method : methods(Kind::rotating)) {
+    const Answer dips = method.ask(dipping_bar(), {}), above = method.ask(turning_bar_above(), {});
     EXPECT_EQ(above.outcome, Outcome::miss) << method.full_name();
     if (method.name == "bilateral_published") continue;
     EXPECT_EQ(dips.outcome, Outcome::hit) << method.full_name();
@@ -76,8 +75,8 @@ TEST(RotatingMethods, that_prove_what_they_skip_see_a_contact_between_the_ends_o
 }
 
 TEST(RotatingMethods, steps_pass_what_is_smaller_than_the_motion_between_two) {
-  const RotatingEngineMethod& steps = *find_rotating_method("steps");
-  const RotatingAnswer coarse = steps.cast(dipping_bar(), {.time_steps = 1});
+  const Method& steps = *find_method(Kind::rotating, "steps");
+  const Answer coarse = steps.ask(dipping_bar(), {.time_steps = 1});
   EXPECT_EQ(coarse.outcome, Outcome::miss);
   EXPECT_GT(coarse.hidden_motion, 1.0);  // the ends of the bar go half around
 }
@@ -85,7 +84,7 @@ TEST(RotatingMethods, steps_pass_what_is_smaller_than_the_motion_between_two) {
 TEST(RotatingMethods, see_the_case_rounded_to_their_scalar_the_spin_too) {
   corpus::Case problem = turning_bar();
   problem.spin_a.pivot = {0.1, 0, 0};
-  for (const RotatingEngineMethod& method : rotating_methods()) {
+  for (const Method& method : methods(Kind::rotating)) {
     const corpus::Case seen = method.seen(problem);
     EXPECT_EQ(corpus::same_case(seen, problem), method.scalar == "double");
     if (method.scalar == "float") {
@@ -96,15 +95,15 @@ TEST(RotatingMethods, see_the_case_rounded_to_their_scalar_the_spin_too) {
 }
 
 TEST(RotatingMethods, the_plan_leaves_out_a_spin_that_cannot_be_seen_until_the_economy_is_switched_off) {
-  const RotatingEngineMethod& plan = *find_rotating_method("plan");
-  const RotatingAnswer spared = plan.cast(spinning_ball(), {});
+  const Method& plan = *find_method(Kind::rotating, "plan");
+  const Answer spared = plan.ask(spinning_ball(), {});
   EXPECT_EQ(spared.plan.effects, Effects::linear);
   EXPECT_TRUE(spared.plan.has(PlanReason::unseen_spin_b));
   EXPECT_EQ(spared.counters.poses, 0);
-  const RotatingAnswer full = plan.cast(spinning_ball(), {.economies = Economies::none()});
+  const Answer full = plan.ask(spinning_ball(), {.economies = Economies::none()});
   EXPECT_EQ(full.plan.effects, Effects::rotating);
   EXPECT_GT(full.counters.poses, 0);
-  for (const RotatingAnswer* answer : {&spared, &full}) {
+  for (const Answer* answer : {&spared, &full}) {
     EXPECT_EQ(answer->outcome, Outcome::hit);
     EXPECT_NEAR(answer->toi_lower, 0.1, 1e-12);
   }
@@ -112,37 +111,37 @@ TEST(RotatingMethods, the_plan_leaves_out_a_spin_that_cannot_be_seen_until_the_e
 }
 
 TEST(RotatingMethods, give_a_proof_and_a_time_only_to_those_who_ask) {
-  for (const RotatingEngineMethod& method : rotating_methods()) {
-    EXPECT_FALSE(method.cast(turning_bar(), {}).proof.has_value()) << method.full_name();
+  for (const Method& method : methods(Kind::rotating)) {
+    EXPECT_FALSE(method.ask(turning_bar(), {}).proof.has_value()) << method.full_name();
   }
-  const RotatingAnswer asked =
-      find_rotating_method("certified")->cast(turning_bar(), {.request = Request::everything});
+  const Answer asked =
+      find_method(Kind::rotating, "certified")->ask(turning_bar(), {.request = Request::everything});
   ASSERT_TRUE(asked.proof.has_value());
   EXPECT_GE(asked.proof->toi_lower, asked.toi_lower);
-  EXPECT_GT(find_rotating_method("bilateral")->time_ns(turning_bar(), {}, 1), 0);
+  EXPECT_GT(find_method(Kind::rotating, "bilateral")->time_ns(turning_bar(), {}, 1), 0);
 }
 
 TEST(RotatingMethods, never_answer_another_question_silently) {
   corpus::Case overlap = turning_bar(), ray = turning_bar();
   overlap.query = corpus::Query::overlap;
   ray.t_max = kInfinity<double>;
-  EXPECT_FALSE(unsupported_rotating(overlap).empty());
-  EXPECT_TRUE(unsupported_rotating(ray).empty());
-  for (const RotatingEngineMethod& method : rotating_methods()) {
-    EXPECT_EQ(method.cast(overlap, {}).outcome, Outcome::invalid_input);
-    const RotatingAnswer answer = method.cast(ray, {});
+  EXPECT_FALSE(unsupported(Kind::rotating, overlap).empty());
+  EXPECT_TRUE(unsupported(Kind::rotating, ray).empty());
+  for (const Method& method : methods(Kind::rotating)) {
+    EXPECT_EQ(method.ask(overlap, {}).outcome, Outcome::invalid_input);
+    const Answer answer = method.ask(ray, {});
     EXPECT_EQ(answer.outcome, Outcome::invalid_input) << method.full_name();
     EXPECT_EQ(answer.invalid, Invalid::not_linear) << method.full_name();
   }
   // A linear engine refuses what turns, and says why.
-  EXPECT_EQ(unsupported(turning_bar()), "a rotating motion");
+  EXPECT_EQ(unsupported(Kind::linear, turning_bar()), "a rotating motion");
 }
 
 TEST(GuaranteeRows, of_rotating_casts_say_what_may_go_unseen) {
-  const Guarantee* steps = find_guarantee(guarantees(), *find_rotating_method("steps"));
-  const Guarantee* ca = find_guarantee(guarantees(), *find_rotating_method("ca"));
-  const Guarantee* published = find_guarantee(guarantees(), *find_rotating_method("bilateral_published"));
-  const Guarantee* certified = find_guarantee(guarantees(), *find_rotating_method("certified"));
+  const Guarantee* steps = find_guarantee(guarantees(), *find_method(Kind::rotating, "steps"));
+  const Guarantee* ca = find_guarantee(guarantees(), *find_method(Kind::rotating, "ca"));
+  const Guarantee* published = find_guarantee(guarantees(), *find_method(Kind::rotating, "bilateral_published"));
+  const Guarantee* certified = find_guarantee(guarantees(), *find_method(Kind::rotating, "certified"));
   EXPECT_EQ(steps->may_miss, Unseen::hidden_motion);
   EXPECT_EQ(ca->may_miss, Unseen::nothing);
   EXPECT_EQ(ca->may_be_late, Unseen::nothing);
@@ -151,7 +150,7 @@ TEST(GuaranteeRows, of_rotating_casts_say_what_may_go_unseen) {
   EXPECT_EQ(certified->width, 1e-9);
   EXPECT_EQ(certified->kappa_polytope, 0);
   // The linear rows of the same names are others.
-  EXPECT_NE(find_guarantee(guarantees(), *find_method("ca")), ca);
+  EXPECT_NE(find_guarantee(guarantees(), *find_method(Kind::linear, "ca")), ca);
 }
 
 TEST(GuaranteeRows, that_let_something_go_unseen_name_the_mechanism_and_are_about_rotating_casts) {

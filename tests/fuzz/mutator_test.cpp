@@ -7,7 +7,6 @@
 
 #include "corpus/format/case_io.hpp"
 #include "engines/method.hpp"
-#include "engines/queries.hpp"
 #include "fuzz/placing.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
@@ -114,10 +113,10 @@ TEST(Mutator, a_snap_puts_features_together) {
 
 TEST(Mutator, a_touch_makes_the_bodies_touch_at_the_start_or_at_a_time_of_the_path) {
   const Case problem = cube_over_tetrahedron();
-  const engine::EngineMethod& exact = *engine::find_method("exact");
+  const engine::Method& exact = *engine::find_method(engine::Kind::linear, "exact");
   int start = 0, end = 0, middle = 0;
   const int count = tried(Move::touch, problem, [&](const Case& after) {
-    const engine::Answer answer = exact.cast(after, {});
+    const engine::Answer answer = exact.ask(after, {});
     const double toi = answer.outcome == Outcome::miss ? -1 : answer.toi_upper;
     start += toi >= 0 && toi < 1e-12;
     middle += std::abs(toi - 0.5) < 1e-12;

@@ -4,7 +4,7 @@
 
 #include "corpus/random.hpp"
 #include "engines/guarantees.hpp"
-#include "properties/judge/answer.hpp"
+#include "properties/judge/judge.hpp"
 
 namespace graze::tool {
 namespace {
@@ -72,13 +72,13 @@ TEST_P(Pairs, keep_their_rows_with_every_shape) {
       const corpus::Case problem = placed(a, b, random, round);
       SCOPED_TRACE(problem.id);
       std::unique_ptr<Truth> as_double, as_float;
-      for (const engine::EngineMethod& method : engine::methods()) {
+      for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
         SCOPED_TRACE(method.full_name());
         std::unique_ptr<Truth>& truth = method.scalar == "float" ? as_float : as_double;
         if (!truth) truth = std::make_unique<Truth>(method.seen(problem));
-        const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+        const engine::Guarantee* row = method.guarantee;
         ASSERT_NE(row, nullptr);
-        const engine::Answer answer = method.cast(problem, {.request = Request::everything});
+        const engine::Answer answer = method.ask(problem, {.request = Request::everything});
         const Judgement judgement = judge_method(*truth, problem, method, answer, row, true);
         if (judgement.not_asked) {
           EXPECT_EQ(judgement.wrong, "");

@@ -92,7 +92,7 @@ constexpr Counters kWork{.iterations = 3, .supports = 7, .poses = 5};
 constexpr double kInf = kInfinity<double>;
 
 TEST(AnswerText, of_a_cast_the_json_says_all_that_the_block_says) {
-  const engine::EngineMethod& method = *engine::find_method("mpr/float");
+  const engine::Method& method = *engine::find_method(engine::Kind::linear, "mpr/float");
   std::set<std::string> seen;
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::initially_overlapping,
                                 Outcome::not_converged, Outcome::invalid_input}) {
@@ -114,10 +114,10 @@ TEST(AnswerText, of_a_cast_the_json_says_all_that_the_block_says) {
 }
 
 TEST(AnswerText, of_a_rotating_cast_the_json_says_all_that_the_block_says) {
-  const engine::RotatingEngineMethod& method = *engine::find_rotating_method("steps/double");
+  const engine::Method& method = *engine::find_method(engine::Kind::rotating, "steps/double");
   std::set<std::string> seen;
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::invalid_input}) {
-    engine::RotatingAnswer answer{.outcome = outcome,
+    engine::Answer answer{.outcome = outcome,
                                   .invalid = Invalid::not_linear,
                                   .toi_lower = 0.25,
                                   .toi_upper = 0.5,
@@ -135,11 +135,11 @@ TEST(AnswerText, of_a_rotating_cast_the_json_says_all_that_the_block_says) {
 
 TEST(AnswerText, of_a_query_the_json_says_all_that_the_block_says) {
   std::set<std::string> seen;
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     for (const bool stalled : {false, true}) {
       Case problem = named();
       problem.query = method.query;
-      engine::QueryAnswer answer;
+      engine::Answer answer;
       answer.outcome = stalled ? Outcome::not_converged : Outcome::hit;
       answer.distance = {0.25, 0.5};
       answer.depth = {0.125, kInf};

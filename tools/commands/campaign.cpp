@@ -17,6 +17,7 @@
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "report/inputs.hpp"
+#include "report/stop.hpp"
 #include "report/outputs.hpp"
 #include "tools/commands/commands.hpp"
 
@@ -162,11 +163,11 @@ CampaignPlan plan_of(const Arguments& arguments) {
   only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
   check_families(arguments);
   CampaignPlan plan(arguments.seed);
-  const auto add = [&](PartKind kind, std::optional<std::uint64_t> each, std::uint64_t count,
+  const auto add = [&](engine::Kind kind, std::optional<std::uint64_t> each, std::uint64_t count,
                        std::uint64_t oracle_every) {
-    const auto all = kind == PartKind::rotating ? corpus::rotating_families() : corpus::families();
+    const auto all = kind == engine::Kind::rotating ? corpus::rotating_families() : corpus::families();
     const auto families = chosen_families(arguments.families, all);
-    std::vector<Contender> contenders = chosen_contenders(kind, arguments.methods);
+    Contenders contenders = chosen_contenders(kind, arguments.methods);
     const Sampling sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
                             .judge_every = arguments.judge_every};
     if (each)
@@ -175,10 +176,10 @@ CampaignPlan plan_of(const Arguments& arguments) {
       plan.add(families, std::move(contenders), count, sampling);
   };
   if (arguments.casts_linear())
-    add(PartKind::casts, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
-  if (arguments.queries) add(PartKind::queries, arguments.queries, 0, 1);
+    add(engine::Kind::linear, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
+  if (arguments.queries) add(engine::Kind::query, arguments.queries, 0, 1);
   if (arguments.casts_rotating())
-    add(PartKind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
+    add(engine::Kind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
         kRotatingOracleEvery);
   return plan;
 }

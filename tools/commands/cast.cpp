@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "corpus/format/names.hpp"
-#include "properties/judge/answer.hpp"
+#include "properties/edit/case.hpp"
 #include "report/answer_text.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
@@ -50,17 +50,16 @@ void check(const Settings& settings) {
 
 // Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
 // the default is.
-template <class AnyMethod>
-bool selected(const Settings& settings, const AnyMethod& method, const char* by_default) {
+bool selected(const Settings& settings, const engine::Method& method, const char* by_default) {
   if (settings.method.empty()) return method.scalar == settings.scalar && method.name == by_default;
   if (settings.method == method.full_name()) return true;
   return method.scalar == settings.scalar && (settings.method == "all" || settings.method == method.name);
 }
 
 // The methods that a case's query can be answered by.
-std::vector<const engine::QueryMethod*> methods_for(corpus::Query query) {
-  std::vector<const engine::QueryMethod*> out;
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+std::vector<const engine::Method*> methods_for(corpus::Query query) {
+  std::vector<const engine::Method*> out;
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query == query) out.push_back(&method);
   }
   return out;
@@ -79,9 +78,9 @@ class Run {
         if (selected(settings_, method, by_default)) chosen.push_back(&method);
       }
     };
-    take(engine::methods(), linear_, "gjk");
-    take(engine::rotating_methods(), rotating_, "plan");
-    for (const engine::QueryMethod& method : engine::query_methods()) {
+    take(engine::methods(engine::Kind::linear), linear_, "gjk");
+    take(engine::methods(engine::Kind::rotating), rotating_, "plan");
+    for (const engine::Method& method : engine::methods(engine::Kind::query)) {
       names.insert({method.name, method.full_name()});
     }
     if (!settings_.method.empty() && !names.contains(settings_.method)) {
@@ -90,7 +89,7 @@ class Run {
     }
     // No rotation that is seen has an exact answer; what the plan makes of the others may.
     if (given.tier == "exact") {
-      rotating_.assign(1, engine::find_rotating_method("plan/" + given.scalar));
+      rotating_.assign(1, engine::find_method(engine::Kind::rotating, "plan/" + given.scalar));
       ask_.tier = Tier::exact;
     }
     if (!settings_.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings_.proofs);
@@ -123,9 +122,8 @@ class Run {
     complain(fmt::format("{}: case {}: {}", file, problem.id, why));
     bad_ = true;
   }
-  template <class AnyMethod, class Answer>
-  void show(const std::string& file, const corpus::Case& problem, const AnyMethod& method,
-            const Answer& answer) {
+  void show(const std::string& file, const corpus::Case& problem, const engine::Method& method,
+            const engine::Answer& answer) {
     fmt::print("{}\n",
                settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
     if (answer.outcome == Outcome::invalid_input) {
@@ -143,10 +141,9 @@ class Run {
   void cast(const std::string& file, const corpus::Case& problem) {
     const bool turns = engine::turns(problem);
     if (!turns && !linear_.empty()) {
-      for (const engine::EngineMethod* method : linear_)
-        cast_by(*method, engine::Ask{.request = ask_.request, .tolerance = ask_.tolerance}, file, problem);
+      for (const engine::Method* method : linear_) cast_by(*method, file, problem);
     } else if (!rotating_.empty()) {
-      for (const engine::RotatingEngineMethod* method : rotating_) cast_by(*method, ask_, file, problem);
+      for (const engine::Method* method : rotating_) cast_by(*method, file, problem);
     } else if (turns) {
       refuse(file, problem,
              fmt::format("has a rotating motion, which --method {} does not cast; {} do", settings_.method,
@@ -158,13 +155,11 @@ class Run {
     }
   }
 
-  template <class AnyMethod, class AnyAsk>
-  void cast_by(const AnyMethod& method, const AnyAsk& ask, const std::string& file,
-               const corpus::Case& problem) {
-    const auto answer = method.cast(problem, ask);
+  void cast_by(const engine::Method& method, const std::string& file, const corpus::Case& problem) {
+    const engine::Answer answer = method.ask(problem, ask_);
     if (is_left_out(answer.invalid)) return;
     show(file, problem, method, answer);
-    if (!proofs_ || !answer.proof) return;
+    if (!proofs_ || !(answer.proof || answer.rotating_proof)) return;
     corpus::ProofRecord record;
     record.problem = method.seen(problem);
     record.method = method.name;
@@ -176,22 +171,19 @@ class Run {
     if (answer.outcome != Outcome::miss && answer.outcome != Outcome::invalid_input) {
       record.toi = {answer.toi_lower, answer.toi_upper};
     }
-    if constexpr (std::same_as<AnyMethod, engine::RotatingEngineMethod>) {
-      if (ask.tier) record.tier = ask.tier;
-      record.rotating = answer.proof;
-    } else {
-      record.proof = *answer.proof;
-    }
+    if (method.kind == engine::Kind::rotating && ask_.tier) record.tier = ask_.tier;
+    record.rotating = answer.rotating_proof;
+    if (answer.proof) record.proof = *answer.proof;
     proofs_->write_line(corpus::write_proof(record));
   }
 
   // What would be simulated, by the tier asked for.
   void plan(const std::string& file, const corpus::Case& problem) {
-    if (const std::string why = engine::unsupported_rotating(problem); !why.empty()) {
+    if (const std::string why = engine::unsupported(engine::Kind::rotating, problem); !why.empty()) {
       return refuse(file, problem, fmt::format("has {}, which has no plan; give a cast", why));
     }
-    const engine::RotatingEngineMethod& method = *rotating_.front();
-    if (const std::string why = why_invalid(method.seen(problem)); !why.empty()) {
+    const engine::Method& method = *rotating_.front();
+    if (const std::string why = law::why_invalid(method.seen(problem)); !why.empty()) {
       return refuse(file, problem, fmt::format("is invalid_input: {}", why));
     }
     const Plan plan = method.plan(problem, ask_);
@@ -199,33 +191,33 @@ class Run {
   }
 
   void ask(const std::string& file, const corpus::Case& problem) {
-    if (const std::string why = engine::unsupported_query(problem); !why.empty()) {
+    if (const std::string why = engine::unsupported(engine::Kind::query, problem); !why.empty()) {
       return refuse(file, problem, fmt::format("has {}, which this version does not answer", why));
     }
-    const std::vector<const engine::QueryMethod*> methods = methods_for(problem.query);
+    const std::vector<const engine::Method*> methods = methods_for(problem.query);
     bool answered = false;
-    for (const engine::QueryMethod* method : methods) {
+    for (const engine::Method* method : methods) {
       // Without --method the first of the query.
       if (settings_.method.empty() ? answered || method->scalar != settings_.scalar
                                    : !selected(settings_, *method, "")) {
         continue;
       }
       answered = true;
-      const engine::QueryAnswer answer = method->answer(problem, settings_.tolerance);
+      const engine::Answer answer = method->answer(problem, settings_.tolerance);
       if (!is_left_out(answer.invalid)) show(file, problem, *method, answer);
     }
     if (answered) return;
     std::set<std::string> names;
-    for (const engine::QueryMethod* method : methods) names.insert(method->name);
+    for (const engine::Method* method : methods) names.insert(method->name);
     refuse(file, problem,
            fmt::format("--method {} does not answer the query {}; {} does", settings_.method,
                        corpus::name_of(problem.query), fmt::join(names, " or ")));
   }
 
   Settings settings_;
-  std::vector<const engine::EngineMethod*> linear_;
-  std::vector<const engine::RotatingEngineMethod*> rotating_;
-  engine::RotatingAsk ask_;
+  std::vector<const engine::Method*> linear_;
+  std::vector<const engine::Method*> rotating_;
+  engine::Ask ask_;
   std::unique_ptr<OutputFile> proofs_;
   bool bad_ = false;
 };

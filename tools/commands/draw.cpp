@@ -9,8 +9,7 @@
 #include <stdexcept>
 
 #include "draw/families.hpp"
-#include "engines/queries.hpp"
-#include "engines/rotating.hpp"
+#include "engines/method.hpp"
 #include "report/answer_text.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
@@ -78,13 +77,13 @@ std::string file_name(const std::string& id) {
 // Why our default method refuses the case; empty if it answers.
 std::string why_refused(const corpus::Case& problem) {
   if (problem.query == corpus::Query::cast) {
-    const engine::RotatingAnswer answer = engine::find_rotating_method("plan/double")->cast(problem, {});
+    const engine::Answer answer = engine::find_method(engine::Kind::rotating, "plan/double")->ask(problem, {});
     return answer.outcome == Outcome::invalid_input ? invalid_text(answer.invalid) : "";
   }
-  if (const std::string why = engine::unsupported_query(problem); !why.empty()) return "it has " + why;
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+  if (const std::string why = engine::unsupported(engine::Kind::query, problem); !why.empty()) return "it has " + why;
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query != problem.query) continue;
-    const engine::QueryAnswer answer = method.answer(problem);
+    const engine::Answer answer = method.answer(problem);
     return answer.outcome == Outcome::invalid_input ? invalid_text(answer.invalid) : "";
   }
   return "no method answers its query";

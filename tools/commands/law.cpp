@@ -16,19 +16,20 @@
 namespace graze::tool {
 namespace {
 
-using law::AnyLaw;
-using law::Kind;
+using law::Law;
+using engine::Kind;
 
 // Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
 // does the oracle takes a tenth of a second to some.
 constexpr std::size_t kLinearCases = 40, kRotatingCases = 4;
 
-std::vector<AnyLaw> wanted_laws(const std::vector<std::string>& names) {
-  std::vector<AnyLaw> all = law::all_laws(), wanted;
-  if (names.empty()) return all;
+std::vector<Law> wanted_laws(const std::vector<std::string>& names) {
+  const std::span<const Law> all = law::laws();
+  if (names.empty()) return {all.begin(), all.end()};
+  std::vector<Law> wanted;
   for (const std::string& name : names) {
     const auto found =
-        std::find_if(all.begin(), all.end(), [&](const AnyLaw& law) { return law.name == name; });
+        std::find_if(all.begin(), all.end(), [&](const Law& law) { return law.name == name; });
     if (found == all.end()) {
       throw std::runtime_error(fmt::format("--law: {} is no law; `graze laws` lists them", name));
     }
@@ -37,18 +38,11 @@ std::vector<AnyLaw> wanted_laws(const std::vector<std::string>& names) {
   return wanted;
 }
 
-// "mpr" and "mpr/float" stand for a method of any kind; that of a query is called "overlap mpr/float".
-bool is_named(std::string_view full_name, std::string_view name) {
-  const std::size_t space = full_name.find(' ');
-  if (space != std::string_view::npos) full_name.remove_prefix(space + 1);
-  return name == "all" || full_name == name || full_name.substr(0, full_name.find('/')) == name;
-}
-
-void check_methods(const std::vector<std::string>& names, const std::vector<AnyLaw>& laws) {
+void check_methods(const std::vector<std::string>& names, const std::vector<Law>& laws) {
   for (const std::string& name : names) {
-    const bool known = std::any_of(laws.begin(), laws.end(), [&](const AnyLaw& law) {
-      return std::any_of(law.methods.begin(), law.methods.end(),
-                         [&](const std::string& method) { return is_named(method, name); });
+    const bool known = std::any_of(laws.begin(), laws.end(), [&](const Law& law) {
+      return std::any_of(law.methods().begin(), law.methods().end(),
+                         [&](const engine::Method& method) { return selects(name, method); });
     });
     if (!known) {
       throw std::runtime_error(fmt::format(
@@ -129,9 +123,9 @@ int run_laws(const LawArguments& arguments) {
   LawSettings settings;
   settings.laws = wanted_laws(arguments.laws);
   check_methods(arguments.methods, settings.laws);
-  settings.is_asked = [&](Kind, std::string_view method) {
+  settings.is_asked = [&](const engine::Method& method) {
     return std::any_of(arguments.methods.begin(), arguments.methods.end(),
-                       [&](const std::string& name) { return is_named(method, name); });
+                       [&](const std::string& name) { return selects(name, method); });
   };
   settings.threads =
       arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
@@ -160,7 +154,7 @@ int run_laws(const LawArguments& arguments) {
 
   // Laws of a kind that no case is for say nothing, unless one was asked for by name.
   if (arguments.laws.empty()) {
-    std::erase_if(settings.laws, [&](const AnyLaw& law) {
+    std::erase_if(settings.laws, [&](const Law& law) {
       return std::none_of(suites.begin(), suites.end(),
                           [&](const LawSuite& one) { return one.turning == (law.kind == Kind::rotating); });
     });

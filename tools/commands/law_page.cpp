@@ -12,8 +12,8 @@
 namespace graze::tool {
 namespace {
 
-using law::AnyLaw;
-using law::Kind;
+using law::Law;
+using engine::Kind;
 using law::Needs;
 
 struct Class {
@@ -91,10 +91,10 @@ std::string cell(const std::string& text) {
 }
 
 // Who notices what: the names of defects by the names of laws.
-std::map<std::string, std::vector<std::string>> noticed(std::span<const AnyLaw> laws,
+std::map<std::string, std::vector<std::string>> noticed(std::span<const Law> laws,
                                                         std::span<const PlantedDefect> defects) {
   std::map<std::string, std::vector<std::string>> by_law;
-  for (const AnyLaw& law : laws) by_law[law.name];
+  for (const Law& law : laws) by_law[law.name];
   for (const PlantedDefect& defect : defects) {
     for (const std::string& law : defect.laws) {
       const auto found = by_law.find(law);
@@ -151,21 +151,21 @@ std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory) 
   return defects;
 }
 
-std::string law_list(std::span<const AnyLaw> laws) {
+std::string law_list(std::span<const Law> laws) {
   std::string text;
   for (const Class& one : kClasses) {
     text += fmt::format("{}{}\n", text.empty() ? "" : "\n", one.title);
-    for (const AnyLaw& law : laws) {
+    for (const Law& law : laws) {
       if (law.needs == one.needs) text += fmt::format("  {:<32}{}\n", law.name, law.sentence);
     }
   }
   return text;
 }
 
-std::string law_page(std::span<const AnyLaw> laws, std::span<const PlantedDefect> defects) {
+std::string law_page(std::span<const Law> laws, std::span<const PlantedDefect> defects) {
   const auto by_law = noticed(laws, defects);
   const auto number = [&](Kind kind) {
-    return std::count_if(laws.begin(), laws.end(), [&](const AnyLaw& law) { return law.kind == kind; });
+    return std::count_if(laws.begin(), laws.end(), [&](const Law& law) { return law.kind == kind; });
   };
   std::string text =
       fmt::format(fmt::runtime(kPreamble), number(Kind::linear), number(Kind::query), number(Kind::rotating));
@@ -173,7 +173,7 @@ std::string law_page(std::span<const AnyLaw> laws, std::span<const PlantedDefect
     text += fmt::format("\n## {}\n\n{}\n", one.title, one.words);
     for (const Kind kind : {Kind::linear, Kind::query, Kind::rotating}) {
       std::string rows;
-      for (const AnyLaw& law : laws) {
+      for (const Law& law : laws) {
         if (law.needs != one.needs || law.kind != kind) continue;
         rows += fmt::format("| `{}` | {} | {} |\n", law.name, cell(law.sentence),
                             fmt::join(by_law.at(law.name), ", "));

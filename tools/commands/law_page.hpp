@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/laws/any_law.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::tool {
 
@@ -22,9 +22,9 @@ struct PlantedDefect {
 [[nodiscard]] std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory);
 
 // Name and sentence, by what the laws need.
-[[nodiscard]] std::string law_list(std::span<const law::AnyLaw> laws);
+[[nodiscard]] std::string law_list(std::span<const law::Law> laws);
 
 // docs/laws.md, whole. Throws std::runtime_error with one line to show for a defect that names no law.
-[[nodiscard]] std::string law_page(std::span<const law::AnyLaw> laws, std::span<const PlantedDefect> defects);
+[[nodiscard]] std::string law_page(std::span<const law::Law> laws, std::span<const PlantedDefect> defects);
 
 }  // namespace graze::tool

@@ -15,7 +15,7 @@ struct Settings {
 };
 
 int run(const Settings& settings) {
-  const std::vector<law::AnyLaw> laws = law::all_laws();
+  const std::span<const law::Law> laws = law::laws();
   fmt::print("{}", settings.page ? law_page(laws, read_defects(settings.defects)) : law_list(laws));
   return 0;
 }

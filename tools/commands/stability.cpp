@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <memory>
@@ -14,8 +15,10 @@ namespace graze::tool {
 namespace {
 
 bool is_measured(const corpus::Family& family, const StabilitySettings& settings) {
-  return family.rotating ? !settings.rotating.empty() && settings.rotating_count > 0
-                         : !settings.linear.empty() && settings.count > 0;
+  const engine::Kind kind = family.rotating ? engine::Kind::rotating : engine::Kind::linear;
+  const auto is_of_kind = [&](const engine::Method* method) { return method->kind == kind; };
+  return (family.rotating ? settings.rotating_count : settings.count) > 0 &&
+         std::any_of(settings.methods.begin(), settings.methods.end(), is_of_kind);
 }
 
 void print_drawn(const std::string& line) {

@@ -11,7 +11,7 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 using oracle::CaseTruth;
 
 namespace {
@@ -46,15 +46,15 @@ bool is_same_answer(const Answer& one, const Answer& two) {
 
 }  // namespace
 
-LawResult interrupting(const Case& problem, const EngineMethod& method) {
+LawResult interrupting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
-  const Answer full = method.cast(seen, {});
+  const Answer full = method.ask(seen, {});
   LawResult result = holds({label_of(full.outcome)});
   if (full.outcome == Outcome::not_converged) return result;
   // The default, which the full answer may have used up at one stage of the search.
   constexpr int kDefault = 256;
-  if (const Answer more = method.cast(seen, {.max_iterations = 4096});
+  if (const Answer more = method.ask(seen, {.max_iterations = 4096});
       full.counters.supports < kDefault && !is_same_answer(full, more)) {
     return broken(fmt::format("a budget larger than needed changes the answer: {}; against {}",
                               describe(full), describe(more)));
@@ -64,7 +64,7 @@ LawResult interrupting(const Case& problem, const EngineMethod& method) {
   const bool every_support_counts = method.name != "ca";
   double proved = 0;  // by a smaller budget
   for (const int budget : kBudgets) {
-    const Answer cut = method.cast(seen, {.max_iterations = budget});
+    const Answer cut = method.ask(seen, {.max_iterations = budget});
     if (is_same_answer(cut, full)) break;
     const auto with_budget = [&] {
       return fmt::format("with a budget of {}: {}; in full: {}", budget, describe(cut), describe(full));
@@ -107,18 +107,18 @@ LawResult interrupting(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult tightening(const Case& problem, const EngineMethod& method) {
+LawResult tightening(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   const double u = method.unit_roundoff;
-  const Answer full = method.cast(seen, {});
+  const Answer full = method.ask(seen, {});
   LawResult result = holds({label_of(full.outcome)});
   Answer best;  // the bracket that looser tolerances leave
   best.outcome = Outcome::not_converged;
   best.toi_lower = 0;
   best.toi_upper = kInfinity<double>;
   for (const double tolerance : {1.0, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0.0}) {
-    const Answer answer = tolerance > 0 ? method.cast(seen, {.tolerance = tolerance}) : full;
+    const Answer answer = tolerance > 0 ? method.ask(seen, {.tolerance = tolerance}) : full;
     if (answer.outcome != Outcome::hit) continue;
     if (answer.toi_lower < best.toi_lower * (1 - 16 * u) ||
         answer.toi_upper > best.toi_upper * (1 + 16 * u)) {
@@ -143,7 +143,7 @@ LawResult tightening(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult interrupted_is_right(const Case& problem, const EngineMethod& method) {
+LawResult interrupted_is_right(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   if (const auto open = without_truth(seen)) return *open;
@@ -151,7 +151,7 @@ LawResult interrupted_is_right(const Case& problem, const EngineMethod& method) 
   const double bound = proved_bound_of(method, seen);
   LawResult result = holds({label_of(truth.outcome())});
   for (const int budget : kBudgets) {
-    const Answer cut = method.cast(seen, {.max_iterations = budget});
+    const Answer cut = method.ask(seen, {.max_iterations = budget});
     for (const auto fault : {&verdict_fault, &late_fault, &early_fault}) {
       if (const std::string why = fault(truth, cut, bound); !why.empty())
         return broken(fmt::format("{}; with a budget of {}: {}", why, budget, describe(cut)));
@@ -163,12 +163,12 @@ LawResult interrupted_is_right(const Case& problem, const EngineMethod& method) 
   return result;
 }
 
-LawResult every_iterate_is_proved(const Case& problem, const EngineMethod& method) {
+LawResult every_iterate_is_proved(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   LawResult result = holds();
   for (const int budget : kBudgets) {
-    const Answer cut = method.cast(seen, {.request = Request::proof, .max_iterations = budget});
+    const Answer cut = method.ask(seen, {.request = Request::proof, .max_iterations = budget});
     if (const std::string fault = proof_fault(seen, cut); !fault.empty())
       return broken(fmt::format("{}; with a budget of {}: {}", fault, budget, describe(cut)));
     if (cut.outcome != Outcome::not_converged) {
@@ -180,14 +180,14 @@ LawResult every_iterate_is_proved(const Case& problem, const EngineMethod& metho
   return result;
 }
 
-LawResult tolerance_bounds_the_error(const Case& problem, const EngineMethod& method) {
+LawResult tolerance_bounds_the_error(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   if (const auto open = without_truth(seen)) return *open;
   const CaseTruth& truth = truth_of(seen);
   LawResult result = holds({label_of(truth.outcome())});
   for (const double tolerance : {0x1p-30, 0x1p-10, 0.5}) {
-    const Answer answer = method.cast(seen, {.tolerance = tolerance});
+    const Answer answer = method.ask(seen, {.tolerance = tolerance});
     const double row = proved_bound_of(method, seen);
     const double wide = bound_of(method, seen) + tolerance * truth.scale().high;
     // The verdict and the early side of the bracket owe nothing to the tolerance.
@@ -203,14 +203,14 @@ LawResult tolerance_bounds_the_error(const Case& problem, const EngineMethod& me
   return result;
 }
 
-LawResult scalars_meet(const Case& problem, const EngineMethod& method) {
+LawResult scalars_meet(const Case& problem, const Method& method) {
   if (method.scalar != "float") return not_applicable("double is what float is compared with");
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
-  const EngineMethod* wide = engine::find_method(method.name + "/double");
+  const Method* wide = engine::find_method(engine::Kind::linear, method.name + "/double");
   if (wide == nullptr || !same_input(wide->seen(seen), seen))
     return not_applicable("no such method in double");
-  const Answer one = method.cast(seen, {}), two = wide->cast(seen, {});
+  const Answer one = method.ask(seen, {}), two = wide->ask(seen, {});
   LawResult result = holds({label_of(two.outcome)});
   if (agree_within_rows(method, seen, one, two)) return result;
   // Each within its own row.
@@ -225,17 +225,17 @@ LawResult scalars_meet(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult tiers_nest(const Case& problem, const EngineMethod& method) {
+LawResult tiers_nest(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not a method of tier certified");
   const Case seen = method.seen(problem);
-  const EngineMethod* exact = engine::find_method("exact/" + method.scalar);
+  const Method* exact = engine::find_method(engine::Kind::linear, "exact/" + method.scalar);
   if (exact == nullptr || !is_question_for(*exact, seen)) return not_applicable("not a cast of tier exact");
   // Tier certified leaves polytopes to tier exact: the same set as a hull of shapes, which it searches
   // itself.
   Case round = seen;
   round.a.shape = hull_of<double>(seen.a.shape, seen.a.shape);
   if (!is_sound_edit(round, method)) return not_applicable("nested too deep");
-  const Answer inner = exact->cast(seen, {}), outer = method.cast(round, {});
+  const Answer inner = exact->ask(seen, {}), outer = method.ask(round, {});
   bool nests = false;
   switch (outer.outcome) {
     case Outcome::miss:
@@ -263,16 +263,16 @@ LawResult tiers_nest(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult asking_again(const Case& problem, const EngineMethod& method) {
+LawResult asking_again(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   const engine::Ask ask{.request = Request::everything};
-  const Answer first = method.cast(seen, ask);
+  const Answer first = method.ask(seen, ask);
   // Another question between: the same bodies the other way round, or grown, or apart.
   Case other = (hash_of(seen) & 1) != 0 ? swapped(seen) : grown(seen, hash_of(seen));
   if ((hash_of(seen) & 2) != 0) other.b.position += Vec3<double>(1, 2, 4);
-  (void)method.cast(other, ask);
-  const Answer second = method.cast(seen, ask);
+  (void)method.ask(other, ask);
+  const Answer second = method.ask(seen, ask);
   if (!is_same_answer(first, second)) {
     return broken(fmt::format("asked again, after another question: {}; before it: {}", describe(second),
                               describe(first)));

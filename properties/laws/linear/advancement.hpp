@@ -6,13 +6,13 @@
 
 namespace graze::law {
 
-LawResult interrupting(const corpus::Case&, const engine::EngineMethod&);
-LawResult tightening(const corpus::Case&, const engine::EngineMethod&);
-LawResult interrupted_is_right(const corpus::Case&, const engine::EngineMethod&);
-LawResult every_iterate_is_proved(const corpus::Case&, const engine::EngineMethod&);
-LawResult tolerance_bounds_the_error(const corpus::Case&, const engine::EngineMethod&);
-LawResult scalars_meet(const corpus::Case&, const engine::EngineMethod&);
-LawResult tiers_nest(const corpus::Case&, const engine::EngineMethod&);
-LawResult asking_again(const corpus::Case&, const engine::EngineMethod&);
+LawResult interrupting(const corpus::Case&, const engine::Method&);
+LawResult tightening(const corpus::Case&, const engine::Method&);
+LawResult interrupted_is_right(const corpus::Case&, const engine::Method&);
+LawResult every_iterate_is_proved(const corpus::Case&, const engine::Method&);
+LawResult tolerance_bounds_the_error(const corpus::Case&, const engine::Method&);
+LawResult scalars_meet(const corpus::Case&, const engine::Method&);
+LawResult tiers_nest(const corpus::Case&, const engine::Method&);
+LawResult asking_again(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -105,10 +105,10 @@ class Overclaims {
 
 }  // namespace
 
-LawResult overclaims_are_refused(const Case& problem, const engine::EngineMethod& method) {
+LawResult overclaims_are_refused(const Case& problem, const engine::Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
-  const engine::Answer answer = method.cast(seen, {.request = Request::proof});
+  const engine::Answer answer = method.ask(seen, {.request = Request::proof});
   if (!answer.proof || !oracle::check_proof(seen, *answer.proof).accepted())
     return not_applicable("no proof that is accepted");
   std::string fault = Overclaims(seen, *answer.proof).accepted();

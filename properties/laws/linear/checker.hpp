@@ -6,6 +6,6 @@
 
 namespace graze::law {
 
-LawResult overclaims_are_refused(const corpus::Case& problem, const engine::EngineMethod& method);
+LawResult overclaims_are_refused(const corpus::Case& problem, const engine::Method& method);
 
 }  // namespace graze::law

@@ -10,7 +10,7 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 using oracle::CaseTruth;
 
 namespace {
@@ -35,7 +35,7 @@ std::string distance_fault(const CaseTruth& truth, const Answer& answer, double 
 
 }  // namespace
 
-LawResult distance_is_stated(const Case& problem, const EngineMethod& method) {
+LawResult distance_is_stated(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
@@ -43,7 +43,7 @@ LawResult distance_is_stated(const Case& problem, const EngineMethod& method) {
   const double bound = proved_bound_of(method, seen);
   LawResult result = holds({label_of(truth.outcome())});
   for (const int budget : kBudgets) {
-    const Answer answer = method.cast(seen, {.max_iterations = budget});
+    const Answer answer = method.ask(seen, {.max_iterations = budget});
     if (answer.outcome != Outcome::hit && answer.outcome != Outcome::not_converged) break;
     if (is_beyond_range(answer.toi_lower, answer.toi_upper, method.unit_roundoff)) break;
     const std::string fault = distance_fault(truth, answer, bound, method.unit_roundoff);

@@ -5,6 +5,6 @@
 
 namespace graze::law {
 
-LawResult distance_is_stated(const corpus::Case&, const engine::EngineMethod&);
+LawResult distance_is_stated(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "corpus/format/names.hpp"
-#include "engines/queries.hpp"
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/linear.hpp"
@@ -13,26 +13,25 @@ namespace graze::law {
 using corpus::Case;
 using corpus::Query;
 using engine::Answer;
-using engine::EngineMethod;
-using engine::QueryAnswer;
+using engine::Method;
 
 namespace {
 
 // The exact oracle looks at one case in so many, chosen by its numbers; it takes up to a millisecond.
 constexpr std::uint64_t kOracleShare = 16;
 
-bool is_asked(const EngineMethod& method, const Case& seen) {
+bool is_asked(const Method& method, const Case& seen) {
   return method.is_exact() && is_question_for(method, seen);
 }
 
-const engine::QueryMethod* exact_query(Query query, const std::string& scalar) {
-  for (const engine::QueryMethod& one : engine::query_methods()) {
+const engine::Method* exact_query(Query query, const std::string& scalar) {
+  for (const engine::Method& one : engine::methods(engine::Kind::query)) {
     if (one.query == query && one.is_exact() && one.scalar == scalar) return &one;
   }
   return nullptr;
 }
 
-std::string line_fault(const Case& seen, const QueryAnswer& line, bool in_float) {
+std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
   if (!is_exactly_decided(seen)) return {};
   const std::optional<oracle::ContactInterval> interval = oracle::LinearTruth(seen).contact_interval();
   if ((line.outcome == Outcome::hit) != interval.has_value()) return "the line's verdict is not the oracle's";
@@ -54,7 +53,7 @@ std::string line_fault(const Case& seen, const QueryAnswer& line, bool in_float)
 }
 
 // overlap, swept overlap and line say what the cast says; `cast` has been judged.
-std::string query_fault(const Case& seen, const EngineMethod& method, const Answer& cast, bool ask_oracle) {
+std::string query_fault(const Case& seen, const Method& method, const Answer& cast, bool ask_oracle) {
   const auto ask = [&](Query query) {
     Case question = seen;
     question.query = query;
@@ -62,7 +61,7 @@ std::string query_fault(const Case& seen, const EngineMethod& method, const Answ
     return exact_query(query, method.scalar)->answer(question);
   };
   const bool contact = cast.outcome != Outcome::miss;
-  const QueryAnswer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line);
+  const Answer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line);
   if (swept.outcome != (contact ? Outcome::hit : Outcome::miss)) return "the swept overlap is not the cast's";
   const bool starts = cast.outcome == Outcome::initially_overlapping;
   if (overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
@@ -85,10 +84,10 @@ std::string query_fault(const Case& seen, const EngineMethod& method, const Answ
 
 }  // namespace
 
-ExactJudgement judge_exact(const Case& seen, const EngineMethod& method, bool ask_oracle) {
+ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_oracle) {
   const bool in_float = method.scalar == "float";
   ExactJudgement judgement;
-  judgement.answer = method.cast(seen, {.request = Request::proof});
+  judgement.answer = method.ask(seen, {.request = Request::proof});
   const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
   judgement.fault = finding.fault;
   if (!judgement.fault.empty() || (finding.settled && !ask_oracle)) return judgement;
@@ -102,7 +101,7 @@ ExactJudgement judge_exact(const Case& seen, const EngineMethod& method, bool as
   return judgement;
 }
 
-LawResult exact_equals_oracle(const Case& problem, const EngineMethod& method) {
+LawResult exact_equals_oracle(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
   const ExactJudgement judgement = judge_exact(seen, method, hash_of(seen) % kOracleShare == 0);
@@ -113,11 +112,11 @@ LawResult exact_equals_oracle(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult exact_queries_agree(const Case& problem, const EngineMethod& method) {
+LawResult exact_queries_agree(const Case& problem, const Method& method) {
   Case seen = method.seen(problem);
   if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
   seen.start_policy = StartPolicy::report;
-  const Answer cast = method.cast(seen, {});
+  const Answer cast = method.ask(seen, {});
   const std::string fault = query_fault(seen, method, cast, hash_of(seen) % kOracleShare == 0);
   if (!fault.empty()) return broken(fault + "; the cast: " + describe(cast));
   return holds({label_of(cast.outcome)});

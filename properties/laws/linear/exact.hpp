@@ -5,8 +5,8 @@
 
 namespace graze::law {
 
-LawResult exact_equals_oracle(const corpus::Case&, const engine::EngineMethod&);
-LawResult exact_queries_agree(const corpus::Case&, const engine::EngineMethod&);
+LawResult exact_equals_oracle(const corpus::Case&, const engine::Method&);
+LawResult exact_queries_agree(const corpus::Case&, const engine::Method&);
 
 // The first of what tier exact gets wrong on this case (as the method saw it); empty if nothing. With
 // ask_oracle the exact oracle looks at it whatever the proof says; without, only where the proof says too
@@ -16,7 +16,7 @@ struct ExactJudgement {
   bool by_oracle = false;
   engine::Answer answer;
 };
-[[nodiscard]] ExactJudgement judge_exact(const corpus::Case& seen, const engine::EngineMethod& method,
+[[nodiscard]] ExactJudgement judge_exact(const corpus::Case& seen, const engine::Method& method,
                                          bool ask_oracle);
 
 }  // namespace graze::law

@@ -11,14 +11,14 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 
 namespace {
 
 const LawResult kOutside = not_applicable("not a cast that the method answers");
 
 // An edit must survive the rounding to the method's scalar, or the two questions are not the ones meant.
-bool fits(const Case& edited, const EngineMethod& method) { return same_input(method.seen(edited), edited); }
+bool fits(const Case& edited, const Method& method) { return same_input(method.seen(edited), edited); }
 
 std::string pair_of(const Answer& one, const Answer& other) {
   return describe(one) + "; against " + describe(other);
@@ -26,12 +26,12 @@ std::string pair_of(const Answer& one, const Answer& other) {
 
 }  // namespace
 
-LawResult swapping(const Case& problem, const EngineMethod& method) {
+LawResult swapping(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   const Case other = swapped(seen);
   const engine::Ask ask{.request = Request::normal};
-  const Answer one = method.cast(seen, ask), two = method.cast(other, ask);
+  const Answer one = method.ask(seen, ask), two = method.ask(other, ask);
   LawResult result = holds();
   if (!agree_within_rows(method, seen, one, two)) {
     result = arbitrate(method, {{"the original", seen, one}, {"the swapped", other, two}},
@@ -50,7 +50,7 @@ LawResult swapping(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult scaling(const Case& problem, const EngineMethod& method) {
+LawResult scaling(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   const int powers[] = {-1, 1, 7, -9, 24, -31, 60, -60};
@@ -60,7 +60,7 @@ LawResult scaling(const Case& problem, const EngineMethod& method) {
     const std::optional<Case> other = scaled(seen, k);
     if (!other || !fits(*other, method)) continue;
     const engine::Ask ask{.request = Request::normal | Request::witnesses};
-    const Answer one = method.cast(seen, ask), two = method.cast(*other, ask);
+    const Answer one = method.ask(seen, ask), two = method.ask(*other, ask);
     const auto same = [](double l, double r) { return l == r || (std::isnan(l) && std::isnan(r)); };
     const auto scaled_point = [](const Vec3<double>& p, int by) {
       return Vec3<double>(std::scalbn(p[0], by), std::scalbn(p[1], by), std::scalbn(p[2], by));
@@ -93,13 +93,13 @@ LawResult scaling(const Case& problem, const EngineMethod& method) {
   return not_applicable("no power of two keeps every number in range");
 }
 
-LawResult translating(const Case& problem, const EngineMethod& method) {
+LawResult translating(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
     const std::optional<Case> other = translated(seen, salt);
     if (!other || !fits(*other, method)) continue;
-    const Answer one = method.cast(seen, {}), two = method.cast(*other, {});
+    const Answer one = method.ask(seen, {}), two = method.ask(*other, {});
     LawResult result = agree_within_rows(method, seen, one, two)
                            ? holds()
                            : arbitrate(method, {{"the original", seen, one}, {"the translated", *other, two}},
@@ -110,13 +110,13 @@ LawResult translating(const Case& problem, const EngineMethod& method) {
   return not_applicable("no exact translation");
 }
 
-LawResult superset(const Case& problem, const EngineMethod& method) {
+LawResult superset(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
     const Case other = grown(seen, salt);
     if (!is_question_for(method, other) || !fits(other, method)) continue;
-    const Answer one = method.cast(seen, {}), two = method.cast(other, {});
+    const Answer one = method.ask(seen, {}), two = method.ask(other, {});
     const bool ordered = one.outcome == Outcome::miss ||
                          (claims_contact(one) && claims_contact(two) && two.toi_lower <= one.toi_upper) ||
                          agree_within_rows(method, seen, one, two);
@@ -130,12 +130,12 @@ LawResult superset(const Case& problem, const EngineMethod& method) {
   return not_applicable("no superset in this scalar");
 }
 
-LawResult ray_is_point_cast(const Case& problem, const EngineMethod& method) {
+LawResult ray_is_point_cast(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   const std::optional<Case> ray = ray_against_cso(seen);
   if (!ray || !fits(*ray, method)) return not_applicable("no exact hull of differences");
-  const Answer one = method.cast(seen, {}), two = method.cast(*ray, {});
+  const Answer one = method.ask(seen, {}), two = method.ask(*ray, {});
   LawResult result = agree_within_rows(method, seen, one, two)
                          ? holds()
                          : arbitrate(method, {{"the cast", seen, one}, {"the ray", *ray, two}},
@@ -144,13 +144,13 @@ LawResult ray_is_point_cast(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult splitting(const Case& problem, const EngineMethod& method) {
+LawResult splitting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
   const std::optional<Split> parts = split(seen, hash_of(seen));
   if (!parts || !fits(parts->before, method) || !fits(parts->after, method))
     return not_applicable("no exact restart");
-  const Answer whole = method.cast(seen, {}), before = method.cast(parts->before, {});
+  const Answer whole = method.ask(seen, {}), before = method.ask(parts->before, {});
   // Where curved shapes differ nobody is blamed: mpr/float finds disks that are flatter than its roundings
   // early by a twentieth of the scale.
   const char* const kDiffers = "splitting the step changes the answer";
@@ -164,7 +164,7 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
     }
     result.labels.push_back("contact before");
   } else {
-    const Answer after = method.cast(parts->after, {});
+    const Answer after = method.ask(parts->after, {});
     Answer joined = after;
     if (claims_contact(after)) {
       joined.outcome = Outcome::hit;
@@ -185,14 +185,14 @@ LawResult splitting(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult methods_meet(const Case& problem, const EngineMethod& method) {
+LawResult methods_meet(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
-  const Answer one = method.cast(seen, {});
+  const Answer one = method.ask(seen, {});
   LawResult result = holds();
-  for (const EngineMethod& other : engine::methods()) {
+  for (const Method& other : engine::methods(engine::Kind::linear)) {
     if (other.scalar != method.scalar || other.name == method.name || !is_question_for(other, seen)) continue;
-    const Answer two = other.cast(seen, {});
+    const Answer two = other.ask(seen, {});
     if (agree_within_rows(method.tier == "standard" ? method : other, seen, one, two)) continue;
     // Each within its own row. Of curved shapes nobody is blamed: where the edge of a plate grazes a
     // cylinder, mpr/double is 372 u scale early, beyond its row (bracket_holds_toi holds it to it).
@@ -210,11 +210,11 @@ LawResult methods_meet(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult requesting(const Case& problem, const EngineMethod& method) {
+LawResult requesting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return kOutside;
-  const Answer least = method.cast(seen, {.request = Request::verdict});
-  const Answer all = method.cast(seen, {.request = Request::everything});
+  const Answer least = method.ask(seen, {.request = Request::verdict});
+  const Answer all = method.ask(seen, {.request = Request::everything});
   if (least.outcome != all.outcome || least.toi_lower != all.toi_lower || least.toi_upper != all.toi_upper) {
     return broken("asking for more changes the verdict: " + pair_of(least, all));
   }

@@ -6,13 +6,13 @@
 
 namespace graze::law {
 
-LawResult swapping(const corpus::Case&, const engine::EngineMethod&);
-LawResult scaling(const corpus::Case&, const engine::EngineMethod&);
-LawResult translating(const corpus::Case&, const engine::EngineMethod&);
-LawResult superset(const corpus::Case&, const engine::EngineMethod&);
-LawResult ray_is_point_cast(const corpus::Case&, const engine::EngineMethod&);
-LawResult splitting(const corpus::Case&, const engine::EngineMethod&);
-LawResult methods_meet(const corpus::Case&, const engine::EngineMethod&);
-LawResult requesting(const corpus::Case&, const engine::EngineMethod&);
+LawResult swapping(const corpus::Case&, const engine::Method&);
+LawResult scaling(const corpus::Case&, const engine::Method&);
+LawResult translating(const corpus::Case&, const engine::Method&);
+LawResult superset(const corpus::Case&, const engine::Method&);
+LawResult ray_is_point_cast(const corpus::Case&, const engine::Method&);
+LawResult splitting(const corpus::Case&, const engine::Method&);
+LawResult methods_meet(const corpus::Case&, const engine::Method&);
+LawResult requesting(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engines/queries.hpp"
+#include "engines/method.hpp"
 #include "properties/edit/motion.hpp"
 #include "properties/judge/own_frames.hpp"
 #include "properties/laws/ask_twice.hpp"
@@ -14,12 +14,12 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 
 namespace {
 
 // What two answers to one time may differ by without a question: as agree() in judge.cpp.
-double slack(const EngineMethod& method) { return 16 * method.unit_roundoff; }
+double slack(const Method& method) { return 16 * method.unit_roundoff; }
 
 Case reporting(Case problem) {
   problem.start_policy = StartPolicy::report;
@@ -34,17 +34,17 @@ Case with_horizon(Case problem, double t_max) {
 
 }  // namespace
 
-LawResult moving_the_horizon(const Case& problem, const EngineMethod& method) {
+LawResult moving_the_horizon(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
-  const Answer one = method.cast(seen, {});
+  const Answer one = method.ask(seen, {});
   LawResult result = holds({label_of(one.outcome)});
 
   const double horizons[] = {2, 0x1p20, kInfinity<double>};
   const double factor = horizons[hash_of(seen) % std::size(horizons)];
   if (const Case later = with_horizon(seen, seen.t_max > 0 ? seen.t_max * factor : factor);
       !std::isinf(seen.t_max) && is_sound_edit(later, method)) {
-    const Answer two = method.cast(later, {});
+    const Answer two = method.ask(later, {});
     // A contact stays; none may become one beyond the old end.
     const bool beyond = one.outcome == Outcome::miss && two.outcome == Outcome::hit &&
                         two.toi_upper * (1 + slack(method)) >= seen.t_max;
@@ -62,7 +62,7 @@ LawResult moving_the_horizon(const Case& problem, const EngineMethod& method) {
   for (const double part : {0.5, 1 - 0x1p-18}) {
     const Case sooner = method.seen(with_horizon(seen, part * one.toi_lower));
     if (!is_sound_edit(sooner, method) || !(sooner.t_max < one.toi_lower)) continue;
-    const Answer two = method.cast(sooner, {});
+    const Answer two = method.ask(sooner, {});
     if (two.outcome == Outcome::miss) {
       result.labels.push_back("ends before");
       continue;
@@ -75,7 +75,7 @@ LawResult moving_the_horizon(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult keeping_distance(const Case& problem, const EngineMethod& method) {
+LawResult keeping_distance(const Case& problem, const Method& method) {
   // Under the policy pass_over a start is judged by C without the target distance.
   const Case seen = reporting(method.seen(problem));
   if (!is_question_for(method, seen)) return outside();
@@ -95,7 +95,7 @@ LawResult keeping_distance(const Case& problem, const EngineMethod& method) {
   body.shape = rounded<double>(body.shape, m);
   if (!is_sound_edit(near, method) || !is_sound_edit(round, method))
     return not_applicable("no such distance in this scalar, or the method knows none");
-  const Answer one = method.cast(near, {}), two = method.cast(round, {});
+  const Answer one = method.ask(near, {}), two = method.ask(round, {});
   LawResult result = agree_within_rows(method, near, one, two)
                          ? holds()
                          : arbitrate(method, {{"the distance", near, one}, {"the rounding", round, two}},
@@ -103,7 +103,7 @@ LawResult keeping_distance(const Case& problem, const EngineMethod& method) {
   if (result.holding != Holding::holds) return result;
   result.labels.push_back(label_of(one.outcome));
   if (!is_sound_edit(far, method)) return result;
-  const Answer sooner = method.cast(far, {});
+  const Answer sooner = method.ask(far, {});
   const bool ordered = one.outcome == Outcome::miss ||
                        (claims_contact(one) && claims_contact(sooner) && sooner.toi_lower <= one.toi_upper) ||
                        agree_within_rows(method, near, one, sooner);
@@ -112,7 +112,7 @@ LawResult keeping_distance(const Case& problem, const EngineMethod& method) {
                    "a larger target distance is met later");
 }
 
-LawResult changing_the_clock(const Case& problem, const EngineMethod& method) {
+LawResult changing_the_clock(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   const int powers[] = {1, -1, 12, -12, 40, -40};
@@ -122,7 +122,7 @@ LawResult changing_the_clock(const Case& problem, const EngineMethod& method) {
     const std::optional<Case> other = stretched(seen, k);
     if (!other || !is_sound_edit(*other, method)) continue;
     const engine::Ask ask{.request = Request::normal};
-    const Answer one = method.cast(seen, ask), two = method.cast(*other, ask);
+    const Answer one = method.ask(seen, ask), two = method.ask(*other, ask);
     // Times that are, or become, subnormal or too large for the scalar.
     const double least = method.scalar == "float" ? double(std::numeric_limits<float>::min())
                                                   : std::numeric_limits<double>::min();
@@ -152,7 +152,7 @@ LawResult changing_the_clock(const Case& problem, const EngineMethod& method) {
   return not_applicable("no power of two keeps every number in range");
 }
 
-LawResult moving_together(const Case& problem, const EngineMethod& method) {
+LawResult moving_together(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
@@ -165,15 +165,15 @@ LawResult moving_together(const Case& problem, const EngineMethod& method) {
 
 namespace {
 
-const engine::QueryMethod* query_of(corpus::Query query, std::string_view name, const std::string& scalar) {
-  for (const engine::QueryMethod& one : engine::query_methods()) {
+const engine::Method* query_of(corpus::Query query, std::string_view name, const std::string& scalar) {
+  for (const engine::Method& one : engine::methods(engine::Kind::query)) {
     if (one.query == query && one.name == name && one.scalar == scalar) return &one;
   }
   return nullptr;
 }
 
 // The path's part of the line that is in contact, run backwards: when a cast from the end must meet it.
-Answer from_the_end(const engine::QueryAnswer& line, double t_max) {
+Answer from_the_end(const engine::Answer& line, double t_max) {
   Answer answer;
   answer.toi_lower = answer.toi_upper = kInfinity<double>;
   answer.outcome = line.outcome == Outcome::hit ? Outcome::miss : line.outcome;
@@ -187,12 +187,12 @@ Answer from_the_end(const engine::QueryAnswer& line, double t_max) {
 
 }  // namespace
 
-LawResult reversing(const Case& problem, const EngineMethod& method) {
+LawResult reversing(const Case& problem, const Method& method) {
   const Case seen = reporting(method.seen(problem));
   if (!is_question_for(method, seen)) return outside();
   const std::optional<Case> back = reversed(seen);
   if (!back || !is_sound_edit(*back, method)) return not_applicable("no exact end to start from");
-  const Answer one = method.cast(seen, {}), two = method.cast(*back, {});
+  const Answer one = method.ask(seen, {}), two = method.ask(*back, {});
   // t_in <= t_out.
   const bool consistent = (one.outcome == Outcome::miss && two.outcome == Outcome::miss) ||
                           (claims_contact(one) && claims_contact(two) &&
@@ -206,9 +206,9 @@ LawResult reversing(const Case& problem, const EngineMethod& method) {
   if (two.outcome == Outcome::not_converged || seen.a.displacement == seen.b.displacement) return result;
   Case question = seen;
   question.query = corpus::Query::line;
-  const engine::QueryMethod* line =
+  const engine::Method* line =
       query_of(corpus::Query::line, method.is_exact() ? "exact" : "mpr", method.scalar);
-  const engine::QueryAnswer ends = line->answer(question);
+  const engine::Answer ends = line->answer(question);
   // The portal of a line along a face is as long as the face, and says little of either end.
   if (!ends.t_out || ends.stalled || !(ends.t_out->upper < kInfinity<double>)) return result;
   const Answer end = from_the_end(ends, seen.t_max);
@@ -227,13 +227,13 @@ LawResult reversing(const Case& problem, const EngineMethod& method) {
       fmt::format("the line leaves contact at [{}, {}]", hex(ends.t_out->lower), hex(ends.t_out->upper)));
 }
 
-LawResult extending(const Case& problem, const EngineMethod& method) {
+LawResult extending(const Case& problem, const Method& method) {
   const Case seen = reporting(method.seen(problem));
   if (!is_question_for(method, seen)) return outside();
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 2; ++tries, ++salt) {
     const std::optional<Extended> before = extended(seen, salt);
     if (!before || !is_sound_edit(before->longer, method)) continue;
-    const Answer one = method.cast(seen, {}), two = method.cast(before->longer, {});
+    const Answer one = method.ask(seen, {}), two = method.ask(before->longer, {});
     const double s = before->by;
     bool consistent = false;
     if (one.outcome == Outcome::hit) {
@@ -259,16 +259,16 @@ LawResult extending(const Case& problem, const EngineMethod& method) {
   return not_applicable("no exact start farther back");
 }
 
-LawResult threshold_of_swept_overlap(const Case& problem, const EngineMethod& method) {
+LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) {
   const Case seen = reporting(method.seen(problem));
   if (!is_question_for(method, seen)) return outside();
-  const Answer one = method.cast(seen, {});
+  const Answer one = method.ask(seen, {});
   LawResult result = holds({label_of(one.outcome)});
   if (one.outcome == Outcome::not_converged) return result;
   // Within a millionth of the TOI in double, a hundredth in float.
   const double away = method.unit_roundoff == kUnitRoundoff<float> ? 0x1p-7 : 0x1p-20;
   const std::string names[] = {method.is_exact() ? "exact" : "mpr", method.is_exact() ? "exact" : "gjk"};
-  const engine::QueryMethod* swept =
+  const engine::Method* swept =
       query_of(corpus::Query::swept_overlap, names[hash_of(seen) & 1], method.scalar);
   for (const bool after : {false, true}) {
     double end = seen.t_max;
@@ -285,7 +285,7 @@ LawResult threshold_of_swept_overlap(const Case& problem, const EngineMethod& me
     if (too_short || !is_sound_edit(until, method)) continue;
     Case question = until;
     question.query = corpus::Query::swept_overlap;
-    const engine::QueryAnswer said = swept->answer(question);
+    const engine::Answer said = swept->answer(question);
     if (said.outcome == Outcome::not_converged) continue;
     if ((said.outcome != Outcome::miss) == expected) {
       result.labels.push_back(expected ? "contact until" : "free until");

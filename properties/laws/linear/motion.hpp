@@ -7,12 +7,12 @@
 
 namespace graze::law {
 
-LawResult moving_the_horizon(const corpus::Case&, const engine::EngineMethod&);
-LawResult keeping_distance(const corpus::Case&, const engine::EngineMethod&);
-LawResult changing_the_clock(const corpus::Case&, const engine::EngineMethod&);
-LawResult moving_together(const corpus::Case&, const engine::EngineMethod&);
-LawResult reversing(const corpus::Case&, const engine::EngineMethod&);
-LawResult extending(const corpus::Case&, const engine::EngineMethod&);
-LawResult threshold_of_swept_overlap(const corpus::Case&, const engine::EngineMethod&);
+LawResult moving_the_horizon(const corpus::Case&, const engine::Method&);
+LawResult keeping_distance(const corpus::Case&, const engine::Method&);
+LawResult changing_the_clock(const corpus::Case&, const engine::Method&);
+LawResult moving_together(const corpus::Case&, const engine::Method&);
+LawResult reversing(const corpus::Case&, const engine::Method&);
+LawResult extending(const corpus::Case&, const engine::Method&);
+LawResult threshold_of_swept_overlap(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -12,21 +12,21 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 using oracle::CaseTruth;
 
 namespace {
 
 using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
-using Bound = double (*)(const EngineMethod&, const Case&);
+using Bound = double (*)(const Method&, const Case&);
 
-LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method,
+LawResult judged_by(Fault fault, const Case& problem, const Method& method,
                     Bound bound = &proved_bound_of) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
-  const Answer answer = method.cast(seen, {});
+  const Answer answer = method.ask(seen, {});
   const CaseTruth& truth = truth_of(seen);
   const std::string reason = fault(truth, answer, bound(method, seen));
   if (!reason.empty()) return broken(reason + "; answered: " + describe(answer));
@@ -37,15 +37,15 @@ LawResult judged_by(Fault fault, const Case& problem, const EngineMethod& method
 
 }  // namespace
 
-LawResult verdict_is_right(const Case& problem, const EngineMethod& method) {
+LawResult verdict_is_right(const Case& problem, const Method& method) {
   return judged_by(&verdict_fault, problem, method);
 }
 
-LawResult never_late(const Case& problem, const EngineMethod& method) {
+LawResult never_late(const Case& problem, const Method& method) {
   return judged_by(&late_fault, problem, method);
 }
 
-LawResult bracket_holds_toi(const Case& problem, const EngineMethod& method) {
+LawResult bracket_holds_toi(const Case& problem, const Method& method) {
   return judged_by(
       [](const CaseTruth& truth, const Answer& answer, double bound) {
         std::string late = late_fault(truth, answer, bound);
@@ -54,20 +54,20 @@ LawResult bracket_holds_toi(const Case& problem, const EngineMethod& method) {
       problem, method);
 }
 
-LawResult time_is_stable(const Case& problem, const EngineMethod& method) {
+LawResult time_is_stable(const Case& problem, const Method& method) {
   return judged_by(&time_fault, problem, method, &bound_of);
 }
 
-LawResult certified_decides(const Case& problem, const EngineMethod& method) {
+LawResult certified_decides(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not a method of tier certified");
   return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
-LawResult normal_supports(const Case& problem, const EngineMethod& method) {
+LawResult normal_supports(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
-  const Answer answer = method.cast(seen, {.request = Request::normal});
+  const Answer answer = method.ask(seen, {.request = Request::normal});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const CaseTruth& truth = truth_of(seen);
   if (truth.outcome() != Outcome::hit)
@@ -77,11 +77,11 @@ LawResult normal_supports(const Case& problem, const EngineMethod& method) {
   return holds({label_of(answer.outcome)});
 }
 
-LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
+LawResult witnesses_touch(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
-  const Answer answer = method.cast(seen, {.request = Request::witnesses});
+  const Answer answer = method.ask(seen, {.request = Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   // At the largest float the bodies may still be apart.
   if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>))
@@ -111,11 +111,11 @@ LawResult witnesses_touch(const Case& problem, const EngineMethod& method) {
   return holds({label_of(answer.outcome)});
 }
 
-LawResult proof_is_tight(const Case& problem, const EngineMethod& method) {
+LawResult proof_is_tight(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;
-  const Answer answer = method.cast(seen, {.request = Request::proof});
+  const Answer answer = method.ask(seen, {.request = Request::proof});
   if (answer.outcome != Outcome::hit && answer.outcome != Outcome::miss)
     return holds({label_of(answer.outcome)});
   if (!answer.proof) return holds({label_of(answer.outcome), "no proof"});

@@ -5,13 +5,13 @@
 
 namespace graze::law {
 
-LawResult verdict_is_right(const corpus::Case&, const engine::EngineMethod&);
-LawResult never_late(const corpus::Case&, const engine::EngineMethod&);
-LawResult bracket_holds_toi(const corpus::Case&, const engine::EngineMethod&);
-LawResult time_is_stable(const corpus::Case&, const engine::EngineMethod&);
-LawResult normal_supports(const corpus::Case&, const engine::EngineMethod&);
-LawResult witnesses_touch(const corpus::Case&, const engine::EngineMethod&);
-LawResult certified_decides(const corpus::Case&, const engine::EngineMethod&);
-LawResult proof_is_tight(const corpus::Case&, const engine::EngineMethod&);
+LawResult verdict_is_right(const corpus::Case&, const engine::Method&);
+LawResult never_late(const corpus::Case&, const engine::Method&);
+LawResult bracket_holds_toi(const corpus::Case&, const engine::Method&);
+LawResult time_is_stable(const corpus::Case&, const engine::Method&);
+LawResult normal_supports(const corpus::Case&, const engine::Method&);
+LawResult witnesses_touch(const corpus::Case&, const engine::Method&);
+LawResult certified_decides(const corpus::Case&, const engine::Method&);
+LawResult proof_is_tight(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -13,7 +13,7 @@ namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
-using engine::EngineMethod;
+using engine::Method;
 
 namespace {
 
@@ -39,7 +39,7 @@ std::string bracket_fault(const Case& seen, const Answer& answer) {
 
 }  // namespace
 
-std::string consistency_fault(const Case& seen, const EngineMethod& method, const Answer& answer,
+std::string consistency_fault(const Case& seen, const Method& method, const Answer& answer,
                               Request request) {
   if (std::string fault = bracket_fault(seen, answer); !fault.empty()) return fault;
   if (answer.outcome != Outcome::hit) return "";
@@ -67,20 +67,20 @@ std::string proof_fault(const Case& seen, const Answer& answer) {
   return fmt::format("proof refused, {}: {}", oracle::to_string(verdict.refusal), verdict.detail);
 }
 
-LawResult answer_is_consistent(const Case& problem, const EngineMethod& method) {
+LawResult answer_is_consistent(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   const Request request = Request::normal | Request::witnesses;
-  const Answer answer = method.cast(seen, {.request = request});
+  const Answer answer = method.ask(seen, {.request = request});
   const std::string fault = consistency_fault(seen, method, answer, request);
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
 
-LawResult proof_is_accepted(const Case& problem, const EngineMethod& method) {
+LawResult proof_is_accepted(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
-  const Answer answer = method.cast(seen, {.request = Request::proof});
+  const Answer answer = method.ask(seen, {.request = Request::proof});
   const std::string fault = proof_fault(seen, answer);
   if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
   LawResult result = holds({label_of(answer.outcome)});
@@ -88,12 +88,12 @@ LawResult proof_is_accepted(const Case& problem, const EngineMethod& method) {
   return result;
 }
 
-LawResult bad_input_is_refused(const Case& problem, const EngineMethod& method) {
+LawResult bad_input_is_refused(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   std::string fault;
   const auto expect_refusal = [&](const Case& bad, const std::string& what) {
-    const Answer answer = method.cast(bad, {.request = Request::everything});
+    const Answer answer = method.ask(bad, {.request = Request::everything});
     if (answer.outcome == Outcome::invalid_input && answer.invalid != Invalid::none &&
         answer.counters.iterations == 0 && std::isnan(answer.toi_lower) && std::isnan(answer.toi_upper)) {
       return;
@@ -155,7 +155,7 @@ LawResult bad_input_is_refused(const Case& problem, const EngineMethod& method) 
   bad.t_max = -1;
   expect_refusal(bad, "a negative t_max");
   if (!fault.empty()) return broken(fault);
-  return holds({label_of(method.cast(seen, {}).outcome)});
+  return holds({label_of(method.ask(seen, {}).outcome)});
 }
 
 }  // namespace graze::law

@@ -7,9 +7,9 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::EngineMethod;
+using engine::Method;
 
-LawResult permuting_the_axes(const Case& problem, const EngineMethod& method) {
+LawResult permuting_the_axes(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   for (std::uint64_t salt = mix(hash_of(seen) ^ 0x61786573u), tries = 0; tries < 4; ++tries, ++salt) {
@@ -25,7 +25,7 @@ LawResult permuting_the_axes(const Case& problem, const EngineMethod& method) {
   return not_applicable("a permutation of the axes takes rounding");
 }
 
-LawResult turning(const Case& problem, const EngineMethod& method) {
+LawResult turning(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
   for (std::uint64_t salt = mix(hash_of(seen) ^ 0x7475726eu), tries = 0; tries < 4; ++tries, ++salt) {
@@ -45,7 +45,7 @@ namespace {
 using Edit = std::optional<Shape<double>> (*)(const Shape<double>&, std::uint64_t);
 
 // A, B or both given by other numbers.
-LawResult redescribed(const Case& problem, const EngineMethod& method, Edit edit, std::string_view name,
+LawResult redescribed(const Case& problem, const Method& method, Edit edit, std::string_view name,
                       std::string_view disagreement) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return outside();
@@ -69,17 +69,17 @@ LawResult redescribed(const Case& problem, const EngineMethod& method, Edit edit
 
 }  // namespace
 
-LawResult reordering(const Case& problem, const EngineMethod& method) {
+LawResult reordering(const Case& problem, const Method& method) {
   return redescribed(problem, method, &reordered, "the reordered",
                      "another order of vertices or parts changes the answer");
 }
 
-LawResult redundant_points(const Case& problem, const EngineMethod& method) {
+LawResult redundant_points(const Case& problem, const Method& method) {
   return redescribed(problem, method, &with_redundant_points, "with redundant points",
                      "points of a hull besides its vertices change the answer");
 }
 
-LawResult describing_otherwise(const Case& problem, const EngineMethod& method) {
+LawResult describing_otherwise(const Case& problem, const Method& method) {
   return redescribed(problem, method, &described_otherwise, "the other description",
                      "another description of a body changes the answer");
 }

@@ -6,10 +6,10 @@
 
 namespace graze::law {
 
-LawResult permuting_the_axes(const corpus::Case&, const engine::EngineMethod&);
-LawResult turning(const corpus::Case&, const engine::EngineMethod&);
-LawResult reordering(const corpus::Case&, const engine::EngineMethod&);
-LawResult redundant_points(const corpus::Case&, const engine::EngineMethod&);
-LawResult describing_otherwise(const corpus::Case&, const engine::EngineMethod&);
+LawResult permuting_the_axes(const corpus::Case&, const engine::Method&);
+LawResult turning(const corpus::Case&, const engine::Method&);
+LawResult reordering(const corpus::Case&, const engine::Method&);
+LawResult redundant_points(const corpus::Case&, const engine::Method&);
+LawResult describing_otherwise(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

@@ -16,21 +16,21 @@ namespace graze::law {
 using corpus::Case;
 using corpus::Query;
 using engine::Interval;
-using engine::QueryAnswer;
-using engine::QueryMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
 bool is_about_motion(Query query) { return query == Query::line || query == Query::swept_overlap; }
 
-std::string pair_of(const QueryAnswer& one, const QueryAnswer& two) {
+std::string pair_of(const Answer& one, const Answer& two) {
   return describe(one) + "; against " + describe(two);
 }
 
 // Two answers to what is one question: `two` told in the terms of `one`. Gaps differ by both limits at most;
 // where the rest differs by more than rounding the oracle decides.
-LawResult same_answers(const QueryMethod& method, const Question& first, const QueryAnswer& one,
-                       const Question& second, const QueryAnswer& asked, const QueryAnswer& two,
+LawResult same_answers(const Method& method, const Question& first, const Answer& one,
+                       const Question& second, const Answer& asked, const Answer& two,
                        std::string_view edit) {
   const double allowed = first.limit + second.limit;
   if (!is_about_motion(method.query)) {
@@ -55,21 +55,21 @@ LawResult same_answers(const QueryMethod& method, const Question& first, const Q
 
 }  // namespace
 
-LawResult query_swapping(const Case& problem, const QueryMethod& method) {
+LawResult query_swapping(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   Case other = swapped(question->seen);
   other.direction = -other.direction;
   const auto second = requestioned(std::move(other), method);
   if (!second) return no_question();
-  const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+  const Answer one = method.answer(question->seen), two = method.answer(second->seen);
   LawResult result = same_answers(method, *question, one, *second, two, two, "swapping");
   if (result.holding != Holding::holds || one.outcome != two.outcome || is_about_motion(method.query))
     return result;
-  if (method.query == Query::penetration_along || !one.normal || !two.normal || one.stalled || two.stalled)
+  if (method.query == Query::penetration_along || !one.has_normal() || !two.has_normal() || one.stalled || two.stalled)
     return result;
   // The other's normal, negated, separates the original or ends it as deep as its own does.
-  const Reach h = reach(question->seen, Vec3<double>(-*two.normal));
+  const Reach h = reach(question->seen, Vec3<double>(-two.normal));
   const Interval gap = gap_of(one);
   const double off = h.value + (std::isfinite(gap.lower) ? gap.lower : 0),
                allowed = 2 * question->limit + 2 * second->limit + h.error +
@@ -81,14 +81,14 @@ LawResult query_swapping(const Case& problem, const QueryMethod& method) {
   return result;
 }
 
-LawResult query_translating(const Case& problem, const QueryMethod& method) {
+LawResult query_translating(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
     const std::optional<Case> other = translated(question->seen, salt);
     const auto second = other ? requestioned(*other, method) : std::nullopt;
     if (!second) continue;
-    const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+    const Answer one = method.answer(question->seen), two = method.answer(second->seen);
     return same_answers(method, *question, one, *second, two, two, "translating both");
   }
   return not_applicable("no exact translation");
@@ -100,46 +100,43 @@ std::optional<Interval> scaled_by(const std::optional<Interval>& x, int k) {
   if (!x) return x;
   return Interval{std::scalbn(x->lower, k), std::scalbn(x->upper, k)};
 }
-std::optional<Vec3<double>> scaled_by(const std::optional<Vec3<double>>& x, int k) {
-  if (!x) return x;
-  return Vec3<double>(std::scalbn((*x)[0], k), std::scalbn((*x)[1], k), std::scalbn((*x)[2], k));
+Vec3<double> scaled_by(const Vec3<double>& x, int k) {
+  return {std::scalbn(x[0], k), std::scalbn(x[1], k), std::scalbn(x[2], k)};
 }
 bool same(const std::optional<Interval>& one, const std::optional<Interval>& two) {
   return one.has_value() == two.has_value() &&
          (!one || (one->lower == two->lower && one->upper == two->upper));
 }
-bool same(const std::optional<Vec3<double>>& one, const std::optional<Vec3<double>>& two) {
-  return one.has_value() == two.has_value() && (!one || *one == *two);
-}
 
 // What every length times 2^k changed that it should not; or empty.
-std::string changed_by_scale(const QueryAnswer& one, const QueryAnswer& two, int k) {
+std::string changed_by_scale(const Answer& one, const Answer& two, int k) {
   if (one.outcome != two.outcome || one.stalled != two.stalled) return "outcome";
   if (!same(one.t_in, two.t_in) || !same(one.t_out, two.t_out)) return "time";
-  if (!same(scaled_by(one.distance, k), two.distance)) return "distance";
+  if (!same(scaled_by(one.separation, k), two.separation)) return "distance";
   if (!same(scaled_by(one.depth, k), two.depth)) return "depth";
-  if (!same(one.normal, two.normal) || !same(one.normal_out, two.normal_out)) return "normal";
+  if (one.normal != two.normal || one.normal_out != two.normal_out) return "normal";
   if (one.counters.iterations != two.counters.iterations || one.counters.supports != two.counters.supports)
     return "count of iterations or supports";
-  if (!same(scaled_by(one.point_a, k), two.point_a) || !same(scaled_by(one.point_b, k), two.point_b))
+  if (one.has_points != two.has_points || scaled_by(one.point_a, k) != two.point_a ||
+      scaled_by(one.point_b, k) != two.point_b)
     return "witness";
   return {};
 }
 
 // A length of the answer that is, or becomes, subnormal.
-bool loses_bits(const QueryAnswer& answer, double least) {
+bool loses_bits(const Answer& answer, double least) {
   const auto small = [&](double x) { return x != 0 && std::abs(x) < least; };
   bool any = false;
-  for (const std::optional<Interval>* x : {&answer.distance, &answer.depth})
+  for (const std::optional<Interval>* x : {&answer.separation, &answer.depth})
     any = any || (*x && (small((*x)->lower) || small((*x)->upper)));
-  for (const std::optional<Vec3<double>>* x : {&answer.point_a, &answer.point_b})
-    any = any || (*x && (small((**x)[0]) || small((**x)[1]) || small((**x)[2])));
+  for (const Vec3<double>& x : {answer.point_a, answer.point_b})
+    any = any || small(x[0]) || small(x[1]) || small(x[2]);
   return any;
 }
 
 }  // namespace
 
-LawResult query_scaling(const Case& problem, const QueryMethod& method) {
+LawResult query_scaling(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   constexpr std::array<int, 8> kPowers = {-1, 1, 7, -9, 24, -31, 60, -60};
@@ -151,7 +148,7 @@ LawResult query_scaling(const Case& problem, const QueryMethod& method) {
     const std::optional<Case> other = scaled(question->seen, k);
     const auto second = other ? requestioned(*other, method) : std::nullopt;
     if (!second) continue;
-    const QueryAnswer one = method.answer(question->seen), two = method.answer(second->seen);
+    const Answer one = method.answer(question->seen), two = method.answer(second->seen);
     if (loses_bits(one, least * std::max(1.0, std::scalbn(1.0, -k))) || loses_bits(two, least)) continue;
     const std::string fault = changed_by_scale(one, two, k);
     if (!fault.empty())
@@ -161,14 +158,14 @@ LawResult query_scaling(const Case& problem, const QueryMethod& method) {
   return not_applicable("no power of two keeps every number in range");
 }
 
-LawResult query_requesting(const Case& problem, const QueryMethod& method) {
+LawResult query_requesting(const Case& problem, const Method& method) {
   if (method.query == Query::overlap || method.query == Query::swept_overlap) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer all = method.ask(question->seen, Request::normal | Request::witnesses);
+  const Answer all = method.answer(question->seen);
   for (const Request request : {Request::verdict, Request::normal, Request::witnesses}) {
-    const QueryAnswer less = method.ask(question->seen, request);
-    if (less.outcome != all.outcome || !same(less.distance, all.distance) || !same(less.depth, all.depth) ||
+    const Answer less = method.ask(question->seen, {.request = request});
+    if (less.outcome != all.outcome || !same(less.separation, all.separation) || !same(less.depth, all.depth) ||
         !same(less.t_in, all.t_in) || !same(less.t_out, all.t_out) || less.stalled != all.stalled) {
       return broken("asking for less changes the answer: " + pair_of(less, all));
     }
@@ -179,12 +176,13 @@ LawResult query_requesting(const Case& problem, const QueryMethod& method) {
     // The axis of a miss comes with its verdict; a distance has no miss.
     const bool verdict_has_axis = all.outcome == Outcome::miss && method.query != Query::distance;
     const bool normal = asks_for(request, Request::normal), points = asks_for(request, Request::witnesses);
-    if ((!normal && !verdict_has_axis && (less.normal || less.normal_out)) ||
-        (!points && (less.point_a || less.point_b))) {
+    if ((!normal && !verdict_has_axis && (less.has_normal() || !less.normal_out.isZero(0))) ||
+        (!points && less.has_points)) {
       return broken("computed unasked: " + describe(less));
     }
-    if ((normal && (!same(less.normal, all.normal) || !same(less.normal_out, all.normal_out))) ||
-        (points && (!same(less.point_a, all.point_a) || !same(less.point_b, all.point_b)))) {
+    if ((normal && (less.normal != all.normal || less.normal_out != all.normal_out)) ||
+        (points && (less.has_points != all.has_points || less.point_a != all.point_a ||
+                    less.point_b != all.point_b))) {
       return broken("asked for alone it is another: " + pair_of(less, all));
     }
   }
@@ -198,7 +196,7 @@ bool is_length(const std::optional<Interval>& x) {
   return is_bracket(x) && x->lower >= 0 && std::isfinite(x->upper);
 }
 
-std::string inconsistent(const Question& question, const QueryMethod& method, const QueryAnswer& answer) {
+std::string inconsistent(const Question& question, const Method& method, const Answer& answer) {
   const bool moving = is_about_motion(method.query);
   const Outcome contact = moving ? Outcome::hit : Outcome::initially_overlapping;
   if (answer.outcome == Outcome::invalid_input) return "a valid question was refused";
@@ -206,8 +204,8 @@ std::string inconsistent(const Question& question, const QueryMethod& method, co
   if (answer.outcome != contact && answer.outcome != Outcome::miss) return "no outcome of this query";
   const bool meets = answer.outcome == contact;
   if (method.query == Query::distance) {
-    if (!is_length(answer.distance)) return "no bracket of a distance";
-    if (meets ? answer.distance->upper != 0 : !(answer.distance->lower > 0))
+    if (!is_length(answer.separation)) return "no bracket of a distance";
+    if (meets ? answer.separation->upper != 0 : !(answer.separation->lower > 0))
       return "outcome and distance say two things";
   }
   const bool deep = meets && (method.query == Query::penetration || method.query == Query::penetration_along);
@@ -217,15 +215,15 @@ std::string inconsistent(const Question& question, const QueryMethod& method, co
     if (!is_bracket(answer.t_in) || !is_bracket(answer.t_out) || !(answer.t_in->lower <= answer.t_out->upper))
       return "the line's ends are no interval";
   }
-  for (const std::optional<Vec3<double>>* n : {&answer.normal, &answer.normal_out}) {
-    if (*n && !(std::abs((**n).norm() - 1) <= 8 * question.u)) return "a normal of a length other than 1";
+  for (const Vec3<double>& n : {answer.normal, answer.normal_out}) {
+    if (!n.isZero(0) && !(std::abs(n.norm() - 1) <= 8 * question.u)) return "a normal of a length other than 1";
   }
-  for (const std::optional<Vec3<double>>* x : {&answer.point_a, &answer.point_b}) {
-    if (*x && !(**x).allFinite()) return "a witness that is not a point";
+  for (const Vec3<double>& x : {answer.point_a, answer.point_b}) {
+    if (!x.allFinite()) return "a witness that is not a point";
   }
   // What does not say of itself that it is wide is no wider than its row.
   if (answer.stalled || method.query == Query::penetration_along) return "";
-  for (const std::optional<Interval>* x : {&answer.distance, &answer.depth}) {
+  for (const std::optional<Interval>* x : {&answer.separation, &answer.depth}) {
     if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit)) return "a wide bracket that is no stall";
   }
   return "";
@@ -233,10 +231,10 @@ std::string inconsistent(const Question& question, const QueryMethod& method, co
 
 }  // namespace
 
-LawResult query_answer_is_consistent(const Case& problem, const QueryMethod& method) {
+LawResult query_answer_is_consistent(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer answer = method.answer(question->seen);
+  const Answer answer = method.answer(question->seen);
   const std::string fault = inconsistent(*question, method, answer);
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
@@ -296,13 +294,13 @@ void spoil(const Case& seen, const F& refused) {
 
 }  // namespace
 
-LawResult query_bad_input_is_refused(const Case& problem, const QueryMethod& method) {
+LawResult query_bad_input_is_refused(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   std::string fault;
   spoil(question->seen, [&](const Case& bad, const std::string& what) {
-    const QueryAnswer answer = method.answer(bad);
-    const bool silent = !answer.distance && !answer.depth && !answer.t_in && !answer.normal &&
+    const Answer answer = method.answer(bad);
+    const bool silent = !answer.separation && !answer.depth && !answer.t_in && !answer.has_normal() &&
                         answer.counters.iterations == 0 && answer.counters.supports == 0;
     if (answer.outcome == Outcome::invalid_input && answer.invalid != Invalid::none && silent) return;
     if (fault.empty()) fault = fmt::format("{} is let in: {}", what, describe(answer));

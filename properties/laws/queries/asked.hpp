@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "engines/queries.hpp"
-#include "properties/judge/query.hpp"
+#include "engines/method.hpp"
+#include "properties/judge/judge.hpp"
 #include "properties/laws/law.hpp"
 
 namespace graze::law {
@@ -24,30 +24,29 @@ struct Question {
 // Made from a linear case (question_for), for a query that may be another than the method's own. Nothing
 // where a number leaves the domain, or tier exact does not answer it.
 [[nodiscard]] std::optional<Question> question_of(const corpus::Case& problem,
-                                                  const engine::QueryMethod& method);
+                                                  const engine::Method& method);
 // The same numbers, edited since: nothing where they are none of the scalar's, or leave the domain.
-[[nodiscard]] std::optional<Question> requestioned(corpus::Case edited, const engine::QueryMethod& method);
+[[nodiscard]] std::optional<Question> requestioned(corpus::Case edited, const engine::Method& method);
 
 // The method's limit for a question in its scalar.
-[[nodiscard]] double limit_of(const engine::QueryMethod& method, const corpus::Case& seen);
+[[nodiscard]] double limit_of(const engine::Method& method, const corpus::Case& seen);
 
 // What a law is broken by where it is called for a query that it is not about.
 [[nodiscard]] LawResult other_query();
 [[nodiscard]] LawResult no_question();
 
 // initially_overlapping or hit.
-[[nodiscard]] bool in_contact(const engine::QueryAnswer& answer);
+[[nodiscard]] bool in_contact(const engine::Answer& answer);
 // The bracket of the gap that an answer to distance or penetration claims; nothing where it claims none:
 // distance in contact says only gap <= 0, penetration apart only gap >= 0.
-[[nodiscard]] engine::Interval gap_of(const engine::QueryAnswer& answer);
+[[nodiscard]] engine::Interval gap_of(const engine::Answer& answer);
 // By how much two brackets fail to meet; 0 where they do.
 [[nodiscard]] double apart(const engine::Interval& one, const engine::Interval& other);
 
 // The same time, but for the rounding of the two; the same verdict, and the same times.
 [[nodiscard]] bool same_time(const engine::Interval& one, const engine::Interval& other, double u);
-[[nodiscard]] bool same_line(const engine::QueryAnswer& one, const engine::QueryAnswer& other, double u);
+[[nodiscard]] bool same_line(const engine::Answer& one, const engine::Answer& other, double u);
 
-[[nodiscard]] std::string describe(const engine::QueryAnswer& answer);
 
 // h(n) of the bodies as they stand at t = 0, in rounded doubles, and how far the rounding may have it off.
 struct Reach {
@@ -59,18 +58,18 @@ struct Reach {
 
 // The answer judged by the exact oracle and the method's row; a method without one promises nothing. Nothing
 // where the oracle does not take the bodies: curved ones, many vertices.
-[[nodiscard]] std::optional<QueryJudgement> oracle_judgement(const engine::QueryMethod& method,
+[[nodiscard]] std::optional<Judgement> oracle_judgement(const engine::Method& method,
                                                              const corpus::Case& seen,
-                                                             const engine::QueryAnswer& answer);
+                                                             const engine::Answer& answer);
 
-struct QueryAsked {
+struct AskedQuery {
   std::string_view name;
-  const engine::QueryMethod& method;
+  const engine::Method& method;
   const corpus::Case& problem;
-  const engine::QueryAnswer& answer;
+  const engine::Answer& answer;
 };
 // The oracle looks at every answer in turn; the first with a fault is named. None, and it holds: the
 // questions are ill-conditioned. With the label "undecided" where the oracle does not take a case.
-[[nodiscard]] LawResult arbitrate(std::initializer_list<QueryAsked> asked, std::string_view disagreement);
+[[nodiscard]] LawResult arbitrate(std::initializer_list<AskedQuery> asked, std::string_view disagreement);
 
 }  // namespace graze::law

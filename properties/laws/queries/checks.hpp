@@ -1,11 +1,11 @@
 // The functions behind the table of laws_queries.cpp, by the file that holds them.
 #pragma once
 
-#include "properties/laws/queries/queries.hpp"
+#include "properties/laws/law.hpp"
 
 namespace graze::law {
 
-using QueryCheck = LawResult(const corpus::Case&, const engine::QueryMethod&);
+using QueryCheck = LawResult(const corpus::Case&, const engine::Method&);
 
 // laws_queries_any.cpp: of every query
 QueryCheck query_swapping, query_scaling, query_translating, query_requesting, query_answer_is_consistent,

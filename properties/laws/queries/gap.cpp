@@ -20,12 +20,12 @@ namespace graze::law {
 using corpus::Case;
 using corpus::Query;
 using engine::Interval;
-using engine::QueryAnswer;
-using engine::QueryMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
-bool asks_for_gap(const QueryMethod& method) {
+bool asks_for_gap(const Method& method) {
   return method.query == Query::overlap || method.query == Query::distance ||
          method.query == Query::penetration;
 }
@@ -41,12 +41,12 @@ Case with_query(Case seen, Query query) {
 struct Gap {
   Interval bracket;
   double limit = 0;
-  QueryAnswer answer;  // the method's own
+  Answer answer;  // the method's own
   std::string text;
 };
 
 // By the method, and where that knows one side alone, by whichever of distance and penetration knows both.
-Gap gap_by(const QueryMethod& method, const Case& seen) {
+Gap gap_by(const Method& method, const Case& seen) {
   Gap gap;
   gap.answer = method.answer(seen);
   gap.bracket = gap_of(gap.answer);
@@ -54,8 +54,8 @@ Gap gap_by(const QueryMethod& method, const Case& seen) {
   gap.text = describe(gap.answer);
   for (const Query query : {Query::distance, Query::penetration}) {
     if (is_finite(gap.bracket) || query == method.query) continue;
-    const QueryMethod& other = default_method(query, method.scalar);
-    const QueryAnswer answer = other.answer(with_query(seen, query));
+    const Method& other = default_method(query, method.scalar);
+    const Answer answer = other.answer(with_query(seen, query));
     if (!is_finite(gap_of(answer)) || answer.stalled) continue;
     gap.bracket = gap_of(answer);
     gap.limit = std::max(gap.limit, limit_of(other, seen));
@@ -66,21 +66,21 @@ Gap gap_by(const QueryMethod& method, const Case& seen) {
 
 std::string pair_of(const Gap& one, const Gap& two) { return one.text + "; against " + two.text; }
 
-LawResult held(const QueryAnswer& answer) { return holds({label_of(answer.outcome)}); }
+LawResult held(const Answer& answer) { return holds({label_of(answer.outcome)}); }
 
 }  // namespace
 
-LawResult gaps_agree(const Case& problem, const QueryMethod& method) {
+LawResult gaps_agree(const Case& problem, const Method& method) {
   if (!asks_for_gap(method)) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer one = method.answer(question->seen);
+  const Answer one = method.answer(question->seen);
   LawResult result = held(one);
-  for (const QueryMethod& other : engine::query_methods()) {
+  for (const Method& other : engine::methods(engine::Kind::query)) {
     if (&other == &method || other.scalar != method.scalar || !asks_for_gap(other)) continue;
     const auto same = requestioned(with_query(question->seen, other.query), other);
     if (!same) continue;
-    const QueryAnswer two = other.answer(same->seen);
+    const Answer two = other.answer(same->seen);
     const double off = apart(gap_of(one), gap_of(two));
     if (off > question->limit + same->limit) {
       return broken(fmt::format("{} and {} are {} apart, the rows allow {}: {}; against {}",
@@ -99,7 +99,7 @@ LawResult gaps_agree(const Case& problem, const QueryMethod& method) {
   return result;
 }
 
-LawResult growing_closes_gaps(const Case& problem, const QueryMethod& method) {
+LawResult growing_closes_gaps(const Case& problem, const Method& method) {
   if (!asks_for_gap(method)) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -116,7 +116,7 @@ LawResult growing_closes_gaps(const Case& problem, const QueryMethod& method) {
   return not_applicable("no superset in this scalar");
 }
 
-LawResult rounding_takes_its_radius(const Case& problem, const QueryMethod& method) {
+LawResult rounding_takes_its_radius(const Case& problem, const Method& method) {
   if (!asks_for_gap(method)) return other_query();
   const auto question = question_of(problem, method);
   if (!question || question->limit == 0) return no_question();
@@ -143,17 +143,16 @@ LawResult rounding_takes_its_radius(const Case& problem, const QueryMethod& meth
   return held(two.answer);
 }
 
-LawResult moving_along_the_normal(const Case& problem, const QueryMethod& method) {
+LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   if (method.query != Query::distance && method.query != Query::penetration) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   const Case& seen = question->seen;
   const Gap one = gap_by(method, seen);
-  if (!is_finite(gap_of(one.answer)) || one.answer.stalled || !one.answer.normal || !one.answer.point_a ||
-      !one.answer.point_b) {
+  if (!is_finite(gap_of(one.answer)) || one.answer.stalled || !one.answer.has_normal() || !one.answer.has_points) {
     return not_applicable("no normal to move along");
   }
-  const Vec3<double>&n = *one.answer.normal, &a = *one.answer.point_a, &b = *one.answer.point_b;
+  const Vec3<double>&n = one.answer.normal, &a = one.answer.point_a, &b = one.answer.point_b;
   const double gap = one.bracket.upper;
   // Nearer, farther; out of each other in part, wholly, and beyond.
   constexpr std::array<double, 4> kOfDistance = {-0.5, -0.875, 0.5, 2}, kOfDepth = {0.5, 1, 1.5, 3};
@@ -184,7 +183,7 @@ LawResult moving_along_the_normal(const Case& problem, const QueryMethod& method
 namespace {
 
 // The question along another direction; nothing if the scalar has none such.
-std::optional<Question> along(const Case& seen, const Vec3<double>& d, const QueryMethod& method) {
+std::optional<Question> along(const Case& seen, const Vec3<double>& d, const Method& method) {
   Case other = seen;
   other.query = Query::penetration_along;
   other.direction = d;
@@ -193,23 +192,23 @@ std::optional<Question> along(const Case& seen, const Vec3<double>& d, const Que
 
 }  // namespace
 
-LawResult no_way_is_shorter(const Case& problem, const QueryMethod& method) {
+LawResult no_way_is_shorter(const Case& problem, const Method& method) {
   if (method.query != Query::penetration_along) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryMethod& least_by = default_method(Query::penetration, method.scalar);
+  const Method& least_by = default_method(Query::penetration, method.scalar);
   const Case rest = with_query(question->seen, Query::penetration);
-  const QueryAnswer least = least_by.answer(rest);
-  if (!least.depth || least.stalled || !least.normal) {
+  const Answer least = least_by.answer(rest);
+  if (!least.depth || least.stalled || !least.has_normal()) {
     return holds({label_of(method.answer(question->seen).outcome), "no depth to compare with"});
   }
   const double allowed = question->limit + limit_of(least_by, rest);
-  const Vec3<double>& n = *least.normal;
+  const Vec3<double>& n = least.normal;
   for (const Vec3<double>& d :
        {question->seen.direction, n, Vec3<double>(-question->seen.direction), Vec3<double>(1, 0, 0)}) {
     const auto way = along(question->seen, d, method);
     if (!way) continue;
-    const QueryAnswer answer = method.answer(way->seen);
+    const Answer answer = method.answer(way->seen);
     if (!answer.depth || answer.stalled) continue;
     const std::string both = fmt::format("{}; least: {}", describe(answer), describe(least));
     if (answer.depth->upper < least.depth->lower - allowed)
@@ -222,14 +221,14 @@ LawResult no_way_is_shorter(const Case& problem, const QueryMethod& method) {
   return holds({label_of(least.outcome)});
 }
 
-LawResult growing_lengthens_the_way(const Case& problem, const QueryMethod& method) {
+LawResult growing_lengthens_the_way(const Case& problem, const Method& method) {
   if (method.query != Query::penetration_along) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
     const auto more = requestioned(grown(question->seen, salt), method);
     if (!more) continue;
-    const QueryAnswer one = method.answer(question->seen), two = method.answer(more->seen);
+    const Answer one = method.answer(question->seen), two = method.answer(more->seen);
     LawResult result = held(one);
     const bool shorter = !in_contact(two) || !two.depth || (one.depth && two.depth->upper < one.depth->lower);
     if (!in_contact(one) || !shorter) return result;

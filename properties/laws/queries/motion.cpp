@@ -18,12 +18,12 @@ namespace graze::law {
 using corpus::Case;
 using corpus::Query;
 using engine::Interval;
-using engine::QueryAnswer;
-using engine::QueryMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
-LawResult labelled(LawResult result, const QueryAnswer& answer) {
+LawResult labelled(LawResult result, const Answer& answer) {
   result.labels.push_back(label_of(answer.outcome));
   return result;
 }
@@ -31,7 +31,7 @@ LawResult labelled(LawResult result, const QueryAnswer& answer) {
 Interval negated(const Interval& t) { return {-t.upper, -t.lower}; }
 
 // Of the bodies' own motion, or of neither; with another query or other numbers.
-QueryAnswer ask(const QueryMethod& method, const Question& question) { return method.answer(question.seen); }
+Answer ask(const Method& method, const Question& question) { return method.answer(question.seen); }
 
 Case as_cast(Case seen) {
   seen.query = Query::cast;
@@ -39,12 +39,12 @@ Case as_cast(Case seen) {
 }
 
 // The cast of the same tier and scalar, by portals as the line is.
-const engine::EngineMethod* cast_for(const QueryMethod& method) {
-  return engine::find_method((method.is_exact() ? "exact/" : "mpr/") + method.scalar);
+const engine::Method* cast_for(const Method& method) {
+  return engine::find_method(engine::Kind::linear, (method.is_exact() ? "exact/" : "mpr/") + method.scalar);
 }
 
 // How the cast contradicts the line; or empty.
-std::string against_cast(const Case& seen, const QueryAnswer& line, const engine::Answer& cast, double u) {
+std::string against_cast(const Case& seen, const Answer& line, const engine::Answer& cast, double u) {
   if (!claims_contact(cast)) {
     const bool inside = line.outcome == Outcome::hit && line.t_in && line.t_out &&
                         line.t_in->upper <= seen.t_max && line.t_out->lower >= 0;
@@ -61,12 +61,12 @@ std::string against_cast(const Case& seen, const QueryAnswer& line, const engine
 
 }  // namespace
 
-LawResult line_holds_cast(const Case& problem, const QueryMethod& method) {
+LawResult line_holds_cast(const Case& problem, const Method& method) {
   if (method.query != Query::line) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer line = ask(method, *question);
-  const engine::Answer cast = cast_for(method)->cast(as_cast(question->seen), {});
+  const Answer line = ask(method, *question);
+  const engine::Answer cast = cast_for(method)->ask(as_cast(question->seen), {});
   if (line.outcome == Outcome::not_converged || cast.outcome == Outcome::not_converged)
     return holds({label_of(line.outcome)});
   const std::string differs = against_cast(question->seen, line, cast, question->u);
@@ -76,14 +76,14 @@ LawResult line_holds_cast(const Case& problem, const QueryMethod& method) {
       line);
 }
 
-LawResult line_reversed(const Case& problem, const QueryMethod& method) {
+LawResult line_reversed(const Case& problem, const Method& method) {
   if (method.query != Query::line) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   Case back = question->seen;
   for (Body<double>* body : {&back.a, &back.b}) body->displacement = -body->displacement;
-  const QueryAnswer one = ask(method, *question), two = method.answer(back);
-  QueryAnswer turned = two;
+  const Answer one = ask(method, *question), two = method.answer(back);
+  Answer turned = two;
   if (two.t_in && two.t_out) {
     turned.t_in = negated(*two.t_out);
     turned.t_out = negated(*two.t_in);
@@ -94,14 +94,14 @@ LawResult line_reversed(const Case& problem, const QueryMethod& method) {
                   one);
 }
 
-LawResult line_grows(const Case& problem, const QueryMethod& method) {
+LawResult line_grows(const Case& problem, const Method& method) {
   if (method.query != Query::line) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   for (std::uint64_t salt = hash_of(question->seen), tries = 0; tries < 4; ++tries, ++salt) {
     const auto more = requestioned(grown(question->seen, salt), method);
     if (!more) continue;
-    const QueryAnswer one = ask(method, *question), two = ask(method, *more);
+    const Answer one = ask(method, *question), two = ask(method, *more);
     const bool inside = one.outcome != Outcome::hit ||
                         (two.outcome == Outcome::hit && two.t_in && one.t_in &&
                          two.t_in->lower <= one.t_in->upper && two.t_out->upper >= one.t_out->lower);
@@ -114,17 +114,17 @@ LawResult line_grows(const Case& problem, const QueryMethod& method) {
   return not_applicable("no superset in this scalar");
 }
 
-LawResult swept_overlap_is_cast(const Case& problem, const QueryMethod& method) {
+LawResult swept_overlap_is_cast(const Case& problem, const Method& method) {
   if (method.query != Query::swept_overlap) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer swept = ask(method, *question);
+  const Answer swept = ask(method, *question);
   const Case moving = as_cast(question->seen);
   LawResult result = holds({label_of(swept.outcome)});
   if (swept.outcome == Outcome::not_converged) return result;
-  for (const engine::EngineMethod& caster : engine::methods()) {
+  for (const engine::Method& caster : engine::methods(engine::Kind::linear)) {
     if (caster.scalar != method.scalar || !is_question_for(caster, moving)) continue;
-    const engine::Answer cast = caster.cast(moving, {});
+    const engine::Answer cast = caster.ask(moving, {});
     if (cast.outcome == Outcome::not_converged || claims_contact(cast) == in_contact(swept)) continue;
     LawResult judged =
         arbitrate({{"the swept overlap", method, question->seen, swept}},
@@ -135,11 +135,11 @@ LawResult swept_overlap_is_cast(const Case& problem, const QueryMethod& method) 
   return result;
 }
 
-LawResult swept_overlap_grows(const Case& problem, const QueryMethod& method) {
+LawResult swept_overlap_grows(const Case& problem, const Method& method) {
   if (method.query != Query::swept_overlap) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer one = ask(method, *question);
+  const Answer one = ask(method, *question);
   const double t_max = question->seen.t_max;
   const auto bodies = requestioned(grown(question->seen, hash_of(question->seen)), method);
   std::vector<std::pair<std::string_view, Case>> larger;
@@ -154,7 +154,7 @@ LawResult swept_overlap_grows(const Case& problem, const QueryMethod& method) {
   for (const auto& [what, edited] : larger) {
     const auto more = requestioned(edited, method);
     if (!more) continue;
-    const QueryAnswer two = ask(method, *more);
+    const Answer two = ask(method, *more);
     if (!in_contact(one) || in_contact(two)) continue;
     LawResult judged =
         arbitrate({{"the original", method, question->seen, one}, {"the larger", method, more->seen, two}},
@@ -164,7 +164,7 @@ LawResult swept_overlap_grows(const Case& problem, const QueryMethod& method) {
   return holds({label_of(one.outcome)});
 }
 
-LawResult swept_overlap_of_volume(const Case& problem, const QueryMethod& method) {
+LawResult swept_overlap_of_volume(const Case& problem, const Method& method) {
   if (method.query != Query::swept_overlap) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -189,12 +189,12 @@ LawResult swept_overlap_of_volume(const Case& problem, const QueryMethod& method
   if (seen.target_distance > 0)
     still.b.shape = rounded<double>(std::move(still.b.shape), seen.target_distance);
   LawResult result = not_applicable("no exact volume");
-  const QueryAnswer one = ask(method, *question);
-  for (const QueryMethod& other : engine::query_methods()) {
+  const Answer one = ask(method, *question);
+  for (const Method& other : engine::methods(engine::Kind::query)) {
     if (other.query != Query::overlap || other.scalar != method.scalar || other.tier != method.tier) continue;
     const auto volume = requestioned(still, other);
     if (!volume) continue;
-    const QueryAnswer two = other.answer(volume->seen);
+    const Answer two = other.answer(volume->seen);
     result = holds({label_of(one.outcome)});
     const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
     if (!says || in_contact(one) == in_contact(two)) continue;
@@ -205,7 +205,7 @@ LawResult swept_overlap_of_volume(const Case& problem, const QueryMethod& method
   return result;
 }
 
-LawResult motion_at_rest(const Case& problem, const QueryMethod& method) {
+LawResult motion_at_rest(const Case& problem, const Method& method) {
   if (method.query != Query::line && method.query != Query::swept_overlap) return other_query();
   // The bodies as they stand at one of the times that an overlap is asked about.
   const auto rest = question_of(problem, default_method(Query::overlap, method.scalar));
@@ -225,13 +225,13 @@ LawResult motion_at_rest(const Case& problem, const QueryMethod& method) {
   Case overlapping = question->seen;
   overlapping.query = Query::overlap;
   LawResult result = no_question();
-  for (const QueryMethod& other : engine::query_methods()) {
+  for (const Method& other : engine::methods(engine::Kind::query)) {
     if (other.query != Query::overlap || other.scalar != method.scalar || other.tier != method.tier) continue;
-    const QueryAnswer overlap = other.answer(overlapping);
+    const Answer overlap = other.answer(overlapping);
     result = holds({label_of(overlap.outcome)});
     if (overlap.outcome == Outcome::not_converged) continue;
     for (const Case& one : same) {
-      const QueryAnswer answer = method.answer(one);
+      const Answer answer = method.answer(one);
       if (method.query == Query::line && answer.outcome == Outcome::hit &&
           !(answer.t_in && answer.t_out && answer.t_in->upper == -kInfinity<double> &&
             answer.t_out->lower == kInfinity<double>)) {
@@ -247,7 +247,7 @@ LawResult motion_at_rest(const Case& problem, const QueryMethod& method) {
   return result;
 }
 
-LawResult target_is_rounding(const Case& problem, const QueryMethod& method) {
+LawResult target_is_rounding(const Case& problem, const Method& method) {
   if (method.query != Query::line && method.query != Query::swept_overlap) return other_query();
   if (method.is_exact()) return not_applicable("tier exact knows no target distance");
   auto question = question_of(problem, method);
@@ -262,7 +262,7 @@ LawResult target_is_rounding(const Case& problem, const QueryMethod& method) {
   body.shape = rounded<double>(std::move(body.shape), target.target_distance);
   const auto by_target = requestioned(target, method), by_radius = requestioned(round, method);
   if (!by_target || !by_radius) return not_applicable("no such distance in this scalar");
-  const QueryAnswer one = ask(method, *by_target), two = ask(method, *by_radius);
+  const Answer one = ask(method, *by_target), two = ask(method, *by_radius);
   if (same_line(one, two, question->u)) return holds({label_of(one.outcome)});
   if (method.query == Query::swept_overlap && in_contact(one) == in_contact(two))
     return holds({label_of(one.outcome)});

@@ -17,8 +17,8 @@ namespace graze::law {
 
 using corpus::Case;
 using corpus::Query;
-using engine::QueryAnswer;
-using engine::QueryMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
@@ -41,14 +41,14 @@ double exact_slack(const Reach& h, double u) { return 16 * u * (h.error / kUnitR
 
 struct Shown {
   const Case& seen;
-  const QueryAnswer& answer;
+  const Answer& answer;
   double limit, u;
 
   // Both witnesses end their bodies along n, within `most` limits.
   [[nodiscard]] std::string ends(const Vec3<double>& n, double most) const {
     for (const bool first : {true, false}) {
       const Body<double>& body = first ? seen.a : seen.b;
-      const Vec3<double>& point = first ? *answer.point_a : *answer.point_b;
+      const Vec3<double>& point = first ? answer.point_a : answer.point_b;
       const Vec3<double> out = first ? n : Vec3<double>(-n);
       const double slack = most * limit + rounding(point, u) + reach(body, out).error +
                            4 * kUnitRoundoff<double> * (point - body.position).norm();
@@ -62,42 +62,41 @@ struct Shown {
   }
 };
 
-bool has_points(const QueryAnswer& answer) { return answer.point_a && answer.point_b; }
 
 }  // namespace
 
-LawResult distance_is_shown(const Case& problem, const QueryMethod& method) {
+LawResult distance_is_shown(const Case& problem, const Method& method) {
   if (method.query != Query::distance) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer answer = method.answer(question->seen);
+  const Answer answer = method.answer(question->seen);
   if (answer.outcome != Outcome::miss || answer.stalled) return holds({label_of(answer.outcome)});
-  if (!answer.normal || !has_points(answer)) return broken("no normal or points: " + describe(answer));
-  const Reach h = reach(question->seen, *answer.normal);
-  if (const double off = h.value + answer.distance->lower; !(off <= 2 * question->limit + h.error))
+  if (!answer.has_normal() || !answer.has_points) return broken("no normal or points: " + describe(answer));
+  const Reach h = reach(question->seen, answer.normal);
+  if (const double off = h.value + answer.separation->lower; !(off <= 2 * question->limit + h.error))
     return broken(
         fmt::format("the normal separates by {} less than the distance: {}", off, describe(answer)));
-  const double between = (*answer.point_b - *answer.point_a).norm(),
-               rounded = rounding(*answer.point_a, question->u) + rounding(*answer.point_b, question->u);
-  if (const double off = between - answer.distance->upper; !(std::abs(off) <= 4 * question->limit + rounded))
+  const double between = (answer.point_b - answer.point_a).norm(),
+               rounded = rounding(answer.point_a, question->u) + rounding(answer.point_b, question->u);
+  if (const double off = between - answer.separation->upper; !(std::abs(off) <= 4 * question->limit + rounded))
     return broken(
         fmt::format("the points are {} farther apart than the distance: {}", off, describe(answer)));
   const Shown shown{question->seen, answer, question->limit, question->u};
-  if (const std::string fault = shown.ends(*answer.normal, 6); !fault.empty())
+  if (const std::string fault = shown.ends(answer.normal, 6); !fault.empty())
     return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
 
-LawResult depth_is_shown(const Case& problem, const QueryMethod& method) {
+LawResult depth_is_shown(const Case& problem, const Method& method) {
   if (method.query != Query::penetration && method.query != Query::penetration_along) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer answer = method.answer(question->seen);
+  const Answer answer = method.answer(question->seen);
   if (answer.outcome != Outcome::initially_overlapping || answer.stalled)
     return holds({label_of(answer.outcome)});
-  if (!answer.depth || !has_points(answer)) return broken("no depth or points: " + describe(answer));
-  if (!answer.normal) return broken("no normal: " + describe(answer));
-  const Vec3<double> n = *answer.normal;
+  if (!answer.depth || !answer.has_points) return broken("no depth or points: " + describe(answer));
+  if (!answer.has_normal()) return broken("no normal: " + describe(answer));
+  const Vec3<double> n = answer.normal;
   // How far B is moved, and where that is on the normal.
   const bool least = method.query == Query::penetration;
   const Vec3<double> d = least ? n : Vec3<double>(question->seen.direction.stableNormalized());
@@ -110,8 +109,8 @@ LawResult depth_is_shown(const Case& problem, const QueryMethod& method) {
   // one, points that end C along n as far as the depth lie beside depth n by the root of what they are short
   // of it, |x - depth n|^2 <= 2 depth (depth - n.x) for |x| <= depth.
   const double beside = least ? std::sqrt(16 * question->limit * answer.depth->upper) : 0;
-  const double rounded = rounding(*answer.point_a, question->u) + rounding(*answer.point_b, question->u);
-  const Vec3<double> pair = *answer.point_a - *answer.point_b;
+  const double rounded = rounding(answer.point_a, question->u) + rounding(answer.point_b, question->u);
+  const Vec3<double> pair = answer.point_a - answer.point_b;
   if (const double off = (pair - answer.depth->upper * d).norm();
       !(off <= 6 * question->limit + beside + rounded)) {
     return broken(
@@ -123,14 +122,14 @@ LawResult depth_is_shown(const Case& problem, const QueryMethod& method) {
   return holds({label_of(answer.outcome)});
 }
 
-LawResult miss_is_shown(const Case& problem, const QueryMethod& method) {
+LawResult miss_is_shown(const Case& problem, const Method& method) {
   if (method.query == Query::distance) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer answer = method.answer(question->seen);
+  const Answer answer = method.answer(question->seen);
   if (answer.outcome != Outcome::miss) return holds({label_of(answer.outcome)});
-  if (!answer.normal) return broken("a miss without an axis: " + describe(answer));
-  const Vec3<double>& n = *answer.normal;
+  if (!answer.has_normal()) return broken("a miss without an axis: " + describe(answer));
+  const Vec3<double>& n = answer.normal;
   const Reach h = reach(question->seen, n);
   const Vec3<double> v = velocity(question->seen);
   const double speed = n.dot(v), speed_error = kLean * question->u * v.stableNorm();
@@ -157,16 +156,16 @@ LawResult miss_is_shown(const Case& problem, const QueryMethod& method) {
   return holds({label_of(answer.outcome)});
 }
 
-LawResult line_normals_support(const Case& problem, const QueryMethod& method) {
+LawResult line_normals_support(const Case& problem, const Method& method) {
   if (method.query != Query::line) return other_query();
   const auto question = question_of(problem, method);
   if (!question) return no_question();
-  const QueryAnswer answer = method.answer(question->seen);
+  const Answer answer = method.answer(question->seen);
   const Vec3<double> v = velocity(question->seen);
   if (answer.outcome != Outcome::hit || v == Vec3<double>::Zero()) return holds({label_of(answer.outcome)});
-  if (!answer.normal || !answer.normal_out) return broken("an end without a normal: " + describe(answer));
+  if (!answer.has_normal() || answer.normal_out.isZero(0)) return broken("an end without a normal: " + describe(answer));
   for (const bool in : {true, false}) {
-    const Vec3<double>& n = in ? *answer.normal : *answer.normal_out;
+    const Vec3<double>& n = in ? answer.normal : answer.normal_out;
     const engine::Interval& t = in ? *answer.t_in : *answer.t_out;
     if (!std::isfinite(t.lower) || !std::isfinite(t.upper)) continue;
     const double lean = (in ? 1 : -1) * n.dot(v);

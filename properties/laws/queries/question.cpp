@@ -33,13 +33,13 @@ Case question_for(Case problem, Query query, std::size_t pick) {
   return problem;
 }
 
-Case seen_by(const engine::QueryMethod& method, const Case& problem) {
+Case seen_by(const engine::Method& method, const Case& problem) {
   return method.scalar == "float" ? engine::rounded_case<float>(problem) : problem;
 }
 
-const engine::QueryMethod& default_method(Query query, std::string_view scalar) {
-  const std::span<const engine::QueryMethod> all = engine::query_methods();
-  return *std::find_if(all.begin(), all.end(), [&](const engine::QueryMethod& one) {
+const engine::Method& default_method(Query query, std::string_view scalar) {
+  const std::span<const engine::Method> all = engine::methods(engine::Kind::query);
+  return *std::find_if(all.begin(), all.end(), [&](const engine::Method& one) {
     return one.query == query && one.scalar == scalar;
   });
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "corpus/case.hpp"
-#include "engines/queries.hpp"
+#include "engines/method.hpp"
 
 namespace graze::law {
 
@@ -15,9 +15,9 @@ namespace graze::law {
 [[nodiscard]] corpus::Case question_for(corpus::Case problem, corpus::Query query, std::size_t pick);
 
 // The case in the scalar of the method, as doubles.
-[[nodiscard]] corpus::Case seen_by(const engine::QueryMethod& method, const corpus::Case& problem);
+[[nodiscard]] corpus::Case seen_by(const engine::Method& method, const corpus::Case& problem);
 
 // The first method of a query in a scalar.
-[[nodiscard]] const engine::QueryMethod& default_method(corpus::Query query, std::string_view scalar);
+[[nodiscard]] const engine::Method& default_method(corpus::Query query, std::string_view scalar);
 
 }  // namespace graze::law

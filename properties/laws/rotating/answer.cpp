@@ -12,24 +12,24 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 using oracle::RotatingTruth;
 
-LawResult turning_methods_meet(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_methods_meet(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
-  const RotatingAnswer one = plain_answer(method, seen);
+  const Answer one = plain_answer(method, seen);
   LawResult result = holds({label_of(one.outcome)});
-  for (const RotatingEngineMethod& other : engine::rotating_methods()) {
+  for (const Method& other : engine::methods(engine::Kind::rotating)) {
     if (other.scalar != method.scalar || other.name == method.name || !is_safe(other)) continue;
-    const RotatingAnswer two = plain_answer(other, seen);
+    const Answer two = plain_answer(other, seen);
     if (overlap(times_of(one), times_of(two))) continue;
     result.labels.push_back("arbitrated");
     const RotatingTruth* truth = rotating_truth_of(seen);
     if (truth == nullptr) continue;
     for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(&other, &two)}) {
-      const std::string fault = any_fault(*truth, *answer, row_of(*judged, seen));
+      const std::string fault = any_fault(*truth, *answer, limits_of(*judged, seen, scale_of(seen)));
       if (!fault.empty()) {
         return broken(fmt::format("{} and {} do not meet: {}; at fault is {}: {}", method.full_name(),
                                   other.full_name(), pair_of(one, two), judged->full_name(), fault));
@@ -39,14 +39,14 @@ LawResult turning_methods_meet(const Case& problem, const RotatingEngineMethod& 
   return result;
 }
 
-LawResult turning_superset(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_superset(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer one = plain_answer(method, seen);
+  const Answer one = plain_answer(method, seen);
   LawResult result = holds({label_of(one.outcome)});
   const auto check = [&](const Case& larger, std::string_view name) {
     if (!is_rotating_question(larger) || !fits(larger, method)) return;
-    RotatingAnswer two = method.cast(larger, {});
+    Answer two = method.ask(larger, {});
     if (two.toi_lower <= one.toi_upper) return;
     result = compare(method, {"the original", seen, one}, {name, larger, two}, "what is larger is hit later");
   };
@@ -61,19 +61,19 @@ LawResult turning_superset(const Case& problem, const RotatingEngineMethod& meth
   return result;
 }
 
-LawResult tolerance_is_kept(const Case& problem, const RotatingEngineMethod& method) {
+LawResult tolerance_is_kept(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   // Steps are refined to the tolerance too, but may miss; the published form has its slop.
   if (method.name == "bilateral_published") return not_applicable("its tolerance is a slop");
-  const RotatingAnswer tight = plain_answer(method, seen);
+  const Answer tight = plain_answer(method, seen);
   LawResult result = holds({label_of(tight.outcome)});
   for (const double tolerance : {0x1p-7, 0x1p-20}) {
-    const RotatingAnswer loose = method.cast(seen, {.tolerance = tolerance});
+    const Answer loose = method.ask(seen, {.tolerance = tolerance});
     LawResult found = compare(method, {"tight", seen, tight}, {"loose", seen, loose, tolerance},
                               "a tolerance changes the answer");
     if (found.holding == Holding::broken) return found;
-    const RotatingRow row = row_of(method, seen, method.is_certified() ? 0 : tolerance);
+    const Limits row = limits_of(method, seen, scale_of(seen), method.is_certified() ? 0 : tolerance);
     // Of a linear cast a tolerance means the backward error, and its distance may be the larger.
     const bool marched = loose.plan.effects == Effects::rotating || loose.plan.added > 0;
     if (marched && claims_contact(loose) && loose.distance > row.wide + row.rounding_at(loose.toi_lower)) {
@@ -87,26 +87,26 @@ LawResult tolerance_is_kept(const Case& problem, const RotatingEngineMethod& met
 }
 
 // A proof is of the whole motion, whatever the plan spares: another search, at times a shorter one.
-LawResult turning_requesting(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_requesting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer least = plain_answer(method, seen);
-  const RotatingAnswer more = method.cast(seen, {.request = Request::normal | Request::witnesses});
-  const RotatingAnswer all = method.cast(seen, {.request = Request::everything});
+  const Answer least = plain_answer(method, seen);
+  const Answer more = method.ask(seen, {.request = Request::normal | Request::witnesses});
+  const Answer all = method.ask(seen, {.request = Request::everything});
   if (!same_times(least, more)) return broken("asking for more changes the verdict: " + pair_of(least, more));
   if (least.counters.supports > more.counters.supports || least.counters.poses > more.counters.poses)
     return broken("asking for less costs more: " + pair_of(least, more));
-  if (!least.normal.isZero(0) || !least.point_a.isZero(0) || !least.point_b.isZero(0) || least.proof ||
-      more.proof)
+  if (!least.normal.isZero(0) || !least.point_a.isZero(0) || !least.point_b.isZero(0) || least.rotating_proof ||
+      more.rotating_proof)
     return broken("computed unasked: " + describe(least));
   return compare(method, {"without a proof", seen, least}, {"with a proof", seen, all},
                  "asking for a proof changes the answer");
 }
 
-LawResult turning_answer_is_consistent(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_answer_is_consistent(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer answer = plain_answer(method, seen);
+  const Answer answer = plain_answer(method, seen);
   const double lower = answer.toi_lower, upper = answer.toi_upper;
   std::string fault;
   switch (answer.outcome) {
@@ -131,22 +131,22 @@ LawResult turning_answer_is_consistent(const Case& problem, const RotatingEngine
   }
   // Rounded, so a little below 0 at times; without a bound where nothing is known at toi_lower.
   const bool unknown = answer.outcome == Outcome::not_converged && answer.distance == kInfinity<double>;
-  if (!unknown && !(answer.distance >= -row_of(method, seen).wide && std::isfinite(answer.distance)))
+  if (!unknown && !(answer.distance >= -limits_of(method, seen, scale_of(seen)).wide && std::isfinite(answer.distance)))
     fault = fmt::format("a distance that is none, {}", answer.distance);
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
 
 // The search is the same until its budget ends, so what it has then is a bracket of what it would have had.
-LawResult turning_budget(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_budget(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
-  const RotatingAnswer whole = plain_answer(method, seen);
+  const Answer whole = plain_answer(method, seen);
   LawResult result = holds({label_of(whole.outcome)});
-  RotatingAnswer less;
+  Answer less;
   less.toi_upper = kInfinity<double>;
   for (const int budget : {1, 2, 4, 8, 16, 32, 64, 128, 512}) {
-    const RotatingAnswer more = method.cast(seen, {.max_iterations = budget});
+    const Answer more = method.ask(seen, {.max_iterations = budget});
     std::string fault;
     if (!(more.toi_lower >= less.toi_lower)) {
       fault = "takes back a lower bound";
@@ -171,12 +171,12 @@ LawResult turning_budget(const Case& problem, const RotatingEngineMethod& method
   return result;
 }
 
-LawResult turning_scalars_meet(const Case& problem, const RotatingEngineMethod& method) {
-  const RotatingEngineMethod* wide = engine::find_rotating_method(method.name + "/double");
+LawResult turning_scalars_meet(const Case& problem, const Method& method) {
+  const Method* wide = engine::find_method(engine::Kind::rotating, method.name + "/double");
   if (method.scalar == "double" || wide == nullptr) return not_applicable("no other scalar");
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
-  const RotatingAnswer one = plain_answer(method, seen), two = plain_answer(*wide, seen);
+  const Answer one = plain_answer(method, seen), two = plain_answer(*wide, seen);
   LawResult result = holds({label_of(one.outcome)});
   if (overlap(times_of(one), times_of(two))) return result;
   const std::string all = fmt::format("{} and double do not meet: {}", method.scalar, pair_of(one, two));
@@ -185,7 +185,7 @@ LawResult turning_scalars_meet(const Case& problem, const RotatingEngineMethod& 
   const RotatingTruth* truth = rotating_truth_of(seen);
   if (truth == nullptr) return result;
   for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(wide, &two)}) {
-    const std::string fault = any_fault(*truth, *answer, row_of(*judged, seen));
+    const std::string fault = any_fault(*truth, *answer, limits_of(*judged, seen, scale_of(seen)));
     if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, judged->scalar, fault));
   }
   return result;

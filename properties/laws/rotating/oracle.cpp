@@ -10,21 +10,21 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 using oracle::RotatingTruth;
 
 namespace {
 
-using Error = RotatingError(const RotatingTruth&, const RotatingAnswer&, const RotatingRow&);
+using Error = RotatingError(const RotatingTruth&, const Answer&, const Limits&);
 
-LawResult by_truth(const Case& problem, const RotatingEngineMethod& method, Error* error) {
+LawResult by_truth(const Case& problem, const Method& method, Error* error) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const RotatingTruth* truth = rotating_truth_of(seen);
   if (truth == nullptr) return not_applicable("no oracle decides the case");
-  const RotatingAnswer answer = plain_answer(method, seen);
-  const RotatingError found = error(*truth, answer, row_of(method, seen));
+  const Answer answer = plain_answer(method, seen);
+  const RotatingError found = error(*truth, answer, limits_of(method, seen, scale_of(seen)));
   if (!found.fault.empty()) return broken(found.fault + ": " + describe(answer));
   LawResult result = holds({label_of(answer.outcome)});
   if (truth->outcome() == Outcome::not_converged) result.labels.push_back("undecided");
@@ -33,36 +33,36 @@ LawResult by_truth(const Case& problem, const RotatingEngineMethod& method, Erro
 
 }  // namespace
 
-LawResult turning_verdict_is_right(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_verdict_is_right(const Case& problem, const Method& method) {
   return by_truth(problem, method, &verdict_error);
 }
-LawResult turning_is_never_late(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_is_never_late(const Case& problem, const Method& method) {
   return by_truth(problem, method, &late_error);
 }
-LawResult turning_claims_no_contact_early(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_claims_no_contact_early(const Case& problem, const Method& method) {
   return by_truth(problem, method, &early_error);
 }
-LawResult turning_bracket_is_narrow(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_bracket_is_narrow(const Case& problem, const Method& method) {
   return by_truth(problem, method, &width_error);
 }
-LawResult turning_distance_is_stated(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_distance_is_stated(const Case& problem, const Method& method) {
   return by_truth(problem, method, &distance_error);
 }
 
 // Tier certified alone promises it; of tier standard a stall has its cap (docs/guarantees.md).
-LawResult turning_certified_decides(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_certified_decides(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not of tier certified");
   return by_truth(problem, method, &undecided_error);
 }
 
-LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_contact_is_right(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer answer = method.cast(seen, {.request = Request::normal | Request::witnesses});
+  const Answer answer = method.ask(seen, {.request = Request::normal | Request::witnesses});
   if (answer.outcome != Outcome::hit) return holds({label_of(answer.outcome)});
   const RotatingTruth* truth = rotating_truth_of(seen);
   if (truth == nullptr) return not_applicable("no oracle decides the case");
-  const RotatingRow row = row_of(method, seen);
+  const Limits row = limits_of(method, seen, scale_of(seen));
   for (const auto error : {&normal_error, &witness_error}) {
     const RotatingError found = error(*truth, answer, row);
     if (!found.fault.empty()) return broken(found.fault + ": " + describe(answer));
@@ -73,7 +73,7 @@ LawResult turning_contact_is_right(const Case& problem, const RotatingEngineMeth
   // a linear slop, which is the distance that they state.
   const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
   const double of_balls = std::max(2e-5 * row.scale, std::sqrt(2 * answer.distance * row.scale));
-  const double near_enough = answer.distance + of_balls + 2 * row.contact_limit +
+  const double near_enough = answer.distance + of_balls + 2 * row.contact +
                              row.rounding_at(answer.toi_lower) +
                              4 * row.unit_roundoff * (answer.point_a.norm() + answer.point_b.norm());
   if (between_points > near_enough)

@@ -2,17 +2,17 @@
 // (judge_rotating.hpp).
 #pragma once
 
-#include "engines/rotating.hpp"
+#include "engines/method.hpp"
 #include "properties/laws/law.hpp"
 
 namespace graze::law {
 
-LawResult turning_verdict_is_right(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_is_never_late(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_claims_no_contact_early(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_bracket_is_narrow(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_contact_is_right(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_distance_is_stated(const corpus::Case&, const engine::RotatingEngineMethod&);
-LawResult turning_certified_decides(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_verdict_is_right(const corpus::Case&, const engine::Method&);
+LawResult turning_is_never_late(const corpus::Case&, const engine::Method&);
+LawResult turning_claims_no_contact_early(const corpus::Case&, const engine::Method&);
+LawResult turning_bracket_is_narrow(const corpus::Case&, const engine::Method&);
+LawResult turning_contact_is_right(const corpus::Case&, const engine::Method&);
+LawResult turning_distance_is_stated(const corpus::Case&, const engine::Method&);
+LawResult turning_certified_decides(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

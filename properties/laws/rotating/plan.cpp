@@ -13,9 +13,9 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingAsk;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Ask;
+using engine::Method;
 using oracle::RotatingTruth;
 
 namespace {
@@ -49,16 +49,16 @@ double rounding_of_target(const Case& seen) {
 
 }  // namespace
 
-LawResult plan_changes_nothing(const Case& problem, const RotatingEngineMethod& method) {
+LawResult plan_changes_nothing(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
   LawResult result;
   for (const double tolerance : {0.0, kAskedTolerance, 64 * kAskedTolerance}) {
-    RotatingAsk ask{.tolerance = tolerance, .economies = Economies::none()};
-    const RotatingAnswer whole = method.cast(seen, ask);
+    Ask ask{.tolerance = tolerance, .economies = Economies::none()};
+    const Answer whole = method.ask(seen, ask);
     for (const Asking& one : kEconomies) {
       ask.economies = one.economies;
-      const RotatingAnswer spared = method.cast(seen, ask);
+      const Answer spared = method.ask(seen, ask);
       LawResult found = compare(method, {"without economies", seen, whole, tolerance},
                                 {one.name, seen, spared, tolerance}, "economies change the answer");
       if (found.holding == Holding::broken) return found;
@@ -67,7 +67,7 @@ LawResult plan_changes_nothing(const Case& problem, const RotatingEngineMethod& 
       if (spared.plan.added > 0) {
         const RotatingTruth* truth = rotating_truth_of(seen);
         const std::string fault =
-            truth == nullptr ? "" : late_error(*truth, spared, row_of(method, seen, tolerance)).fault;
+            truth == nullptr ? "" : late_error(*truth, spared, limits_of(method, seen, scale_of(seen), tolerance)).fault;
         if (!fault.empty()) return broken(fmt::format("with {}: {}: {}", one.name, fault, describe(spared)));
       }
       if (spared.plan.effects != Effects::rotating) result.labels.push_back(to_text(spared.plan.effects));
@@ -77,12 +77,12 @@ LawResult plan_changes_nothing(const Case& problem, const RotatingEngineMethod& 
   return result;
 }
 
-LawResult plan_spares_the_work(const Case& problem, const RotatingEngineMethod& method) {
+LawResult plan_spares_the_work(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
   LawResult result;
   for (const double tolerance : {0.0, kAskedTolerance}) {
-    const RotatingAnswer answer = method.cast(seen, {.tolerance = tolerance});
+    const Answer answer = method.ask(seen, {.tolerance = tolerance});
     const Plan& plan = answer.plan;
     const Plan said = method.plan(seen, {.tolerance = tolerance});
     Plan without = plan;
@@ -100,7 +100,7 @@ LawResult plan_spares_the_work(const Case& problem, const RotatingEngineMethod& 
       fault = "bounds that never meet are searched";
     } else if (plan.effects == Effects::at_rest && answer.outcome == Outcome::hit) {
       fault = "a static query that finds a later contact";
-    } else if (plan.added > row_of(method, seen, tolerance).wide + rounding_of_target(seen)) {
+    } else if (plan.added > limits_of(method, seen, scale_of(seen), tolerance).wide + rounding_of_target(seen)) {
       fault = "more is added than was asked for";
     } else if (plan.reasons == 0) {
       fault = "a plan without a reason";
@@ -115,7 +115,7 @@ LawResult plan_spares_the_work(const Case& problem, const RotatingEngineMethod& 
   return result;
 }
 
-LawResult plan_is_monotone(const Case& problem, const RotatingEngineMethod& method) {
+LawResult plan_is_monotone(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
   constexpr unsigned kSubsets = 1u << 5;
@@ -148,13 +148,13 @@ LawResult plan_is_monotone(const Case& problem, const RotatingEngineMethod& meth
   return labelled(std::move(result), {label_of(plain_answer(method, seen).outcome)});
 }
 
-LawResult unturned_is_linear(const Case& problem, const RotatingEngineMethod& method) {
+LawResult unturned_is_linear(const Case& problem, const Method& method) {
   Case still = without_turns(method.seen(problem));
   // Few cases come with that policy; here it may be had in every other one.
   if (follows_plan(method) && hash_of(still) % 2 == 0) still.start_policy = StartPolicy::pass_over;
-  if (!engine::unsupported_rotating(still).empty() || !in_domain(still)) return no_rotating_question();
+  if (!engine::unsupported(engine::Kind::rotating, still).empty() || !in_domain(still)) return no_rotating_question();
   const bool ray = std::isinf(still.t_max) || still.start_policy != StartPolicy::report;
-  const RotatingAnswer answer = method.cast(still, {});
+  const Answer answer = method.ask(still, {});
   if (ray && !follows_plan(method)) {
     // What no method alone takes is refused.
     const bool refused = answer.outcome == Outcome::invalid_input && answer.invalid == Invalid::not_linear;
@@ -168,9 +168,9 @@ LawResult unturned_is_linear(const Case& problem, const RotatingEngineMethod& me
     std::string said;
     for (const char* name : {"certified", "mpr", "gjk"}) {
       if (method.is_certified() != (name == std::string_view("certified"))) continue;
-      const engine::EngineMethod* linear = engine::find_method(std::string(name) + "/" + method.scalar);
+      const engine::Method* linear = engine::find_method(engine::Kind::linear, std::string(name) + "/" + method.scalar);
       if (linear == nullptr) return not_applicable("no linear method of this tier");
-      const engine::Answer its = linear->cast(still, {});
+      const engine::Answer its = linear->ask(still, {});
       if (answer.outcome == its.outcome && answer.passed_over == its.passed_over &&
           (answer.outcome == Outcome::invalid_input ||
            (answer.toi_lower == its.toi_lower && answer.toi_upper == its.toi_upper)))
@@ -179,13 +179,13 @@ LawResult unturned_is_linear(const Case& problem, const RotatingEngineMethod& me
     }
     return broken("without turns the plan says " + describe(answer) + said);
   }
-  const engine::EngineMethod* linear = engine::find_method("gjk/" + method.scalar);
+  const engine::Method* linear = engine::find_method(engine::Kind::linear, "gjk/" + method.scalar);
   if (linear == nullptr) return not_applicable("no linear method in this scalar");
-  const engine::Answer said = linear->cast(still, {});
+  const engine::Answer said = linear->ask(still, {});
   if (overlap(times_of(answer), {said.toi_lower, said.toi_upper})) return result;
   const RotatingTruth* truth = rotating_truth_of(still);
   if (truth == nullptr) return not_applicable("no oracle decides the case");
-  const std::string fault = any_fault(*truth, answer, row_of(method, still));
+  const std::string fault = any_fault(*truth, answer, limits_of(method, still, scale_of(still)));
   if (!fault.empty())
     return broken(fmt::format("without turns: {}; the linear cast says {}", fault, describe(said)));
   return labelled(std::move(result), {"arbitrated"});
@@ -193,7 +193,7 @@ LawResult unturned_is_linear(const Case& problem, const RotatingEngineMethod& me
 
 // Against the body without its turn. The other body keeps what it has, or, at times, turns unseen as well:
 // then the plan must come to a linear cast, for rays and policies too.
-LawResult unseen_turn_is_none(const Case& problem, const RotatingEngineMethod& method) {
+LawResult unseen_turn_is_none(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!in_domain(seen)) return no_rotating_question();
   const std::uint64_t salt = hash_of(seen);
@@ -211,7 +211,7 @@ LawResult unseen_turn_is_none(const Case& problem, const RotatingEngineMethod& m
   const bool linear = !engine::turns(still);
   const bool is_ray = linear && follows_plan(method) && turns_within_range(*spun);
   if (!is_rotating_question(*spun) && !is_ray) return no_rotating_question();
-  const RotatingAnswer one = method.cast(*spun, {}), two = method.cast(still, {});
+  const Answer one = method.ask(*spun, {}), two = method.ask(still, {});
   if (!linear || !follows_plan(method)) {
     return compare(method, {"with the turn", *spun, one}, {"without", still, two},
                    "a turn that cannot be seen changes the answer");
@@ -227,7 +227,7 @@ LawResult unseen_turn_is_none(const Case& problem, const RotatingEngineMethod& m
                   {"linear"});
 }
 
-LawResult as_one_stands_still(const Case& problem, const RotatingEngineMethod& method) {
+LawResult as_one_stands_still(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const std::optional<Case> alike = moved_as_one(seen);
@@ -235,7 +235,7 @@ LawResult as_one_stands_still(const Case& problem, const RotatingEngineMethod& m
   Case still = without_turns(*alike);
   still.a.displacement.setZero();
   still.b.displacement.setZero();
-  const RotatingAnswer one = method.cast(*alike, {}), two = method.cast(still, {});
+  const Answer one = method.ask(*alike, {}), two = method.ask(still, {});
   if (follows_plan(method) && one.plan.effects == Effects::rotating)
     return broken("bodies that stand still to each other are simulated: " + describe(one));
   return compare(method, {"both moving as one", *alike, one}, {"both at rest", still, two},

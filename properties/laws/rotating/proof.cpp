@@ -11,8 +11,8 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
@@ -39,18 +39,18 @@ std::size_t curved_points(const Shape<double>& shape) {
 
 }  // namespace
 
-LawResult turning_proof_is_accepted(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_proof_is_accepted(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer answer = method.cast(seen, {.request = Request::proof});
-  if (!answer.proof) {
+  const Answer answer = method.ask(seen, {.request = Request::proof});
+  if (!answer.rotating_proof) {
     // A bracket that claims nothing needs no proof.
     const bool claims = answer.toi_lower > 0 || answer.toi_upper < kInfinity<double>;
     if (method.is_certified() && claims)
       return broken("a certified answer without a proof: " + describe(answer));
     return holds({label_of(answer.outcome), "no proof"});
   }
-  const RotatingProof& proof = *answer.proof;
+  const RotatingProof& proof = *answer.rotating_proof;
   const oracle::RotatingVerdict verdict = oracle::check_rotating_proof(seen, proof);
   if (!verdict.accepted() && verdict.refusal != oracle::RotatingRefusal::out_of_range) {
     return broken(fmt::format("proof refused, {}: {}; answered: {}", oracle::to_string(verdict.refusal),

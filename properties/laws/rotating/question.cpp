@@ -14,13 +14,13 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 using engine::Unseen;
 using oracle::RotatingTruth;
 
 bool is_rotating_question(const Case& seen) {
-  if (!engine::unsupported_rotating(seen).empty() || !in_domain(seen)) return false;
+  if (!engine::unsupported(engine::Kind::rotating, seen).empty() || !in_domain(seen)) return false;
   if (!std::isfinite(seen.t_max) || seen.start_policy != StartPolicy::report) return false;
   return turns_within_range(seen);
 }
@@ -32,16 +32,16 @@ bool turns_within_range(const Case& seen) {
 
 LawResult no_rotating_question() { return not_applicable("not a rotating cast that the method answers"); }
 
-bool fits(const Case& edited, const RotatingEngineMethod& method) {
+bool fits(const Case& edited, const Method& method) {
   return same_input(method.seen(edited), edited);
 }
 
-bool follows_plan(const RotatingEngineMethod& method) {
+bool follows_plan(const Method& method) {
   return method.name == "plan" || method.is_certified();
 }
 
-bool is_safe(const RotatingEngineMethod& method) {
-  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+bool is_safe(const Method& method) {
+  const engine::Guarantee* row = method.guarantee;
   return row != nullptr && row->may_miss == Unseen::nothing;
 }
 
@@ -70,31 +70,20 @@ const RotatingTruth* rotating_truth_of(const Case& seen) {
   return answer(entry);
 }
 
-RotatingAnswer plain_answer(const RotatingEngineMethod& method, const Case& seen) {
+Answer plain_answer(const Method& method, const Case& seen) {
   struct Entry {
     Case problem;
-    RotatingAnswer answer;
+    Answer answer;
   };
-  thread_local std::map<const RotatingEngineMethod*, Entry> kept;
+  thread_local std::map<const Method*, Entry> kept;
   if (const auto found = kept.find(&method); found != kept.end() && same_input(found->second.problem, seen))
     return found->second.answer;
-  RotatingAnswer answer = method.cast(seen, {});
+  Answer answer = method.ask(seen, {});
   kept.insert_or_assign(&method, Entry{seen, answer});
   return answer;
 }
 
-std::string describe(const RotatingAnswer& answer) {
-  std::string reasons;
-  for (int k = 0; k < kPlanReasons; ++k) {
-    const auto reason = static_cast<PlanReason>(k);
-    if (answer.plan.has(reason)) reasons += fmt::format("{}{}", reasons.empty() ? "" : ", ", to_text(reason));
-  }
-  return fmt::format("{}, toi in [{}, {}], simulated: {} ({}), {} poses, {} supports",
-                     label_of(answer.outcome), hex(answer.toi_lower), hex(answer.toi_upper),
-                     to_text(answer.plan.effects), reasons, answer.counters.poses, answer.counters.supports);
-}
-
-std::string pair_of(const RotatingAnswer& one, const RotatingAnswer& other) {
+std::string pair_of(const Answer& one, const Answer& other) {
   return describe(one) + "; against " + describe(other);
 }
 
@@ -103,19 +92,19 @@ LawResult labelled(LawResult result, std::initializer_list<std::string_view> lab
   return result;
 }
 
-Times times_of(const RotatingAnswer& answer) { return {answer.toi_lower, answer.toi_upper}; }
+Times times_of(const Answer& answer) { return {answer.toi_lower, answer.toi_upper}; }
 
 bool overlap(const Times& one, const Times& other) {
   return std::max(one.lower, other.lower) <= std::min(one.upper, other.upper);
 }
 
-bool same_times(const RotatingAnswer& one, const RotatingAnswer& other) {
+bool same_times(const Answer& one, const Answer& other) {
   const auto same = [](double l, double r) { return l == r || (std::isnan(l) && std::isnan(r)); };
   return one.outcome == other.outcome && same(one.toi_lower, other.toi_lower) &&
          same(one.toi_upper, other.toi_upper);
 }
 
-std::string difference(const RotatingAnswer& one, const RotatingAnswer& two) {
+std::string difference(const Answer& one, const Answer& two) {
   if (one.outcome != two.outcome) return "outcome";
   if (!same_times(one, two)) return "time";
   if (one.counters.iterations != two.counters.iterations || one.counters.supports != two.counters.supports ||
@@ -125,10 +114,10 @@ std::string difference(const RotatingAnswer& one, const RotatingAnswer& two) {
   return "";
 }
 
-LawResult arbitrate(const RotatingEngineMethod& method, const RotatingAsked& one, const RotatingAsked& other,
+LawResult arbitrate(const Method& method, const RotatingAsked& one, const RotatingAsked& other,
                     std::string_view disagreement) {
   LawResult result = holds({label_of(one.answer.outcome)});
-  if (row_of(method, one.problem).may_be_late == Unseen::anything) {
+  if (limits_of(method, one.problem, scale_of(one.problem)).may_be_late == Unseen::anything) {
     // It may pass one contact here and another there.
     result.labels.push_back("may differ");
     return result;
@@ -146,13 +135,13 @@ LawResult arbitrate(const RotatingEngineMethod& method, const RotatingAsked& one
       continue;
     }
     const std::string fault =
-        any_fault(*truth, asked->answer, row_of(method, asked->problem, asked->tolerance, asked->slack));
+        any_fault(*truth, asked->answer, limits_of(method, asked->problem, scale_of(asked->problem), asked->tolerance, asked->slack));
     if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, asked->name, fault));
   }
   return result;
 }
 
-LawResult compare(const RotatingEngineMethod& method, const RotatingAsked& one, const RotatingAsked& other,
+LawResult compare(const Method& method, const RotatingAsked& one, const RotatingAsked& other,
                   std::string_view disagreement) {
   if (overlap(times_of(one.answer), times_of(other.answer))) return holds({label_of(one.answer.outcome)});
   return arbitrate(method, one, other, disagreement);

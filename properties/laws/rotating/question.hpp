@@ -16,12 +16,12 @@ namespace graze::law {
 [[nodiscard]] bool turns_within_range(const corpus::Case& seen);
 [[nodiscard]] LawResult no_rotating_question();  // not applicable
 // The numbers of an edited case survive the rounding to the method's scalar.
-[[nodiscard]] bool fits(const corpus::Case& edited, const engine::RotatingEngineMethod& method);
+[[nodiscard]] bool fits(const corpus::Case& edited, const engine::Method& method);
 // The method's answer is the plan's: "plan", "certified".
-[[nodiscard]] bool follows_plan(const engine::RotatingEngineMethod& method);
+[[nodiscard]] bool follows_plan(const engine::Method& method);
 // Misses no contact. Steps and spheres may miss what happens between two steps, the published form anything:
 // they are judged by the oracle's laws alone.
-[[nodiscard]] bool is_safe(const engine::RotatingEngineMethod& method);
+[[nodiscard]] bool is_safe(const engine::Method& method);
 
 // The oracle's answer to a rotating question; nullptr where it refuses the case or decides nothing within
 // kTruthBudget slices. The last few are kept.
@@ -30,37 +30,36 @@ inline constexpr int kTruthBudget = 1 << 12;
 
 // What the method says to a rotating question if nothing is asked for but the verdict. Of every method the
 // last one is kept: most laws begin with it.
-[[nodiscard]] engine::RotatingAnswer plain_answer(const engine::RotatingEngineMethod& method,
+[[nodiscard]] engine::Answer plain_answer(const engine::Method& method,
                                                   const corpus::Case& seen);
 
-[[nodiscard]] std::string describe(const engine::RotatingAnswer& answer);
-[[nodiscard]] std::string pair_of(const engine::RotatingAnswer& one, const engine::RotatingAnswer& other);
+[[nodiscard]] std::string pair_of(const engine::Answer& one, const engine::Answer& other);
 [[nodiscard]] LawResult labelled(LawResult result, std::initializer_list<std::string_view> labels);
 
 // The times that an answer leaves to the first contact: [inf, inf] of a miss.
 struct Times {
   double lower = 0, upper = 0;
 };
-[[nodiscard]] Times times_of(const engine::RotatingAnswer& answer);
+[[nodiscard]] Times times_of(const engine::Answer& answer);
 [[nodiscard]] bool overlap(const Times& one, const Times& other);
-[[nodiscard]] bool same_times(const engine::RotatingAnswer& one, const engine::RotatingAnswer& other);
+[[nodiscard]] bool same_times(const engine::Answer& one, const engine::Answer& other);
 // What of outcome, times, counts and reasons is not the same to the bit; empty: nothing.
-[[nodiscard]] std::string difference(const engine::RotatingAnswer& one, const engine::RotatingAnswer& other);
+[[nodiscard]] std::string difference(const engine::Answer& one, const engine::Answer& other);
 
 // Two questions about one contact, and what a method said to either.
 struct RotatingAsked {
   std::string_view name;
   const corpus::Case& problem;
-  const engine::RotatingAnswer& answer;
+  const engine::Answer& answer;
   double tolerance = 0, slack = 0;
 };
 // Two answers that cannot both be right: of proved brackets (tier certified, no slack) that is broken; else
 // the oracle looks at either, and names the one at fault, if there is one. A method that may be late by
 // anything is not held to it.
-[[nodiscard]] LawResult arbitrate(const engine::RotatingEngineMethod& method, const RotatingAsked& one,
+[[nodiscard]] LawResult arbitrate(const engine::Method& method, const RotatingAsked& one,
                                   const RotatingAsked& other, std::string_view disagreement);
 // Two questions with the same times: holds where both leave a common time, else as above.
-[[nodiscard]] LawResult compare(const engine::RotatingEngineMethod& method, const RotatingAsked& one,
+[[nodiscard]] LawResult compare(const engine::Method& method, const RotatingAsked& one,
                                 const RotatingAsked& other, std::string_view disagreement);
 
 }  // namespace graze::law

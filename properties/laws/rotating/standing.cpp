@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engines/queries.hpp"
+#include "engines/method.hpp"
 #include "properties/edit/turning.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
@@ -14,8 +14,8 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 
 namespace {
 
@@ -25,13 +25,13 @@ struct Gap {
 };
 
 // The answer of one query in double, widened by its row.
-std::optional<engine::QueryAnswer> asked(const Case& still, corpus::Query query, double& row) {
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+std::optional<engine::Answer> asked(const Case& still, corpus::Query query, double& row) {
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query != query || method.scalar != "double" || method.is_exact()) continue;
-    const engine::Guarantee* found = engine::find_guarantee(engine::guarantees(), method);
+    const engine::Guarantee* found = method.guarantee;
     if (found == nullptr) continue;
     row = found->kappa(still) * kUnitRoundoff<double> * scale_of(still);
-    const engine::QueryAnswer answer = method.ask(still, Request::verdict);
+    const engine::Answer answer = method.ask(still, {});
     if (answer.stalled || answer.outcome == Outcome::invalid_input) return std::nullopt;
     return answer;
   }
@@ -46,10 +46,10 @@ std::optional<Gap> gap_at(const Case& seen, double t) {
   still.target_distance = 0;
   double row = 0;
   const auto apart = asked(still, corpus::Query::distance, row);
-  if (!apart || !apart->distance) return std::nullopt;
-  if (apart->distance->lower > row)
-    return Gap{apart->distance->lower - row - error - m, apart->distance->upper + row + error - m};
-  const double touching = apart->distance->upper + row;
+  if (!apart || !apart->separation) return std::nullopt;
+  if (apart->separation->lower > row)
+    return Gap{apart->separation->lower - row - error - m, apart->separation->upper + row + error - m};
+  const double touching = apart->separation->upper + row;
   const auto deep = asked(still, corpus::Query::penetration, row);
   if (!deep || !deep->depth) return Gap{-kInfinity<double>, touching + error - m};
   return Gap{-deep->depth->upper - row - error - m, std::min(touching, row - deep->depth->lower) + error - m};
@@ -59,11 +59,11 @@ constexpr double kMoments[] = {1, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
 }  // namespace
 
-LawResult turning_stands_as_said(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_stands_as_said(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
-  const RotatingAnswer answer = plain_answer(method, seen);
-  const RotatingRow row = row_of(method, seen);
+  const Answer answer = plain_answer(method, seen);
+  const Limits row = limits_of(method, seen, scale_of(seen));
   LawResult result = holds({label_of(answer.outcome)});
   for (const double part : kMoments) {
     const double t = part * seen.t_max;

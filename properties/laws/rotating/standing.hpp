@@ -2,11 +2,11 @@
 // a static query.
 #pragma once
 
-#include "engines/rotating.hpp"
+#include "engines/method.hpp"
 #include "properties/laws/law.hpp"
 
 namespace graze::law {
 
-LawResult turning_stands_as_said(const corpus::Case&, const engine::RotatingEngineMethod&);
+LawResult turning_stands_as_said(const corpus::Case&, const engine::Method&);
 
 }  // namespace graze::law

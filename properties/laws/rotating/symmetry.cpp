@@ -13,19 +13,19 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 
-LawResult turning_swapping(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_swapping(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const Case other = swapped(seen);
-  const RotatingAnswer one = plain_answer(method, seen), two = method.cast(other, {});
+  const Answer one = plain_answer(method, seen), two = method.ask(other, {});
   return compare(method, {"the original", seen, one}, {"the swapped", other, two},
                  "swapping changes the answer");
 }
 
-LawResult turning_scaling(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_scaling(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const int powers[] = {-1, 1, 7, -9, 24, -31, 60, -60};
@@ -34,7 +34,7 @@ LawResult turning_scaling(const Case& problem, const RotatingEngineMethod& metho
     const int k = powers[(j + first) % std::size(powers)];
     const std::optional<Case> other = scaled(seen, k);
     if (!other || !fits(*other, method)) continue;
-    const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+    const Answer one = plain_answer(method, seen), two = method.ask(*other, {});
     const std::string what = difference(one, two);
     if (!what.empty())
       return broken(fmt::format("every length times 2^{} changes the {}: {}", k, what, pair_of(one, two)));
@@ -43,46 +43,46 @@ LawResult turning_scaling(const Case& problem, const RotatingEngineMethod& metho
   return not_applicable("no power of two keeps every number in range");
 }
 
-LawResult turning_translating(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_translating(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   for (std::uint64_t salt = hash_of(seen), tries = 0; tries < 4; ++tries, ++salt) {
     const std::optional<Case> other = translated(seen, salt);
     if (!other || !fits(*other, method)) continue;
-    const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+    const Answer one = plain_answer(method, seen), two = method.ask(*other, {});
     return compare(method, {"the original", seen, one}, {"the translated", *other, two},
                    "translating both changes the answer");
   }
   return not_applicable("no exact translation");
 }
 
-LawResult turning_both(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_both(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  const RotatingAnswer one = plain_answer(method, seen);
+  const Answer one = plain_answer(method, seen);
   const std::optional<Case> turned = turned_about(seen, hash_of(seen));
   LawResult result = not_applicable("no exact turn");
   if (turned && fits(*turned, method)) {
-    const RotatingAnswer two = method.cast(*turned, {});
+    const Answer two = method.ask(*turned, {});
     result = compare(method, {"the original", seen, one}, {"the turned", *turned, two},
                      "turning both changes the answer");
     if (result.holding == Holding::broken) return result;
   }
   const Case image = mirrored(seen);
-  const RotatingAnswer three = method.cast(image, {});
+  const Answer three = method.ask(image, {});
   LawResult second = compare(method, {"the original", seen, one}, {"the mirror image", image, three},
                              "mirroring changes the answer");
   return second.holding == Holding::broken || result.holding == Holding::not_applicable ? second : result;
 }
 
-LawResult pivot_is_a_line(const Case& problem, const RotatingEngineMethod& method) {
+LawResult pivot_is_a_line(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   LawResult result = not_applicable("no exact place on the axis for another pivot");
   for (const bool first : {true, false}) {
     const std::optional<SlidPivot> slid = with_slid_pivot(seen, first, hash_of(seen) + (first ? 0 : 1));
     if (!slid || !fits(slid->before, method) || !fits(slid->after, method)) continue;
-    const RotatingAnswer one = plain_answer(method, slid->before), two = method.cast(slid->after, {});
+    const Answer one = plain_answer(method, slid->before), two = method.ask(slid->after, {});
     result =
         compare(method, {"as it was", slid->before, one}, {"with a pivot along the axis", slid->after, two},
                 "a pivot moved along its axis changes the answer");
@@ -90,7 +90,7 @@ LawResult pivot_is_a_line(const Case& problem, const RotatingEngineMethod& metho
     // Nothing is below noise in tier certified: what is exactly unseen stays so. Bounds are about the pivots.
     const Vec3<double>& w = first ? slid->before.spin_a.rotation : slid->before.spin_b.rotation;
     const bool plain = (w.array() != 0).count() == 1;
-    const auto bounded = [](const RotatingAnswer& a) { return a.plan.effects == Effects::nothing; };
+    const auto bounded = [](const Answer& a) { return a.plan.effects == Effects::nothing; };
     if (plain && method.is_certified() && !bounded(one) && !bounded(two) &&
         one.plan.effects != two.plan.effects)
       return broken("a pivot moved along its axis changes the plan: " + pair_of(one, two));
@@ -98,12 +98,12 @@ LawResult pivot_is_a_line(const Case& problem, const RotatingEngineMethod& metho
   return result;
 }
 
-LawResult idle_pivot_is_nothing(const Case& problem, const RotatingEngineMethod& method) {
+LawResult idle_pivot_is_nothing(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const std::optional<Case> other = with_idle_pivots(seen, hash_of(seen));
   if (!other || !fits(*other, method)) return not_applicable("both bodies turn");
-  const RotatingAnswer one = plain_answer(method, seen), two = method.cast(*other, {});
+  const Answer one = plain_answer(method, seen), two = method.ask(*other, {});
   const std::string what = difference(one, two);
   if (!what.empty()) {
     return broken(
@@ -114,14 +114,14 @@ LawResult idle_pivot_is_nothing(const Case& problem, const RotatingEngineMethod&
 
 // Velocities count by their difference alone, and their sums here are exact: the same to the bit, but for
 // witnesses, which are carried along.
-LawResult turning_drifting(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_drifting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const std::optional<Drift> drift = drifting(seen, hash_of(seen));
   if (!drift || !fits(drift->problem, method)) return not_applicable("no exact sum of velocities");
   constexpr Request kContact = Request::normal | Request::witnesses;
-  const RotatingAnswer one = method.cast(seen, {.request = kContact}),
-                       two = method.cast(drift->problem, {.request = kContact});
+  const Answer one = method.ask(seen, {.request = kContact}),
+                       two = method.ask(drift->problem, {.request = kContact});
   LawResult result = compare(method, {"the original", seen, one}, {"the drifting", drift->problem, two},
                              "a velocity that both share changes the answer");
   // A linear cast answers to the given numbers, and may come to another end of its bracket.
@@ -134,7 +134,7 @@ LawResult turning_drifting(const Case& problem, const RotatingEngineMethod& meth
     const double off = (y - x - way).norm();
     // Each is rounded to the scalar: u of itself an axis, and in between of what is summed.
     const double granted =
-        2 * row_of(method, seen).contact_limit + 8 * u * (x.norm() + y.norm() + way.norm());
+        2 * limits_of(method, seen, scale_of(seen)).contact + 8 * u * (x.norm() + y.norm() + way.norm());
     if (off > granted) {
       return broken(fmt::format("carried along by {}, witness {} is {} off: {}", hex(way), first ? 'a' : 'b',
                                 off, pair_of(one, two)));

@@ -15,11 +15,11 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Method;
 using oracle::RotatingTruth;
 
-LawResult stretching_time(const Case& problem, const RotatingEngineMethod& method) {
+LawResult stretching_time(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   const int powers[] = {1, -1, 3, -3, 10, -10};
@@ -28,8 +28,8 @@ LawResult stretching_time(const Case& problem, const RotatingEngineMethod& metho
     const int k = powers[(j + first) % std::size(powers)];
     const std::optional<Case> other = stretched(seen, k);
     if (!other || !fits(*other, method) || !is_rotating_question(*other)) continue;
-    const RotatingAnswer one = plain_answer(method, seen);
-    RotatingAnswer two = method.cast(*other, {});
+    const Answer one = plain_answer(method, seen);
+    Answer two = method.ask(*other, {});
     two.toi_lower = std::scalbn(two.toi_lower, -k);
     two.toi_upper = std::scalbn(two.toi_upper, -k);
     const std::string what = difference(one, two);
@@ -47,7 +47,7 @@ constexpr double kFractions[] = {0.5, 0.25, 0.75, 0.125, 0.875};
 // A pose that is rounded to the scalar: a quaternion's components by u each, so a point of the body, and the
 // pivot, by 2 u of its distance from the body's origin, which is rounded by u. Three times as much later
 // (Restart).
-double rounding_of_pose(const Case& given, const RotatingEngineMethod& method) {
+double rounding_of_pose(const Case& given, const Method& method) {
   double sum = 0;
   for (const auto& [body, spin] : {std::pair(&given.a, &given.spin_a), std::pair(&given.b, &given.spin_b)}) {
     const corpus::Bounds box = corpus::bounds(body->shape);
@@ -59,15 +59,15 @@ double rounding_of_pose(const Case& given, const RotatingEngineMethod& method) {
 
 }  // namespace
 
-LawResult turning_horizon(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_horizon(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !(seen.t_max > 0)) return no_rotating_question();
   Case sooner = seen;
   sooner.expect.reset();
   sooner.t_max *= kFractions[hash_of(seen) % std::size(kFractions)];
   if (!fits(sooner, method)) return not_applicable("no horizon in this scalar");
-  const RotatingAnswer whole = plain_answer(method, seen);
-  RotatingAnswer part = method.cast(sooner, {});
+  const Answer whole = plain_answer(method, seen);
+  Answer part = method.ask(sooner, {});
   if (claims_contact(part) && !(part.toi_lower <= sooner.t_max))
     return broken("a contact after the end of the step: " + describe(part));
   if (part.outcome == Outcome::miss) part.toi_lower = sooner.t_max;  // no contact before that
@@ -77,7 +77,7 @@ LawResult turning_horizon(const Case& problem, const RotatingEngineMethod& metho
 }
 
 // What is restarted is off by a rounding (case_edit.hpp: Restart), which is granted as a length.
-LawResult turning_splitting(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_splitting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
   const std::optional<Restart> restart =
@@ -87,17 +87,17 @@ LawResult turning_splitting(const Case& problem, const RotatingEngineMethod& met
   before.expect.reset();
   before.t_max = restart->at;
   if (!fits(before, method)) return not_applicable("no horizon in this scalar");
-  if (method.cast(before, {}).outcome != Outcome::miss) return not_applicable("contact before the restart");
-  const RotatingAnswer whole = plain_answer(method, seen);
+  if (method.ask(before, {}).outcome != Outcome::miss) return not_applicable("contact before the restart");
+  const Answer whole = plain_answer(method, seen);
   const Case after = method.seen(restart->after);
   if (!is_rotating_question(after)) return no_rotating_question();
   double slack = restart->error + rounding_of_pose(after, method);
   // A time less by `at` is rounded, too.
   slack += 2 * method.unit_roundoff * seen.t_max * top_speed_of(seen);
-  RotatingAnswer joined = method.cast(after, {});
+  Answer joined = method.ask(after, {});
   // Each question has a scale of its own.
-  RotatingRow row = row_of(method, seen, 0, slack);
-  const RotatingRow its = row_of(method, after, 0, slack);
+  Limits row = limits_of(method, seen, scale_of(seen), 0, slack);
+  const Limits its = limits_of(method, after, scale_of(after), 0, slack);
   row.limit = std::max(row.limit, its.limit);
   row.wide = std::max(row.wide, its.wide);
   if (joined.outcome == Outcome::initially_overlapping) joined.outcome = Outcome::hit;
@@ -108,7 +108,7 @@ LawResult turning_splitting(const Case& problem, const RotatingEngineMethod& met
   const RotatingTruth* truth = rotating_truth_of(seen);
   if (truth == nullptr) return not_applicable("no oracle decides the case");
   result.labels.push_back("arbitrated");
-  std::string fault = any_fault(*truth, whole, row_of(method, seen));
+  std::string fault = any_fault(*truth, whole, limits_of(method, seen, scale_of(seen)));
   if (fault.empty()) fault = any_fault(*truth, joined, row);
   if (!fault.empty()) {
     return broken(fmt::format("from {} on the answer is another: {}; {}", hex(restart->at),
@@ -119,14 +119,14 @@ LawResult turning_splitting(const Case& problem, const RotatingEngineMethod& met
 
 // The last contact of a path is the first on the way back, so that is no later than T less the first one; and
 // a miss stays a miss. Either answer has a case of its own, and a truth; they differ by a rounding.
-LawResult turning_backwards(const Case& problem, const RotatingEngineMethod& method) {
+LawResult turning_backwards(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
   const std::optional<WayBack> way = way_back(seen);
   if (!way) return not_applicable("no way back");
   const Case back = method.seen(way->problem);
   if (!is_rotating_question(back)) return no_rotating_question();
-  const RotatingAnswer one = plain_answer(method, seen), two = method.cast(back, {});
+  const Answer one = plain_answer(method, seen), two = method.ask(back, {});
   const double most = seen.t_max * (1 + 4 * method.unit_roundoff);
   const bool meets = one.outcome == Outcome::miss || two.outcome == Outcome::miss
                          ? one.outcome == two.outcome || !(claims_contact(one) || claims_contact(two))
@@ -140,14 +140,14 @@ LawResult turning_backwards(const Case& problem, const RotatingEngineMethod& met
 }
 
 // Fast turns are answered by what they sweep (whole_turns.hpp), a single one is not.
-LawResult whole_turn_is_all(const Case& problem, const RotatingEngineMethod& method) {
+LawResult whole_turn_is_all(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
   LawResult result = not_applicable("neither body turns");
   for (const bool first : {true, false}) {
     const std::optional<WholeTurn> turn = whole_turns(seen, first);
     if (!turn || !fits(turn->once, method) || !is_rotating_question(turn->often)) continue;
-    const RotatingAnswer one = method.cast(turn->once, {}), two = method.cast(turn->often, {});
+    const Answer one = method.ask(turn->once, {}), two = method.ask(turn->often, {});
     result = compare(method, {"one turn", turn->once, one}, {"eight turns", turn->often, two},
                      "more than a whole turn has another contact");
     if (result.holding == Holding::broken) return result;

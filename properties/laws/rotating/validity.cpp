@@ -12,16 +12,16 @@
 namespace graze::law {
 
 using corpus::Case;
-using engine::RotatingAnswer;
-using engine::RotatingAsk;
-using engine::RotatingEngineMethod;
+using engine::Answer;
+using engine::Ask;
+using engine::Method;
 
-LawResult bad_turn_is_refused(const Case& problem, const RotatingEngineMethod& method) {
+LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
   std::string fault;
-  const auto expect_refusal = [&](const Case& bad, const RotatingAsk& ask, const std::string& what) {
-    const RotatingAnswer answer = method.cast(bad, ask);
+  const auto expect_refusal = [&](const Case& bad, const Ask& ask, const std::string& what) {
+    const Answer answer = method.ask(bad, ask);
     if (answer.outcome == Outcome::invalid_input && answer.invalid != Invalid::none &&
         answer.counters.iterations == 0 && std::isnan(answer.toi_lower) && std::isnan(answer.toi_upper)) {
       return;

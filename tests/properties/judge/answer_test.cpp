@@ -1,5 +1,5 @@
 // The judge convicts made-up answers whose fault is known, and no others.
-#include "properties/judge/answer.hpp"
+#include "properties/judge/judge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -318,11 +318,11 @@ TEST(KnownFailures, still_fail) {
   ASSERT_TRUE(known.ok());
   for (const corpus::Case& problem : known.cases) {
     bool fails = false;
-    for (const engine::EngineMethod& method : engine::methods()) {
+    for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
       Truth truth(method.seen(problem));
-      const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method);
+      const engine::Guarantee* row = method.guarantee;
       ASSERT_NE(row, nullptr);
-      const engine::Answer answer = method.cast(problem, {.request = Request::everything});
+      const engine::Answer answer = method.ask(problem, {.request = Request::everything});
       const Judgement judgement = judge_method(truth, problem, method, answer, row, true);
       EXPECT_TRUE(judgement.false_proof.empty()) << problem.id << ", " << method.full_name();
       fails = fails || judgement.faulty();

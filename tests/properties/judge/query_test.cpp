@@ -1,5 +1,5 @@
 // The judge of the queries convicts made-up answers whose fault is known, and acquits our own.
-#include "properties/judge/query.hpp"
+#include "properties/judge/judge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using corpus::Case;
 using corpus::Query;
 using engine::Interval;
-using engine::QueryAnswer;
+using engine::Answer;
 
 constexpr QueryLimits kLimits{.kappa = 64, .unit_roundoff = kUnitRoundoff<double>};
 
@@ -33,22 +33,22 @@ Case cubes(Query query, const Vec3<double>& x, const Vec3<double>& v = {0, 0, 0}
   return problem;
 }
 
-QueryAnswer ours(const Case& problem) {
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+Answer ours(const Case& problem) {
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query == problem.query) return method.answer(problem);
   }
   return {};
 }
 
-QueryJudgement judged(const Case& problem, const QueryAnswer& answer) {
+QueryJudgement judged(const Case& problem, const Answer& answer) {
   QueryTruth truth(problem);
   return judge_query(truth, answer, kLimits);
 }
 
 // Our answer stands; with the change it falls, by the fault named.
 void falls(const Case& problem, std::string QueryJudgement::*fault,
-           const std::function<void(QueryAnswer&)>& change) {
-  QueryAnswer answer = ours(problem);
+           const std::function<void(Answer&)>& change) {
+  Answer answer = ours(problem);
   const QueryJudgement before = judged(problem, answer);
   EXPECT_FALSE(before.faulty()) << before.wrong << before.off << before.bad_contact;
   change(answer);
@@ -59,23 +59,23 @@ constexpr double kOff = 1e-12;
 
 TEST(QueryJudge, overlap) {
   const Case apart = cubes(Query::overlap, {2, 0, 0}), in = cubes(Query::overlap, {1.25, 0, 0});
-  falls(apart, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::initially_overlapping; });
-  falls(in, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::miss; });
-  falls(apart, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.normal = Vec3<double>(-1, 0, 0); });
-  falls(apart, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::invalid_input; });
+  falls(apart, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::initially_overlapping; });
+  falls(in, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(-1, 0, 0); });
+  falls(apart, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::invalid_input; });
 }
 
 TEST(QueryJudge, distance) {
   const Case apart = cubes(Query::distance, {2, 0.25, 0});
-  falls(apart, &QueryJudgement::off, [](QueryAnswer& a) { a.distance->lower -= kOff; });
-  falls(apart, &QueryJudgement::off, [](QueryAnswer& a) { a.distance->upper += kOff; });
+  falls(apart, &QueryJudgement::off, [](Answer& a) { a.distance->lower -= kOff; });
+  falls(apart, &QueryJudgement::off, [](Answer& a) { a.distance->upper += kOff; });
   falls(apart, &QueryJudgement::off,
-        [](QueryAnswer& a) { std::swap(a.distance->lower += kOff, a.distance->upper); });
-  falls(apart, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.normal = -*a.normal; });
-  falls(apart, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.point_a->x() += kOff; });
-  falls(apart, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.point_b->y() += 0.125; });
+        [](Answer& a) { std::swap(a.distance->lower += kOff, a.distance->upper); });
+  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = -*a.normal; });
+  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.point_a->x() += kOff; });
+  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.point_b->y() += 0.125; });
   // Wide and said to be wide is a stall, not a fault; wide and false is one.
-  QueryAnswer wide = ours(apart);
+  Answer wide = ours(apart);
   wide.stalled = true;
   wide.distance = Interval{0.25, 0.75};
   EXPECT_FALSE(judged(apart, wide).faulty());
@@ -86,37 +86,37 @@ TEST(QueryJudge, distance) {
 
 TEST(QueryJudge, penetration) {
   const Case in = cubes(Query::penetration, {1.25, 0, 0});
-  falls(in, &QueryJudgement::off, [](QueryAnswer& a) { a.depth->lower -= kOff; });
-  falls(in, &QueryJudgement::off, [](QueryAnswer& a) { a.depth->upper += kOff; });
-  falls(in, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.normal = Vec3<double>(0, 1, 0); });
-  falls(in, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.point_b = *a.point_a; });
-  falls(in, &QueryJudgement::wrong, [](QueryAnswer& a) { a.depth.reset(); });
+  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->lower -= kOff; });
+  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->upper += kOff; });
+  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(0, 1, 0); });
+  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.point_b = *a.point_a; });
+  falls(in, &QueryJudgement::wrong, [](Answer& a) { a.depth.reset(); });
 }
 
 TEST(QueryJudge, penetration_along) {
   const Case in = cubes(Query::penetration_along, {0.5, 0, 0});
-  falls(in, &QueryJudgement::off, [](QueryAnswer& a) { a.depth->upper += kOff; });
-  falls(in, &QueryJudgement::off, [](QueryAnswer& a) { a.depth->lower = 0.5; });
-  falls(in, &QueryJudgement::bad_contact, [](QueryAnswer& a) { a.point_a.reset(); });
+  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->upper += kOff; });
+  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->lower = 0.5; });
+  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.point_a.reset(); });
 }
 
 TEST(QueryJudge, line) {
   const Case behind = cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}),
              past = cubes(Query::line, {0, 4, 0}, {8, 0, 0});
-  falls(behind, &QueryJudgement::off, [](QueryAnswer& a) { a.t_in->lower -= kOff; });
-  falls(behind, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper += kOff; });
-  falls(behind, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::miss; });
-  falls(past, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::hit; });
+  falls(behind, &QueryJudgement::off, [](Answer& a) { a.t_in->lower -= kOff; });
+  falls(behind, &QueryJudgement::off, [](Answer& a) { a.t_out->upper += kOff; });
+  falls(behind, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(past, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
 }
 
 // Of bodies that do not move and touch, contact has no end on either side; of any other, it has.
 TEST(QueryJudge, a_line_without_ends) {
   const Case still = cubes(Query::line, {1.25, 0, 0});
-  falls(still, &QueryJudgement::off, [](QueryAnswer& a) { a.t_in->lower = -1; });
+  falls(still, &QueryJudgement::off, [](Answer& a) { a.t_in->lower = -1; });
   falls(still, &QueryJudgement::off,
-        [](QueryAnswer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
+        [](Answer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
   falls(cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}), &QueryJudgement::off,
-        [](QueryAnswer& a) { a.t_out->upper = kInfinity<double>; });
+        [](Answer& a) { a.t_out->upper = kInfinity<double>; });
 }
 
 // The ends of a line through what is near are as far out as the target distance, and round so.
@@ -127,19 +127,19 @@ TEST(QueryJudge, a_lines_scale_is_no_less_than_the_target_distance) {
   near.b.displacement = {1, 0.25, 16};
   near.query = Query::line;
   near.target_distance = 7e21;
-  falls(near, &QueryJudgement::off, [](QueryAnswer& a) { a.t_out->upper += kOff * 7e21; });
+  falls(near, &QueryJudgement::off, [](Answer& a) { a.t_out->upper += kOff * 7e21; });
 }
 
 TEST(QueryJudge, swept_overlap) {
   const Case meets = cubes(Query::swept_overlap, {-4, 0, 0}, {8, 0, 0}),
              short_of = cubes(Query::swept_overlap, {-4, 0, 0}, {2, 0, 0});
-  falls(meets, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::miss; });
-  falls(short_of, &QueryJudgement::wrong, [](QueryAnswer& a) { a.outcome = Outcome::hit; });
+  falls(meets, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(short_of, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
 }
 
 TEST(QueryJudge, every_method_has_a_row) {
-  for (const engine::QueryMethod& method : engine::query_methods()) {
-    EXPECT_NE(engine::find_guarantee(engine::guarantees(), method), nullptr) << method.full_name();
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
+    EXPECT_NE(method.guarantee, nullptr) << method.full_name();
   }
 }
 
@@ -159,7 +159,7 @@ TEST(QueryJudge, positions_in_a_tree_round_at_their_own_size) {
   // One turn is above a position, beyond the scale by that: 46 u of it.
   const double beyond = Vec3<double>(-4, -4, 3.625).norm() - 2e-6;
   EXPECT_DOUBLE_EQ(unseen_of_trees(swept, 2e-6), 46 * kUnitRoundoff<double> * beyond);
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query != Query::swept_overlap || method.is_exact() || method.scalar != "double") continue;
     EXPECT_FALSE(judged(swept, method.answer(swept)).faulty()) << method.full_name();
   }

@@ -1,5 +1,5 @@
 // The judge of the rotating casts convicts made-up answers whose fault is known, and acquits our own.
-#include "properties/judge/rotating_answer.hpp"
+#include "properties/judge/judge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace graze::tool {
 namespace {
 
 using corpus::Case;
-using engine::RotatingAnswer;
+using engine::Answer;
 using engine::Unseen;
 using test::dipping_bar;
 using test::turning_bar;
@@ -20,9 +20,9 @@ using test::turning_bar_above;
 
 constexpr Request kPlain = Request::normal | Request::witnesses;
 
-const engine::RotatingEngineMethod& method(const char* name) { return *engine::find_rotating_method(name); }
+const engine::Method& method(const char* name) { return *engine::find_method(engine::Kind::rotating, name); }
 
-RotatingJudgement judged(const Case& problem, const char* name, const RotatingAnswer& answer,
+RotatingJudgement judged(const Case& problem, const char* name, const Answer& answer,
                          Request request = kPlain) {
   TurningTruth truth(problem);
   const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), method(name));
@@ -31,8 +31,8 @@ RotatingJudgement judged(const Case& problem, const char* name, const RotatingAn
 
 // The method's own answer stands; with the change it falls, by the fault named.
 void falls(const Case& problem, const char* name, std::string RotatingJudgement::*fault,
-           const std::function<void(RotatingAnswer&)>& change, Request request = kPlain) {
-  RotatingAnswer answer = method(name).cast(problem, {.request = request});
+           const std::function<void(Answer&)>& change, Request request = kPlain) {
+  Answer answer = method(name).ask(problem, {.request = request});
   const RotatingJudgement before = judged(problem, name, answer, request);
   EXPECT_FALSE(before.faulty()) << name << ": " << before.fault();
   EXPECT_FALSE(before.stalled || before.excused || before.hidden);
@@ -43,7 +43,7 @@ void falls(const Case& problem, const char* name, std::string RotatingJudgement:
 // In time; the lower edge falls at about 1.4 per unit of t, and the scale is 5.7.
 constexpr double kOff = 1e-9;
 
-void become_miss(RotatingAnswer& a) {
+void become_miss(Answer& a) {
   a.outcome = Outcome::miss;
   a.toi_lower = a.toi_upper = kInfinity<double>;
 }
@@ -51,12 +51,12 @@ void become_miss(RotatingAnswer& a) {
 TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
   for (const char* name : {"ca", "bilateral", "plan"}) {
     falls(turning_bar(), name, &RotatingJudgement::late,
-          [](RotatingAnswer& a) { a.toi_upper = a.toi_lower += kOff; });
+          [](Answer& a) { a.toi_upper = a.toi_lower += kOff; });
     falls(turning_bar(), name, &RotatingJudgement::early,
-          [](RotatingAnswer& a) { a.toi_lower = a.toi_upper -= kOff; });
-    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_lower -= kOff; });
-    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) { a.toi_upper += kOff; });
-    falls(turning_bar(), name, &RotatingJudgement::wide, [](RotatingAnswer& a) {
+          [](Answer& a) { a.toi_lower = a.toi_upper -= kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](Answer& a) { a.toi_lower -= kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](Answer& a) { a.toi_upper += kOff; });
+    falls(turning_bar(), name, &RotatingJudgement::wide, [](Answer& a) {
       a.toi_lower -= 4e-12;  // within the row, but nearer than it says
       a.distance = 0;
     });
@@ -66,24 +66,24 @@ TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
 TEST(RotatingJudge, convicts_a_wrong_verdict) {
   falls(turning_bar(), "bilateral", &RotatingJudgement::wrong, become_miss);
   falls(dipping_bar(), "bilateral", &RotatingJudgement::wrong, become_miss);
-  falls(turning_bar_above(), "bilateral", &RotatingJudgement::wrong, [](RotatingAnswer& a) {
+  falls(turning_bar_above(), "bilateral", &RotatingJudgement::wrong, [](Answer& a) {
     a.outcome = Outcome::hit;
     a.toi_lower = a.toi_upper = 0.75;
   });
-  falls(turning_bar(), "bilateral", &RotatingJudgement::early, [](RotatingAnswer& a) {
+  falls(turning_bar(), "bilateral", &RotatingJudgement::early, [](Answer& a) {
     a.outcome = Outcome::initially_overlapping;
     a.toi_lower = a.toi_upper = 0;
   });
   falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
-        [](RotatingAnswer& a) { a.outcome = Outcome::invalid_input; });
+        [](Answer& a) { a.outcome = Outcome::invalid_input; });
   falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
-        [](RotatingAnswer& a) { std::swap(a.toi_lower, a.toi_upper = 2); });
+        [](Answer& a) { std::swap(a.toi_lower, a.toi_upper = 2); });
   falls(turning_bar(), "bilateral", &RotatingJudgement::wrong,
-        [](RotatingAnswer& a) { a.toi_lower = std::nan(""); });
+        [](Answer& a) { a.toi_lower = std::nan(""); });
 }
 
 TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_another) {
-  RotatingAnswer stall = method("ca").cast(turning_bar(), {});
+  Answer stall = method("ca").ask(turning_bar(), {});
   stall.outcome = Outcome::not_converged;
   stall.toi_lower = 0.25;
   stall.toi_upper = kInfinity<double>;
@@ -99,20 +99,20 @@ TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_anot
 
 TEST(RotatingJudge, convicts_normals_and_witnesses) {
   falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
-        [](RotatingAnswer& a) { a.normal *= -1; });
+        [](Answer& a) { a.normal *= -1; });
   falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
-        [](RotatingAnswer& a) { a.normal *= 1 + 1e-12; });
-  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact, [](RotatingAnswer& a) {
+        [](Answer& a) { a.normal *= 1 + 1e-12; });
+  falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact, [](Answer& a) {
     a.normal = Vec3<double>(1e-9, -1, 0).normalized();  // the corners of the floor are 2 to the side
   });
   falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
-        [](RotatingAnswer& a) { a.point_b.y() += kOff; });
+        [](Answer& a) { a.point_b.y() += kOff; });
   falls(turning_bar(), "bilateral", &RotatingJudgement::bad_contact,
-        [](RotatingAnswer& a) { a.point_a.z() = std::nan(""); });
+        [](Answer& a) { a.point_a.z() = std::nan(""); });
 }
 
 TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
-  RotatingAnswer miss = method("steps").cast(dipping_bar(), {.time_steps = 1});
+  Answer miss = method("steps").ask(dipping_bar(), {.time_steps = 1});
   ASSERT_EQ(miss.outcome, Outcome::miss);
   const RotatingJudgement hidden = judged(dipping_bar(), "steps", miss);
   EXPECT_TRUE(hidden.hidden);
@@ -125,7 +125,7 @@ TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
 
 TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
   const auto ends = [](double lower, double upper) {
-    return [=](RotatingAnswer& a) {
+    return [=](Answer& a) {
       a.toi_lower = lower;
       a.toi_upper = upper;
     };
@@ -142,7 +142,7 @@ TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
     falls(turning_bar(), "certified", &RotatingJudgement::wrong, become_miss, request);
     falls(
         turning_bar_above(), "certified", &RotatingJudgement::undecided,
-        [](RotatingAnswer& a) {
+        [](Answer& a) {
           a.outcome = Outcome::not_converged;
           a.toi_lower = 0;
         },
@@ -152,28 +152,28 @@ TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
 
 TEST(RotatingJudge, of_tier_certified_wants_a_proof_that_is_true_and_says_as_much_as_the_answer) {
   const auto change = [](std::string RotatingJudgement::*fault,
-                         const std::function<void(RotatingAnswer&)>& by) {
+                         const std::function<void(Answer&)>& by) {
     falls(turning_bar(), "certified", fault, by, Request::everything);
   };
-  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof.reset(); });
-  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof->toi_lower = a.toi_lower / 2; });
-  change(&RotatingJudgement::unproved, [](RotatingAnswer& a) { a.proof->toi_upper = kInfinity<double>; });
-  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) { a.proof->toi_lower = a.toi_upper + 1e-6; });
-  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) {
+  change(&RotatingJudgement::unproved, [](Answer& a) { a.proof.reset(); });
+  change(&RotatingJudgement::unproved, [](Answer& a) { a.proof->toi_lower = a.toi_lower / 2; });
+  change(&RotatingJudgement::unproved, [](Answer& a) { a.proof->toi_upper = kInfinity<double>; });
+  change(&RotatingJudgement::false_proof, [](Answer& a) { a.proof->toi_lower = a.toi_upper + 1e-6; });
+  change(&RotatingJudgement::false_proof, [](Answer& a) {
     a.proof->toi_lower = a.toi_upper + 1e-6;
     a.proof->chain.back().end = a.toi_upper + 1e-6;
   });
-  change(&RotatingJudgement::false_proof, [](RotatingAnswer& a) { a.proof->toi_upper = a.toi_lower / 2; });
+  change(&RotatingJudgement::false_proof, [](Answer& a) { a.proof->toi_upper = a.toi_lower / 2; });
 }
 
 TEST(RotatingJudge, a_horizon_without_end_is_no_question_for_the_oracle) {
   Case problem = turning_bar();
   problem.t_max = kInfinity<double>;
-  const RotatingJudgement refused = judged(problem, "bilateral", method("bilateral").cast(problem, {}));
+  const RotatingJudgement refused = judged(problem, "bilateral", method("bilateral").ask(problem, {}));
   EXPECT_TRUE(refused.not_asked);
   EXPECT_FALSE(refused.faulty());
   problem.spin_a.pivot.x() = std::nan("");
-  RotatingAnswer answer = method("bilateral").cast(turning_bar(), {});
+  Answer answer = method("bilateral").ask(turning_bar(), {});
   EXPECT_NE(judged(problem, "bilateral", answer).wrong, "");
 }
 

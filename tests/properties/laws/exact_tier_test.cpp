@@ -45,7 +45,7 @@ class Judging {
   // Both scalars, where the case is a question for the tier; each is one cast. False once one is wrong.
   [[nodiscard]] bool judge(const Case& problem) {
     for (const char* name : {"exact/double", "exact/float"}) {
-      const engine::EngineMethod& method = *engine::find_method(name);
+      const engine::Method& method = *engine::find_method(engine::Kind::linear, name);
       const Case seen = method.seen(problem);
       if (!is_question_for(method, seen)) continue;
       const bool sampled = casts_ % 100 == 0;

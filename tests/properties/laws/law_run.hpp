@@ -15,7 +15,7 @@ namespace graze::law {
 
 class LawRun {
  public:
-  LawRun(AnyLaw law, std::string source) : law_(std::move(law)), source_(std::move(source)), tally_(law_) {}
+  LawRun(Law law, std::string source) : law_(std::move(law)), source_(std::move(source)), tally_(law_) {}
 
   // Asks every method; true if the law holds or does not apply.
   bool holds_for(const corpus::Case& problem, std::string_view family = {});
@@ -34,12 +34,12 @@ class LawRun {
   [[nodiscard]] std::string shortfall_over_families() const;
 
   void print() const;
-  [[nodiscard]] const AnyLaw& law() const { return law_; }
+  [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] const corpus::Case& failing() const { return failing_; }
   [[nodiscard]] const LawTally& tally() const { return tally_; }
 
  private:
-  AnyLaw law_;
+  Law law_;
   std::string source_;
   LawTally tally_;
   std::string reason_;

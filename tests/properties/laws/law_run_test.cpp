@@ -42,7 +42,7 @@ class Findings {
 
 // Broken where mpr in double sees a hit of what `breaks`.
 template <class Breaks>
-AnyLaw planted(const std::string& name, Breaks breaks) {
+Law planted(const std::string& name, Breaks breaks) {
   return {.kind = Kind::linear,
           .name = name,
           .sentence = "No cast ever hits.",
@@ -50,7 +50,7 @@ AnyLaw planted(const std::string& name, Breaks breaks) {
           .methods = {"mpr/double"},
           .check = [breaks](const corpus::Case& problem, std::size_t) {
             if (!is_linear_question(problem)) return not_applicable("no linear cast");
-            const engine::Answer answer = engine::find_method("mpr/double")->cast(problem, {});
+            const engine::Answer answer = engine::find_method(engine::Kind::linear, "mpr/double")->ask(problem, {});
             if (answer.outcome == Outcome::hit && breaks(problem)) return broken("it hits");
             return holds({label_of(answer.outcome)});
           }};
@@ -76,7 +76,7 @@ void expect_small(const corpus::Case& problem, double most = 4) {
 
 TEST(LawRun, a_false_law_ends_as_a_small_case_with_a_picture_and_what_to_do) {
   const Findings findings;
-  const AnyLaw law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.a.shape); });
+  const Law law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.a.shape); });
   LawRun run(law, "drawn");
   corpus::Random random(4);
   for (int i = 0; run.holds_for(draw_case(random, 100)); ++i) ASSERT_LT(i, 2000);
@@ -117,7 +117,7 @@ TEST(LawRun, a_false_law_ends_as_a_small_case_with_a_picture_and_what_to_do) {
 }
 
 TEST(LawRun, made_small_from_anywhere_it_has_few_vertices_and_small_integers) {
-  const AnyLaw law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.b.shape); });
+  const Law law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.b.shape); });
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     LawRun run(law, "drawn");
     corpus::Random random(seed);

@@ -28,7 +28,7 @@ class Laws : public testing::TestWithParam<Law> {};
 
 TEST_P(Laws, hold_for_drawn_cases) {
   const Law& law = GetParam();
-  LawRun run(any(law), "drawn");
+  LawRun run(law, "drawn");
   const std::string fault =
       fault_of_drawn(run, cases(), kGiven ? std::nullopt : std::optional<int>(budget(law.needs)));
   ASSERT_TRUE(fault.empty()) << fault;
@@ -37,7 +37,7 @@ TEST_P(Laws, hold_for_drawn_cases) {
 
 TEST_P(Laws, hold_for_the_families) {
   const Law& law = GetParam();
-  LawRun run(any(law), "families");
+  LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::linear)) {
     for (const double hardness : family.levels) {
       // The largest hulls cost the oracle seconds; the campaigns have time for them.

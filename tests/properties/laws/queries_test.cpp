@@ -19,22 +19,22 @@ namespace {
 const bool kGiven = takes_given_parameters("seed=20260117");
 
 // The door tries every number of a case with four bad ones; the oracle takes milliseconds.
-bool is_slow(const QueryLaw& law) {
+bool is_slow(const Law& law) {
   return law.needs == Needs::oracle || law.name == "query_bad_input_is_refused";
 }
 
 // Of the families' levels and of the curated cases a law sees a share, and each law another.
-std::size_t turn_of(const QueryLaw& law) {
-  const auto named = [&](const QueryLaw& one) { return one.name == law.name; };
-  return static_cast<std::size_t>(std::find_if(query_laws().begin(), query_laws().end(), named) -
-                                  query_laws().begin());
+std::size_t turn_of(const Law& law) {
+  const auto named = [&](const Law& one) { return one.name == law.name; };
+  return static_cast<std::size_t>(std::find_if(laws(engine::Kind::query).begin(), laws(engine::Kind::query).end(), named) -
+                                  laws(engine::Kind::query).begin());
 }
 
-class QueryLaws : public testing::TestWithParam<QueryLaw> {};
+class QueryLaws : public testing::TestWithParam<Law> {};
 
 TEST_P(QueryLaws, hold_for_drawn_cases) {
-  const QueryLaw& law = GetParam();
-  LawRun run(any(law), "drawn");
+  const Law& law = GetParam();
+  LawRun run(law, "drawn");
   const std::string fault =
       fault_of_drawn(run, cases(), kGiven ? std::nullopt : std::optional<int>(is_slow(law) ? 60 : 240));
   ASSERT_TRUE(fault.empty()) << fault;
@@ -42,8 +42,8 @@ TEST_P(QueryLaws, hold_for_drawn_cases) {
 }
 
 TEST_P(QueryLaws, hold_for_the_families) {
-  const QueryLaw& law = GetParam();
-  LawRun run(any(law), "families");
+  const Law& law = GetParam();
+  LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::query)) {
     // Every second level, of slow laws every fourth; one at least.
     const std::size_t levels = family.levels.size(), stride = is_slow(law) ? 4 : 2;
@@ -81,14 +81,14 @@ TEST_P(QueryLaws, hold_for_the_curated_corpus) {
   EXPECT_EQ(run.shortfall(), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, QueryLaws, testing::ValuesIn(query_laws().begin(), query_laws().end()),
-                         [](const testing::TestParamInfo<QueryLaw>& law) {
+INSTANTIATE_TEST_SUITE_P(All, QueryLaws, testing::ValuesIn(laws(engine::Kind::query).begin(), laws(engine::Kind::query).end()),
+                         [](const testing::TestParamInfo<Law>& law) {
                            return std::string(law.param.name);
                          });
 
 }  // namespace
 
 // GoogleTest prints a parameter by its name.
-void PrintTo(const QueryLaw& law, std::ostream* out) { *out << law.name; }
+void PrintTo(const Law& law, std::ostream* out) { *out << law.name; }
 
 }  // namespace graze::law

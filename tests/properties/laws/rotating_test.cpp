@@ -18,7 +18,7 @@
 #include "properties/generate/generators.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
-#include "properties/laws/rotating/rotating.hpp"
+#include "properties/laws/law.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
 
 namespace graze::law {
@@ -34,7 +34,7 @@ constexpr int kFamilySeeds = 1;
 class RotatingRun {
  public:
   explicit RotatingRun(const std::string& source) {
-    for (const RotatingLaw& law : rotating_laws()) runs_.emplace_back(any(law), source);
+    for (const Law& law : laws(engine::Kind::rotating)) runs_.emplace_back(law, source);
   }
 
   // True if every law holds or does not apply, for every method.
@@ -124,7 +124,7 @@ TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
   std::map<Effects, int> effects;
   int both = 0, pivots = 0, many_turns = 0, undecided = 0;
   constexpr int kCases = 200;
-  const engine::RotatingEngineMethod& plan = *engine::find_rotating_method("plan/double");
+  const engine::Method& plan = *engine::find_method(engine::Kind::rotating, "plan/double");
   for (int i = 0; i < kCases; ++i) {
     const corpus::Case problem = draw_rotating(random, i % 100);
     ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
@@ -135,7 +135,7 @@ TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
     many_turns += problem.spin_a.rotation.norm() > 6.3 || problem.spin_b.rotation.norm() > 6.3;
     if (!is_rotating_question(problem)) continue;
     ++effects[plan.plan(problem, {}).effects];
-    const engine::RotatingAnswer answer = plan.cast(problem, {});
+    const engine::Answer answer = plan.ask(problem, {});
     ++outcomes[answer.outcome];
     undecided += answer.outcome == Outcome::not_converged;
   }
@@ -155,12 +155,12 @@ TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
 // Else a bound of the motion that is too low would be hidden by how loose the bounds are.
 TEST(DrawRotating, has_contacts_as_fast_as_any_point_of_the_body) {
   corpus::Random random(7);
-  const engine::RotatingEngineMethod& plan = *engine::find_rotating_method("plan/double");
+  const engine::Method& plan = *engine::find_method(engine::Kind::rotating, "plan/double");
   int near = 0;
   for (int i = 0; i < 300; ++i) {
     const corpus::Case problem = draw_rotating(random, i % 100);
     if (!is_rotating_question(problem)) continue;
-    const engine::RotatingAnswer answer = plan.cast(problem, {.request = Request::everything});
+    const engine::Answer answer = plan.ask(problem, {.request = Request::everything});
     if (answer.outcome != Outcome::hit) continue;
     const auto is_near = [&](const Body<double>& body, const corpus::Spin& spin,
                              const Vec3<double>& witness) {

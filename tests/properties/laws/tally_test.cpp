@@ -13,9 +13,9 @@
 namespace graze::law {
 namespace {
 
-AnyLaw named(const std::string& name, Kind kind = Kind::linear) {
-  AnyLaw law{kind, name, "A sentence.", Needs::metamorphic, {}, {}};
-  for (const engine::EngineMethod& method : engine::methods()) law.methods.push_back(method.full_name());
+Law named(const std::string& name, Kind kind = Kind::linear) {
+  Law law{kind, name, "A sentence.", Needs::metamorphic, {}, {}};
+  for (const engine::Method& method : engine::methods(engine::Kind::linear)) law.methods.push_back(method.full_name());
   return law;
 }
 
@@ -74,8 +74,8 @@ TEST(LawTally, a_family_that_was_never_reached_is_named) {
 
 TEST(LawTally, stalls_are_held_to_the_row) {
   std::size_t mpr = 0;
-  while (engine::methods()[mpr].full_name() != "mpr/double") ++mpr;
-  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), engine::methods()[mpr]);
+  while (engine::methods(engine::Kind::linear)[mpr].full_name() != "mpr/double") ++mpr;
+  const engine::Guarantee* row = engine::find_guarantee(engine::guarantees(), engine::methods(engine::Kind::linear)[mpr]);
   ASSERT_NE(row, nullptr);
   LawTally tally(named("patient"));
   for (int i = 0; i < 1000; ++i) tally.add(mpr, "", holds({"hit"}));
@@ -102,7 +102,7 @@ TEST(LawTally, two_halves_are_the_whole) {
 // Every declaration names a law, and families and outcomes that there are; and every name is one law's.
 TEST(LawReach, declares_nothing_that_is_not_there) {
   std::set<std::string> names;
-  for (const AnyLaw& law : all_laws()) {
+  for (const Law& law : laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name << " is the name of two laws";
     EXPECT_FALSE(law.sentence.empty()) << law.name;
     EXPECT_FALSE(law.methods.empty()) << law.name;

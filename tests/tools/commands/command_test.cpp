@@ -83,12 +83,12 @@ TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same
                                        "method", "scalar", "tier", "iterations", "supports"}));
       EXPECT_EQ(json["id"], "test/hit");
       EXPECT_EQ(json["outcome"], "hit");
-      const engine::EngineMethod* method =
-          engine::find_method(json["method"].get<std::string>() + "/" + scalar);
+      const engine::Method* method =
+          engine::find_method(engine::Kind::linear, json["method"].get<std::string>() + "/" + scalar);
       ASSERT_NE(method, nullptr);
       EXPECT_EQ(json["tier"], method->tier);
       const engine::Answer answer =
-          method->cast(read.cases[0], {.request = Request::normal | Request::witnesses});
+          method->ask(read.cases[0], {.request = Request::normal | Request::witnesses});
       const auto same_bits = [](const Json& number, double x) {
         return std::bit_cast<std::uint64_t>(number.get<double>()) == std::bit_cast<std::uint64_t>(x);
       };
@@ -247,7 +247,7 @@ TEST(Check, bad_input_wins_over_a_refusal) {
 // A table that no arithmetic can keep: any rounding at all breaks it.
 std::string guarantees_with(double kappa) {
   Json rows = Json::array();
-  for (const engine::EngineMethod& method : engine::methods()) {
+  for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
     rows.push_back({{"method", method.name},
                     {"scalar", method.scalar},
                     {"tier", method.tier},

@@ -7,7 +7,7 @@
 
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
-#include "engines/queries.hpp"
+#include "engines/method.hpp"
 #include "run_command.hpp"
 
 namespace graze {
@@ -118,7 +118,7 @@ TEST(Tolerance, that_is_none_is_refused) {
 
 std::string rows_with(double kappa) {
   Json rows = Json::array();
-  for (const engine::QueryMethod& method : engine::query_methods()) {
+  for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     rows.push_back({{"query", corpus::name_of(method.query)},
                     {"method", method.name},
                     {"scalar", method.scalar},

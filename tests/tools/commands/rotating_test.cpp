@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "corpus/format/case_io.hpp"
-#include "engines/rotating.hpp"
+#include "engines/method.hpp"
 #include "run_command.hpp"
 #include "tests/shared/rotating_cases.hpp"
 
@@ -67,11 +67,11 @@ TEST(CastRotating, json_reads_back_to_the_same_bits) {
     ASSERT_EQ(lines.size(), 7U);
     for (const std::string& line : lines) {
       const Json json = Json::parse(line);
-      const engine::RotatingEngineMethod* method =
-          engine::find_rotating_method(json["method"].get<std::string>() + "/" + scalar);
+      const engine::Method* method =
+          engine::find_method(engine::Kind::rotating, json["method"].get<std::string>() + "/" + scalar);
       ASSERT_NE(method, nullptr);
-      const engine::RotatingAnswer answer =
-          method->cast(test::turning_bar(), {.request = Request::normal | Request::witnesses});
+      const engine::Answer answer =
+          method->ask(test::turning_bar(), {.request = Request::normal | Request::witnesses});
       EXPECT_EQ(json["tier"], method->tier);
       EXPECT_EQ(json["toi"]["lower"].get<double>(), answer.toi_lower);
       EXPECT_EQ(json["toi"]["upper"].get<double>(), answer.toi_upper);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include "properties/judge/answer.hpp"
+#include "properties/edit/case.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 namespace {
 
 // The range that every method accepts: 0, and magnitudes of 1e-60 to 1e60.
@@ -92,16 +92,16 @@ struct ShapeFault {
 // Vertices by the rule of core/graze/shape.hpp, of a shape without another fault. A double holds what no
 // integer does.
 constexpr double kMostVertices = 4294967295.0;
-double vertex_count(const Shape<double>& shape) {
+double vertices_in(const Shape<double>& shape) {
   return std::visit(
       []<class T>(const T& s) -> double {
         if constexpr (requires { s.shape; }) {
-          return vertex_count(s.shape->shape);
+          return vertices_in(s.shape->shape);
         } else if constexpr (requires { s.shapes; }) {
           constexpr bool kProduct = std::same_as<T, Sum<double>>;
           double count = kProduct ? 1 : 0;
           for (const auto& part : s.shapes) {
-            const double more = vertex_count(part->shape);
+            const double more = vertices_in(part->shape);
             count = std::min(kProduct ? count * more : count + more, 1e300);
           }
           return count;
@@ -135,7 +135,7 @@ std::string why_invalid(const corpus::Case& problem) {
     if (std::string why = orientation_fault(body->orientation); !why.empty()) return why;
     int parts_seen = 0;
     if (std::string why = std::visit(ShapeFault{&parts_seen}, body->shape); !why.empty()) return why;
-    if (vertex_count(body->shape) > kMostVertices) return "a shape of more than 2^32 - 1 vertices";
+    if (vertices_in(body->shape) > kMostVertices) return "a shape of more than 2^32 - 1 vertices";
   }
   if (problem.query == corpus::Query::penetration_along) {
     if (!in_range(problem.direction)) return "a direction outside 1e-60 to 1e60";
@@ -147,4 +147,4 @@ std::string why_invalid(const corpus::Case& problem) {
   return {};
 }
 
-}  // namespace graze::tool
+}  // namespace graze::law

@@ -1,4 +1,8 @@
-#include "properties/judge/query.hpp"
+// Answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact oracles
+// decide every one; there is no proof to look at first.
+//
+// Errors are lengths over scale: of a distance or depth what it is off by, of a time its backward error. A
+// verdict is wrong where distance, depth or clearance exceeds the limit.
 
 #include <fmt/format.h>
 
@@ -7,31 +11,33 @@
 #include <limits>
 
 #include "corpus/format/names.hpp"
+#include "oracles/polytope/exact_body.hpp"
 #include "properties/judge/exact_answer.hpp"
-#include "properties/judge/linear.hpp"
-#include "properties/judge/own_frames.hpp"
+#include "properties/judge/judge.hpp"
+#include "properties/judge/limits.hpp"
 
 namespace graze::law {
 namespace {
 
 using corpus::Query;
+using engine::Answer;
 using engine::Interval;
-using engine::QueryAnswer;
+using engine::Method;
 using oracle::Enclosure;
 
 class QueryJudge {
  public:
-  QueryJudge(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits)
-      : truth_(truth), answer_(answer), limits_(limits) {
+  QueryJudge(Truth& truth, const Method& method, const Answer& answer) : truth_(truth), answer_(answer) {
     const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
     scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
                                (moves ? truth.moving() : truth.at_rest()).scale().high);
-    limit_ = limits.kappa * limits.unit_roundoff * scale_ + unseen_of_trees(truth.problem(), scale_);
+    limits_ = limits_of(method, truth.problem(), scale_);
+    limit_ = limits_.limit;
     judgement_.outcome = answer.outcome;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
   }
 
-  QueryJudgement operator()() {
+  Judgement operator()() {
     if (answer_.outcome == Outcome::invalid_input) {
       convict(judgement_.wrong, "a valid case was refused");
       return judgement_;
@@ -64,11 +70,13 @@ class QueryJudge {
   }
 
  private:
-  static void convict(std::string& fault, std::string why) {
-    if (fault.empty()) fault = std::move(why);
+  void erred(double length) {
+    const double error = std::max(length, 0.0);
+    judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
+    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
   }
   [[nodiscard]] double in_scale(double length) const {
-    return length == 0 ? 0 : scale_ > 0 ? length / scale_ : kInfinity<double>;
+    return over(length, scale_);
   }
 
   // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
@@ -76,7 +84,7 @@ class QueryJudge {
   void verdict(bool claims, bool contact, const Apart& apart, const Deep& deep) {
     if (answer_.outcome == Outcome::not_converged || claims == contact) return;
     const double error = (claims ? apart() : deep()).low;
-    judgement_.backward = std::fmax(judgement_.backward, in_scale(error));
+    erred(error);
     if (error <= limit_) {
       judgement_.excused = true;
     } else {
@@ -88,7 +96,7 @@ class QueryJudge {
   // Either end of a bracket; one that says of itself that it is wide may be.
   void measure(const char* what, double error) {
     if (judgement_.stalled) return;
-    judgement_.backward = std::fmax(judgement_.backward, in_scale(error));
+    erred(error);
     if (!(error <= limit_)) {
       convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
@@ -105,7 +113,7 @@ class QueryJudge {
     measure(what, std::max(std::abs(bracket.lower - value.low), std::abs(bracket.upper - value.high)));
   }
   void normal_off(double error) {
-    judgement_.normal = std::fmax(judgement_.normal, in_scale(std::max(error, 0.0)));
+    judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(error, 0.0)));
     if (!(error <= limit_)) {
       convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
     }
@@ -116,10 +124,10 @@ class QueryJudge {
   }
   void witnesses() {
     for (const char body : {'a', 'b'}) {
-      const std::optional<Vec3<double>>& point = body == 'a' ? answer_.point_a : answer_.point_b;
-      if (!point) return convict(judgement_.bad_contact, "a witness is missing");
-      const double error = truth_.at_rest().distance_from_body(body, 0, *point).low - rounding(*point);
-      judgement_.witness = std::fmax(judgement_.witness, in_scale(std::max(error, 0.0)));
+      const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
+      if (!answer_.has_points) return convict(judgement_.bad_contact, "a witness is missing");
+      const double error = truth_.at_rest().distance_from_body(body, 0, point).low - rounding(point);
+      judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
         convict(judgement_.bad_contact,
                 fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
@@ -127,7 +135,7 @@ class QueryJudge {
     }
   }
   [[nodiscard]] double pair_rounding() const {
-    return rounding(*answer_.point_a) + rounding(*answer_.point_b);
+    return rounding(answer_.point_a) + rounding(answer_.point_b);
   }
 
   void verdict_at_rest() {
@@ -138,23 +146,23 @@ class QueryJudge {
   }
   // Of a miss: all of C is on the far side, h(n) <= 0.
   void separating_normal() {
-    if (answer_.outcome == Outcome::miss && answer_.normal) {
-      normal_off(truth_.penetration().reach(*answer_.normal).low);
+    if (answer_.outcome == Outcome::miss && answer_.has_normal()) {
+      normal_off(truth_.penetration().reach(answer_.normal).low);
     }
   }
 
   void distance() {
     verdict_at_rest();
-    if (!answer_.distance) return convict(judgement_.wrong, "no distance");
+    if (!answer_.separation) return convict(judgement_.wrong, "no distance");
     const Enclosure exact = truth_.at_rest().distance();
-    holds("the distance", *answer_.distance, exact);
+    holds("the distance", *answer_.separation, exact);
     if (answer_.outcome != Outcome::miss || judgement_.stalled) return;
     // h(n) = -distance for the axis of the closest points.
-    if (answer_.normal) normal_off(truth_.penetration().reach(*answer_.normal).low + exact.high);
+    if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high);
     witnesses();
     if (!judgement_.bad_contact.empty()) return;
     const double error =
-        std::abs((*answer_.point_a - *answer_.point_b).norm() - exact.high) - pair_rounding();
+        std::abs((answer_.point_a - answer_.point_b).norm() - exact.high) - pair_rounding();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
@@ -172,11 +180,11 @@ class QueryJudge {
     if (!has_depth()) return separating_normal();
     holds("the depth", *answer_.depth, truth_.penetration().depth());
     if (judgement_.stalled) return;
-    if (answer_.normal) normal_off(truth_.penetration().normal_error(*answer_.normal).low);
+    if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low);
     witnesses();
     if (!judgement_.bad_contact.empty()) return;
     const double error =
-        truth_.penetration().pair_error(*answer_.point_a, *answer_.point_b).low - pair_rounding();
+        truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low - pair_rounding();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
@@ -229,49 +237,18 @@ class QueryJudge {
         [&] { return exact.depth(); });
   }
 
-  QueryTruth& truth_;
-  const QueryAnswer& answer_;
-  const QueryLimits& limits_;
+  Truth& truth_;
+  const Answer& answer_;
+  Limits limits_;
   double scale_ = 0, limit_ = 0;
-  QueryJudgement judgement_;
+  Judgement judgement_;
 };
 
-corpus::Case rest(corpus::Case problem) {
-  problem.query = Query::cast;
-  problem.a.displacement.setZero();
-  problem.b.displacement.setZero();
-  problem.target_distance = 0;
-  problem.start_policy = StartPolicy::report;
-  return problem;
-}
-
-}  // namespace
-
-const oracle::LinearTruth& QueryTruth::moving() {
-  if (!moving_) moving_ = std::make_unique<oracle::LinearTruth>(problem_);
-  return *moving_;
-}
-const oracle::LinearTruth& QueryTruth::at_rest() {
-  if (!at_rest_) at_rest_ = std::make_unique<oracle::LinearTruth>(rest(problem_));
-  return *at_rest_;
-}
-const oracle::PenetrationTruth& QueryTruth::penetration() {
-  if (!penetration_) penetration_ = std::make_unique<oracle::PenetrationTruth>(rest(problem_));
-  return *penetration_;
-}
-
-double scale_of_question(corpus::Query query, double target_distance, double scale_of_pair) {
-  return query == Query::line ? std::max(scale_of_pair, target_distance) : scale_of_pair;
-}
-
-QueryJudgement judge_query(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits) {
-  return QueryJudge(truth, answer, limits)();
-}
-
-QueryJudgement judge_exact_query(QueryTruth& truth, const QueryAnswer& answer, const QueryLimits& limits) {
+// Verdict and both ends of the line to the last bit.
+Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& answer) {
   const corpus::Case& problem = truth.problem();
-  const bool in_float = limits.unit_roundoff == kUnitRoundoff<float>;
-  QueryJudgement judgement;
+  const bool in_float = method.in_float();
+  Judgement judgement;
   judgement.outcome = answer.outcome;
   corpus::Case question = problem;
   // An overlap knows no target distance.
@@ -281,6 +258,7 @@ QueryJudgement judge_exact_query(QueryTruth& truth, const QueryAnswer& answer, c
     if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
     return judgement;
   }
+  judgement.by_oracle = true;
   judgement.stalled = answer.outcome == Outcome::not_converged;
   if (problem.query == Query::line) {
     const std::optional<oracle::ContactInterval> exact = truth.moving().contact_interval();
@@ -300,20 +278,29 @@ QueryJudgement judge_exact_query(QueryTruth& truth, const QueryAnswer& answer, c
   const Outcome claim = swept ? Outcome::hit : Outcome::initially_overlapping;
   if (answer.outcome != (contact ? claim : Outcome::miss))
     judgement.wrong = "the verdict is not the oracle's";
-  if (!swept && answer.outcome == Outcome::miss && !contact && answer.normal) {
-    const double beyond = std::max(0.0, truth.penetration().reach(*answer.normal).low);
+  if (!swept && answer.outcome == Outcome::miss && !contact && answer.has_normal()) {
+    const double beyond = std::max(0.0, truth.penetration().reach(answer.normal).low);
     const double scale = truth.at_rest().scale().high;
-    if (beyond > limits.contact_kappa * limits.unit_roundoff * scale) {
+    if (beyond > limits_of(method, problem, scale).contact) {
       judgement.bad_contact = fmt::format("the normal is {:.2e} off separating", beyond);
     }
-    judgement.normal = scale > 0 ? beyond / scale : 0;
+    judgement.errors.normal = over(beyond, scale);
   }
   return judgement;
 }
 
-QueryJudgement judge_query(QueryTruth& truth, const engine::QueryMethod& method, const QueryAnswer& answer,
-                           const QueryLimits& limits) {
-  return method.is_exact() ? judge_exact_query(truth, answer, limits) : judge_query(truth, answer, limits);
+bool is_represented(const corpus::Case& problem) {
+  return oracle::is_exact_body(problem.a.shape) && oracle::is_exact_body(problem.b.shape);
+}
+
+}  // namespace
+
+Judgement judge_query(Truth& truth, const Method& method, const Answer& answer) {
+  if (method.is_exact()) return judge_exact_query(truth, method, answer);
+  Judgement judgement = is_represented(truth.problem()) ? QueryJudge(truth, method, answer)()
+                                                        : judge_curved_query(truth.problem(), method, answer);
+  judgement.by_oracle = true;
+  return judgement;
 }
 
 }  // namespace graze::law

@@ -1,22 +1,25 @@
-#include "properties/judge/curved_query.hpp"
+// Answers to queries between bodies that the exact oracles do not represent, by brackets that ball arithmetic
+// proves (oracles/truth/bracket_truth.hpp) in the place of exact numbers.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "corpus/format/names.hpp"
 #include "oracles/truth/bracket_truth.hpp"
-#include "properties/judge/linear.hpp"
-#include "properties/judge/own_frames.hpp"
+#include "properties/judge/judge.hpp"
+#include "properties/judge/limits.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 namespace {
 
 using corpus::Case;
 using corpus::Query;
+using engine::Answer;
 using engine::Interval;
-using engine::QueryAnswer;
+using engine::Method;
 using oracle::BracketTruth;
 using oracle::Enclosure;
 
@@ -47,19 +50,19 @@ bool is_along_the_path(Query query) { return query == Query::line || query == Qu
 
 class CurvedJudge {
  public:
-  CurvedJudge(const Case& problem, const QueryAnswer& answer, const law::QueryLimits& limits)
+  CurvedJudge(const Case& problem, const Method& method, const Answer& answer)
       : problem_(problem),
         answer_(answer),
-        limits_(limits),
         rest_(at_rest(problem)),
         pair_(is_along_the_path(problem.query) ? as_cast(problem) : at_rest(problem)) {
-    scale_ = law::scale_of_question(problem.query, problem.target_distance, pair_.scale().high);
-    limit_ = limits.kappa * limits.unit_roundoff * scale_ + law::unseen_of_trees(problem, scale_);
+    scale_ = scale_of_question(problem.query, problem.target_distance, pair_.scale().high);
+    limits_ = limits_of(method, problem, scale_);
+    limit_ = limits_.limit;
     judgement_.outcome = answer.outcome;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
   }
 
-  law::QueryJudgement operator()() {
+  Judgement operator()() {
     if (answer_.outcome == Outcome::invalid_input) {
       convict(judgement_.wrong, "a valid case was refused");
       return judgement_;
@@ -91,16 +94,18 @@ class CurvedJudge {
   }
 
  private:
-  static void convict(std::string& fault, std::string why) {
-    if (fault.empty()) fault = std::move(why);
+  void erred(double length) {
+    const double error = std::max(length, 0.0);
+    judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
+    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
   }
   [[nodiscard]] double in_scale(double length) const {
-    return length == 0 ? 0 : scale_ > 0 ? length / scale_ : kInfinity<double>;
+    return over(length, scale_);
   }
 
   // A claim that errs by this much, proved.
   void verdict_errs(double error, const char* what) {
-    judgement_.backward = std::fmax(judgement_.backward, in_scale(error));
+    erred(error);
     if (error <= limit_) {
       judgement_.excused = true;
     } else {
@@ -126,7 +131,7 @@ class CurvedJudge {
   // Either end of a bracket; one that says of itself that it is wide may be.
   void measure(const char* what, double error) {
     if (judgement_.stalled) return;
-    judgement_.backward = std::fmax(judgement_.backward, in_scale(std::max(error, 0.0)));
+    erred(error);
     if (!(error <= limit_)) {
       convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
@@ -148,13 +153,13 @@ class CurvedJudge {
   // Do they lie on their bodies? False: something is missing or off.
   bool witnesses() {
     for (const char body : {'a', 'b'}) {
-      const std::optional<Vec3<double>>& point = body == 'a' ? answer_.point_a : answer_.point_b;
-      if (!point) {
+      const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
+      if (!answer_.has_points) {
         convict(judgement_.bad_contact, "a witness is missing");
         return false;
       }
-      const double error = rest_.distance_from_body(body, 0, *point).low - rounding(*point);
-      judgement_.witness = std::fmax(judgement_.witness, in_scale(std::max(error, 0.0)));
+      const double error = rest_.distance_from_body(body, 0, point).low - rounding(point);
+      judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
         convict(judgement_.bad_contact,
                 fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
@@ -166,13 +171,13 @@ class CurvedJudge {
 
   void distance() {
     verdict_at_rest();
-    if (!answer_.distance) return convict(judgement_.wrong, "no distance");
+    if (!answer_.separation) return convict(judgement_.wrong, "no distance");
     const Enclosure true_distance = rest_.distance();
-    holds("the distance", *answer_.distance, true_distance);
+    holds("the distance", *answer_.separation, true_distance);
     if (answer_.outcome != Outcome::miss || judgement_.stalled || !witnesses()) return;
-    const double between = (*answer_.point_a - *answer_.point_b).norm();
+    const double between = (answer_.point_a - answer_.point_b).norm();
     const double error = std::max(true_distance.low - between, between - true_distance.high) -
-                         rounding(*answer_.point_a) - rounding(*answer_.point_b);
+                         rounding(answer_.point_a) - rounding(answer_.point_b);
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
@@ -191,11 +196,11 @@ class CurvedJudge {
   void penetration() {
     if (!has_depth()) return;
     Enclosure proved = rest_.penetration().distance;
-    if (answer_.normal) {
-      const Enclosure reach = rest_.normal_error(*answer_.normal);
+    if (answer_.has_normal()) {
+      const Enclosure reach = rest_.normal_error(answer_.normal);
       const double beyond = reach.low - answer_.depth->upper;
       if (!judgement_.stalled) {
-        judgement_.normal = std::fmax(judgement_.normal, in_scale(std::max(beyond, 0.0)));
+        judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(beyond, 0.0)));
         if (!(beyond <= limit_)) {
           convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(beyond)));
         }
@@ -216,14 +221,20 @@ class CurvedJudge {
     return BracketTruth(rest_of_it).depth().low - rounded;
   }
   void end_of_line(const char* what, const Case& path, const BracketTruth& truth, const Interval& bracket,
-                   bool onward) {
+                   const Enclosure& end, bool onward) {
     // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
-    if (law::is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
-        law::is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) {
+    const double u = limits_.unit_roundoff;
+    if ((is_beyond_range(bracket.lower, bracket.upper, u) || is_beyond_range(-bracket.upper, -bracket.lower, u)) &&
+        bracket.lower <= end.high && end.low <= bracket.upper) {
       return;
     }
-    for (const double t : {bracket.lower, bracket.upper}) {
-      if (!std::isfinite(t)) return convict(judgement_.off, fmt::format("{} is not finite", what));
+    const double largest = u == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
+                                                     : std::numeric_limits<double>::max();
+    for (const double given : {bracket.lower, bracket.upper}) {
+      const double t = std::clamp(given, -largest, largest);
+      if (!(t * relative(path)).allFinite() || std::isnan(given)) {
+        return convict(judgement_.off, fmt::format("{} is not finite", what));
+      }
       measure(what, std::max(truth.distance_at(t).low, depth_beyond(path, t, onward)));
     }
   }
@@ -234,7 +245,8 @@ class CurvedJudge {
     Case path = at_rest(problem_);
     path.b.displacement = d;
     const Interval times = {answer_.depth->lower / d.norm(), answer_.depth->upper / d.norm()};
-    end_of_line("the depth", path, BracketTruth(path), times, true);
+    const BracketTruth truth(path);
+    end_of_line("the depth", path, truth, times, truth.contact_interval().t_out, true);
     if (!judgement_.stalled) (void)witnesses();
   }
 
@@ -263,8 +275,8 @@ class CurvedJudge {
       if (!always) convict(judgement_.off, "bodies at rest and in contact have an end");
       return;
     }
-    end_of_line("t_in", path, pair_, *answer_.t_in, false);
-    end_of_line("t_out", path, pair_, *answer_.t_out, true);
+    end_of_line("t_in", path, pair_, *answer_.t_in, contact.t_in, false);
+    end_of_line("t_out", path, pair_, *answer_.t_out, contact.t_out, true);
   }
   // Of a line that misses: from its point at t = 0, either way.
   [[nodiscard]] static double line_clearance(const Case& path) {
@@ -276,22 +288,17 @@ class CurvedJudge {
   }
 
   const Case& problem_;
-  const QueryAnswer& answer_;
-  const law::QueryLimits& limits_;
+  const Answer& answer_;
+  Limits limits_;
   BracketTruth rest_, pair_;  // at t = 0 without the target distance; as the query asks
   double scale_ = 0, limit_ = 0;
-  law::QueryJudgement judgement_;
+  Judgement judgement_;
 };
 
 }  // namespace
 
-law::QueryJudgement judge_curved_query(const Case& problem, const engine::QueryMethod& method,
-                                       const QueryAnswer& answer, const law::QueryLimits& limits) {
-  if (method.is_exact()) {
-    law::QueryTruth not_asked(problem);
-    return law::judge_exact_query(not_asked, answer, limits);
-  }
-  return CurvedJudge(problem, answer, limits)();
+Judgement judge_curved_query(const Case& seen, const Method& method, const Answer& answer) {
+  return CurvedJudge(seen, method, answer)();
 }
 
-}  // namespace graze::tool
+}  // namespace graze::law

@@ -1,0 +1,259 @@
+#include "certify/certification.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <span>
+
+#include "corpus/format/case_io.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/judge/judge.hpp"
+#include "report/parallel.hpp"
+#include "report/progress.hpp"
+
+namespace graze::tool {
+namespace {
+
+using corpus::Case;
+using engine::Kind;
+using engine::Method;
+using law::Judgement;
+
+// What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the proof,
+// which may be found in another way.
+constexpr std::array<Request, 1> kEverything = {Request::everything}, kWithoutProof = {engine::kPlain};
+constexpr std::array<Request, 2> kBoth = {engine::kPlain, Request::everything};
+std::span<const Request> requests_of(Kind kind) {
+  if (kind == Kind::query) return kWithoutProof;
+  return kind == Kind::linear ? std::span<const Request>(kEverything) : kBoth;
+}
+
+// Judged at a time, and then forgotten: a suite may have more cases than fit into memory.
+std::size_t block_of(Kind kind) { return kind == Kind::linear ? 1024 : 64; }
+// Of a suite: cases whose casts are timed, batches of each, and hits that are kept for the study.
+constexpr std::size_t kTimedLinear = 24, kTimedRotating = 8, kKeptHits = 16;
+constexpr int kBatchesLinear = 5, kBatchesRotating = 3;
+// What a case of a kind costs in processor time, over that of a linear cast: for the time that is left.
+std::uint64_t cost_of(Kind kind) { return kind == Kind::linear ? 1 : kind == Kind::query ? 12 : 60; }
+
+// One method's answers to one case.
+struct Judged {
+  std::optional<Case> asked = {};  // nothing: no question for the method
+  Judgement judgement = {};
+  Counters counters = {};
+  double true_backward = std::numeric_limits<double>::quiet_NaN();
+};
+struct JudgedCase {
+  Case problem;
+  std::vector<Judged> by_method = {};
+  bool oracle_made = false, hits = false;
+};
+
+// Every fault, every excuse and the larger length of two answers to one question.
+Judgement worse_of(Judgement first, const Judgement& second) {
+  using J = Judgement;
+  for (const law::FaultKind& kind : law::kFaultKinds) {
+    if ((first.*kind.why).empty()) first.*kind.why = second.*kind.why;
+  }
+  if (first.undecided.empty()) first.undecided = second.undecided;
+  for (bool J::*flag : {&J::stalled, &J::excused, &J::hidden, &J::open, &J::by_oracle, &J::not_asked}) {
+    first.*flag = first.*flag || second.*flag;
+  }
+  using E = law::Errors;
+  for (double E::*length : {&E::forward, &E::backward, &E::normal, &E::witness, &E::passed, &E::over_limit}) {
+    first.errors.*length = std::fmax(first.errors.*length, second.errors.*length);
+  }
+  if (second.proof != law::ProofState::none) first.proof = second.proof;
+  return first;
+}
+
+bool same_question(const Case& one, Case other) {
+  other.expect = one.expect;
+  return corpus::same_case(one, other);
+}
+
+// The truth about the case as it is seen: one that there is, or a new one.
+law::Truth& truth_of(std::vector<std::unique_ptr<law::Truth>>& truths, Case seen) {
+  for (const std::unique_ptr<law::Truth>& truth : truths) {
+    if (same_question(truth->problem(), seen)) return *truth;
+  }
+  return *truths.emplace_back(std::make_unique<law::Truth>(std::move(seen)));
+}
+
+Judged judge_one(const Method& method, const Case& asked, std::vector<std::unique_ptr<law::Truth>>& truths,
+                 bool measure) {
+  Judged judged;
+  const Case seen = method.seen(asked);
+  // The scalar has made it another question.
+  if (method.kind == Kind::query && !law::in_domain(seen)) return judged;
+  judged.asked = asked;
+  law::Truth& truth = truth_of(truths, seen);
+  bool is_first = true;
+  for (const Request request : requests_of(method.kind)) {
+    const engine::Answer answer = method.ask(asked, {.request = request});
+    Judgement judgement = law::judge(truth, method, answer, request, measure);
+    judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
+    if (is_first) judged.counters = answer.counters;
+    is_first = false;
+    if (method.kind != Kind::linear || !measure || !method.in_float() || judged.judgement.not_asked) continue;
+    if (law::in_domain(asked)) {
+      judged.true_backward = law::errors_of(truth_of(truths, asked), answer, Request::verdict).backward;
+    }
+  }
+  return judged;
+}
+
+JudgedCase judge_case(const Suite& suite, std::size_t i, std::span<const Method* const> methods) {
+  JudgedCase all{.problem = suite.at(i)};
+  const bool measure = suite.kind != Kind::linear || i % suite.oracle_every == 0;
+  std::vector<std::unique_ptr<law::Truth>> truths;
+  for (const Method* method : methods) {
+    const std::optional<Case> asked = question_for(suite, i, all.problem, *method);
+    all.by_method.push_back(asked ? judge_one(*method, *asked, truths, measure) : Judged{});
+  }
+  for (const std::unique_ptr<law::Truth>& truth : truths) {
+    if (!truth->has_cast()) continue;
+    all.oracle_made = true;
+    all.hits = all.hits || (measure && same_question(all.problem, truth->problem()) &&
+                            truth->cast().outcome() == Outcome::hit);
+  }
+  return all;
+}
+
+void time_suite(const Suite& suite, std::span<Tally* const> tallies) {
+  const bool turning = suite.kind == Kind::rotating;
+  const std::size_t most = turning ? kTimedRotating : kTimedLinear;
+  const std::size_t stride = std::max<std::size_t>(1, suite.size() / most);
+  for (std::size_t i = 0, timed = 0; i < suite.size() && timed < most; i += stride, ++timed) {
+    const Case problem = suite.at(i);
+    if (!law::in_domain(problem)) continue;
+    for (Tally* tally : tallies) {
+      const Method& method = *tally->method;
+      if (method.time_ns == nullptr) continue;
+      if (method.is_exact() && !engine::is_exact_question(method.seen(problem))) continue;
+      tally->ns.push_back(method.time_ns(problem, {.request = engine::kPlain},
+                                         turning ? kBatchesRotating : kBatchesLinear));
+    }
+  }
+}
+
+// One run, suite by suite.
+class Run {
+ public:
+  Run(const std::vector<Suite>& suites, const Settings& settings)
+      : settings_(settings), progress_("certify", total_cost(suites), 0, Progress::Show::percent) {
+    for (const Method* method : settings.methods) {
+      for (const Suite& suite : suites) {
+        if (suite.kind == method->kind) result_.tallies.push_back({.method = method, .family = suite.family});
+      }
+    }
+  }
+
+  Certification operator()(const std::vector<Suite>& suites) {
+    std::array<std::size_t, 3> nth = {};  // suites of a kind so far
+    for (const Suite& suite : suites) {
+      judge_suite(suite, nth[static_cast<std::size_t>(suite.kind)]++);
+    }
+    for (const Tally& tally : result_.tallies) {
+      for (std::string& line : breaches(tally)) result_.breaches.push_back(std::move(line));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static std::uint64_t total_cost(const std::vector<Suite>& suites) {
+    return std::accumulate(suites.begin(), suites.end(), std::uint64_t{0}, [](auto sum, const Suite& suite) {
+      return sum + cost_of(suite.kind) * suite.size();
+    });
+  }
+
+  // The tallies of a suite, the nth of its kind, by method.
+  std::vector<Tally*> tallies_of(Kind kind, std::size_t nth) {
+    std::vector<Tally*> found;
+    const Method* last = nullptr;
+    std::size_t i = 0;
+    for (Tally& tally : result_.tallies) {
+      if (tally.method->kind != kind) continue;
+      i = tally.method == last ? i + 1 : 0;
+      last = tally.method;
+      if (i == nth) found.push_back(&tally);
+    }
+    return found;
+  }
+
+  void judge_suite(const Suite& suite, std::size_t nth) {
+    const std::vector<Tally*> tallies = tallies_of(suite.kind, nth);
+    if (tallies.empty()) return;
+    std::vector<const Method*> methods;
+    for (const Tally* tally : tallies) methods.push_back(tally->method);
+    const std::size_t block = block_of(suite.kind);
+    for (std::size_t first = 0; first < suite.size() && !settings_.stop(); first += block) {
+      std::vector<JudgedCase> judged(std::min(block, suite.size() - first));
+      for_each_index(judged.size(), settings_.threads, [&](std::size_t i) {
+        if (settings_.stop()) return;
+        judged[i] = judge_case(suite, first + i, methods);
+        progress_.advance(cost_of(suite.kind), suite.family);
+      });
+      for (JudgedCase& one : judged) count(one, tallies);
+    }
+    if (settings_.stop()) {
+      result_.unfinished.push_back(suite.family);
+      return;
+    }
+    if (suite.kind != Kind::query) time_suite(suite, tallies);
+  }
+
+  void count(JudgedCase& one, std::span<Tally* const> tallies) {
+    if (one.by_method.empty()) return;  // left out by a stop
+    bool convicted = false, asked = false;
+    for (std::size_t m = 0; m < tallies.size(); ++m) {
+      const Judged& judged = one.by_method[m];
+      if (!judged.asked) continue;
+      asked = true;
+      tallies[m]->add(one.problem, judged.judgement, judged.counters);
+      tallies[m]->true_backward.push_back(judged.true_backward);
+      result_.answers += requests_of(tallies[m]->method->kind).size();
+      if (!judged.judgement.faulty() && !judged.judgement.stalled) continue;
+      const bool is_query = tallies[m]->method->kind == Kind::query;
+      if (is_query || !convicted) result_.convicted.push_back(*judged.asked);
+      convicted = true;
+    }
+    result_.questions += asked ? 1 : 0;
+    result_.oracle_cases += one.oracle_made ? 1 : 0;
+    if (one.hits && hits_of_ != &tallies.front()->family) {
+      hits_of_ = &tallies.front()->family;
+      hits_kept_ = 0;
+    }
+    if (one.hits && hits_kept_++ < kKeptHits) result_.hits.push_back(std::move(one.problem));
+  }
+
+  const Settings& settings_;
+  Progress progress_;
+  Certification result_;
+  const std::string* hits_of_ = nullptr;  // the suite whose hits are being kept
+  std::size_t hits_kept_ = 0;
+};
+
+}  // namespace
+
+bool Certification::has_kept(const Method& method) const {
+  return std::none_of(tallies.begin(), tallies.end(), [&](const Tally& tally) {
+    return tally.method == &method && !tool::breaches(tally).empty();
+  });
+}
+
+Tally Certification::total(const Method& method) const {
+  Tally sum{.method = &method, .family = "all"};
+  for (const Tally& tally : tallies) {
+    if (tally.method == &method) sum.add(tally);
+  }
+  return sum;
+}
+
+Certification certify(const std::vector<Suite>& suites, const Settings& settings) {
+  return Run(suites, settings)(suites);
+}
+
+}  // namespace graze::tool

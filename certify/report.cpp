@@ -1,0 +1,398 @@
+#include "certify/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "corpus/format/names.hpp"
+#include "report/progress.hpp"
+#include "report/statistics.hpp"
+#include "report/table.hpp"
+
+namespace graze::tool {
+namespace {
+
+using engine::Kind;
+using engine::Method;
+
+std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
+
+std::string ns_text(double ns) { return std::isnan(ns) ? "-" : fmt::format("{:.0f}", ns); }
+
+std::string unseen_text(engine::Unseen unseen) {
+  switch (unseen) {
+    case engine::Unseen::nothing:
+      return "nothing";
+    case engine::Unseen::hidden_motion:
+      return "hidden";
+    case engine::Unseen::anything:
+      break;
+  }
+  return "anything";
+}
+
+// 1,234,567
+std::string grouped(std::size_t count) {
+  std::string text = fmt::to_string(count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+void add_heading(Table& table, Kind kind) {
+  std::vector<std::string> cells(10);
+  cells.front() = kind == Kind::linear ? "casts" : kind == Kind::query ? "queries" : "casts of turning bodies";
+  table.add_row(std::move(cells));
+}
+
+std::size_t fault_count(const Tally& tally, std::string law::Judgement::*why) {
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (law::kFaultKinds[k].why == why) return tally.faults[k];
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string verdict_line(const Certification& certification, double seconds) {
+  std::set<std::string> families;
+  std::size_t faults = 0, stalls = 0;
+  for (const Tally& tally : certification.tallies) {
+    if (tally.cases > 0) families.insert(tally.family);
+    faults += tally.faulty();
+    stalls += tally.stalled;
+  }
+  const char* verdict = !certification.breaches.empty()     ? "A method breaks its guarantee"
+                        : !certification.unfinished.empty() ? "Stopped: no guarantee is broken so far"
+                                                            : "Every method keeps its guarantee";
+  return fmt::format("{}: {} answers to {} cases of {} suites judged in {}, {} faults, {} stalls.\n", verdict,
+                     grouped(certification.answers), grouped(certification.questions), families.size(),
+                     duration_text(seconds), grouped(faults), grouped(stalls));
+}
+
+std::string summary_table(const Certification& certification, const Settings& settings) {
+  Table table({{"method", Align::left},
+               {"answers"},
+               {"faults"},
+               {"stalls"},
+               {"proofs"},
+               {"error/limit\ndouble"},
+               {"\nfloat"},
+               {"worst in", Align::left},
+               {"median ns\ndouble"},
+               {"\nfloat"}});
+  const auto place_of = [](const Method& method) {
+    return std::tuple(method.kind, method.query, method.name, method.tier);
+  };
+  std::vector<const Method*> done;
+  const Method* last = nullptr;
+  for (const Method* method : settings.methods) {
+    const auto is_same = [&](const Method* other) { return place_of(*other) == place_of(*method); };
+    if (std::any_of(done.begin(), done.end(), is_same)) continue;
+    done.push_back(method);
+    Tally both{.method = method, .family = "all"};
+    Tally::Worst worst_of[2];
+    double ns[2] = {std::nan(""), std::nan("")};
+    std::string worst_family = "-";
+    double most = -1;
+    for (const Method* scalar : settings.methods) {
+      if (!is_same(scalar)) continue;
+      const Tally total = certification.total(*scalar);
+      both.add(total);
+      worst_of[scalar->in_float()] = total.over_limit;
+      ns[scalar->in_float()] = median(total.ns);
+      for (const Tally& tally : certification.tallies) {
+        if (tally.method != scalar || !(tally.over_limit.value > most)) continue;
+        most = tally.over_limit.value;
+        worst_family = tally.family;
+      }
+    }
+    if (last != nullptr && last->kind != method->kind) table.add_gap();
+    if (last == nullptr || last->kind != method->kind) add_heading(table, method->kind);
+    last = method;
+    const std::string query =
+        method->kind == Kind::query ? std::string(corpus::name_of(method->query)) + " " : "";
+    table.add_row({"  " + query + method->name, fmt::to_string(both.cases), count_text(both.faulty()),
+                   count_text(both.stalled), count_text(both.accepted), short_number(worst_of[0].value),
+                   short_number(worst_of[1].value), most > 0 ? worst_family : "-", ns_text(ns[0]),
+                   ns_text(ns[1])});
+  }
+  return table.text();
+}
+
+std::string exact_summary(const Certification& certification, const Settings& settings) {
+  std::string text;
+  std::size_t casts = 0, failures = 0;
+  for (const Method* method : settings.methods) {
+    if (!method->is_exact() || method->kind != Kind::linear) continue;
+    const Tally sum = certification.total(*method);
+    const std::size_t faults = sum.faulty();
+    text += fmt::format("{}: {} casts to the last bit, {} wrong, {} stalled; {} cases are not for the tier.\n",
+                        method->full_name(), sum.cases, faults, sum.stalled, sum.not_asked);
+    casts += sum.cases;
+    failures += faults + sum.stalled;
+  }
+  if (casts > 0 && failures == 0) {
+    text +=
+        fmt::format("None of {} failed: the rate of failures on such cases is below 3/n = {:.2g} at 95 %.\n",
+                    casts, 3.0 / static_cast<double>(casts));
+  }
+  return text;
+}
+
+namespace {
+
+std::string linear_table(const Certification& certification) {
+  Table table({{"method", Align::left},
+               {"family", Align::left},
+               {"cases"},
+               {"not\nasked"},
+               {"wrong"},
+               {"late"},
+               {"early"},
+               {"off"},
+               {"contact\noff"},
+               {"not con-\nverged"},
+               {"excused"},
+               {"proofs\naccepted"},
+               {"\nrefused"},
+               {"\nnone"},
+               {"by\noracle"},
+               {"forward\nmedian"},
+               {"error\nworst"},
+               {"backward\nmedian"},
+               {"error\nworst"},
+               {"true in.\nworst"},
+               {"normal\nworst"},
+               {"witness\nworst"},
+               {"median\nns"}});
+  const Method* last = nullptr;
+  using J = law::Judgement;
+  for (const Tally& t : certification.tallies) {
+    if (t.method->kind != Kind::linear) continue;
+    if (last != nullptr && last != t.method) table.add_gap();
+    last = t.method;
+    table.add_row({t.method->full_name(), t.family, fmt::to_string(t.cases), count_text(t.not_asked),
+                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::late)),
+                   fmt::to_string(fault_count(t, &J::early)), fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused), fmt::to_string(t.accepted), fmt::to_string(t.refused),
+                   fmt::to_string(t.unproved), fmt::to_string(t.by_oracle), short_number(median(t.forward)),
+                   short_number(worst(t.forward)), short_number(median(t.backward)),
+                   short_number(worst(t.backward)), short_number(worst(t.true_backward)),
+                   short_number(worst(t.normal)), short_number(worst(t.witness)), ns_text(median(t.ns))});
+  }
+  return table.text();
+}
+
+std::string where_text(const Tally::Worst& worst) {
+  if (std::isnan(worst.value) || !worst.hardness) return "-";
+  return fmt::to_string(*worst.hardness);
+}
+
+std::string rotating_table(const Certification& certification) {
+  Table table({{"method", Align::left},
+               {"family", Align::left},
+               {"cases"},
+               {"not\nasked"},
+               {"wrong"},
+               {"late"},
+               {"early"},
+               {"off"},
+               {"contact\noff"},
+               {"unproved"},
+               {"not con-\nverged"},
+               {"excused"},
+               {"hidden"},
+               {"oracle\nopen"},
+               {"proofs\naccepted"},
+               {"\nrefused"},
+               {"width\nworst"},
+               {"\nhardness"},
+               {"passed\nworst"},
+               {"\nhardness"},
+               {"normal\nworst"},
+               {"witness\nworst"},
+               {"supports\nmedian"},
+               {"\nworst"},
+               {"median\nns"}});
+  const Method* last = nullptr;
+  using J = law::Judgement;
+  for (const Tally& t : certification.tallies) {
+    if (t.method->kind != Kind::rotating) continue;
+    if (last != nullptr && last != t.method) table.add_gap();
+    last = t.method;
+    table.add_row({t.method->full_name(), t.family, fmt::to_string(t.cases), count_text(t.not_asked),
+                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::late)),
+                   fmt::to_string(fault_count(t, &J::early)), fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(fault_count(t, &J::unproved)),
+                   fmt::to_string(t.stalled), fmt::to_string(t.excused), count_text(t.hidden),
+                   count_text(t.open), fmt::to_string(t.accepted), fmt::to_string(t.refused),
+                   short_number(t.width.value), where_text(t.width), short_number(t.passed.value),
+                   where_text(t.passed), short_number(worst(t.normal)), short_number(worst(t.witness)),
+                   ns_text(median(t.supports)), ns_text(worst(t.supports)), ns_text(median(t.ns))});
+  }
+  return table.text();
+}
+
+constexpr const char* kLinearWords =
+    "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case as the\n"
+    "method's scalar sees it. excused: a wrong verdict within it. Errors are over scale, of the bracket's worse\n"
+    "end, on the cases by oracle; true in.: the backward error of a float answer against the input before\n"
+    "rounding to float.\n"
+    "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are wrong, late\n"
+    "or early, by anything at all; off: an end farther from contact than the width; not converged: what was left\n"
+    "open though clearance or depth exceeds that width, excused: what was left open below it.\n"
+    "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not asked:\n"
+    "cases that are not for the tier, and that it refuses.\n"
+    "median ns: one cast with normal and witnesses, shapes built beforehand.\n";
+
+constexpr const char* kRotatingWords =
+    "wrong, late, early (contact claimed where there is none yet), off: by more than kappa u scale of the method's\n"
+    "row; in tier certified wrong, late and early by anything at all, off and not converged by more than the row's\n"
+    "width. excused: decided by less than that. hidden: a contact missed or passed that the row says may be.\n"
+    "oracle open: the oracle decides no verdict: clearance and depth below its own width. width: of a hit, the\n"
+    "larger of the distance at toi_lower and the depth before toi_upper; passed: how deep a contact was that a\n"
+    "miss denied or toi_lower had passed; over scale.\n";
+
+bool has_kind(const Settings& settings, const Certification& certification, Kind kind) {
+  return std::any_of(settings.methods.begin(), settings.methods.end(),
+                     [&](const Method* method) { return method->kind == kind; }) &&
+         std::any_of(certification.tallies.begin(), certification.tallies.end(),
+                     [&](const Tally& tally) { return tally.method->kind == kind; });
+}
+
+}  // namespace
+
+std::string tally_table(Kind kind, const Certification& certification) {
+  return kind == Kind::rotating ? rotating_table(certification) : linear_table(certification);
+}
+
+namespace {
+
+std::string number(const std::optional<double>& x) { return x ? fmt::to_string(*x) : "-"; }
+
+std::string query_table(const Certification& certification, const Settings& settings) {
+  Table table({{"query", Align::left},
+               {"method", Align::left},
+               {"cases"},
+               {"wrong"},
+               {"off"},
+               {"contact\noff"},
+               {"stalled"},
+               {"excused"},
+               {"error\nmedian"},
+               {"\nworst"},
+               {"normal\nworst"},
+               {"witness\nworst"},
+               {"kappa\npolytopes"},
+               {"kappa\nrounded"},
+               {"kappa\ncontact"},
+               {"stalls\nat most"},
+               {"held", Align::left},
+               {"mechanism", Align::left}});
+  using J = law::Judgement;
+  for (const Method* method : settings.methods) {
+    if (method->kind != Kind::query) continue;
+    const Tally t = certification.total(*method);
+    const engine::Guarantee* row = method->guarantee;
+    table.add_row({std::string(corpus::name_of(method->query)), method->full_name(), fmt::to_string(t.cases),
+                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused), short_number(median(t.backward)), short_number(worst(t.backward)),
+                   short_number(worst(t.normal)), short_number(worst(t.witness)),
+                   row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
+                   row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
+                   row == nullptr ? "-" : number(row->kappa_contact),
+                   row == nullptr ? "-" : fmt::to_string(row->stall_cap),
+                   row == nullptr ? "no row" : certification.has_kept(*method) ? "yes" : "NO",
+                   row == nullptr ? "" : row->mechanism});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+std::string guarantee_table(Kind kind, const Certification& certification, const Settings& settings) {
+  if (kind == Kind::query) return query_table(certification, settings);
+  const bool turning = kind == Kind::rotating;
+  std::vector<Column> columns = {{"method", Align::left}, {"tier", Align::left},
+                                 {"kappa\npolytopes"},    {"kappa\nrounded"},
+                                 {"kappa\ncontact"},      {"width\nat most"}};
+  if (turning) {
+    columns.push_back({"may\nmiss", Align::left});
+    columns.push_back({"may be\nlate", Align::left});
+  }
+  columns.push_back({"stalls\nat most"});
+  columns.push_back({"held", Align::left});
+  if (turning) {
+    columns.push_back({"worst width", Align::left});
+    columns.push_back({"deepest passed", Align::left});
+  }
+  columns.push_back({"mechanism", Align::left});
+  const std::size_t width = columns.size();
+  Table table(std::move(columns));
+  const auto worst_text = [](const Tally::Worst& worst) {
+    return std::isnan(worst.value) ? "-" : fmt::format("{} {}", short_number(worst.value), worst.id);
+  };
+  for (const Method* method : settings.methods) {
+    if (method->kind != kind) continue;
+    const engine::Guarantee* row = method->guarantee;
+    std::vector<std::string> cells = {method->full_name(), method->tier};
+    if (row == nullptr) {
+      cells.resize(width, "-");
+      cells[turning ? 9 : 7] = "no row";
+      table.add_row(std::move(cells));
+      continue;
+    }
+    cells.insert(cells.end(), {fmt::to_string(row->kappa_polytope), fmt::to_string(row->kappa_rounded),
+                               number(row->kappa_contact), number(row->width)});
+    if (turning) {
+      cells.push_back(unseen_text(row->may_miss));
+      cells.push_back(unseen_text(row->may_be_late));
+    }
+    cells.push_back(fmt::to_string(row->stall_cap));
+    cells.push_back(certification.has_kept(*method) ? "yes" : "NO");
+    if (turning) {
+      const Tally total = certification.total(*method);
+      cells.push_back(worst_text(total.width));
+      cells.push_back(worst_text(total.passed));
+    }
+    cells.push_back(row->mechanism);
+    table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
+std::string full_tables(const Certification& certification, const Settings& settings) {
+  std::string text;
+  if (has_kind(settings, certification, Kind::linear)) {
+    std::size_t judged = 0;
+    for (const Tally& tally : certification.tallies) {
+      judged += tally.method->kind == Kind::linear ? tally.cases : 0;
+    }
+    text += fmt::format(
+        "Casts: {} judged, by proof first; {} cases answered by the exact oracle as well.\n\n{}\n{}\n", judged,
+        certification.oracle_cases, linear_table(certification), kLinearWords);
+    if (const std::string exact = exact_summary(certification, settings); !exact.empty()) {
+      text += fmt::format("Tier exact\n\n{}\n", exact);
+    }
+    text += fmt::format("Guarantees\n\n{}\n", guarantee_table(Kind::linear, certification, settings));
+  }
+  if (has_kind(settings, certification, Kind::query)) {
+    text += fmt::format(
+        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact oracles know "
+        "them; and their rows\n\n{}\n",
+        query_table(certification, settings));
+  }
+  if (has_kind(settings, certification, Kind::rotating)) {
+    text += fmt::format("Rotating casts, judged by brackets of the first contact and by proofs\n\n{}\n{}\n{}\n",
+                        rotating_table(certification), kRotatingWords,
+                        guarantee_table(Kind::rotating, certification, settings));
+  }
+  return text;
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+
+#include "corpus/format/names.hpp"
+#include "engines/guarantees.hpp"
+#include "engines/method.hpp"
+#include "engines/ours.hpp"
+
+namespace graze::engine {
+
+Answer not_taken() {
+  return {.outcome = Outcome::invalid_input, .toi_lower = std::nan(""), .toi_upper = std::nan("")};
+}
+
+std::string Method::question_name() const {
+  switch (kind) {
+    case Kind::linear:
+      return full_name();
+    case Kind::query:
+      return std::string(corpus::name_of(query)) + " " + full_name();
+    case Kind::rotating:
+      break;
+  }
+  return "rotating " + full_name();
+}
+
+std::span<const Method> methods() {
+  static const std::vector<Method> kMethods = [] {
+    std::vector<Method> all;
+    add_linear_methods(all);
+    add_query_methods(all);
+    add_rotating_methods(all);
+    for (Method& method : all) method.guarantee = find_guarantee(guarantees(), method);
+    return all;
+  }();
+  return kMethods;
+}
+
+std::span<const Method> methods(Kind kind) {
+  const auto is_of_kind = [&](const Method& method) { return method.kind == kind; };
+  const std::span<const Method> all = methods();
+  const auto first = std::find_if(all.begin(), all.end(), is_of_kind);
+  return {first, std::find_if_not(first, all.end(), is_of_kind)};
+}
+
+namespace {
+
+const Method* find_if(std::string_view name, auto&& is_meant) {
+  for (const Method& method : methods()) {
+    if (is_meant(method) && (name == method.name || name == method.full_name())) return &method;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const Method* find_method(Kind kind, std::string_view name) {
+  return find_if(name, [&](const Method& method) { return method.kind == kind; });
+}
+
+const Method* find_method(corpus::Query query, std::string_view name) {
+  return find_if(name,
+                 [&](const Method& method) { return method.kind == Kind::query && method.query == query; });
+}
+
+std::string_view to_text(Kind kind) {
+  switch (kind) {
+    case Kind::linear:
+      return "linear";
+    case Kind::query:
+      return "query";
+    case Kind::rotating:
+      return "rotating";
+  }
+  return "";
+}
+
+std::string unsupported(Kind kind, const corpus::Case& problem) {
+  const bool is_cast = problem.query == corpus::Query::cast;
+  if (kind == Kind::rotating) return is_cast ? "" : "a query other than cast";
+  const bool along_the_path =
+      is_cast || problem.query == corpus::Query::line || problem.query == corpus::Query::swept_overlap;
+  if (kind == Kind::query && !along_the_path) return {};
+  if (turns(problem)) return "a rotating motion";
+  return kind == Kind::linear && !is_cast ? "a query other than cast" : "";
+}
+
+bool turns(const corpus::Case& problem) {
+  // Written so that a NaN counts as a rotation, too.
+  return !(problem.spin_a.rotation == Vec3<double>::Zero() &&
+           problem.spin_b.rotation == Vec3<double>::Zero());
+}
+
+namespace {
+
+bool is_polytope(const Shape<double>& shape) {
+  return std::visit(
+      []<class T>(const T& s) {
+        if constexpr (std::same_as<T, Posed<double>>) {
+          return s.shape && is_polytope(s.shape->shape);
+        } else if constexpr (std::same_as<T, Sum<double>>) {
+          return std::all_of(s.shapes.begin(), s.shapes.end(), [](const SharedShape<double>& part) {
+            return part && is_polytope(part->shape);
+          });
+        } else {
+          return std::same_as<T, Point<double>> || std::same_as<T, Segment<double>> ||
+                 std::same_as<T, Triangle<double>> || std::same_as<T, Box<double>> ||
+                 std::same_as<T, Hull<double>>;
+        }
+      },
+      shape);
+}
+
+}  // namespace
+
+bool is_exact_question(const corpus::Case& seen) {
+  return is_polytope(seen.a.shape) && is_polytope(seen.b.shape) && seen.target_distance == 0;
+}
+
+}  // namespace graze::engine

@@ -1,0 +1,174 @@
+// Answers to linear casts, of every tier.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "properties/edit/case.hpp"
+#include "properties/judge/by_proof.hpp"
+#include "properties/judge/contact.hpp"
+#include "properties/judge/exact_answer.hpp"
+#include "properties/judge/judge.hpp"
+#include "properties/judge/linear.hpp"
+
+namespace graze::law {
+namespace {
+
+using engine::Answer;
+using engine::Method;
+using oracle::CaseTruth;
+
+class LinearJudge {
+ public:
+  LinearJudge(Truth& truth, const Method& method, const Answer& answer, Request request)
+      : truth_(truth), method_(method), answer_(answer), request_(request) {
+    judgement_.outcome = answer.outcome;
+    judgement_.stalled = answer.outcome == Outcome::not_converged;
+  }
+
+  Judgement operator()(bool measure) {
+    if (method_.is_exact() && is_not_asked()) return judgement_;
+    if (is_settled_by_validity()) return judgement_;
+    if (method_.is_exact()) {
+      exact(measure);
+      return judgement_;
+    }
+    if (is_settled_beyond_range()) return judgement_;
+    if (std::string why = senseless(answer_, problem().t_max); !why.empty()) {
+      convict(judgement_.wrong, std::move(why));
+      return judgement_;
+    }
+    if (proof() && !measure) return judgement_;
+    judgement_.by_oracle = true;
+    const double granted = by_oracle();
+    judgement_.errors = errors_of(truth_, answer_, request_);
+    judgement_.errors.over_limit = over(judgement_.errors.backward, granted);
+    return judgement_;
+  }
+
+ private:
+  [[nodiscard]] const corpus::Case& problem() const { return truth_.problem(); }
+
+  // Input validation. True if there is nothing more to judge.
+  bool is_settled_by_validity() {
+    const std::string invalid = why_invalid(problem());
+    const bool refused = answer_.outcome == Outcome::invalid_input;
+    if (refused != !invalid.empty()) {
+      convict(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
+    }
+    return refused || !invalid.empty();
+  }
+
+  // A hit at a time that the scalar cannot hold. True if there is nothing more to judge.
+  bool is_settled_beyond_range() {
+    if (answer_.outcome != Outcome::hit || problem().t_max < kInfinity<double> ||
+        !is_beyond_range(answer_.toi_lower, answer_.toi_upper, method_.unit_roundoff)) {
+      return false;
+    }
+    judgement_.by_oracle = true;
+    const CaseTruth& exact = truth_.cast();
+    const bool contact = exact.outcome() != Outcome::miss;
+    if (contact && exact.compare(answer_.toi_lower) <= 0) return true;
+    // Contact before that, or none: by how much, as of any other time and verdict.
+    const double scale = exact.scale().high;
+    const double error = (contact ? exact.lateness(answer_.toi_lower) : exact.clearance()).low;
+    if (error <= limits_of(method_, problem(), scale).limit) {
+      judgement_.excused = true;
+    } else {
+      convict(judgement_.wrong,
+              fmt::format("a time beyond the scalar's range; {} by {:.1e} of scale",
+                          contact ? "contact is before that," : "the path stays away", over(error, scale)));
+    }
+    return true;
+  }
+
+  // True if it leaves nothing open.
+  bool proof() {
+    if (!answer_.proof) return false;
+    const oracle::Verdict verdict = oracle::check_proof(problem(), *answer_.proof);
+    // Magnitudes that the checker's arithmetic does not hold: it says nothing.
+    if (verdict.refusal == oracle::Refusal::out_of_range) return false;
+    if (!verdict.accepted()) {
+      judgement_.proof = ProofState::refused;
+      judgement_.false_proof = fmt::format("{}: {}", to_string(verdict.refusal), verdict.detail);
+      return false;
+    }
+    if (!proves_verdict(*answer_.proof, answer_.outcome)) return false;
+    judgement_.proof = ProofState::accepted;
+    return is_settled_by(*answer_.proof, method_, problem(), answer_);
+  }
+
+  // What is granted either end of the bracket, over scale.
+  double by_oracle() {
+    const CaseTruth& exact = truth_.cast();
+    const Limits limits = limits_of(method_, problem(), exact.scale().high);
+    // Where the oracle is open, the claim says when contact is.
+    const double wide = limits.wide_at(std::min(exact.toi_upper(), answer_.toi_upper));
+    const double granted = over(wide, limits.scale);
+    convict(judgement_.wrong, verdict_fault(exact, answer_, limits.limit));
+    const bool contact = exact.outcome() != Outcome::miss, undecided = is_undecided(exact);
+    if (limits.strict && answer_.outcome == Outcome::initially_overlapping &&
+        exact.outcome() == Outcome::hit) {
+      convict(judgement_.wrong, "claims contact at t = 0 of bodies that are apart then");
+    }
+    const bool errs = answer_.outcome == Outcome::miss ? contact : claims_contact(answer_) && !contact;
+    judgement_.excused = errs && !undecided && judgement_.wrong.empty();
+    if (!judgement_.wrong.empty() || answer_.outcome == Outcome::miss) return granted;
+
+    convict(judgement_.late, late_fault(exact, answer_, limits.limit));
+    convict(judgement_.early, early_fault(exact, answer_, limits.limit));
+    convict(judgement_.off, time_fault(exact, answer_, wide));
+    if (limits.strict && answer_.outcome == Outcome::not_converged) {
+      judgement_.undecided = undecided_fault(exact, answer_, wide);
+      judgement_.stalled = !judgement_.undecided.empty();
+      judgement_.excused = !judgement_.stalled;
+    }
+    judge_contact(judgement_, exact, answer_, method_, problem(), limits, request_);
+    return granted;
+  }
+
+  // Tier exact: a question that is not for it.
+  bool is_not_asked() {
+    if (!why_invalid(problem()).empty() || engine::is_exact_question(problem())) return false;
+    judgement_.not_asked = true;
+    judgement_.stalled = false;
+    if (answer_.outcome != Outcome::invalid_input || answer_.invalid != Invalid::not_exact) {
+      judgement_.wrong = "answers a case that is not for the exact tier";
+    }
+    return true;
+  }
+
+  void exact(bool measure) {
+    const ExactFinding finding = judge_exact_by_proof(problem(), answer_, method_.in_float());
+    if (finding.false_proof) {
+      judgement_.proof = ProofState::refused;
+      judgement_.false_proof = finding.fault;
+    } else {
+      judgement_.proof =
+          finding.fault.empty() && answer_.proof ? ProofState::accepted : ProofState::none;
+      judgement_.wrong = finding.fault;
+    }
+    if (!measure && finding.settled) return;
+    judgement_.by_oracle = true;
+    const CaseTruth& truth = truth_.cast();
+    // Of many vertices it is a bracket, which says nothing of the last bits.
+    if (truth.is_exact()) convict(judgement_.wrong, exact_fault_by_truth(truth, answer_, method_.in_float()));
+    const Limits limits = limits_of(method_, problem(), truth.scale().high);
+    judge_contact(judgement_, truth, answer_, method_, problem(), limits, request_);
+    judgement_.errors = errors_of(truth_, answer_, request_);
+  }
+
+  Truth& truth_;
+  const Method& method_;
+  const Answer& answer_;
+  Request request_;
+  Judgement judgement_;
+};
+
+}  // namespace
+
+Judgement judge_linear(Truth& truth, const Method& method, const Answer& answer, Request request,
+                       bool measure) {
+  return LinearJudge(truth, method, answer, request)(measure);
+}
+
+}  // namespace graze::law

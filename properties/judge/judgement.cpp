@@ -1,0 +1,112 @@
+#include "properties/judge/judgement.hpp"
+
+#include <fmt/format.h>
+
+namespace graze::law {
+
+const std::string& Judgement::fault() const {
+  static const std::string kNone;
+  for (const FaultKind& kind : kFaultKinds) {
+    if (!(this->*kind.why).empty()) return this->*kind.why;
+  }
+  return kNone;
+}
+
+double over(double length, double scale) {
+  if (length == 0) return 0;
+  return scale > 0 ? length / scale : kInfinity<double>;
+}
+
+std::string senseless(const engine::Answer& answer, double t_max) {
+  const double lower = answer.toi_lower, upper = answer.toi_upper;
+  switch (answer.outcome) {
+    case Outcome::initially_overlapping:
+      if (!(lower == 0 && upper == 0)) return "a start in contact has a time other than 0";
+      return {};
+    case Outcome::miss:
+      if (!(lower == kInfinity<double> && upper == kInfinity<double>)) return "a miss has a finite time";
+      return {};
+    case Outcome::hit:
+      if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= t_max)) {
+        return "a hit has a bracket that is no interval of times up to t_max";
+      }
+      return {};
+    case Outcome::not_converged:
+      if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
+        return "the bracket of not_converged is no interval";
+      }
+      return {};
+    case Outcome::invalid_input:
+      return {};
+  }
+  return "an outcome that does not exist";
+}
+
+bool claims_contact(const engine::Answer& answer) {
+  return answer.outcome == Outcome::hit || answer.outcome == Outcome::initially_overlapping;
+}
+
+bool is_beyond_range(double lower, double upper, double unit_roundoff) {
+  const double largest = unit_roundoff == kUnitRoundoff<float> ? double(std::numeric_limits<float>::max())
+                                                               : std::numeric_limits<double>::max();
+  return lower == largest && upper == kInfinity<double>;
+}
+
+std::string_view label_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::initially_overlapping:
+      return "initially_overlapping";
+    case Outcome::hit:
+      return "hit";
+    case Outcome::miss:
+      return "miss";
+    case Outcome::not_converged:
+      return "not_converged";
+    case Outcome::invalid_input:
+      return "invalid_input";
+  }
+  return "no outcome";
+}
+
+std::string hex(double x) { return fmt::format("{:a} ({})", x, x); }
+std::string hex(const Vec3<double>& x) {
+  return fmt::format("[{}, {}, {}]", hex(x[0]), hex(x[1]), hex(x[2]));
+}
+
+namespace {
+
+std::string bracket_text(const engine::Interval& bracket) {
+  return fmt::format("[{}, {}]", hex(bracket.lower), hex(bracket.upper));
+}
+
+std::string plan_text(const Plan& plan) {
+  std::string reasons;
+  for (int k = 0; k < kPlanReasons; ++k) {
+    const auto reason = static_cast<PlanReason>(k);
+    if (plan.has(reason)) reasons += fmt::format("{}{}", reasons.empty() ? "" : ", ", to_text(reason));
+  }
+  return reasons.empty() ? "" : fmt::format(", simulated: {} ({})", to_text(plan.effects), reasons);
+}
+
+}  // namespace
+
+std::string describe(const engine::Answer& answer) {
+  std::string out(label_of(answer.outcome));
+  if (answer.toi_lower != 0 || answer.toi_upper != 0)
+    out += ", toi in " + bracket_text({answer.toi_lower, answer.toi_upper});
+  if (answer.separation) out += ", distance in " + bracket_text(*answer.separation);
+  if (answer.depth) out += ", depth in " + bracket_text(*answer.depth);
+  if (answer.t_in) out += ", t_in in " + bracket_text(*answer.t_in);
+  if (answer.t_out) out += ", t_out in " + bracket_text(*answer.t_out);
+  if (answer.has_normal()) out += ", normal " + hex(answer.normal);
+  if (!answer.normal_out.isZero(0)) out += ", leaving " + hex(answer.normal_out);
+  if (answer.has_points || !answer.point_a.isZero(0) || !answer.point_b.isZero(0))
+    out += ", points " + hex(answer.point_a) + " and " + hex(answer.point_b);
+  if (answer.stalled) out += ", stalled";
+  out += plan_text(answer.plan);
+  out += fmt::format(", {} iterations, {} supports", answer.counters.iterations, answer.counters.supports);
+  if (answer.counters.poses > 0) out += fmt::format(", {} poses", answer.counters.poses);
+  return out;
+}
+
+}  // namespace graze::law

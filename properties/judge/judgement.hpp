@@ -1,0 +1,99 @@
+// What a judge says of one answer: its faults, what is no fault by itself, and how large its errors were.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "engines/method.hpp"
+
+namespace graze::law {
+
+enum class ProofState {
+  none,      // no proof, or one that proves less than the verdict
+  accepted,  // and it proves the verdict
+  refused,   // a claim of it is false
+};
+
+// Over scale, by the oracle, what is proved of each. NaN where answer or truth has no such error.
+struct Errors {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double forward = kNone;   // of times: the larger of the bracket's two ends
+  double backward = kNone;  // the same, as a length; of a wrong verdict: depth or clearance; of a query what
+                            // a distance or a depth is off by
+  double normal = kNone;    // by how much it fails to support C, or to separate the bodies
+  double witness = kNone;   // the larger distance of the two from their bodies
+  double passed = kNone;    // of casts of turning bodies: the depth of a contact that a miss denies or that
+                            // toi_lower has passed
+  double over_limit = kNone;  // not over scale: `backward` over what the guarantee grants it
+};
+
+struct Judgement {
+  Outcome outcome = Outcome::invalid_input;
+  // Faults: why, or empty.
+  std::string wrong;        // the verdict, by more than the limit; or an answer that says nothing sensible
+  std::string late;         // toi_lower is past the contact, by more than the limit
+  std::string early;        // contact is claimed at toi_upper, and there is none yet, by more than the limit
+  std::string off;          // an end of a bracket is farther off than the guarantee lets it be
+  std::string bad_contact;  // the normal or a witness is farther off than its limit
+  std::string unproved;     // tier certified, turning: no proof, or one that claims less than the answer
+  std::string false_proof;  // which claim of it is false
+  // No fault by itself: its frequency is capped. not_converged, or a bracket that says of itself that it is
+  // wide; of tier certified where clearance or depth exceeds the width of its guarantee, and then why.
+  bool stalled = false;
+  std::string undecided;
+  bool excused = false;    // the question is decided by less than the limit
+  bool hidden = false;     // a contact missed or passed that the guarantee says may be
+  bool open = false;       // the oracle cannot tell whether the answer stands
+  bool by_oracle = false;  // it was asked
+  bool not_asked = false;  // no question for the method, or none that the oracle has an answer to
+  ProofState proof = ProofState::none;
+  Errors errors;  // by_oracle only
+
+  [[nodiscard]] const std::string& fault() const;  // the first of the faults; empty if there is none
+  [[nodiscard]] bool faulty() const { return !fault().empty(); }
+};
+
+// The kinds of fault: how reports call them, and what they say of the answers that have them.
+struct FaultKind {
+  const char* name;
+  const char* sentence;
+  std::string Judgement::*why;
+};
+inline constexpr FaultKind kFaultKinds[] = {
+    {"wrong", "wrong", &Judgement::wrong},
+    {"late", "late", &Judgement::late},
+    {"early", "early", &Judgement::early},
+    {"off", "with a bracket off by more than the guarantee", &Judgement::off},
+    {"contact off", "with a normal or a witness off by more than the guarantee", &Judgement::bad_contact},
+    {"unproved", "without its proof", &Judgement::unproved},
+    {"false proof", "with a false proof", &Judgement::false_proof},
+};
+inline constexpr std::size_t kFaults = std::size(kFaultKinds);
+
+// Keeps the first reason.
+inline void convict(std::string& fault, std::string why) {
+  if (fault.empty()) fault = std::move(why);
+}
+
+// A length over scale: over a scale of 0 an error of 0 is 0 and any other is infinite.
+[[nodiscard]] double over(double length, double scale);
+
+// What no answer to a cast may look like, whatever is true of the case; empty for a sensible one.
+[[nodiscard]] std::string senseless(const engine::Answer& answer, double t_max);
+
+[[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
+
+// The bracket of a time that is too large for the scalar: from its largest number to infinity. Only float has
+// such, of motion below 1e-38 or so over lengths of 1: nothing but that the time is no sooner can be asked of
+// it.
+[[nodiscard]] bool is_beyond_range(double lower, double upper, double unit_roundoff);
+
+[[nodiscard]] std::string_view label_of(Outcome outcome);
+// Numbers as hexfloats, which read back to the same bits, and as they are read.
+[[nodiscard]] std::string hex(double x);
+[[nodiscard]] std::string hex(const Vec3<double>& x);
+// All that an answer holds, in one line.
+[[nodiscard]] std::string describe(const engine::Answer& answer);
+
+}  // namespace graze::law
