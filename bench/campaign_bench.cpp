@@ -138,7 +138,7 @@ constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
 
 void campaign(benchmark::State& state) {
   tool::CampaignPlan plan(1);
-  plan.add({&family_of(state)}, {tool::contender_of(method())}, kMost, 0);
+  plan.add({&family_of(state)}, {&method()}, kMost, 0);
   run_blocks(state, plan, 1000);
 }
 
@@ -150,14 +150,14 @@ const Family& rotating_family(benchmark::State& state) {
 
 void turning(benchmark::State& state) {
   tool::CampaignPlan plan(1);
-  plan.add({&rotating_family(state)}, tool::chosen_contenders(tool::engine::Kind::rotating, {}), kMost, 0);
+  plan.add({&rotating_family(state)}, tool::chosen_contenders(engine::Kind::rotating, {}), kMost, 0);
   run_blocks(state, plan, 64);
 }
 
 void stages(benchmark::State& state) {
   const Family& family = rotating_family(state);
   const engine::Method &planned = *engine::find_method(engine::Kind::rotating, "plan"),
-                                     &certified = *engine::find_method(engine::Kind::rotating, "certified");
+                       &certified = *engine::find_method(engine::Kind::rotating, "certified");
   const engine::Ask everything{.request = Request::everything};
   std::array<double, 5> spent{};
   std::uint64_t seed = 0;
@@ -170,7 +170,8 @@ void stages(benchmark::State& state) {
     at[2] = std::clock();
     const engine::Answer answer = certified.ask(problem, everything);
     at[3] = std::clock();
-    if (answer.proof) benchmark::DoNotOptimize(oracle::check_rotating_proof(problem, *answer.proof).refusal);
+    if (answer.rotating_proof)
+      benchmark::DoNotOptimize(oracle::check_rotating_proof(problem, *answer.rotating_proof).refusal);
     at[4] = std::clock();
     benchmark::DoNotOptimize(oracle::RotatingTruth(problem).outcome());
     at[5] = std::clock();

@@ -21,8 +21,8 @@ using engine::Kind;
 using engine::Method;
 using law::Judgement;
 
-// What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the proof,
-// which may be found in another way.
+// What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the
+// proof, which may be found in another way.
 constexpr std::array<Request, 1> kEverything = {Request::everything}, kWithoutProof = {engine::kPlain};
 constexpr std::array<Request, 2> kBoth = {engine::kPlain, Request::everything};
 std::span<const Request> requests_of(Kind kind) {
@@ -133,8 +133,8 @@ void time_suite(const Suite& suite, std::span<Tally* const> tallies) {
       const Method& method = *tally->method;
       if (method.time_ns == nullptr) continue;
       if (method.is_exact() && !engine::is_exact_question(method.seen(problem))) continue;
-      tally->ns.push_back(method.time_ns(problem, {.request = engine::kPlain},
-                                         turning ? kBatchesRotating : kBatchesLinear));
+      tally->ns.push_back(
+          method.time_ns(problem, {.request = engine::kPlain}, turning ? kBatchesRotating : kBatchesLinear));
     }
   }
 }

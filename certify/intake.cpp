@@ -76,8 +76,9 @@ void Intake::leave_out(engine::Kind kind, const std::vector<std::string>& files)
     why.push_back(fmt::format(
         "{}: {} {} are not judged{}: the command line leaves no method for them", suite.family, suite.size(),
         kind == engine::Kind::query ? "questions" : "casts",
-        kind == engine::Kind::query ? "" : fmt::format(", in which {} body turns",
-                                                       kind == engine::Kind::rotating ? "a" : "no")));
+        kind == engine::Kind::query
+            ? ""
+            : fmt::format(", in which {} body turns", kind == engine::Kind::rotating ? "a" : "no")));
   }
   std::erase_if(suites, [&](const Suite& suite) { return suite.kind == kind; });
 }

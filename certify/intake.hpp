@@ -10,7 +10,7 @@
 namespace graze::tool {
 
 struct Intake {
-  std::vector<Suite> suites;  // of each source up to one of each kind
+  std::vector<Suite> suites;     // of each source up to one of each kind
   std::size_t questions = 0;     // beside the cast; those at t = 0 without the turn that they do not see
   std::size_t recast = 0;        // of those about contact, judged as the cast of their bodies, too
   std::size_t left_out = 0;      // cases that nothing judges

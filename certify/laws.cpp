@@ -15,9 +15,9 @@
 namespace graze::tool {
 namespace {
 
-using law::Law;
-using law::Holding;
 using engine::Kind;
+using law::Holding;
+using law::Law;
 using law::LawResult;
 
 // (law, method): what breaks, until now the first of its cases.

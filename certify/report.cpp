@@ -43,7 +43,9 @@ std::string grouped(std::size_t count) {
 
 void add_heading(Table& table, Kind kind) {
   std::vector<std::string> cells(10);
-  cells.front() = kind == Kind::linear ? "casts" : kind == Kind::query ? "queries" : "casts of turning bodies";
+  cells.front() = kind == Kind::linear  ? "casts"
+                  : kind == Kind::query ? "queries"
+                                        : "casts of turning bodies";
   table.add_row(std::move(cells));
 }
 
@@ -129,8 +131,9 @@ std::string exact_summary(const Certification& certification, const Settings& se
     if (!method->is_exact() || method->kind != Kind::linear) continue;
     const Tally sum = certification.total(*method);
     const std::size_t faults = sum.faulty();
-    text += fmt::format("{}: {} casts to the last bit, {} wrong, {} stalled; {} cases are not for the tier.\n",
-                        method->full_name(), sum.cases, faults, sum.stalled, sum.not_asked);
+    text +=
+        fmt::format("{}: {} casts to the last bit, {} wrong, {} stalled; {} cases are not for the tier.\n",
+                    method->full_name(), sum.cases, faults, sum.stalled, sum.not_asked);
     casts += sum.cases;
     failures += faults + sum.stalled;
   }
@@ -174,15 +177,29 @@ std::string linear_table(const Certification& certification) {
     if (t.method->kind != Kind::linear) continue;
     if (last != nullptr && last != t.method) table.add_gap();
     last = t.method;
-    table.add_row({t.method->full_name(), t.family, fmt::to_string(t.cases), count_text(t.not_asked),
-                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::late)),
-                   fmt::to_string(fault_count(t, &J::early)), fmt::to_string(fault_count(t, &J::off)),
-                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused), fmt::to_string(t.accepted), fmt::to_string(t.refused),
-                   fmt::to_string(t.unproved), fmt::to_string(t.by_oracle), short_number(median(t.forward)),
-                   short_number(worst(t.forward)), short_number(median(t.backward)),
-                   short_number(worst(t.backward)), short_number(worst(t.true_backward)),
-                   short_number(worst(t.normal)), short_number(worst(t.witness)), ns_text(median(t.ns))});
+    table.add_row({t.method->full_name(),
+                   t.family,
+                   fmt::to_string(t.cases),
+                   count_text(t.not_asked),
+                   fmt::to_string(fault_count(t, &J::wrong)),
+                   fmt::to_string(fault_count(t, &J::late)),
+                   fmt::to_string(fault_count(t, &J::early)),
+                   fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)),
+                   fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused),
+                   fmt::to_string(t.accepted),
+                   fmt::to_string(t.refused),
+                   fmt::to_string(t.unproved),
+                   fmt::to_string(t.by_oracle),
+                   short_number(median(t.forward)),
+                   short_number(worst(t.forward)),
+                   short_number(median(t.backward)),
+                   short_number(worst(t.backward)),
+                   short_number(worst(t.true_backward)),
+                   short_number(worst(t.normal)),
+                   short_number(worst(t.witness)),
+                   ns_text(median(t.ns))});
   }
   return table.text();
 }
@@ -224,37 +241,63 @@ std::string rotating_table(const Certification& certification) {
     if (t.method->kind != Kind::rotating) continue;
     if (last != nullptr && last != t.method) table.add_gap();
     last = t.method;
-    table.add_row({t.method->full_name(), t.family, fmt::to_string(t.cases), count_text(t.not_asked),
-                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::late)),
-                   fmt::to_string(fault_count(t, &J::early)), fmt::to_string(fault_count(t, &J::off)),
-                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(fault_count(t, &J::unproved)),
-                   fmt::to_string(t.stalled), fmt::to_string(t.excused), count_text(t.hidden),
-                   count_text(t.open), fmt::to_string(t.accepted), fmt::to_string(t.refused),
-                   short_number(t.width.value), where_text(t.width), short_number(t.passed.value),
-                   where_text(t.passed), short_number(worst(t.normal)), short_number(worst(t.witness)),
-                   ns_text(median(t.supports)), ns_text(worst(t.supports)), ns_text(median(t.ns))});
+    table.add_row({t.method->full_name(),
+                   t.family,
+                   fmt::to_string(t.cases),
+                   count_text(t.not_asked),
+                   fmt::to_string(fault_count(t, &J::wrong)),
+                   fmt::to_string(fault_count(t, &J::late)),
+                   fmt::to_string(fault_count(t, &J::early)),
+                   fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)),
+                   fmt::to_string(fault_count(t, &J::unproved)),
+                   fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused),
+                   count_text(t.hidden),
+                   count_text(t.open),
+                   fmt::to_string(t.accepted),
+                   fmt::to_string(t.refused),
+                   short_number(t.width.value),
+                   where_text(t.width),
+                   short_number(t.passed.value),
+                   where_text(t.passed),
+                   short_number(worst(t.normal)),
+                   short_number(worst(t.witness)),
+                   ns_text(median(t.supports)),
+                   ns_text(worst(t.supports)),
+                   ns_text(median(t.ns))});
   }
   return table.text();
 }
 
 constexpr const char* kLinearWords =
-    "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case as the\n"
-    "method's scalar sees it. excused: a wrong verdict within it. Errors are over scale, of the bracket's worse\n"
+    "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case as "
+    "the\n"
+    "method's scalar sees it. excused: a wrong verdict within it. Errors are over scale, of the bracket's "
+    "worse\n"
     "end, on the cases by oracle; true in.: the backward error of a float answer against the input before\n"
     "rounding to float.\n"
-    "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are wrong, late\n"
-    "or early, by anything at all; off: an end farther from contact than the width; not converged: what was left\n"
+    "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are wrong, "
+    "late\n"
+    "or early, by anything at all; off: an end farther from contact than the width; not converged: what was "
+    "left\n"
     "open though clearance or depth exceeds that width, excused: what was left open below it.\n"
-    "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not asked:\n"
+    "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not "
+    "asked:\n"
     "cases that are not for the tier, and that it refuses.\n"
     "median ns: one cast with normal and witnesses, shapes built beforehand.\n";
 
 constexpr const char* kRotatingWords =
-    "wrong, late, early (contact claimed where there is none yet), off: by more than kappa u scale of the method's\n"
-    "row; in tier certified wrong, late and early by anything at all, off and not converged by more than the row's\n"
-    "width. excused: decided by less than that. hidden: a contact missed or passed that the row says may be.\n"
-    "oracle open: the oracle decides no verdict: clearance and depth below its own width. width: of a hit, the\n"
-    "larger of the distance at toi_lower and the depth before toi_upper; passed: how deep a contact was that a\n"
+    "wrong, late, early (contact claimed where there is none yet), off: by more than kappa u scale of the "
+    "method's\n"
+    "row; in tier certified wrong, late and early by anything at all, off and not converged by more than the "
+    "row's\n"
+    "width. excused: decided by less than that. hidden: a contact missed or passed that the row says may "
+    "be.\n"
+    "oracle open: the oracle decides no verdict: clearance and depth below its own width. width: of a hit, "
+    "the\n"
+    "larger of the distance at toi_lower and the depth before toi_upper; passed: how deep a contact was that "
+    "a\n"
     "miss denied or toi_lower had passed; over scale.\n";
 
 bool has_kind(const Settings& settings, const Certification& certification, Kind kind) {
@@ -301,13 +344,15 @@ std::string query_table(const Certification& certification, const Settings& sett
     table.add_row({std::string(corpus::name_of(method->query)), method->full_name(), fmt::to_string(t.cases),
                    fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::off)),
                    fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused), short_number(median(t.backward)), short_number(worst(t.backward)),
-                   short_number(worst(t.normal)), short_number(worst(t.witness)),
-                   row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
+                   fmt::to_string(t.excused), short_number(median(t.backward)),
+                   short_number(worst(t.backward)), short_number(worst(t.normal)),
+                   short_number(worst(t.witness)), row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
                    row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
                    row == nullptr ? "-" : number(row->kappa_contact),
                    row == nullptr ? "-" : fmt::to_string(row->stall_cap),
-                   row == nullptr ? "no row" : certification.has_kept(*method) ? "yes" : "NO",
+                   row == nullptr                    ? "no row"
+                   : certification.has_kept(*method) ? "yes"
+                                                     : "NO",
                    row == nullptr ? "" : row->mechanism});
   }
   return table.text();
@@ -318,9 +363,8 @@ std::string query_table(const Certification& certification, const Settings& sett
 std::string guarantee_table(Kind kind, const Certification& certification, const Settings& settings) {
   if (kind == Kind::query) return query_table(certification, settings);
   const bool turning = kind == Kind::rotating;
-  std::vector<Column> columns = {{"method", Align::left}, {"tier", Align::left},
-                                 {"kappa\npolytopes"},    {"kappa\nrounded"},
-                                 {"kappa\ncontact"},      {"width\nat most"}};
+  std::vector<Column> columns = {{"method", Align::left}, {"tier", Align::left}, {"kappa\npolytopes"},
+                                 {"kappa\nrounded"},      {"kappa\ncontact"},    {"width\nat most"}};
   if (turning) {
     columns.push_back({"may\nmiss", Align::left});
     columns.push_back({"may be\nlate", Align::left});
@@ -374,8 +418,8 @@ std::string full_tables(const Certification& certification, const Settings& sett
       judged += tally.method->kind == Kind::linear ? tally.cases : 0;
     }
     text += fmt::format(
-        "Casts: {} judged, by proof first; {} cases answered by the exact oracle as well.\n\n{}\n{}\n", judged,
-        certification.oracle_cases, linear_table(certification), kLinearWords);
+        "Casts: {} judged, by proof first; {} cases answered by the exact oracle as well.\n\n{}\n{}\n",
+        judged, certification.oracle_cases, linear_table(certification), kLinearWords);
     if (const std::string exact = exact_summary(certification, settings); !exact.empty()) {
       text += fmt::format("Tier exact\n\n{}\n", exact);
     }
@@ -383,14 +427,16 @@ std::string full_tables(const Certification& certification, const Settings& sett
   }
   if (has_kind(settings, certification, Kind::query)) {
     text += fmt::format(
-        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact oracles know "
+        "Queries beside the cast: as they are asked, and on the bodies of the casts where the exact oracles "
+        "know "
         "them; and their rows\n\n{}\n",
         query_table(certification, settings));
   }
   if (has_kind(settings, certification, Kind::rotating)) {
-    text += fmt::format("Rotating casts, judged by brackets of the first contact and by proofs\n\n{}\n{}\n{}\n",
-                        rotating_table(certification), kRotatingWords,
-                        guarantee_table(Kind::rotating, certification, settings));
+    text +=
+        fmt::format("Rotating casts, judged by brackets of the first contact and by proofs\n\n{}\n{}\n{}\n",
+                    rotating_table(certification), kRotatingWords,
+                    guarantee_table(Kind::rotating, certification, settings));
   }
   return text;
 }

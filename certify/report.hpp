@@ -8,7 +8,8 @@
 
 namespace graze::tool {
 
-// How many cases and answers were judged, how many were found wanting, and whether every method keeps its row.
+// How many cases and answers were judged, how many were found wanting, and whether every method keeps its
+// row.
 [[nodiscard]] std::string verdict_line(const Certification& certification, double seconds);
 
 // A line a method, both scalars side by side: answers, faults and stalls, the worst error over its limit and
@@ -18,7 +19,8 @@ namespace graze::tool {
 // Everything, with what the columns mean. Of one kind of method; empty where there is none of it.
 [[nodiscard]] std::string full_tables(const Certification& certification, const Settings& settings);
 
-// Which methods there are, what their rows promise, and whether it was kept; of queries with what was counted.
+// Which methods there are, what their rows promise, and whether it was kept; of queries with what was
+// counted.
 [[nodiscard]] std::string guarantee_table(engine::Kind kind, const Certification& certification,
                                           const Settings& settings);
 

@@ -105,7 +105,8 @@ Measured measure_rotating(const Case& problem, const engine::Method& method, Tru
     measured.forward = std::fmax(forward_error(bracket, answer.toi_lower, speed),
                                  forward_error(bracket, answer.toi_upper, speed));
   }
-  measured.backward = std::fmax(std::fmax(judgement.errors.backward, judgement.errors.passed), measured.denied);
+  measured.backward =
+      std::fmax(std::fmax(judgement.errors.backward, judgement.errors.passed), measured.denied);
   measured.wrong = !std::isnan(measured.denied);
   return measured;
 }

@@ -63,7 +63,7 @@ struct Curve {
 
 struct StabilitySettings {
   std::vector<const engine::Method*> methods = {};  // of casts; those of a family's kind are measured on it
-  std::size_t count = 1, rotating_count = 1;  // cases a level
+  std::size_t count = 1, rotating_count = 1;        // cases a level
   std::uint64_t seed = 1;
   unsigned threads = 1;  // the result does not depend on them
 };

@@ -64,9 +64,9 @@ void Tally::add(const Tally& other) {
   refused += other.refused;
   unproved += other.unproved;
   by_oracle += other.by_oracle;
-  for (std::vector<double> Tally::*values : {&Tally::forward, &Tally::backward, &Tally::normal,
-                                             &Tally::witness, &Tally::true_backward, &Tally::ns,
-                                             &Tally::supports}) {
+  for (std::vector<double> Tally::*values :
+       {&Tally::forward, &Tally::backward, &Tally::normal, &Tally::witness, &Tally::true_backward, &Tally::ns,
+        &Tally::supports}) {
     (this->*values).insert((this->*values).end(), (other.*values).begin(), (other.*values).end());
   }
   width.take(other.width);

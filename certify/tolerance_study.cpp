@@ -46,8 +46,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Metho
       const oracle::CaseTruth& exact = truth.cast();
       const double scale = exact.scale().high;
       for (std::size_t r = 0; r < rows.size(); ++r) {
-        const engine::Answer answer =
-            methods[r / per_method]->ask(hits[i], {.tolerance = rows[r].tolerance});
+        const engine::Answer answer = methods[r / per_method]->ask(hits[i], {.tolerance = rows[r].tolerance});
         const auto error = [&](double t) {
           return t < kInf ? law::over(exact.backward_error(t).high, scale) : kNone;
         };
@@ -64,8 +63,7 @@ std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Metho
     for (std::size_t i = 0; i < hits.size(); ++i) {
       rows[r].not_converged += static_cast<std::size_t>(stalled[r][i]);
       rows[r].missed += std::isnan(rows[r].denied[i]) ? 0 : 1;
-      rows[r].ns.push_back(
-          methods[r / per_method]->time_ns(hits[i], {.tolerance = rows[r].tolerance}, 3));
+      rows[r].ns.push_back(methods[r / per_method]->time_ns(hits[i], {.tolerance = rows[r].tolerance}, 3));
     }
   }
   return rows;

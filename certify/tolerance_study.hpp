@@ -26,9 +26,9 @@ struct ToleranceRow {
 [[nodiscard]] std::vector<double> studied_tolerances();
 
 // One row a method and tolerance over the given hits. `threads` measure; the timing is done by one.
-[[nodiscard]] std::vector<ToleranceRow> study_tolerances(
-    const std::vector<const engine::Method*>& methods, std::span<const corpus::Case> hits,
-    unsigned threads);
+[[nodiscard]] std::vector<ToleranceRow> study_tolerances(const std::vector<const engine::Method*>& methods,
+                                                         std::span<const corpus::Case> hits,
+                                                         unsigned threads);
 
 [[nodiscard]] std::string tolerance_table(const std::vector<ToleranceRow>& rows);
 

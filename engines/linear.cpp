@@ -10,8 +10,7 @@ namespace {
 
 // The tiers above standard have one method each, whatever the name given here.
 template <Scalar S>
-CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Tier tier,
-                           graze::Method method) {
+CastOptions<S> options_for(const corpus::Case& problem, const Ask& ask, Tier tier, graze::Method method) {
   CastOptions<S> options;
   if (tier == Tier::standard) options.method = method;
   options.tier = tier;

@@ -61,8 +61,8 @@ Answer distance_by_gjk(const Case& c, const Ask& ask) {
                DistanceOptions<S>{.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)});
   const bool apart = result.lower > 0;
   Answer answer = begun(result, apart               ? Outcome::miss
-                                     : result.upper == 0 ? Outcome::initially_overlapping
-                                                         : Outcome::not_converged);
+                                : result.upper == 0 ? Outcome::initially_overlapping
+                                                    : Outcome::not_converged);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.separation = Interval{result.lower, result.upper};
   answer.stalled = result.stalled;

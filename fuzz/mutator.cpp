@@ -36,7 +36,8 @@ bool never_negative(Slot slot) {
 // To the last bit where tier exact answers, else within rounding. Quick: mutating must not cost more than
 // judging, as tier certified does of curved shapes.
 engine::Answer first_contact(const Case& linear) {
-  return engine::find_method(engine::Kind::linear, engine::is_exact_question(linear) ? "exact" : "gjk")->ask(linear, {});
+  return engine::find_method(engine::Kind::linear, engine::is_exact_question(linear) ? "exact" : "gjk")
+      ->ask(linear, {});
 }
 
 class Mover {
@@ -193,8 +194,8 @@ class Mover {
       if (method.query != corpus::Query::distance || method.scalar != "double") continue;
       linear.query = corpus::Query::distance;
       const engine::Answer answer = method.answer(linear);
-      if (!answer.point_a || !answer.point_b) return false;
-      case_.b.position += *answer.point_a - *answer.point_b;
+      if (!answer.has_points) return false;
+      case_.b.position += answer.point_a - answer.point_b;
       return true;
     }
     return false;

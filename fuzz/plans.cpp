@@ -46,8 +46,7 @@ const std::vector<const engine::Method*>& planned_methods() {
 Judged judge_plan(const Input& input) {
   const corpus::Case problem = as_turning(input.problem);
   const auto& laws = plan_laws();
-  const engine::Method& method =
-      *planned_methods()[input.choice / 256 % planned_methods().size()];
+  const engine::Method& method = *planned_methods()[input.choice / 256 % planned_methods().size()];
   Judged judged;
   for (std::size_t i = 0; i < laws.size() && !judged.reached; ++i) {
     const law::Law& one = *laws[(input.choice % 256 + i) % laws.size()];

@@ -166,7 +166,7 @@ std::array<NamedVector, 4> vectors(const engine::Answer& answer) {
 }
 
 std::string query_block(const corpus::Case& problem, const engine::Method& method,
-                         const engine::Answer& answer) {
+                        const engine::Answer& answer) {
   std::string text = fmt::format("{}\n", problem.id);
   text += line("query", std::string(corpus::name_of(problem.query)));
   text += method_line(method);
@@ -184,7 +184,7 @@ std::string query_block(const corpus::Case& problem, const engine::Method& metho
 }
 
 std::string query_json(const corpus::Case& problem, const engine::Method& method,
-                        const engine::Answer& answer) {
+                       const engine::Answer& answer) {
   std::string text = fmt::format(R"({{"id": {}, "query": "{}", "outcome": "{}", "because": {})",
                                  corpus::json_quote(problem.id), corpus::name_of(problem.query),
                                  corpus::name_of(answer.outcome), json_text(reason_of(answer)));
@@ -227,7 +227,7 @@ std::string plan_fields(const Plan& plan) {
 }
 
 std::string rotating_block(const corpus::Case& problem, const engine::Method& method,
-                         const engine::Answer& answer) {
+                           const engine::Answer& answer) {
   std::string text = fmt::format("{}\n", problem.id) + method_line(method);
   if (answer.outcome != Outcome::invalid_input) text += line("plan", plan_text(answer.plan));
   text += cast_lines(answer);
@@ -240,7 +240,7 @@ std::string rotating_block(const corpus::Case& problem, const engine::Method& me
 }
 
 std::string rotating_json(const corpus::Case& problem, const engine::Method& method,
-                        const engine::Answer& answer) {
+                          const engine::Answer& answer) {
   return fmt::format(R"({{{}, {}, "hidden_motion": {}, {}, {}, "poses": {}}})", cast_fields(problem, answer),
                      plan_fields(answer.plan), json_number(answer.hidden_motion), method_fields(method),
                      work_fields(answer.counters), answer.counters.poses);

@@ -16,9 +16,9 @@ namespace graze::tool {
 // has a normal and witnesses, and "upper" is null where nothing bounds the time from above. "because" is why
 // a case was refused, or that its start was passed over. The JSON says all that the block says.
 //
-// Of a rotating method also "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and "poses".
-// Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them, "distance",
-// "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
+// Of a rotating method also "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and
+// "poses". Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them,
+// "distance", "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
 [[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                                       const engine::Answer& answer);
 

@@ -87,7 +87,8 @@ std::vector<const engine::Method*> select_methods(const std::vector<std::string>
   const auto unknown = std::find(used.begin(), used.end(), false);
   if (unknown != used.end()) {
     throw std::runtime_error(fmt::format(
-        "--method: {} is no method; it is {}, of rotating casts {}, one of a query with it (overlap gjk), one "
+        "--method: {} is no method; it is {}, of rotating casts {}, one of a query with it (overlap gjk), "
+        "one "
         "of them with its scalar (mpr/float), or all",
         names[static_cast<std::size_t>(unknown - used.begin())], linear_names(), rotating_names()));
   }

@@ -31,12 +31,12 @@ struct CaseFiles {
 // The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
 [[nodiscard]] std::string read_stdin();
 
-// Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their question
-// and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those of one query,
-// "all" for every one.
+// Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their
+// question and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those
+// of one query, "all" for every one.
 [[nodiscard]] bool selects(std::string_view name, const engine::Method& method);
-// The methods that `names` select, in the order of the list. Throws std::runtime_error for a name that selects
-// nothing.
+// The methods that `names` select, in the order of the list. Throws std::runtime_error for a name that
+// selects nothing.
 [[nodiscard]] std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names);
 
 // Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.

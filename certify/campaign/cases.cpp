@@ -17,8 +17,8 @@ std::uint64_t key_of(std::uint64_t seed, engine::Kind kind) {
 
 }  // namespace
 
-CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families,
-                             Contenders contenders, std::uint64_t seed, const Sampling& sampling)
+CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders,
+                             std::uint64_t seed, const Sampling& sampling)
     : contenders_(std::move(contenders)), key_(key_of(seed, contenders_.at(0)->kind)), sampling_(sampling) {
   for (const corpus::Family* family : families) {
     const std::size_t first = slots_.size();

@@ -43,8 +43,8 @@ class CampaignCases {
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
   // The contenders are of one kind, each of which has its own stream of seeds.
-  CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders,
-                std::uint64_t seed, const Sampling& sampling);
+  CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders, std::uint64_t seed,
+                const Sampling& sampling);
 
   [[nodiscard]] DrawnCase draw(std::uint64_t index) const;
   [[nodiscard]] const Contenders& contenders() const { return contenders_; }

@@ -84,8 +84,9 @@ law::Truth& CaseJudge::truth_of(const Method& method, corpus::Case seen) {
   for (const std::unique_ptr<law::Truth>& truth : truths_) {
     if (corpus::same_case(truth->problem(), seen)) return *truth;
   }
-  const Method* reference =
-      method.kind == Kind::rotating ? engine::find_method(Kind::rotating, "certified/" + method.scalar) : nullptr;
+  const Method* reference = method.kind == Kind::rotating
+                                ? engine::find_method(Kind::rotating, "certified/" + method.scalar)
+                                : nullptr;
   return *truths_.emplace_back(std::make_unique<law::Truth>(std::move(seen), reference));
 }
 

@@ -1,5 +1,5 @@
-// The contenders of a campaign: methods of one kind, which are asked about cases and held to their rows of the
-// guarantees.
+// The contenders of a campaign: methods of one kind, which are asked about cases and held to their rows of
+// the guarantees.
 #pragma once
 
 #include <string>
@@ -19,8 +19,9 @@ inline constexpr engine::Kind kPartKinds[] = {engine::Kind::linear, engine::Kind
 using Contenders = std::vector<const engine::Method*>;
 
 // Those that `names` select, in the order of the list: "mpr" is mpr/double, "mpr/float" that one, "standard"
-// every row of tier standard. No names: of casts exact/double, of queries every method with a row, of rotating
-// casts tier certified and the plan. Throws std::runtime_error with one line for a name that selects nothing.
+// every row of tier standard. No names: of casts exact/double, of queries every method with a row, of
+// rotating casts tier certified and the plan. Throws std::runtime_error with one line for a name that selects
+// nothing.
 [[nodiscard]] Contenders chosen_contenders(engine::Kind kind, const std::vector<std::string>& names);
 // By question_name(): nullptr if there is none.
 [[nodiscard]] const engine::Method* find_contender(std::string_view name);

@@ -93,9 +93,8 @@ void CampaignPlan::add(const std::vector<const corpus::Family*>& families, Conte
   parts_.push_back(std::move(part));
 }
 
-void CampaignPlan::add_per_family(const std::vector<const corpus::Family*>& families,
-                                  Contenders contenders, std::uint64_t each,
-                                  const Sampling& sampling) {
+void CampaignPlan::add_per_family(const std::vector<const corpus::Family*>& families, Contenders contenders,
+                                  std::uint64_t each, const Sampling& sampling) {
   const std::uint64_t methods = contenders.size();
   add(families, std::move(contenders), 0, sampling);
   parts_.back().count = each * methods * parts_.back().cases.families().size();
@@ -127,7 +126,8 @@ CampaignSettings CampaignPlan::settings(std::uint64_t block) const {
   for (const Part& part : parts_) {
     PartSettings& one = settings.parts.emplace_back();
     one.kind = part_name(part.cases.contenders()[0]->kind);
-    for (const engine::Method* contender : part.cases.contenders()) one.methods.push_back(contender->question_name());
+    for (const engine::Method* contender : part.cases.contenders())
+      one.methods.push_back(contender->question_name());
     one.families = part.cases.families();
     one.count = part.count;
     one.oracle_every = part.sampling.oracle_every;

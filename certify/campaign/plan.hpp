@@ -68,8 +68,8 @@ class CampaignPlan {
 
   explicit CampaignPlan(std::uint64_t seed) : seed_(seed) {}
   // `count` answers. Families without a question are left out.
-  void add(const std::vector<const corpus::Family*>& families, Contenders contenders,
-           std::uint64_t count, const Sampling& sampling);
+  void add(const std::vector<const corpus::Family*>& families, Contenders contenders, std::uint64_t count,
+           const Sampling& sampling);
   // As many that each contender is asked `each` cases of each family.
   void add_per_family(const std::vector<const corpus::Family*>& families, Contenders contenders,
                       std::uint64_t each, const Sampling& sampling);

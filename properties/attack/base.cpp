@@ -154,17 +154,18 @@ std::optional<ProofRecord> proved(const Case& problem, Random& random) {
     const char* const name = std::array{"certified", "certified", "bilateral", "ca"}[random.below(4)];
     engine::Answer answer =
         engine::find_method(engine::Kind::rotating, name)->ask(problem, {.request = Request::proof});
-    if (!answer.proof || answer.proof->chain.size() > kMostSlices) return std::nullopt;
+    if (!answer.rotating_proof || answer.rotating_proof->chain.size() > kMostSlices) return std::nullopt;
     record.method = name;
     record.outcome = answer.outcome;
     record.tier = tier_of(engine::find_method(engine::Kind::rotating, name)->tier);
     record.toi = {answer.toi_lower, answer.toi_upper};
-    record.rotating = std::move(answer.proof);
+    record.rotating = std::move(answer.rotating_proof);
     return record;
   }
   if (!law::is_linear_question(problem)) return std::nullopt;
   const char* const name = std::array{"certified", "exact", "mpr", "gjk", "ca"}[random.below(5)];
-  const engine::Answer answer = engine::find_method(engine::Kind::linear, name)->ask(problem, {.request = Request::proof});
+  const engine::Answer answer =
+      engine::find_method(engine::Kind::linear, name)->ask(problem, {.request = Request::proof});
   if (!answer.proof) return std::nullopt;
   record.method = name;
   record.outcome = answer.outcome;

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   }
   if (words.size() < 2) return usage("too few words");
   const auto kind =
-      std::find_if(kKinds.begin(), kKinds.end(), [&](Kind one) { return name_of(one) == words[0]; });
+      std::find_if(kKinds.begin(), kKinds.end(), [&](Kind one) { return to_text(one) == words[0]; });
   if (kind == kKinds.end()) return usage("no such kind of laws");
   int count = 0;
   if (std::sscanf(words[1].c_str(), "%d", &count) != 1 || count < 1) return usage("CASES is 1 or more");

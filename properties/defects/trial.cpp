@@ -22,9 +22,9 @@ namespace {
 
 // The first method that breaks the law, and how; empty if all keep it.
 std::string fault_of(const Law& law, const Case& problem) {
-  for (std::size_t i = 0; i < law.methods.size(); ++i) {
-    const LawResult result = law.check(problem, i);
-    if (result.holding == Holding::broken) return law.methods[i] + ": " + result.reason;
+  for (const Method& method : law.methods()) {
+    const LawResult result = law.check(problem, method);
+    if (result.holding == Holding::broken) return method.question_name() + ": " + result.reason;
   }
   return "";
 }
@@ -93,13 +93,9 @@ void run(const std::vector<Law>& laws, const Sample& sample, Progress& progress,
 }  // namespace
 
 std::vector<Law> laws_of(Kind kind) {
-  std::vector<Law> out;
-  std::vector<Law> all = laws();
-  for (Law& law : all) {
-    if (law.kind == kind) out.push_back(std::move(law));
-  }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Law& x, const Law& y) { return x.needs < y.needs; });
+  const std::span<const Law> of_kind = laws(kind);
+  std::vector<Law> out(of_kind.begin(), of_kind.end());
+  std::stable_sort(out.begin(), out.end(), [](const Law& x, const Law& y) { return x.needs < y.needs; });
   return out;
 }
 

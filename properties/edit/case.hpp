@@ -84,9 +84,9 @@ void visit_scalars(const corpus::Case& problem, F&& f) {
 // Equal shapes (outline), equal bits in every scalar, and one start policy; zeros of either sign are equal.
 [[nodiscard]] bool same_input(const corpus::Case& left, const corpus::Case& right);
 // Why every method must refuse a case ("a vertex outside 1e-60 to 1e60", ...); empty for a valid one. The
-// domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q != 0,
-// t_max >= 0 (infinity allowed), target_distance >= 0, a direction where one is asked for, turns of 2^30 radians
-// at most. Written from the documentation of the library, not from its code.
+// domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q !=
+// 0, t_max >= 0 (infinity allowed), target_distance >= 0, a direction where one is asked for, turns of 2^30
+// radians at most. Written from the documentation of the library, not from its code.
 [[nodiscard]] std::string why_invalid(const corpus::Case& problem);
 [[nodiscard]] bool in_domain(const corpus::Case& problem);
 [[nodiscard]] bool is_polytope(const corpus::Case& problem);  // both shapes, and no target distance

@@ -12,7 +12,8 @@ inline constexpr double kSlack = 1 + 1e-6;
 [[nodiscard]] bool proves_verdict(const Proof& proof, Outcome outcome);
 
 // Nothing about the answer is left open. Of tier standard: its errors are within kappa u scale; of tier
-// certified: the verdict is shown, the bracket holds, and it is narrow. `seen`: the case as the method saw it.
+// certified: the verdict is shown, the bracket holds, and it is narrow. `seen`: the case as the method saw
+// it.
 [[nodiscard]] bool is_settled_by(const Proof& proof, const engine::Method& method, const corpus::Case& seen,
                                  const engine::Answer& answer);
 

@@ -71,8 +71,7 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
   const CaseTruth& exact = truth.cast();
   const double scale = exact.scale().high;
   const bool contact = exact.outcome() != Outcome::miss;
-  if (answer.outcome == Outcome::invalid_input ||
-      !senseless(answer, truth.problem().t_max).empty())
+  if (answer.outcome == Outcome::invalid_input || !senseless(answer, truth.problem().t_max).empty())
     return errors;
   if (answer.outcome == Outcome::miss) {
     if (contact) errors.backward = over(exact.depth().high, scale);

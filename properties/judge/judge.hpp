@@ -3,8 +3,8 @@
 //
 // One function for every question. `truth` is about the case as the method saw it; the method's row of the
 // guarantees says what is let pass (limits.hpp). An answer is looked at by its proof first: where the checker
-// accepts it, and what it proves leaves nothing of the answer open, no oracle is asked. The oracle decides the
-// rest, and measures whatever it is asked to, as for a sample.
+// accepts it, and what it proves leaves nothing of the answer open, no oracle is asked. The oracle decides
+// the rest, and measures whatever it is asked to, as for a sample.
 #pragma once
 
 #include "properties/judge/judgement.hpp"

@@ -99,9 +99,7 @@ class CurvedJudge {
     judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
     judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
   }
-  [[nodiscard]] double in_scale(double length) const {
-    return over(length, scale_);
-  }
+  [[nodiscard]] double in_scale(double length) const { return over(length, scale_); }
 
   // A claim that errs by this much, proved.
   void verdict_errs(double error, const char* what) {
@@ -224,7 +222,8 @@ class CurvedJudge {
                    const Enclosure& end, bool onward) {
     // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
     const double u = limits_.unit_roundoff;
-    if ((is_beyond_range(bracket.lower, bracket.upper, u) || is_beyond_range(-bracket.upper, -bracket.lower, u)) &&
+    if ((is_beyond_range(bracket.lower, bracket.upper, u) ||
+         is_beyond_range(-bracket.upper, -bracket.lower, u)) &&
         bracket.lower <= end.high && end.low <= bracket.upper) {
       return;
     }

@@ -143,8 +143,7 @@ class LinearJudge {
       judgement_.proof = ProofState::refused;
       judgement_.false_proof = finding.fault;
     } else {
-      judgement_.proof =
-          finding.fault.empty() && answer_.proof ? ProofState::accepted : ProofState::none;
+      judgement_.proof = finding.fault.empty() && answer_.proof ? ProofState::accepted : ProofState::none;
       judgement_.wrong = finding.fault;
     }
     if (!measure && finding.settled) return;

@@ -1,5 +1,5 @@
-// Answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact oracles
-// decide every one; there is no proof to look at first.
+// Answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact
+// oracles decide every one; there is no proof to look at first.
 //
 // Errors are lengths over scale: of a distance or depth what it is off by, of a time its backward error. A
 // verdict is wrong where distance, depth or clearance exceeds the limit.
@@ -75,9 +75,7 @@ class QueryJudge {
     judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
     judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
   }
-  [[nodiscard]] double in_scale(double length) const {
-    return over(length, scale_);
-  }
+  [[nodiscard]] double in_scale(double length) const { return over(length, scale_); }
 
   // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
   template <class Apart, class Deep>
@@ -134,9 +132,7 @@ class QueryJudge {
       }
     }
   }
-  [[nodiscard]] double pair_rounding() const {
-    return rounding(answer_.point_a) + rounding(answer_.point_b);
-  }
+  [[nodiscard]] double pair_rounding() const { return rounding(answer_.point_a) + rounding(answer_.point_b); }
 
   void verdict_at_rest() {
     const bool contact = truth_.at_rest().outcome() != Outcome::miss;
@@ -161,8 +157,7 @@ class QueryJudge {
     if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high);
     witnesses();
     if (!judgement_.bad_contact.empty()) return;
-    const double error =
-        std::abs((answer_.point_a - answer_.point_b).norm() - exact.high) - pair_rounding();
+    const double error = std::abs((answer_.point_a - answer_.point_b).norm() - exact.high) - pair_rounding();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));

@@ -51,8 +51,10 @@ Open left_open_by(const ProvedBracket& proved, const Answer& answer, const Limit
       return proved.upper == 0 ? Open::nothing : Open::anything;
     case Outcome::hit: {
       if (!(proved.upper < kInfinity<double>)) return Open::anything;
-      if (way(proved.lower, answer.toi_lower) > (limits.strict ? 0 : limits.limit)) return Open::anything;  // late
-      if (way(answer.toi_upper, proved.upper) > (limits.strict ? 0 : limits.wide)) return Open::anything;   // early
+      if (way(proved.lower, answer.toi_lower) > (limits.strict ? 0 : limits.limit))
+        return Open::anything;  // late
+      if (way(answer.toi_upper, proved.upper) > (limits.strict ? 0 : limits.wide))
+        return Open::anything;  // early
       const bool narrow =
           way(answer.toi_lower, proved.upper) <= limits.wide + limits.rounding_at(answer.toi_lower) &&
           way(proved.lower, answer.toi_upper) <= limits.wide + limits.rounding_at(answer.toi_upper);
@@ -76,8 +78,7 @@ class RotatingJudge {
   Judgement operator()(bool oracle) {
     if (is_settled_by_validity()) return judgement_;
     const corpus::Case& problem = truth_.problem();
-    if (std::string why = senseless(answer_, problem.t_max);
-        !why.empty()) {
+    if (std::string why = senseless(answer_, problem.t_max); !why.empty()) {
       convict(judgement_.wrong, std::move(why));
       return judgement_;
     }
@@ -149,14 +150,15 @@ class RotatingJudge {
                           (!limits_.strict && truth.depth_before(answer_.toi_lower).high <= limit);
     if (!not_late || truth.clearance().high > limit || truth.depth().high > limit) return false;
     if (answer_.outcome != Outcome::hit) return true;
-    return truth.backward_error(answer_.toi_lower).high <= limits_.wide + limits_.rounding_at(answer_.toi_lower) &&
-           truth.backward_error(answer_.toi_upper).high <= limits_.wide + limits_.rounding_at(answer_.toi_upper);
+    return truth.backward_error(answer_.toi_lower).high <=
+               limits_.wide + limits_.rounding_at(answer_.toi_lower) &&
+           truth.backward_error(answer_.toi_upper).high <=
+               limits_.wide + limits_.rounding_at(answer_.toi_upper);
   }
 
   // By the scale in rounded doubles, brought below the true one.
   Open left_open(const corpus::Case& problem) {
-    const Limits limits =
-        limits_of(method_, problem, scale_of(problem) / kSlack);
+    const Limits limits = limits_of(method_, problem, scale_of(problem) / kSlack);
     const Open open = left_open_by(truth_.proved(), answer_, limits);
     if (open != Open::anything || !truth_.learn_from_reference()) return open;
     return left_open_by(truth_.proved(), answer_, limits);
@@ -173,14 +175,14 @@ class RotatingJudge {
       }
     }
     // A bracket that claims nothing needs no proof; of contact that no proof can name, the lower end has one.
-    const bool in_part = answer_.rotating_proof && judgement_.proof == ProofState::none && claims_contact(answer_) &&
-                         !oracle::can_name_contact(truth_.problem()) &&
+    const bool in_part = answer_.rotating_proof && judgement_.proof == ProofState::none &&
+                         claims_contact(answer_) && !oracle::can_name_contact(truth_.problem()) &&
                          answer_.rotating_proof->toi_lower >= answer_.toi_lower;
     const bool claims = answer_.toi_lower > 0 || answer_.toi_upper < kInfinity<double>;
     if (method_.is_certified() && asks_for(request_, Request::proof) && claims &&
         judgement_.proof == ProofState::none && !answer_.passed_over && !in_part) {
-      convict(judgement_.unproved,
-              answer_.rotating_proof ? "its proof claims less than the answer" : "a certified answer without a proof");
+      convict(judgement_.unproved, answer_.rotating_proof ? "its proof claims less than the answer"
+                                                          : "a certified answer without a proof");
     }
   }
 

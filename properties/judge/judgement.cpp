@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace graze::law {
 
 const std::string& Judgement::fault() const {
@@ -13,7 +15,7 @@ const std::string& Judgement::fault() const {
 }
 
 double over(double length, double scale) {
-  if (length == 0) return 0;
+  if (length == 0 || std::isnan(length)) return length;
   return scale > 0 ? length / scale : kInfinity<double>;
 }
 

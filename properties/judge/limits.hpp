@@ -21,9 +21,10 @@
 namespace graze::law {
 
 struct Limits {
-  double limit = 0;    // how deep a contact may be that goes unseen, how far apart bodies that are said to touch
-  double wide = 0;     // how far from contact either end of a bracket may be
-  double contact = 0;  // of normals and witnesses
+  double limit =
+      0;            // how deep a contact may be that goes unseen, how far apart bodies that are said to touch
+  double wide = 0;  // how far from contact either end of a bracket may be
+  double contact = 0;    // of normals and witnesses
   double contact_u = 0;  // the same for unit vectors, over 1
   engine::Unseen may_miss = engine::Unseen::nothing, may_be_late = engine::Unseen::nothing;
   bool strict = false;  // tier certified: any proved contradiction is a fault

@@ -230,8 +230,7 @@ bool agree(const Answer& one, const Answer& other, double u) {
   return gap <= 16 * u * std::max(one.toi_upper, other.toi_upper);
 }
 
-LawResult arbitrate(const Method& method, std::initializer_list<Asked> asked,
-                    std::string_view disagreement) {
+LawResult arbitrate(const Method& method, std::initializer_list<Asked> asked, std::string_view disagreement) {
   std::string all(disagreement);
   for (const Asked& one : asked) all += fmt::format("; {}: {}", one.name, describe(one.answer));
   LawResult result = holds({"arbitrated"});

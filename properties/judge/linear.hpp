@@ -39,7 +39,6 @@ namespace graze::law {
 // One that this method answers: tier exact does not answer all of them.
 [[nodiscard]] bool is_question_for(const engine::Method& method, const corpus::Case& seen);
 
-
 // Contact or no contact, wrong by more than the bound in clearance or depth. Says nothing of a verdict that
 // the oracle left undecided; the faults below stand there too, by what is proved of distances and depths.
 [[nodiscard]] std::string verdict_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,

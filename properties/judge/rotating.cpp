@@ -39,8 +39,7 @@ double allowed(Unseen unseen, const Answer& answer, const Limits& limits) {
 
 }  // namespace
 
-RotatingError verdict_error(const RotatingTruth& truth, const Answer& answer,
-                            const Limits& limits) {
+RotatingError verdict_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome == Outcome::invalid_input) return {.fault = "refuses a valid case"};
   RotatingError out;
   if (answer.outcome == Outcome::miss && truth.contact_proved()) {
@@ -97,8 +96,8 @@ RotatingError width_error(const RotatingTruth& truth, const Answer& answer, cons
   RotatingError out{.length = std::max(before, depth),
                     .over_limit = std::max(over(before, may_be_apart), over(depth, may_be_deep))};
   if (before > may_be_apart) {
-    out.fault =
-        fmt::format("at toi_lower {:.17g} the bodies are {} apart", answer.toi_lower, text_of(before, limits));
+    out.fault = fmt::format("at toi_lower {:.17g} the bodies are {} apart", answer.toi_lower,
+                            text_of(before, limits));
   } else if (depth > may_be_deep) {
     out.fault = fmt::format("by toi_upper {:.17g} the bodies have met {} deep", answer.toi_upper,
                             text_of(depth, limits));
@@ -106,8 +105,7 @@ RotatingError width_error(const RotatingTruth& truth, const Answer& answer, cons
   return out;
 }
 
-RotatingError distance_error(const RotatingTruth& truth, const Answer& answer,
-                             const Limits& limits) {
+RotatingError distance_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome != Outcome::hit && answer.outcome != Outcome::not_converged) return {};
   RotatingError out{.length = truth.distance_at(answer.toi_lower).low};
   if (out.length > answer.distance + limits.limit) {
@@ -117,14 +115,13 @@ RotatingError distance_error(const RotatingTruth& truth, const Answer& answer,
   return out;
 }
 
-RotatingError undecided_error(const RotatingTruth& truth, const Answer& answer,
-                              const Limits& limits) {
+RotatingError undecided_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome != Outcome::not_converged || truth.outcome() == Outcome::not_converged) return {};
   const bool miss = truth.outcome() == Outcome::miss;
   RotatingError out{.length = (miss ? truth.clearance() : truth.depth()).low};
   if (limits.strict && out.length > limits.wide) {
-    out.fault =
-        fmt::format("is undecided; {} is {}", miss ? "the clearance" : "the depth", text_of(out.length, limits));
+    out.fault = fmt::format("is undecided; {} is {}", miss ? "the clearance" : "the depth",
+                            text_of(out.length, limits));
   }
   return out;
 }
@@ -144,8 +141,7 @@ RotatingError normal_error(const RotatingTruth& truth, const Answer& answer, con
   return out;
 }
 
-RotatingError witness_error(const RotatingTruth& truth, const Answer& answer,
-                            const Limits& limits) {
+RotatingError witness_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome != Outcome::hit) return {};
   if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) return {.fault = "a witness is not finite"};
   RotatingError out{.length = 0};

@@ -27,31 +27,31 @@ struct RotatingError {
 };
 
 // Contact or no contact: the depth of a contact that is denied, or the clearance where contact is claimed.
-[[nodiscard]] RotatingError verdict_error(const oracle::RotatingTruth& truth,
-                                          const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError verdict_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                          const Limits& limits);
 // toi_lower past the first contact: the depth before it.
-[[nodiscard]] RotatingError late_error(const oracle::RotatingTruth& truth,
-                                       const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError late_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                       const Limits& limits);
 // toi_upper where there has been no contact yet: the distance there.
-[[nodiscard]] RotatingError early_error(const oracle::RotatingTruth& truth,
-                                        const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError early_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                        const Limits& limits);
 // Of a contact: the larger of the bodies' distance at toi_lower and their depth before toi_upper.
-[[nodiscard]] RotatingError width_error(const oracle::RotatingTruth& truth,
-                                        const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError width_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                        const Limits& limits);
 // The distance at toi_lower, against the one that the answer states.
-[[nodiscard]] RotatingError distance_error(const oracle::RotatingTruth& truth,
-                                           const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError distance_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                           const Limits& limits);
 // not_converged: the clearance or the depth that decides. A fault of tier certified where that is above
 // `wide`.
-[[nodiscard]] RotatingError undecided_error(const oracle::RotatingTruth& truth,
-                                            const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError undecided_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                            const Limits& limits);
 // Of a hit: by how much the normal fails to separate the bodies at first contact. It is the one at toi_lower,
 // from where the bodies go on to first contact: that long at their top speed is granted.
-[[nodiscard]] RotatingError normal_error(const oracle::RotatingTruth& truth,
-                                         const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError normal_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                         const Limits& limits);
 // Of a hit: how far a witness is off its body at toi_lower, the larger of the two.
-[[nodiscard]] RotatingError witness_error(const oracle::RotatingTruth& truth,
-                                          const engine::Answer& answer, const Limits& limits);
+[[nodiscard]] RotatingError witness_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
+                                          const Limits& limits);
 
 // The first fault of verdict, times and width; or empty.
 [[nodiscard]] std::string any_fault(const oracle::RotatingTruth& truth, const engine::Answer& answer,

@@ -1,5 +1,5 @@
-// What is true of one case: the exact oracles' answers and the bracket oracle's, each found out when it is first
-// asked for, and what accepted proofs have shown. One thread at a time.
+// What is true of one case: the exact oracles' answers and the bracket oracle's, each found out when it is
+// first asked for, and what accepted proofs have shown. One thread at a time.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ struct ProvedBracket {
 
 class Truth {
  public:
-  // `problem`: as a method sees it. `reference`: a method whose proof of this case may be asked for, of bodies
-  // that turn; nullptr for none.
+  // `problem`: as a method sees it. `reference`: a method whose proof of this case may be asked for, of
+  // bodies that turn; nullptr for none.
   explicit Truth(corpus::Case problem, const engine::Method* reference = nullptr)
       : problem_(std::move(problem)), reference_(reference) {}
   [[nodiscard]] const corpus::Case& problem() const { return problem_; }
@@ -57,9 +57,9 @@ class Truth {
   std::unique_ptr<oracle::RotatingTruth> bracket_, beside_proof_;
 };
 
-// The oracle that a linear case goes to: polytopes, alone or rounded by one radius, to the exact one while they
-// have no more than kMostDifferences pairs of vertices (256 x 256 take it 0.2 s, 512 x 512 a second; the bracket
-// oracle 2 ms); everything else to the bracket oracle.
+// The oracle that a linear case goes to: polytopes, alone or rounded by one radius, to the exact one while
+// they have no more than kMostDifferences pairs of vertices (256 x 256 take it 0.2 s, 512 x 512 a second; the
+// bracket oracle 2 ms); everything else to the bracket oracle.
 inline constexpr std::uint64_t kMostDifferences = 1u << 14;
 [[nodiscard]] oracle::CaseTruth truth_within_reach(corpus::Case problem);
 [[nodiscard]] bool is_exactly_decided(const corpus::Case& problem);

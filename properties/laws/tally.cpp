@@ -101,8 +101,8 @@ std::string LawTally::excess_of_stalls() const {
                                ? std::max(1.0, row->stall_cap * static_cast<double>(applied_to_[m]))
                                : 0;
     if (static_cast<double>(stalled_[m]) > allowed) {
-      return law_ + ": " + method.full_name() + " did not converge " + std::to_string(stalled_[m]) + " times in " +
-             std::to_string(applied_to_[m]);
+      return law_ + ": " + method.full_name() + " did not converge " + std::to_string(stalled_[m]) +
+             " times in " + std::to_string(applied_to_[m]);
     }
   }
   return "";

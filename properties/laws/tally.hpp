@@ -13,10 +13,7 @@ namespace graze::law {
 class LawTally {
  public:
   explicit LawTally(const Law& law)
-      : law_(law.name),
-        kind_(law.kind),
-        applied_to_(law.methods().size()),
-        stalled_(law.methods().size()) {}
+      : law_(law.name), kind_(law.kind), applied_to_(law.methods().size()), stalled_(law.methods().size()) {}
 
   // family: of the case; empty where it was drawn freely.
   void add(std::size_t method, std::string_view family, const LawResult& result);

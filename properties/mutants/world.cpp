@@ -13,8 +13,8 @@
 
 namespace graze::mutants {
 
-using law::Law;
 using engine::Kind;
+using law::Law;
 using law::Needs;
 
 namespace {
@@ -57,7 +57,7 @@ bool read(std::ifstream& file, T& x) {
 
 World make_world(const Counts& counts) {
   World world;
-  world.laws = law::laws();
+  world.laws.assign(law::laws().begin(), law::laws().end());
   const int flat = std::max(counts.linear, counts.query);
   if (flat > 0) {
     law::Sample linear = law::sample_for(Kind::linear, flat);
@@ -81,9 +81,9 @@ World make_world(const Counts& counts) {
 }
 
 std::string fault_of(const Law& law, const corpus::Case& problem) {
-  for (std::size_t i = 0; i < law.methods.size(); ++i) {
-    const law::LawResult result = law.check(problem, i);
-    if (result.holding == law::Holding::broken) return law.methods[i] + ": " + result.reason;
+  for (const engine::Method& method : law.methods()) {
+    const law::LawResult result = law.check(problem, method);
+    if (result.holding == law::Holding::broken) return method.question_name() + ": " + result.reason;
   }
   return "";
 }

@@ -34,7 +34,7 @@ struct Small {
 
   explicit Small(const engine::Method& judged, std::uint64_t seed = 7, std::uint64_t casts = kCasts)
       : method(judged), plan(seed) {
-    plan.add(some_families(), {contender_of(method)}, casts, {kOracleEvery});
+    plan.add(some_families(), {&method}, casts, {kOracleEvery});
   }
   // Every kind of part, of a few families.
   explicit Small(std::uint64_t seed) : plan(seed) {
@@ -44,9 +44,8 @@ struct Small {
              chosen_contenders(engine::Kind::rotating, {}), 48, {6});
   }
   // One turning method.
-  Small(const engine::Method& judged, const char* family, std::uint64_t casts)
-      : turning(judged), plan(7) {
-    plan.add({corpus::find_family(family)}, {contender_of(turning)}, casts, {0});
+  Small(const engine::Method& judged, const char* family, std::uint64_t casts) : turning(judged), plan(7) {
+    plan.add({corpus::find_family(family)}, {&turning}, casts, {0});
   }
   Small(const Small&) = delete;
   Small& operator=(const Small&) = delete;
@@ -94,7 +93,7 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
 }
 
 TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tier) {
-  const Contenders asked = {contender_of(exact())};
+  const Contenders asked = {&exact()};
   const CampaignCases one(some_families(), asked, 7, {kOracleEvery}),
       again(some_families(), asked, 7, {kOracleEvery}), other(some_families(), asked, 8, {kOracleEvery});
   for (std::uint64_t index = 0; index < 100; ++index) {
@@ -111,11 +110,12 @@ TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tie
 TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   const std::vector<const corpus::Family*> families = {corpus::find_family("curved"),
                                                        corpus::find_family("grazing_face")};
-  const CampaignCases to_the_bit(families, {contender_of(exact())}, 1, {});
+  const CampaignCases to_the_bit(families, {&exact()}, 1, {});
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
   // Tier standard is asked everything.
-  const CampaignCases standard(families, {contender_of(*engine::find_method(engine::Kind::linear, "mpr"))}, 1, {});
+  const CampaignCases standard(families, {engine::find_method(engine::Kind::linear, "mpr")}, 1,
+                               {});
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
 }
@@ -262,8 +262,7 @@ engine::Answer gives_up(const corpus::Case& problem, const engine::Ask& ask) {
   return answer;
 }
 
-engine::Method planted(const char* name,
-                             engine::Answer (*cast)(const corpus::Case&, const engine::Ask&)) {
+engine::Method planted(const char* name, engine::Answer (*cast)(const corpus::Case&, const engine::Ask&)) {
   engine::Method method = *engine::find_method(engine::Kind::linear, name);
   method.ask = cast;
   return method;
@@ -291,7 +290,7 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   const auto denies = planted("exact", &denies_contact);
   Small small(denies, 7, 1);
   small.plan = CampaignPlan(7);
-  small.plan.add({corpus::find_family("random")}, {contender_of(small.method)}, 400, {kOracleEvery});
+  small.plan.add({corpus::find_family("random")}, {&small.method}, 400, {kOracleEvery});
   const CampaignState one = small.run(1);
   const CampaignState shared = merge_states(
       {{"second", small.run(2, {.index = 2, .count = 2})}, {"first", small.run(3, {.index = 1, .count = 2})}},
@@ -311,7 +310,8 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
 }
 
 TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
-  const Small honest(*engine::find_method(engine::Kind::linear, "mpr"), 7, 120), stalling(planted("mpr", &gives_up), 7, 120);
+  const Small honest(*engine::find_method(engine::Kind::linear, "mpr"), 7, 120),
+      stalling(planted("mpr", &gives_up), 7, 120);
   EXPECT_TRUE(campaign_failures(honest.run(2)).empty());
   const CampaignState state = stalling.run(2);
   EXPECT_GT(state.tally.total().stalls, 10U);
@@ -361,8 +361,8 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
 
 TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
   CampaignPlan plan(3);
-  plan.add({corpus::find_family("random_rotating")}, chosen_contenders(engine::Kind::rotating, {"certified"}), 40,
-           {8});
+  plan.add({corpus::find_family("random_rotating")}, chosen_contenders(engine::Kind::rotating, {"certified"}),
+           40, {8});
   CampaignState state = fresh_state(plan, kBlock, {});
   run_campaign({.plan = &plan}, state);
   const CampaignCounts total = state.tally.total();
@@ -409,7 +409,7 @@ engine::Answer moved_in_time(const corpus::Case& problem, const engine::Ask& ask
   if (answer.outcome != Outcome::hit || answer.toi_lower < 1e-3) return answer;
   answer.toi_lower += kOff * 1e-6 * problem.t_max;
   answer.toi_upper += kOff * 1e-6 * problem.t_max;
-  answer.proof.reset();
+  answer.rotating_proof.reset();
   return answer;
 }
 
@@ -425,21 +425,20 @@ engine::Answer turning_denies_contact(const corpus::Case& problem, const engine:
   if (answer.outcome != Outcome::hit) return answer;
   answer.outcome = Outcome::miss;
   answer.toi_lower = answer.toi_upper = kInfinity<double>;
-  answer.proof.reset();
+  answer.rotating_proof.reset();
   return answer;
 }
 
 // The chain claims more than its slices show.
 engine::Answer forges_its_proof(const corpus::Case& problem, const engine::Ask& ask) {
   engine::Answer answer = turning("certified").ask(problem, ask);
-  if (answer.proof && answer.outcome == Outcome::hit)
-    answer.proof->toi_lower = 0.5 * (1 + problem.t_max) + answer.toi_upper;
+  if (answer.rotating_proof && answer.outcome == Outcome::hit)
+    answer.rotating_proof->toi_lower = 0.5 * (1 + problem.t_max) + answer.toi_upper;
   return answer;
 }
 
 engine::Method planted_turning(const char* name,
-                                             engine::Answer (*cast)(const corpus::Case&,
-                                                                            const engine::Ask&)) {
+                               engine::Answer (*cast)(const corpus::Case&, const engine::Ask&)) {
   engine::Method method = turning(name);
   method.ask = cast;
   return method;
@@ -476,8 +475,8 @@ TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_k
 // What answers a query beside the cast, off by a hundredth of itself.
 engine::Answer stretched_distance(const corpus::Case& problem, const engine::Ask& asked) {
   engine::Answer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
-  if (answer.distance)
-    answer.distance = engine::Interval{1.01 * answer.distance->lower, 1.01 * answer.distance->upper};
+  if (answer.separation)
+    answer.separation = engine::Interval{1.01 * answer.separation->lower, 1.01 * answer.separation->upper};
   return answer;
 }
 
@@ -486,7 +485,7 @@ TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
   for (const bool honest : {true, false}) {
     if (!honest) method.ask = &stretched_distance;
     CampaignPlan plan(7);
-    plan.add_per_family(some_families(), {contender_of(method)}, 20, {1});
+    plan.add_per_family(some_families(), {&method}, 20, {1});
     CampaignState state = fresh_state(plan, kBlock, {});
     run_campaign({.plan = &plan, .threads = 2}, state);
     const CampaignCounts total = state.tally.total();
@@ -498,7 +497,7 @@ TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
     ASSERT_FALSE(found_cases(state).empty());
     for (const corpus::Case& problem : found_cases(state)) {
       EXPECT_EQ(problem.query, corpus::Query::distance);
-      EXPECT_GT(method.answer(problem).distance->lower, 0) << problem.id;
+      EXPECT_GT(method.answer(problem).separation->lower, 0) << problem.id;
     }
   }
 }
@@ -507,10 +506,11 @@ TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
   const Small small(turning("certified"), "pure_spin", 32);
   CampaignState state = small.run(2);
   const DrawnCase drawn = small.plan.parts()[0].cases.draw(3);
-  CampaignCast open{.answer = {.outcome = Outcome::miss}, .by_oracle = true};
+  CampaignCast open{.answer = {.outcome = Outcome::miss}};
+  open.judgement.by_oracle = true;
   open.undecided = "clearance and depth are below the width";
   const std::uint64_t before = state.tally.total().undecided;
-  state.tally.add(1000, 0, contender_of(small.turning), drawn, open);
+  state.tally.add(1000, 0, small.turning, drawn, open);
   EXPECT_EQ(state.tally.total().undecided, before + 1);
   EXPECT_EQ(state.tally.total().faults, 0U);
   // One of 33 is more than 1 in 1,000.
@@ -524,8 +524,8 @@ TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
 
 TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
   CampaignPlan plan(7);
-  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(engine::Kind::linear, {"ca/double"}), 2000,
-           {0});
+  plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(engine::Kind::linear, {"ca/double"}),
+           2000, {0});
   CampaignState state = fresh_state(plan, kBlock, {});
   for (CampaignCounts& counts : state.tally.counts) counts.casts = 800;
   EXPECT_TRUE(campaign_failures(state).empty());
@@ -549,8 +549,8 @@ TEST(Digest, one_bit_of_one_answer_changes_it_and_the_order_does_not) {
   EXPECT_NE(answer_hash(0, answer), answer_hash(0, other));
   EXPECT_NE(answer_hash(0, answer), answer_hash(1, answer));
   CampaignTally first(small.plan.cells().size()), second = first, both = first, turned = first;
-  first.add(0, 0, contender_of(exact()), drawn, {.answer = answer});
-  second.add(1, 0, contender_of(exact()), drawn, {.answer = other});
+  first.add(0, 0, exact(), drawn, {.answer = answer});
+  second.add(1, 0, exact(), drawn, {.answer = other});
   both.merge(first);
   both.merge(second);
   turned.merge(second);

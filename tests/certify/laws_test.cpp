@@ -11,33 +11,34 @@
 namespace graze::tool {
 namespace {
 
-using law::Law;
 using engine::Kind;
+using law::Law;
 using law::LawResult;
 
 // "Nothing is hit", broken by every hit of either method.
 Law nothing_is_hit() {
-  return {.kind = Kind::linear,
-          .name = "nothing_is_hit",
+  return {.name = "nothing_is_hit",
           .sentence = "Nothing is ever hit.",
           .needs = law::Needs::metamorphic,
-          .methods = {"mpr/double", "gjk/double"},
-          .check = [](const corpus::Case& problem, std::size_t m) -> LawResult {
+          .check = [](const corpus::Case& problem, const engine::Method& method) -> LawResult {
+            if (method.full_name() != "mpr/double" && method.full_name() != "gjk/double")
+              return law::not_applicable("another method");
             if (!law::is_linear_question(problem)) return law::not_applicable("no linear cast");
-            const engine::Method& method = *engine::find_method(engine::Kind::linear, m == 0 ? "mpr/double" : "gjk/double");
             const Outcome outcome = method.ask(problem, {}).outcome;
             if (outcome == Outcome::hit) return law::broken("it is hit");
             return law::holds({law::label_of(outcome)});
-          }};
+          },
+          .kind = Kind::linear};
 }
 
 Law counts_turning() {
-  return {.kind = Kind::rotating,
-          .name = "counts_turning",
+  return {.name = "counts_turning",
           .sentence = "It holds.",
           .needs = law::Needs::metamorphic,
-          .methods = {"plan/double"},
-          .check = [](const corpus::Case&, std::size_t) { return law::holds({"miss"}); }};
+          .check = [](const corpus::Case&, const engine::Method& method) -> LawResult {
+            return method.full_name() == "plan/double" ? law::holds({"miss"}) : law::not_applicable("another");
+          },
+          .kind = Kind::rotating};
 }
 
 std::vector<LawSuite> small_suites() {
@@ -57,17 +58,18 @@ TEST(LawCertification, counts_and_finds_the_first_case_that_breaks_made_small) {
   EXPECT_EQ(result.tallies[1].count("miss"), 5U);
   ASSERT_EQ(result.breaches.size(), 2U);
   const LawBreach& breach = result.breaches[0];
-  EXPECT_EQ(breach.finding.method, "mpr/double");
+  EXPECT_EQ(breach.finding.method, "gjk/double");
   EXPECT_EQ(breach.times + result.breaches[1].times, result.tallies[0].broken());
 
   // The first: none before it breaks the law. The seed draws it.
   const Law law = nothing_is_hit();
+  const engine::Method& first = law.methods()[breach.method];
   for (std::size_t i = 0; i < breach.index; ++i) {
-    EXPECT_NE(law.check(suites[0].suite.at(i), 0).holding, law::Holding::broken);
+    EXPECT_NE(law.check(suites[0].suite.at(i), first).holding, law::Holding::broken);
   }
   EXPECT_EQ(breach.first, suites[0].suite.at(breach.index).id);
   EXPECT_EQ(breach.finding.seed, "number " + std::to_string(breach.index));
-  EXPECT_EQ(law.check(breach.finding.problem, 0).holding, law::Holding::broken);
+  EXPECT_EQ(law.check(breach.finding.problem, first).holding, law::Holding::broken);
   EXPECT_TRUE(std::holds_alternative<Point<double>>(breach.finding.problem.a.shape));
   EXPECT_TRUE(std::holds_alternative<Point<double>>(breach.finding.problem.b.shape));
   for (const double x : law::scalars(breach.finding.problem)) EXPECT_LE(std::abs(x), 2);
@@ -94,7 +96,7 @@ TEST(LawCertification, the_threads_change_nothing) {
 
 TEST(LawCertification, asks_the_methods_that_are_wanted) {
   LawSettings settings{.laws = {nothing_is_hit()}};
-  settings.is_asked = [](Kind, std::string_view method) { return method == "gjk/double"; };
+  settings.is_asked = [](const engine::Method& method) { return method.full_name() == "gjk/double"; };
   const LawCertification result = certify_laws(small_suites(), settings);
   EXPECT_EQ(result.tallies[0].applied(), 30U);
   ASSERT_EQ(result.breaches.size(), 1U);

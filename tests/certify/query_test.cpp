@@ -1,5 +1,5 @@
 // Certification of the queries: made-up methods on questions that are asked as they are, and what is kept.
-#include "certify/query.hpp"
+#include "certify/certification.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,8 @@ Case cubes(Query query) {
 Answer right_answer(const Case&, const Ask&) {
   Answer answer;
   answer.outcome = Outcome::miss;
-  answer.distance = {1, 1};
+  answer.separation = {1, 1};
+  answer.has_points = true;
   answer.normal = {1, 0, 0};
   answer.point_a = {1, 0, 0};
   answer.point_b = {2, 0, 0};
@@ -44,30 +45,42 @@ Answer right_answer(const Case&, const Ask&) {
 }
 Answer stalled_answer(const Case& problem, const Ask& ask) {
   Answer answer = right_answer(problem, ask);
-  answer.distance = {0.5, 1.5};
+  answer.separation = {0.5, 1.5};
   answer.stalled = true;
   return answer;
 }
 Answer wrong_answer(const Case& problem, const Ask& ask) {
   Answer answer = right_answer(problem, ask);
-  answer.distance = {1.25, 1.25};
+  answer.separation = {1.25, 1.25};
   return answer;
 }
 
 Method distance_by(Answer (*ask)(const Case&, const Ask&)) {
-  return {.query = Query::distance, .name = "made_up", .scalar = "double", .tier = "standard", .ask = ask};
+  static const engine::Guarantee kRow{.query = "distance",
+                                      .method = "made_up",
+                                      .scalar = "double",
+                                      .tier = "standard",
+                                      .kappa_polytope = 64,
+                                      .kappa_rounded = 64,
+                                      .stall_cap = 0.5,
+                                      .mechanism = "a test"};
+  return {.kind = engine::Kind::query,
+          .query = Query::distance,
+          .name = "made_up",
+          .scalar = "double",
+          .tier = "standard",
+          .unit_roundoff = kUnitRoundoff<double>,
+          .ask = ask,
+          .seen = [](const Case& problem) { return problem; },
+          .guarantee = &kRow};
 }
 
-QueryCertification certified(const Method& method, const Case& problem) {
-  const engine::Guarantee row{.query = "distance",
-                              .method = "made_up",
-                              .scalar = "double",
-                              .tier = "standard",
-                              .kappa_polytope = 64,
-                              .kappa_rounded = 64,
-                              .stall_cap = 0.5,
-                              .mechanism = "a test"};
-  return certify_queries({problem}, {}, {.methods = {&method, 1}, .guarantees = {&row, 1}});
+Certification certified(const std::vector<const Method*>& methods, const Case& problem) {
+  return certify({{.kind = engine::Kind::query, .family = "given", .cases = {problem}}},
+                 {.methods = methods, .threads = 2});
+}
+Certification certified(const Method& method, const Case& problem) {
+  return certified(std::vector<const Method*>{&method}, problem);
 }
 
 struct AnyQuestion {
@@ -89,39 +102,43 @@ std::vector<AnyQuestion> every_question() {
 }
 
 TEST(QueryCertification, a_stall_is_kept_to_be_saved_and_counts_against_the_cap) {
-  const QueryCertification stalled = certified(distance_by(stalled_answer), cubes(Query::distance));
+  const Method made_up_stalled_answer = distance_by(stalled_answer);
+  const Certification stalled = certified(made_up_stalled_answer, cubes(Query::distance));
   EXPECT_EQ(stalled.tallies.at(0).cases, 1U);
   EXPECT_EQ(stalled.tallies.at(0).stalled, 1U);
   ASSERT_EQ(stalled.convicted.size(), 1U);
   EXPECT_TRUE(corpus::same_case(stalled.convicted[0], cubes(Query::distance)));
   EXPECT_EQ(stalled.breaches.size(), 1U);
 
-  const QueryCertification right = certified(distance_by(right_answer), cubes(Query::distance));
+  const Method made_up_right_answer = distance_by(right_answer);
+  const Certification right = certified(made_up_right_answer, cubes(Query::distance));
   EXPECT_TRUE(right.convicted.empty());
   EXPECT_TRUE(right.breaches.empty());
 }
 
 TEST(QueryCertification, a_question_is_asked_as_it_is_and_of_its_own_methods_alone) {
-  const QueryCertification wrong = certified(distance_by(wrong_answer), cubes(Query::distance));
-  EXPECT_EQ(wrong.tallies.at(0).off, 1U);
+  const Method made_up_wrong_answer = distance_by(wrong_answer);
+  const Certification wrong = certified(made_up_wrong_answer, cubes(Query::distance));
+  EXPECT_EQ(wrong.tallies.at(0).faulty(), 1U);
   ASSERT_EQ(wrong.breaches.size(), 1U);
   EXPECT_NE(wrong.breaches[0].find("test/cubes"), std::string::npos) << wrong.breaches[0];
   EXPECT_EQ(wrong.convicted.at(0).id, "test/cubes");
-  EXPECT_EQ(certified(distance_by(wrong_answer), cubes(Query::line)).tallies.at(0).cases, 0U);
+  EXPECT_EQ(certified(made_up_wrong_answer, cubes(Query::line)).tallies.at(0).cases, 0U);
 }
 
 // Ours answer rightly, of polytopes and of curved shapes, apart and deep in each other.
 TEST(QueryCertification, every_query_of_ours_is_judged) {
+  std::vector<const Method*> all;
+  for (const Method& method : engine::methods(engine::Kind::query)) all.push_back(&method);
   for (const auto& [query, curved, x] : every_question()) {
     SCOPED_TRACE(fmt::format("{}, {}, at {}", corpus::name_of(query), curved ? "curved" : "cubes", x));
     Case problem = cubes(query);
     problem.b.position = {x, 0.25, 0.125};
     problem.direction = {1, 0.5, 0.25};
     if (curved) problem.a.shape = Ellipsoid<double>{{1, 1.5, 2}};
-    const QueryCertification result =
-        certify_queries({problem}, {}, {.guarantees = engine::guarantees(), .threads = 2});
+    const Certification result = certified(all, problem);
     std::size_t cases = 0;
-    for (const QueryTally& tally : result.tallies) {
+    for (const Tally& tally : result.tallies) {
       EXPECT_TRUE(tally.cases == 0 || tally.method->query == query);
       cases += tally.cases;
     }
@@ -140,19 +157,18 @@ TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
     problem.direction = {1, 0.5, 0.25};
     problem.a.shape = Ellipsoid<double>{{1, 1.5, 2}};
     const engine::Method& ours = law::default_method(query, "double");
-    const law::QueryLimits limits{.kappa = 64, .unit_roundoff = kUnitRoundoff<double>};
     const Answer right = ours.answer(problem);
-    EXPECT_EQ(judge_curved_query(problem, ours, right, limits).fault(), "");
+    EXPECT_EQ(law::judge_curved_query(problem, ours, right).fault(), "");
     // The other verdict.
     Answer other = right;
     const Outcome contact =
         query == Query::line || query == Query::swept_overlap ? Outcome::hit : Outcome::initially_overlapping;
     other.outcome = right.outcome == contact ? Outcome::miss : contact;
-    EXPECT_NE(judge_curved_query(problem, ours, other, limits).wrong, "");
+    EXPECT_NE(law::judge_curved_query(problem, ours, other).wrong, "");
     // Either end of each bracket, in and out.
     using Bracket = std::optional<engine::Interval>;
     for (Bracket Answer::*const bracket :
-         {&Answer::distance, &Answer::depth, &Answer::t_in, &Answer::t_out}) {
+         {&Answer::separation, &Answer::depth, &Answer::t_in, &Answer::t_out}) {
       if (!(right.*bracket)) continue;
       const double size = std::abs((right.*bracket)->upper);
       if (size == 0) continue;
@@ -160,13 +176,13 @@ TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
         Answer moved = right;
         (moved.*bracket)->lower += by;
         (moved.*bracket)->upper += by;
-        EXPECT_NE(judge_curved_query(problem, ours, moved, limits).fault(), "") << by;
+        EXPECT_NE(law::judge_curved_query(problem, ours, moved).fault(), "") << by;
       }
     }
-    if (query != Query::distance || !right.point_a) continue;
+    if (query != Query::distance || !right.has_points) continue;
     Answer off = right;
-    *off.point_a += 1e-3 * *right.normal;
-    EXPECT_NE(judge_curved_query(problem, ours, off, limits).bad_contact, "");
+    off.point_a += 1e-3 * right.normal;
+    EXPECT_NE(law::judge_curved_query(problem, ours, off).bad_contact, "");
   }
 }
 
@@ -186,20 +202,23 @@ TEST(Intake, sorts_every_question_and_counts_what_nothing_judges) {
               {cubes(Query::cast), cubes(Query::line), cubes(Query::overlap), curved, turning_distance,
                turning_line, swept},
               false);
-  ASSERT_EQ(intake.asked.size(), 4U);
-  EXPECT_EQ(intake.asked[0].query, Query::line);
-  EXPECT_EQ(intake.asked[1].query, Query::overlap);
-  EXPECT_EQ(intake.asked[2].id, "test/curved");
+  ASSERT_EQ(intake.suites.size(), 3U);
+  const Suite &linear = intake.suites[0], &asked = intake.suites[1], &rotating = intake.suites[2];
+  EXPECT_EQ(intake.questions, 4U);
+  ASSERT_EQ(asked.size(), 4U);
+  EXPECT_EQ(asked.at(0).query, Query::line);
+  EXPECT_EQ(asked.at(1).query, Query::overlap);
+  EXPECT_EQ(asked.at(2).id, "test/curved");
   // What is asked of t = 0 sees no turn.
-  EXPECT_EQ(intake.asked[3].id, "test/turning-distance");
-  EXPECT_EQ(intake.asked[3].spin_b.rotation, Vec3<double>::Zero());
+  EXPECT_EQ(asked.at(3).id, "test/turning-distance");
+  EXPECT_EQ(asked.at(3).spin_b.rotation, Vec3<double>::Zero());
   EXPECT_EQ(intake.left_out, 1U);
   EXPECT_EQ(intake.recast, 2U);
-  ASSERT_EQ(intake.linear.size(), 1U);
-  EXPECT_EQ(intake.linear[0].size(), 2U);  // the cast and the overlap's
-  ASSERT_EQ(intake.rotating.size(), 1U);
-  EXPECT_EQ(intake.rotating[0].at(0).id, "test/turning-swept");
-  EXPECT_EQ(intake.rotating[0].at(0).query, Query::cast);
+  EXPECT_EQ(linear.kind, engine::Kind::linear);
+  EXPECT_EQ(linear.size(), 2U);  // the cast and the overlap's
+  EXPECT_EQ(rotating.kind, engine::Kind::rotating);
+  EXPECT_EQ(rotating.at(0).id, "test/turning-swept");
+  EXPECT_EQ(rotating.at(0).query, Query::cast);
 }
 
 TEST(Intake, what_is_saved_can_be_read_again) {

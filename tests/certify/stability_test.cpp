@@ -101,7 +101,9 @@ FamilyStability measured(const Family& family, const engine::Method& method, dou
                               .kappa_rounded = kappa,
                               .stall_cap = stall_cap,
                               .mechanism = "a test"};
-  return measure_family(family, {.linear = {&method}, .guarantees = {&row, 1}, .count = kCount});
+  engine::Method held = method;
+  held.guarantee = &row;
+  return measure_family(family, {.methods = {&held}, .count = kCount});
 }
 
 Curve only_curve(const FamilyStability& family) {
@@ -208,8 +210,9 @@ TEST(Stability, the_worst_family_stands_first) {
 }
 
 TEST(Stability, our_methods_hold_and_threads_change_nothing) {
-  StabilitySettings settings{.guarantees = engine::guarantees(), .count = 2};
-  for (const engine::Method& method : engine::methods(engine::Kind::linear)) settings.linear.push_back(&method);
+  StabilitySettings settings{.count = 2};
+  for (const engine::Method& method : engine::methods(engine::Kind::linear))
+    settings.methods.push_back(&method);
   const Family* family = corpus::find_family("size_ratio");
   ASSERT_NE(family, nullptr);
   const FamilyStability one = measure_family(*family, settings);
@@ -219,7 +222,7 @@ TEST(Stability, our_methods_hold_and_threads_change_nothing) {
   EXPECT_TRUE(breaches(one.curves).empty()) << breaches(one.curves)[0];
   // Something was measured of every method.
   const std::vector<Curve> by_method = merged(one.curves);
-  EXPECT_EQ(by_method.size(), settings.linear.size());
+  EXPECT_EQ(by_method.size(), settings.methods.size());
   for (const Curve& curve : by_method) EXPECT_FALSE(curve.total().backward.empty()) << curve.method;
 }
 
@@ -241,7 +244,7 @@ Curve measured_turn(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
   engine::Method method = *engine::find_method(engine::Kind::rotating, "bilateral");
   method.ask = cast;
   return only_curve(measure_family(
-      kBars, {.rotating = {&method}, .guarantees = engine::guarantees(), .rotating_count = 1}));
+      kBars, {.methods = {&method}, .rotating_count = 1}));
 }
 
 TEST(Stability, rotating_times_and_verdicts_are_measured) {

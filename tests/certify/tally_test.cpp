@@ -8,6 +8,8 @@
 namespace graze::tool {
 namespace {
 
+using law::Judgement;
+
 const engine::Guarantee kRow{.method = "gjk",
                              .scalar = "double",
                              .tier = "standard",
@@ -16,14 +18,21 @@ const engine::Guarantee kRow{.method = "gjk",
                              .stall_cap = 0.01,
                              .mechanism = "a test"};
 
-Tally tally_of(std::size_t good, const std::vector<Judgement>& bad) {
-  Tally tally{.method = "gjk", .scalar = "double", .family = "made-up"};
-  for (std::size_t i = 0; i < good; ++i) tally.add("good/" + std::to_string(i), {});
-  for (std::size_t i = 0; i < bad.size(); ++i) tally.add("bad/" + std::to_string(i), bad[i]);
+const engine::Method kMethod{.name = "gjk", .scalar = "double", .tier = "standard", .guarantee = &kRow};
+
+Tally tally_of(std::size_t good, const std::vector<Judgement>& bad, const engine::Method& method = kMethod) {
+  Tally tally{.method = &method, .family = "made-up"};
+  const auto add = [&](const std::string& id, const Judgement& judgement) {
+    corpus::Case problem;
+    problem.id = id;
+    tally.add(problem, judgement, {});
+  };
+  for (std::size_t i = 0; i < good; ++i) add("good/" + std::to_string(i), {});
+  for (std::size_t i = 0; i < bad.size(); ++i) add("bad/" + std::to_string(i), bad[i]);
   return tally;
 }
 
-TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {}), &kRow).empty()); }
+TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {})).empty()); }
 
 TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
   Judgement faulty;
@@ -33,7 +42,7 @@ TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
   faulty.bad_contact = "reason-contact";
   faulty.false_proof = "reason-proof";
   const Tally tally = tally_of(3, {faulty, faulty});
-  const std::vector<std::string> lines = breaches(tally, &kRow);
+  const std::vector<std::string> lines = breaches(tally);
   ASSERT_EQ(lines.size(), 5U);
   for (const char* reason : {"reason-wrong", "reason-late", "reason-off", "reason-contact", "reason-proof"}) {
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
@@ -46,8 +55,8 @@ TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
 TEST(Breaches, stalls_break_a_row_only_above_their_cap) {
   Judgement stall;
   stall.stalled = true;
-  EXPECT_TRUE(breaches(tally_of(99, {stall}), &kRow).empty());
-  const std::vector<std::string> lines = breaches(tally_of(98, {stall, stall}), &kRow);
+  EXPECT_TRUE(breaches(tally_of(99, {stall})).empty());
+  const std::vector<std::string> lines = breaches(tally_of(98, {stall, stall}));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_NE(lines[0].find("bad/0"), std::string::npos);
 }
@@ -57,13 +66,15 @@ TEST(Breaches, excused_verdicts_break_nothing_and_are_counted) {
   excused.excused = true;
   const Tally tally = tally_of(0, {excused});
   EXPECT_EQ(tally.excused, 1U);
-  EXPECT_TRUE(breaches(tally, &kRow).empty());
+  EXPECT_TRUE(breaches(tally).empty());
 }
 
 TEST(Breaches, a_method_without_a_row_promises_nothing) {
   Judgement wrong;
   wrong.wrong = "reason";
-  EXPECT_TRUE(breaches(tally_of(0, {wrong}), nullptr).empty());
+  engine::Method without_row = kMethod;
+  without_row.guarantee = nullptr;
+  EXPECT_TRUE(breaches(tally_of(0, {wrong}, without_row)).empty());
 }
 
 }  // namespace

@@ -45,14 +45,14 @@ std::string text_of(const std::filesystem::path& file) {
 
 TEST(ToleranceStudy, an_excused_miss_has_no_time_and_no_infinite_error) {
   const engine::Method method{.name = "made_up",
-                                    .scalar = "double",
-                                    .tier = "standard",
-                                    .unit_roundoff = kUnitRoundoff<double>,
-                                    .ask = answer_within,
-                                    .seen = [](const Case& problem) { return problem; },
-                                    .time_ns = [](const Case&, const engine::Ask&, int) { return 100.0; }};
-  Truth truth(grazing_point());
-  const std::vector<ToleranceRow> rows = study_tolerances({&method}, {&truth}, 1);
+                              .scalar = "double",
+                              .tier = "standard",
+                              .unit_roundoff = kUnitRoundoff<double>,
+                              .ask = answer_within,
+                              .seen = [](const Case& problem) { return problem; },
+                              .time_ns = [](const Case&, const engine::Ask&, int) { return 100.0; }};
+  const std::vector<Case> hits = {grazing_point()};
+  const std::vector<ToleranceRow> rows = study_tolerances({&method}, hits, 1);
   ASSERT_EQ(rows.size(), studied_tolerances().size());
   const double scale = std::sqrt(12.0);
   for (const ToleranceRow& row : rows) {

@@ -109,7 +109,8 @@ int main(int count, char** arguments) {
     lower_half += line.record.proof.has_axis ? 1 : 0;
     upper_half += line.record.proof.portal_size > 0 ? 1 : 0;
     if (line.answer.outcome == Outcome::not_converged) fault(line, "stalls");
-    const engine::Method* method = engine::find_method(engine::Kind::linear, line.record.method + "/" + line.record.scalar);
+    const engine::Method* method =
+        engine::find_method(engine::Kind::linear, line.record.method + "/" + line.record.scalar);
     if (method == nullptr) {
       fault(line, "is no method");
       continue;

@@ -140,7 +140,8 @@ TEST(RotatingMethods, never_answer_another_question_silently) {
 TEST(GuaranteeRows, of_rotating_casts_say_what_may_go_unseen) {
   const Guarantee* steps = find_guarantee(guarantees(), *find_method(Kind::rotating, "steps"));
   const Guarantee* ca = find_guarantee(guarantees(), *find_method(Kind::rotating, "ca"));
-  const Guarantee* published = find_guarantee(guarantees(), *find_method(Kind::rotating, "bilateral_published"));
+  const Guarantee* published =
+      find_guarantee(guarantees(), *find_method(Kind::rotating, "bilateral_published"));
   const Guarantee* certified = find_guarantee(guarantees(), *find_method(Kind::rotating, "certified"));
   EXPECT_EQ(steps->may_miss, Unseen::hidden_motion);
   EXPECT_EQ(ca->may_miss, Unseen::nothing);

@@ -71,26 +71,24 @@ TEST_P(Pairs, keep_their_rows_with_every_shape) {
     for (int round = 0; round < 4; ++round) {
       const corpus::Case problem = placed(a, b, random, round);
       SCOPED_TRACE(problem.id);
-      std::unique_ptr<Truth> as_double, as_float;
+      std::unique_ptr<law::Truth> as_double, as_float;
       for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
         SCOPED_TRACE(method.full_name());
-        std::unique_ptr<Truth>& truth = method.scalar == "float" ? as_float : as_double;
-        if (!truth) truth = std::make_unique<Truth>(method.seen(problem));
-        const engine::Guarantee* row = method.guarantee;
-        ASSERT_NE(row, nullptr);
+        std::unique_ptr<law::Truth>& truth = method.scalar == "float" ? as_float : as_double;
+        if (!truth) truth = std::make_unique<law::Truth>(method.seen(problem));
+        ASSERT_NE(method.guarantee, nullptr);
         const engine::Answer answer = method.ask(problem, {.request = Request::everything});
-        const Judgement judgement = judge_method(*truth, problem, method, answer, row, true);
+        const law::Judgement judgement = judge(*truth, method, answer, Request::everything, true);
         if (judgement.not_asked) {
           EXPECT_EQ(judgement.wrong, "");
           continue;
         }
-        EXPECT_FALSE(judgement.faulty()) << judgement.wrong << judgement.late << judgement.off
-                                         << judgement.bad_contact << judgement.false_proof;
+        EXPECT_FALSE(judgement.faulty()) << judgement.fault();
         EXPECT_FALSE(judgement.stalled);
         // Well-conditioned pairs: what was found is proved. A flat C, and a line that meets an edge or a
         // vertex of it, have no portal whose signs double can see.
         if (answer.outcome == Outcome::miss) {
-          EXPECT_TRUE(judgement.excused || judgement.proof == ProofState::accepted);
+          EXPECT_TRUE(judgement.excused || judgement.proof == law::ProofState::accepted);
         }
         (answer.outcome == Outcome::miss ? misses : hits) += 1;
       }

@@ -118,12 +118,12 @@ TEST(AnswerText, of_a_rotating_cast_the_json_says_all_that_the_block_says) {
   std::set<std::string> seen;
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::invalid_input}) {
     engine::Answer answer{.outcome = outcome,
-                                  .invalid = Invalid::not_linear,
-                                  .toi_lower = 0.25,
-                                  .toi_upper = 0.5,
-                                  .passed_over = outcome == Outcome::miss,
-                                  .hidden_motion = 0.125,
-                                  .counters = kWork};
+                          .invalid = Invalid::not_linear,
+                          .toi_lower = 0.25,
+                          .toi_upper = 0.5,
+                          .passed_over = outcome == Outcome::miss,
+                          .counters = kWork,
+                          .hidden_motion = 0.125};
     answer.plan.effects = Effects::rotating;
     answer.plan.add(PlanReason::rotation_a);
     answer.plan.add(PlanReason::slow_spin_b);
@@ -141,12 +141,13 @@ TEST(AnswerText, of_a_query_the_json_says_all_that_the_block_says) {
       problem.query = method.query;
       engine::Answer answer;
       answer.outcome = stalled ? Outcome::not_converged : Outcome::hit;
-      answer.distance = {0.25, 0.5};
+      answer.separation = {0.25, 0.5};
       answer.depth = {0.125, kInf};
       answer.t_in = {-kInf, -1e308};
       answer.t_out = {kInf, kInf};
       answer.normal = answer.normal_out = {0, 0, 1};
       answer.point_a = answer.point_b = {1, 2, 3};
+      answer.has_points = true;
       answer.stalled = stalled;
       answer.counters = kWork;
       seen.merge(expect_said(answer_block(problem, method, answer), answer_json(problem, method, answer)));

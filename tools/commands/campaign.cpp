@@ -17,8 +17,8 @@
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "report/inputs.hpp"
-#include "report/stop.hpp"
 #include "report/outputs.hpp"
+#include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace graze::tool {

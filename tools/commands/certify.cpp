@@ -30,9 +30,9 @@ using engine::Kind;
 // How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
 constexpr std::size_t kStudiedHits = 64;
 
-// Generated cases of a family, of one in which bodies turn, and casts of a family whose bodies are asked the other
-// queries. A cast is judged by its proof, in microseconds; a query costs the exact oracle milliseconds, and a
-// turning cast the bracket oracle tens of them. A verdict in a minute; and --thorough.
+// Generated cases of a family, of one in which bodies turn, and casts of a family whose bodies are asked the
+// other queries. A cast is judged by its proof, in microseconds; a query costs the exact oracle milliseconds,
+// and a turning cast the bracket oracle tens of them. A verdict in a minute; and --thorough.
 struct Counts {
   std::size_t linear, rotating, queries;
 };
@@ -212,15 +212,18 @@ void print_full(const Certification& certification, const Settings& settings,
                 const std::vector<ToleranceRow>& tolerances) {
   fmt::print("\n{}", full_tables(certification, settings));
   if (tolerances.empty()) return;
-  fmt::print("Error against time: backward error of the bracket's ends over scale, on {} measured hits.\n\n{}\n",
-             tolerances.front().cases, tolerance_table(tolerances));
+  fmt::print(
+      "Error against time: backward error of the bracket's ends over scale, on {} measured hits.\n\n{}\n",
+      tolerances.front().cases, tolerance_table(tolerances));
 }
 
 void print_screen(const Certification& certification, const Settings& settings) {
   fmt::print("\n{}", summary_table(certification, settings));
   fmt::print(
-      "answers in both scalars; stalls: not converged, or a bracket that says of itself that it is wide; proofs: "
-      "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the guarantee "
+      "answers in both scalars; stalls: not converged, or a bracket that says of itself that it is wide; "
+      "proofs: "
+      "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
+      "guarantee "
       "grants. --full: all.\n");
 }
 
@@ -326,10 +329,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(1))
       ->type_name("N");
   command
-      ->add_option("--queries", arguments->queries,
-                   fmt::format("Cases of each suite whose bodies are asked the other queries, too ({}); 0 asks "
-                               "none",
-                               kUsual.queries))
+      ->add_option(
+          "--queries", arguments->queries,
+          fmt::format("Cases of each suite whose bodies are asked the other queries, too ({}); 0 asks "
+                      "none",
+                      kUsual.queries))
       ->check(whole_number())
       ->type_name("N");
   command
@@ -342,10 +346,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command->add_flag("--full", arguments->full,
                     "Print everything: each method on each family, the study of tolerances, every row");
-  command->add_flag("--thorough", arguments->thorough,
-                    fmt::format("Judge more: {} cases a family, {} of a rotating one, {} for queries; and print "
-                                "everything",
-                                kThorough.linear, kThorough.rotating, kThorough.queries));
+  command->add_flag(
+      "--thorough", arguments->thorough,
+      fmt::format("Judge more: {} cases a family, {} of a rotating one, {} for queries; and print "
+                  "everything",
+                  kThorough.linear, kThorough.rotating, kThorough.queries));
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
       ->check(whole_number(0, kMostThreads))

@@ -16,8 +16,8 @@
 namespace graze::tool {
 namespace {
 
-using law::Law;
 using engine::Kind;
+using law::Law;
 
 // Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
 // does the oracle takes a tenth of a second to some.
@@ -28,8 +28,7 @@ std::vector<Law> wanted_laws(const std::vector<std::string>& names) {
   if (names.empty()) return {all.begin(), all.end()};
   std::vector<Law> wanted;
   for (const std::string& name : names) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Law& law) { return law.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Law& law) { return law.name == name; });
     if (found == all.end()) {
       throw std::runtime_error(fmt::format("--law: {} is no law; `graze laws` lists them", name));
     }

@@ -12,8 +12,8 @@
 namespace graze::tool {
 namespace {
 
-using law::Law;
 using engine::Kind;
+using law::Law;
 using law::Needs;
 
 struct Class {

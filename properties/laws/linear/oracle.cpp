@@ -21,8 +21,7 @@ using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
 using Bound = double (*)(const Method&, const Case&);
 
-LawResult judged_by(Fault fault, const Case& problem, const Method& method,
-                    Bound bound = &proved_bound_of) {
+LawResult judged_by(Fault fault, const Case& problem, const Method& method, Bound bound = &proved_bound_of) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (const auto open = without_truth(seen)) return *open;

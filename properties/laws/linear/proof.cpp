@@ -39,8 +39,7 @@ std::string bracket_fault(const Case& seen, const Answer& answer) {
 
 }  // namespace
 
-std::string consistency_fault(const Case& seen, const Method& method, const Answer& answer,
-                              Request request) {
+std::string consistency_fault(const Case& seen, const Method& method, const Answer& answer, Request request) {
   if (std::string fault = bracket_fault(seen, answer); !fault.empty()) return fault;
   if (answer.outcome != Outcome::hit) return "";
   const double u = method.unit_roundoff;

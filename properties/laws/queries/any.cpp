@@ -15,8 +15,8 @@ namespace graze::law {
 
 using corpus::Case;
 using corpus::Query;
-using engine::Interval;
 using engine::Answer;
+using engine::Interval;
 using engine::Method;
 
 namespace {
@@ -29,9 +29,8 @@ std::string pair_of(const Answer& one, const Answer& two) {
 
 // Two answers to what is one question: `two` told in the terms of `one`. Gaps differ by both limits at most;
 // where the rest differs by more than rounding the oracle decides.
-LawResult same_answers(const Method& method, const Question& first, const Answer& one,
-                       const Question& second, const Answer& asked, const Answer& two,
-                       std::string_view edit) {
+LawResult same_answers(const Method& method, const Question& first, const Answer& one, const Question& second,
+                       const Answer& asked, const Answer& two, std::string_view edit) {
   const double allowed = first.limit + second.limit;
   if (!is_about_motion(method.query)) {
     const bool gap = method.query != Query::penetration_along;
@@ -66,7 +65,8 @@ LawResult query_swapping(const Case& problem, const Method& method) {
   LawResult result = same_answers(method, *question, one, *second, two, two, "swapping");
   if (result.holding != Holding::holds || one.outcome != two.outcome || is_about_motion(method.query))
     return result;
-  if (method.query == Query::penetration_along || !one.has_normal() || !two.has_normal() || one.stalled || two.stalled)
+  if (method.query == Query::penetration_along || !one.has_normal() || !two.has_normal() || one.stalled ||
+      two.stalled)
     return result;
   // The other's normal, negated, separates the original or ends it as deep as its own does.
   const Reach h = reach(question->seen, Vec3<double>(-two.normal));
@@ -165,8 +165,9 @@ LawResult query_requesting(const Case& problem, const Method& method) {
   const Answer all = method.answer(question->seen);
   for (const Request request : {Request::verdict, Request::normal, Request::witnesses}) {
     const Answer less = method.ask(question->seen, {.request = request});
-    if (less.outcome != all.outcome || !same(less.separation, all.separation) || !same(less.depth, all.depth) ||
-        !same(less.t_in, all.t_in) || !same(less.t_out, all.t_out) || less.stalled != all.stalled) {
+    if (less.outcome != all.outcome || !same(less.separation, all.separation) ||
+        !same(less.depth, all.depth) || !same(less.t_in, all.t_in) || !same(less.t_out, all.t_out) ||
+        less.stalled != all.stalled) {
       return broken("asking for less changes the answer: " + pair_of(less, all));
     }
     if (less.counters.supports > all.counters.supports ||
@@ -181,8 +182,8 @@ LawResult query_requesting(const Case& problem, const Method& method) {
       return broken("computed unasked: " + describe(less));
     }
     if ((normal && (less.normal != all.normal || less.normal_out != all.normal_out)) ||
-        (points && (less.has_points != all.has_points || less.point_a != all.point_a ||
-                    less.point_b != all.point_b))) {
+        (points &&
+         (less.has_points != all.has_points || less.point_a != all.point_a || less.point_b != all.point_b))) {
       return broken("asked for alone it is another: " + pair_of(less, all));
     }
   }
@@ -216,7 +217,8 @@ std::string inconsistent(const Question& question, const Method& method, const A
       return "the line's ends are no interval";
   }
   for (const Vec3<double>& n : {answer.normal, answer.normal_out}) {
-    if (!n.isZero(0) && !(std::abs(n.norm() - 1) <= 8 * question.u)) return "a normal of a length other than 1";
+    if (!n.isZero(0) && !(std::abs(n.norm() - 1) <= 8 * question.u))
+      return "a normal of a length other than 1";
   }
   for (const Vec3<double>& x : {answer.point_a, answer.point_b}) {
     if (!x.allFinite()) return "a witness that is not a point";

@@ -19,8 +19,8 @@ namespace graze::law {
 
 using corpus::Case;
 using corpus::Query;
-using engine::Interval;
 using engine::Answer;
+using engine::Interval;
 using engine::Method;
 
 namespace {
@@ -76,7 +76,8 @@ std::optional<Question> requestioned(Case edited, const Method& method) {
 }
 
 std::optional<Question> question_of(const Case& problem, const Method& method) {
-  if (!engine::unsupported(engine::Kind::query, problem).empty() || has_spin(problem) || !in_domain(problem)) {
+  if (!engine::unsupported(engine::Kind::query, problem).empty() || has_spin(problem) ||
+      !in_domain(problem)) {
     return std::nullopt;
   }
   return requestioned(seen_by(method, question_for(problem, method.query, hash_of(problem))), method);
@@ -130,8 +131,7 @@ Reach reach(const Case& seen, const Vec3<double>& n) {
           a.error + b.error + 8 * kUnitRoundoff<double> * between.norm() * n.norm()};
 }
 
-std::optional<Judgement> oracle_judgement(const Method& method, const Case& seen,
-                                               const Answer& answer) {
+std::optional<Judgement> oracle_judgement(const Method& method, const Case& seen, const Answer& answer) {
   if (!is_for_oracle(seen)) return std::nullopt;
   return judge_query(truth_of_question(seen), method, answer);
 }

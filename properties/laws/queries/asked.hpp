@@ -23,8 +23,7 @@ struct Question {
 
 // Made from a linear case (question_for), for a query that may be another than the method's own. Nothing
 // where a number leaves the domain, or tier exact does not answer it.
-[[nodiscard]] std::optional<Question> question_of(const corpus::Case& problem,
-                                                  const engine::Method& method);
+[[nodiscard]] std::optional<Question> question_of(const corpus::Case& problem, const engine::Method& method);
 // The same numbers, edited since: nothing where they are none of the scalar's, or leave the domain.
 [[nodiscard]] std::optional<Question> requestioned(corpus::Case edited, const engine::Method& method);
 
@@ -47,7 +46,6 @@ struct Question {
 [[nodiscard]] bool same_time(const engine::Interval& one, const engine::Interval& other, double u);
 [[nodiscard]] bool same_line(const engine::Answer& one, const engine::Answer& other, double u);
 
-
 // h(n) of the bodies as they stand at t = 0, in rounded doubles, and how far the rounding may have it off.
 struct Reach {
   double value = 0, error = 0;
@@ -59,8 +57,8 @@ struct Reach {
 // The answer judged by the exact oracle and the method's row; a method without one promises nothing. Nothing
 // where the oracle does not take the bodies: curved ones, many vertices.
 [[nodiscard]] std::optional<Judgement> oracle_judgement(const engine::Method& method,
-                                                             const corpus::Case& seen,
-                                                             const engine::Answer& answer);
+                                                        const corpus::Case& seen,
+                                                        const engine::Answer& answer);
 
 struct AskedQuery {
   std::string_view name;

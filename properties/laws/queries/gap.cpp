@@ -19,8 +19,8 @@ namespace graze::law {
 
 using corpus::Case;
 using corpus::Query;
-using engine::Interval;
 using engine::Answer;
+using engine::Interval;
 using engine::Method;
 
 namespace {
@@ -149,7 +149,8 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   if (!question) return no_question();
   const Case& seen = question->seen;
   const Gap one = gap_by(method, seen);
-  if (!is_finite(gap_of(one.answer)) || one.answer.stalled || !one.answer.has_normal() || !one.answer.has_points) {
+  if (!is_finite(gap_of(one.answer)) || one.answer.stalled || !one.answer.has_normal() ||
+      !one.answer.has_points) {
     return not_applicable("no normal to move along");
   }
   const Vec3<double>&n = one.answer.normal, &a = one.answer.point_a, &b = one.answer.point_b;

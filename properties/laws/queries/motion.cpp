@@ -17,8 +17,8 @@ namespace graze::law {
 
 using corpus::Case;
 using corpus::Query;
-using engine::Interval;
 using engine::Answer;
+using engine::Interval;
 using engine::Method;
 
 namespace {

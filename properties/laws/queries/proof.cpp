@@ -62,7 +62,6 @@ struct Shown {
   }
 };
 
-
 }  // namespace
 
 LawResult distance_is_shown(const Case& problem, const Method& method) {
@@ -78,7 +77,8 @@ LawResult distance_is_shown(const Case& problem, const Method& method) {
         fmt::format("the normal separates by {} less than the distance: {}", off, describe(answer)));
   const double between = (answer.point_b - answer.point_a).norm(),
                rounded = rounding(answer.point_a, question->u) + rounding(answer.point_b, question->u);
-  if (const double off = between - answer.separation->upper; !(std::abs(off) <= 4 * question->limit + rounded))
+  if (const double off = between - answer.separation->upper;
+      !(std::abs(off) <= 4 * question->limit + rounded))
     return broken(
         fmt::format("the points are {} farther apart than the distance: {}", off, describe(answer)));
   const Shown shown{question->seen, answer, question->limit, question->u};
@@ -163,7 +163,8 @@ LawResult line_normals_support(const Case& problem, const Method& method) {
   const Answer answer = method.answer(question->seen);
   const Vec3<double> v = velocity(question->seen);
   if (answer.outcome != Outcome::hit || v == Vec3<double>::Zero()) return holds({label_of(answer.outcome)});
-  if (!answer.has_normal() || answer.normal_out.isZero(0)) return broken("an end without a normal: " + describe(answer));
+  if (!answer.has_normal() || answer.normal_out.isZero(0))
+    return broken("an end without a normal: " + describe(answer));
   for (const bool in : {true, false}) {
     const Vec3<double>& n = in ? answer.normal : answer.normal_out;
     const engine::Interval& t = in ? *answer.t_in : *answer.t_out;

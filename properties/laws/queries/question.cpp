@@ -39,9 +39,8 @@ Case seen_by(const engine::Method& method, const Case& problem) {
 
 const engine::Method& default_method(Query query, std::string_view scalar) {
   const std::span<const engine::Method> all = engine::methods(engine::Kind::query);
-  return *std::find_if(all.begin(), all.end(), [&](const engine::Method& one) {
-    return one.query == query && one.scalar == scalar;
-  });
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const engine::Method& one) { return one.query == query && one.scalar == scalar; });
 }
 
 }  // namespace graze::law

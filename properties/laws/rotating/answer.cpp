@@ -96,8 +96,8 @@ LawResult turning_requesting(const Case& problem, const Method& method) {
   if (!same_times(least, more)) return broken("asking for more changes the verdict: " + pair_of(least, more));
   if (least.counters.supports > more.counters.supports || least.counters.poses > more.counters.poses)
     return broken("asking for less costs more: " + pair_of(least, more));
-  if (!least.normal.isZero(0) || !least.point_a.isZero(0) || !least.point_b.isZero(0) || least.rotating_proof ||
-      more.rotating_proof)
+  if (!least.normal.isZero(0) || !least.point_a.isZero(0) || !least.point_b.isZero(0) ||
+      least.rotating_proof || more.rotating_proof)
     return broken("computed unasked: " + describe(least));
   return compare(method, {"without a proof", seen, least}, {"with a proof", seen, all},
                  "asking for a proof changes the answer");
@@ -131,7 +131,8 @@ LawResult turning_answer_is_consistent(const Case& problem, const Method& method
   }
   // Rounded, so a little below 0 at times; without a bound where nothing is known at toi_lower.
   const bool unknown = answer.outcome == Outcome::not_converged && answer.distance == kInfinity<double>;
-  if (!unknown && !(answer.distance >= -limits_of(method, seen, scale_of(seen)).wide && std::isfinite(answer.distance)))
+  if (!unknown &&
+      !(answer.distance >= -limits_of(method, seen, scale_of(seen)).wide && std::isfinite(answer.distance)))
     fault = fmt::format("a distance that is none, {}", answer.distance);
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});

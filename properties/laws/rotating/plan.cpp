@@ -67,7 +67,9 @@ LawResult plan_changes_nothing(const Case& problem, const Method& method) {
       if (spared.plan.added > 0) {
         const RotatingTruth* truth = rotating_truth_of(seen);
         const std::string fault =
-            truth == nullptr ? "" : late_error(*truth, spared, limits_of(method, seen, scale_of(seen), tolerance)).fault;
+            truth == nullptr
+                ? ""
+                : late_error(*truth, spared, limits_of(method, seen, scale_of(seen), tolerance)).fault;
         if (!fault.empty()) return broken(fmt::format("with {}: {}: {}", one.name, fault, describe(spared)));
       }
       if (spared.plan.effects != Effects::rotating) result.labels.push_back(to_text(spared.plan.effects));
@@ -100,7 +102,8 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
       fault = "bounds that never meet are searched";
     } else if (plan.effects == Effects::at_rest && answer.outcome == Outcome::hit) {
       fault = "a static query that finds a later contact";
-    } else if (plan.added > limits_of(method, seen, scale_of(seen), tolerance).wide + rounding_of_target(seen)) {
+    } else if (plan.added >
+               limits_of(method, seen, scale_of(seen), tolerance).wide + rounding_of_target(seen)) {
       fault = "more is added than was asked for";
     } else if (plan.reasons == 0) {
       fault = "a plan without a reason";
@@ -152,7 +155,8 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
   Case still = without_turns(method.seen(problem));
   // Few cases come with that policy; here it may be had in every other one.
   if (follows_plan(method) && hash_of(still) % 2 == 0) still.start_policy = StartPolicy::pass_over;
-  if (!engine::unsupported(engine::Kind::rotating, still).empty() || !in_domain(still)) return no_rotating_question();
+  if (!engine::unsupported(engine::Kind::rotating, still).empty() || !in_domain(still))
+    return no_rotating_question();
   const bool ray = std::isinf(still.t_max) || still.start_policy != StartPolicy::report;
   const Answer answer = method.ask(still, {});
   if (ray && !follows_plan(method)) {
@@ -168,7 +172,8 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
     std::string said;
     for (const char* name : {"certified", "mpr", "gjk"}) {
       if (method.is_certified() != (name == std::string_view("certified"))) continue;
-      const engine::Method* linear = engine::find_method(engine::Kind::linear, std::string(name) + "/" + method.scalar);
+      const engine::Method* linear =
+          engine::find_method(engine::Kind::linear, std::string(name) + "/" + method.scalar);
       if (linear == nullptr) return not_applicable("no linear method of this tier");
       const engine::Answer its = linear->ask(still, {});
       if (answer.outcome == its.outcome && answer.passed_over == its.passed_over &&

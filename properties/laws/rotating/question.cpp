@@ -32,13 +32,9 @@ bool turns_within_range(const Case& seen) {
 
 LawResult no_rotating_question() { return not_applicable("not a rotating cast that the method answers"); }
 
-bool fits(const Case& edited, const Method& method) {
-  return same_input(method.seen(edited), edited);
-}
+bool fits(const Case& edited, const Method& method) { return same_input(method.seen(edited), edited); }
 
-bool follows_plan(const Method& method) {
-  return method.name == "plan" || method.is_certified();
-}
+bool follows_plan(const Method& method) { return method.name == "plan" || method.is_certified(); }
 
 bool is_safe(const Method& method) {
   const engine::Guarantee* row = method.guarantee;
@@ -134,8 +130,9 @@ LawResult arbitrate(const Method& method, const RotatingAsked& one, const Rotati
       result.labels.push_back("no truth");
       continue;
     }
-    const std::string fault =
-        any_fault(*truth, asked->answer, limits_of(method, asked->problem, scale_of(asked->problem), asked->tolerance, asked->slack));
+    const std::string fault = any_fault(
+        *truth, asked->answer,
+        limits_of(method, asked->problem, scale_of(asked->problem), asked->tolerance, asked->slack));
     if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, asked->name, fault));
   }
   return result;

@@ -30,8 +30,7 @@ inline constexpr int kTruthBudget = 1 << 12;
 
 // What the method says to a rotating question if nothing is asked for but the verdict. Of every method the
 // last one is kept: most laws begin with it.
-[[nodiscard]] engine::Answer plain_answer(const engine::Method& method,
-                                                  const corpus::Case& seen);
+[[nodiscard]] engine::Answer plain_answer(const engine::Method& method, const corpus::Case& seen);
 
 [[nodiscard]] std::string pair_of(const engine::Answer& one, const engine::Answer& other);
 [[nodiscard]] LawResult labelled(LawResult result, std::initializer_list<std::string_view> labels);

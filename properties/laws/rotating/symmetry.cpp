@@ -121,7 +121,7 @@ LawResult turning_drifting(const Case& problem, const Method& method) {
   if (!drift || !fits(drift->problem, method)) return not_applicable("no exact sum of velocities");
   constexpr Request kContact = Request::normal | Request::witnesses;
   const Answer one = method.ask(seen, {.request = kContact}),
-                       two = method.ask(drift->problem, {.request = kContact});
+               two = method.ask(drift->problem, {.request = kContact});
   LawResult result = compare(method, {"the original", seen, one}, {"the drifting", drift->problem, two},
                              "a velocity that both share changes the answer");
   // A linear cast answers to the given numbers, and may come to another end of its bracket.

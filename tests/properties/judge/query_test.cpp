@@ -15,10 +15,15 @@ namespace {
 
 using corpus::Case;
 using corpus::Query;
-using engine::Interval;
 using engine::Answer;
+using engine::Interval;
 
-constexpr QueryLimits kLimits{.kappa = 64, .unit_roundoff = kUnitRoundoff<double>};
+// Answers are handed in: of the method only the row, kappa 64, counts.
+const engine::Method& method_for(Query query) {
+  return *engine::find_method(query, query == Query::penetration                                    ? "epa"
+                                     : query == Query::penetration_along || query == Query::line ? "mpr"
+                                                                                                  : "gjk");
+}
 
 // A cube of side 2 about the origin, B a cube of side 1 whose centre is at x, moving by v.
 Case cubes(Query query, const Vec3<double>& x, const Vec3<double>& v = {0, 0, 0}) {
@@ -40,16 +45,16 @@ Answer ours(const Case& problem) {
   return {};
 }
 
-QueryJudgement judged(const Case& problem, const Answer& answer) {
-  QueryTruth truth(problem);
-  return judge_query(truth, answer, kLimits);
+Judgement judged(const Case& problem, const Answer& answer) {
+  Truth truth(problem);
+  return judge_query(truth, method_for(problem.query), answer);
 }
 
 // Our answer stands; with the change it falls, by the fault named.
-void falls(const Case& problem, std::string QueryJudgement::*fault,
+void falls(const Case& problem, std::string Judgement::*fault,
            const std::function<void(Answer&)>& change) {
   Answer answer = ours(problem);
-  const QueryJudgement before = judged(problem, answer);
+  const Judgement before = judged(problem, answer);
   EXPECT_FALSE(before.faulty()) << before.wrong << before.off << before.bad_contact;
   change(answer);
   EXPECT_NE(judged(problem, answer).*fault, "");
@@ -59,63 +64,62 @@ constexpr double kOff = 1e-12;
 
 TEST(QueryJudge, overlap) {
   const Case apart = cubes(Query::overlap, {2, 0, 0}), in = cubes(Query::overlap, {1.25, 0, 0});
-  falls(apart, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::initially_overlapping; });
-  falls(in, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
-  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(-1, 0, 0); });
-  falls(apart, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::invalid_input; });
+  falls(apart, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::initially_overlapping; });
+  falls(in, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(apart, &Judgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(-1, 0, 0); });
+  falls(apart, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::invalid_input; });
 }
 
 TEST(QueryJudge, distance) {
   const Case apart = cubes(Query::distance, {2, 0.25, 0});
-  falls(apart, &QueryJudgement::off, [](Answer& a) { a.distance->lower -= kOff; });
-  falls(apart, &QueryJudgement::off, [](Answer& a) { a.distance->upper += kOff; });
-  falls(apart, &QueryJudgement::off,
-        [](Answer& a) { std::swap(a.distance->lower += kOff, a.distance->upper); });
-  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = -*a.normal; });
-  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.point_a->x() += kOff; });
-  falls(apart, &QueryJudgement::bad_contact, [](Answer& a) { a.point_b->y() += 0.125; });
+  falls(apart, &Judgement::off, [](Answer& a) { a.separation->lower -= kOff; });
+  falls(apart, &Judgement::off, [](Answer& a) { a.separation->upper += kOff; });
+  falls(apart, &Judgement::off,
+        [](Answer& a) { std::swap(a.separation->lower += kOff, a.separation->upper); });
+  falls(apart, &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
+  falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_a.x() += kOff; });
+  falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_b.y() += 0.125; });
   // Wide and said to be wide is a stall, not a fault; wide and false is one.
   Answer wide = ours(apart);
   wide.stalled = true;
-  wide.distance = Interval{0.25, 0.75};
+  wide.separation = Interval{0.25, 0.75};
   EXPECT_FALSE(judged(apart, wide).faulty());
   EXPECT_TRUE(judged(apart, wide).stalled);
-  wide.distance = Interval{0.6, 0.75};
+  wide.separation = Interval{0.6, 0.75};
   EXPECT_NE(judged(apart, wide).off, "");
 }
 
 TEST(QueryJudge, penetration) {
   const Case in = cubes(Query::penetration, {1.25, 0, 0});
-  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->lower -= kOff; });
-  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->upper += kOff; });
-  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(0, 1, 0); });
-  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.point_b = *a.point_a; });
-  falls(in, &QueryJudgement::wrong, [](Answer& a) { a.depth.reset(); });
+  falls(in, &Judgement::off, [](Answer& a) { a.depth->lower -= kOff; });
+  falls(in, &Judgement::off, [](Answer& a) { a.depth->upper += kOff; });
+  falls(in, &Judgement::bad_contact, [](Answer& a) { a.normal = Vec3<double>(0, 1, 0); });
+  falls(in, &Judgement::bad_contact, [](Answer& a) { a.point_b = a.point_a; });
+  falls(in, &Judgement::wrong, [](Answer& a) { a.depth.reset(); });
 }
 
 TEST(QueryJudge, penetration_along) {
   const Case in = cubes(Query::penetration_along, {0.5, 0, 0});
-  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->upper += kOff; });
-  falls(in, &QueryJudgement::off, [](Answer& a) { a.depth->lower = 0.5; });
-  falls(in, &QueryJudgement::bad_contact, [](Answer& a) { a.point_a.reset(); });
+  falls(in, &Judgement::off, [](Answer& a) { a.depth->upper += kOff; });
+  falls(in, &Judgement::off, [](Answer& a) { a.depth->lower = 0.5; });
+  falls(in, &Judgement::bad_contact, [](Answer& a) { a.has_points = false; });
 }
 
 TEST(QueryJudge, line) {
   const Case behind = cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}),
              past = cubes(Query::line, {0, 4, 0}, {8, 0, 0});
-  falls(behind, &QueryJudgement::off, [](Answer& a) { a.t_in->lower -= kOff; });
-  falls(behind, &QueryJudgement::off, [](Answer& a) { a.t_out->upper += kOff; });
-  falls(behind, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
-  falls(past, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
+  falls(behind, &Judgement::off, [](Answer& a) { a.t_in->lower -= kOff; });
+  falls(behind, &Judgement::off, [](Answer& a) { a.t_out->upper += kOff; });
+  falls(behind, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(past, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
 }
 
 // Of bodies that do not move and touch, contact has no end on either side; of any other, it has.
 TEST(QueryJudge, a_line_without_ends) {
   const Case still = cubes(Query::line, {1.25, 0, 0});
-  falls(still, &QueryJudgement::off, [](Answer& a) { a.t_in->lower = -1; });
-  falls(still, &QueryJudgement::off,
-        [](Answer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
-  falls(cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}), &QueryJudgement::off,
+  falls(still, &Judgement::off, [](Answer& a) { a.t_in->lower = -1; });
+  falls(still, &Judgement::off, [](Answer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
+  falls(cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}), &Judgement::off,
         [](Answer& a) { a.t_out->upper = kInfinity<double>; });
 }
 
@@ -127,14 +131,14 @@ TEST(QueryJudge, a_lines_scale_is_no_less_than_the_target_distance) {
   near.b.displacement = {1, 0.25, 16};
   near.query = Query::line;
   near.target_distance = 7e21;
-  falls(near, &QueryJudgement::off, [](Answer& a) { a.t_out->upper += kOff * 7e21; });
+  falls(near, &Judgement::off, [](Answer& a) { a.t_out->upper += kOff * 7e21; });
 }
 
 TEST(QueryJudge, swept_overlap) {
   const Case meets = cubes(Query::swept_overlap, {-4, 0, 0}, {8, 0, 0}),
              short_of = cubes(Query::swept_overlap, {-4, 0, 0}, {2, 0, 0});
-  falls(meets, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
-  falls(short_of, &QueryJudgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
+  falls(meets, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
+  falls(short_of, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
 }
 
 TEST(QueryJudge, every_method_has_a_row) {

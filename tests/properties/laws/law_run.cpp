@@ -12,9 +12,9 @@
 namespace graze::law {
 
 bool LawRun::holds_for(const corpus::Case& problem, std::string_view family) {
-  for (std::size_t method = 0; method < law_.methods.size(); ++method) {
-    LawResult result = law_.check(problem, method);
-    if (result.holding == Holding::broken && is_known_breach(law_.name, law_.methods[method])) {
+  for (std::size_t method = 0; method < law_.methods().size(); ++method) {
+    LawResult result = law_.check(problem, law_.methods()[method]);
+    if (result.holding == Holding::broken && is_known_breach(law_.name, law_.methods()[method].question_name())) {
       ++known_breaches_;
       continue;
     }
@@ -33,16 +33,16 @@ bool LawRun::holds_for(const corpus::Case& problem, std::string_view family) {
 
 void LawRun::minimise(int budget) {
   const auto broken = [&](const corpus::Case& c) {
-    return law_.check(c, broken_method_).holding == Holding::broken;
+    return law_.check(c, law_.methods()[broken_method_]).holding == Holding::broken;
   };
   failing_ = minimised(failing_, broken, budget);
-  reason_ = law_.check(failing_, broken_method_).reason;
+  reason_ = law_.check(failing_, law_.methods()[broken_method_]).reason;
 }
 
 std::string LawRun::report(std::string_view seed) const {
   const Finding finding{.law = law_.name,
                         .sentence = law_.sentence,
-                        .method = law_.methods[broken_method_],
+                        .method = law_.methods()[broken_method_].question_name(),
                         .reason = reason_,
                         .seed = std::string(seed),
                         .problem = failing_};
@@ -56,8 +56,10 @@ std::string LawRun::shortfall() const {
 }
 
 std::string LawRun::shortfall_over_families() const {
-  const bool expected = std::any_of(law_.methods.begin(), law_.methods.end(),
-                                    [&](const auto& method) { return is_known_breach(law_.name, method); });
+  const std::span<const Method> methods = law_.methods();
+  const bool expected = std::any_of(methods.begin(), methods.end(), [&](const Method& method) {
+    return is_known_breach(law_.name, method.question_name());
+  });
   if (expected && known_breaches_ == 0) {
     return std::string(law_.name) +
            " is broken no more: take it out of the known breaches of "

@@ -17,8 +17,8 @@
 #include "properties/edit/turning.hpp"
 #include "properties/generate/generators.hpp"
 #include "properties/judge/linear.hpp"
-#include "properties/laws/rotating/question.hpp"
 #include "properties/laws/law.hpp"
+#include "properties/laws/rotating/question.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
 
 namespace graze::law {

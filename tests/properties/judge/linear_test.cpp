@@ -9,12 +9,29 @@
 #include "corpus/format/case_io.hpp"
 #include "engines/guarantees.hpp"
 
-namespace graze::tool {
+namespace graze::law {
 namespace {
 
 constexpr double kU = kUnitRoundoff<double>;
 constexpr double kInf = kInfinity<double>;
-constexpr Limits kLimits{.kappa = 1024, .unit_roundoff = kU};
+
+// Of a made-up method: only its answers, which are handed in, are judged.
+engine::Method method_of(const engine::Guarantee& row, double unit_roundoff = kU) {
+  return {.name = row.method,
+          .scalar = row.scalar,
+          .tier = row.tier,
+          .unit_roundoff = unit_roundoff,
+          .guarantee = &row};
+}
+const engine::Guarantee kRow{.method = "made_up",
+                             .scalar = "double",
+                             .tier = "standard",
+                             .kappa_polytope = 1024,
+                             .kappa_rounded = 1024,
+                             .mechanism = ""};
+engine::Guarantee exact_row(const char* scalar) {
+  return {.method = "made_up", .scalar = scalar, .tier = "exact", .kappa_contact = 16, .mechanism = ""};
+}
 
 // Two unit cubes, B two above A: they touch at t = 1/4, and the scale is the diagonal, 2 sqrt(3).
 corpus::Case falling_cube() {
@@ -54,7 +71,7 @@ Proof right_proof() {
 Judgement judged(const engine::Answer& answer, bool ask_oracle = true,
                  const corpus::Case& problem = falling_cube()) {
   Truth truth(problem);
-  return judge(truth, answer, kLimits, ask_oracle, Request::everything);
+  return judge(truth, method_of(kRow), answer, Request::everything, ask_oracle);
 }
 
 TEST(Judge, acquits_a_right_answer_and_measures_no_error) {
@@ -161,7 +178,7 @@ TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
 
   answer.toi_lower = 0.1;
   answer.toi_upper = 0.2;  // claims contact by 0.2
-  EXPECT_FALSE(judged(answer).wrong.empty());
+  EXPECT_FALSE(judged(answer).early.empty());
 }
 
 TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
@@ -232,7 +249,8 @@ engine::Answer exact_answer() {
 Judgement judged_exactly(const engine::Answer& answer, bool ask_oracle,
                          const corpus::Case& problem = falling_by_three()) {
   Truth truth(problem);
-  return judge_exact(truth, answer, {.kappa = 0, .unit_roundoff = kU, .contact_kappa = 16}, ask_oracle);
+  static const engine::Guarantee kExact = exact_row("double");
+  return judge(truth, method_of(kExact), answer, Request::everything, ask_oracle);
 }
 
 TEST(JudgeExact, acquits_the_two_doubles_next_to_the_time) {
@@ -282,11 +300,12 @@ TEST(JudgeExact, convicts_what_is_a_double_late_or_early) {
 TEST(JudgeExact, rounds_the_proved_bracket_outward_to_float) {
   engine::Answer answer = exact_answer();
   Truth truth(falling_by_three());
-  const Limits limits{.kappa = 0, .unit_roundoff = kUnitRoundoff<float>, .contact_kappa = 16};
-  EXPECT_FALSE(judge_exact(truth, answer, limits, true).wrong.empty());
+  const engine::Guarantee row = exact_row("float");
+  const engine::Method in_float = method_of(row, kUnitRoundoff<float>);
+  EXPECT_FALSE(judge(truth, in_float, answer, Request::everything, true).wrong.empty());
   answer.toi_upper = 1.0F / 3;  // rounds up
   answer.toi_lower = std::nextafter(1.0F / 3, 0.0F);
-  const Judgement j = judge_exact(truth, answer, limits, true);
+  const Judgement j = judge(truth, in_float, answer, Request::everything, true);
   EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
 }
 
@@ -304,12 +323,6 @@ TEST(JudgeExact, counts_apart_what_the_tier_is_not_asked) {
   EXPECT_TRUE(judged_exactly(refusal, false, problem).faulty());
 }
 
-}  // namespace
-}  // namespace graze::tool
-
-namespace graze::tool {
-namespace {
-
 // One that is right has been mended: it belongs to corpus/cases, where it must stay right.
 TEST(KnownFailures, still_fail) {
   const std::string file = GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl";
@@ -320,10 +333,9 @@ TEST(KnownFailures, still_fail) {
     bool fails = false;
     for (const engine::Method& method : engine::methods(engine::Kind::linear)) {
       Truth truth(method.seen(problem));
-      const engine::Guarantee* row = method.guarantee;
-      ASSERT_NE(row, nullptr);
+      ASSERT_NE(method.guarantee, nullptr);
       const engine::Answer answer = method.ask(problem, {.request = Request::everything});
-      const Judgement judgement = judge_method(truth, problem, method, answer, row, true);
+      const Judgement judgement = judge(truth, method, answer, Request::everything, true);
       EXPECT_TRUE(judgement.false_proof.empty()) << problem.id << ", " << method.full_name();
       fails = fails || judgement.faulty();
     }
@@ -332,4 +344,4 @@ TEST(KnownFailures, still_fail) {
 }
 
 }  // namespace
-}  // namespace graze::tool
+}  // namespace graze::law
