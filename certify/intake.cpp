@@ -68,19 +68,31 @@ void Intake::take(const std::string& name, const std::vector<Case>& cases, bool 
   }
 }
 
-void Intake::leave_out(engine::Kind kind, const std::vector<std::string>& files) {
-  for (const Suite& suite : suites) {
-    const bool is_ours = suite.kind != kind || suite.asks_every_query;
-    if (is_ours || std::find(files.begin(), files.end(), suite.family) == files.end()) continue;
-    left_out += suite.size();
-    why.push_back(fmt::format(
-        "{}: {} {} are not judged{}: the command line leaves no method for them", suite.family, suite.size(),
-        kind == engine::Kind::query ? "questions" : "casts",
-        kind == engine::Kind::query
-            ? ""
-            : fmt::format(", in which {} body turns", kind == engine::Kind::rotating ? "a" : "no")));
+void Intake::leave_out(std::span<const engine::Method* const> methods, const std::vector<std::string>& files) {
+  const auto has_method = [&](const Suite& suite, const Case& problem) {
+    return std::any_of(methods.begin(), methods.end(), [&](const engine::Method* method) {
+      const bool is_query = suite.kind == engine::Kind::query && !suite.asks_every_query;
+      return method->kind == suite.kind && (!is_query || method->query == problem.query);
+    });
+  };
+  for (Suite& suite : suites) {
+    const std::size_t before = suite.size();
+    std::erase_if(suite.cases, [&](const Case& problem) { return !has_method(suite, problem); });
+    if (suite.drawn > 0 && !has_method(suite, {})) suite.drawn = 0;
+    const std::size_t without = before - suite.size();
+    const bool is_given = std::find(files.begin(), files.end(), suite.family) != files.end();
+    if (without == 0 || !is_given || suite.asks_every_query) continue;
+    left_out += without;
+    const bool is_query = suite.kind == engine::Kind::query;
+    if (is_query) questions -= without;
+    why.push_back(
+        fmt::format("{}: {} {} are not judged{}: the command line leaves no method for them", suite.family,
+                    without, is_query ? "questions" : "casts",
+                    is_query ? ""
+                             : fmt::format(", in which {} body turns",
+                                           suite.kind == engine::Kind::rotating ? "a" : "no")));
   }
-  std::erase_if(suites, [&](const Suite& suite) { return suite.kind == kind; });
+  std::erase_if(suites, [](const Suite& suite) { return suite.size() == 0; });
 }
 
 std::vector<Case> with_own_ids(const std::vector<Case>& found) {

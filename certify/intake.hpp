@@ -2,6 +2,7 @@
 // and questions beside the cast.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,8 @@ struct Intake {
   // judged as the cast of the same bodies as well, which is the harder question.
   void take(const std::string& name, const std::vector<corpus::Case>& cases, bool ours);
 
-  // The suites of a kind that no method is left for. Those of files are said to be left out.
-  void leave_out(engine::Kind kind, const std::vector<std::string>& files);
+  // The cases that none of these methods is for. Those of files are said to be left out.
+  void leave_out(std::span<const engine::Method* const> methods, const std::vector<std::string>& files);
 };
 
 // The cases that a run found, to be written to a file and read again: each once, and each with its own id.

@@ -83,7 +83,7 @@ std::string summary_table(const Certification& certification, const Settings& se
                {"error/limit\ndouble"},
                {"\nfloat"},
                {"worst in", Align::left},
-               {"median ns\ndouble"},
+               {"ns\ndouble"},
                {"\nfloat"}});
   const auto place_of = [](const Method& method) {
     return std::tuple(method.kind, method.query, method.name, method.tier);
@@ -116,7 +116,7 @@ std::string summary_table(const Certification& certification, const Settings& se
     last = method;
     const std::string query =
         method->kind == Kind::query ? std::string(corpus::name_of(method->query)) + " " : "";
-    table.add_row({"  " + query + method->name, fmt::to_string(both.cases), count_text(both.faulty()),
+    table.add_row({" " + query + method->name, fmt::to_string(both.cases), count_text(both.faulty()),
                    count_text(both.stalled), count_text(both.accepted), short_number(worst_of[0].value),
                    short_number(worst_of[1].value), most > 0 ? worst_family : "-", ns_text(ns[0]),
                    ns_text(ns[1])});

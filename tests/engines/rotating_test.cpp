@@ -112,12 +112,12 @@ TEST(RotatingMethods, the_plan_leaves_out_a_spin_that_cannot_be_seen_until_the_e
 
 TEST(RotatingMethods, give_a_proof_and_a_time_only_to_those_who_ask) {
   for (const Method& method : methods(Kind::rotating)) {
-    EXPECT_FALSE(method.ask(turning_bar(), {}).proof.has_value()) << method.full_name();
+    EXPECT_FALSE(method.ask(turning_bar(), {}).rotating_proof.has_value()) << method.full_name();
   }
   const Answer asked =
       find_method(Kind::rotating, "certified")->ask(turning_bar(), {.request = Request::everything});
-  ASSERT_TRUE(asked.proof.has_value());
-  EXPECT_GE(asked.proof->toi_lower, asked.toi_lower);
+  ASSERT_TRUE(asked.rotating_proof.has_value());
+  EXPECT_GE(asked.rotating_proof->toi_lower, asked.toi_lower);
   EXPECT_GT(find_method(Kind::rotating, "bilateral")->time_ns(turning_bar(), {}, 1), 0);
 }
 

@@ -248,10 +248,10 @@ int run(const Arguments& arguments) {
 
   Intake intake;
   const bool bad = take_all(intake, arguments, selection.has(Kind::query));
-  for (const Kind kind : {Kind::linear, Kind::query, Kind::rotating}) {
-    const bool unwanted = kind == Kind::rotating && arguments.counts().rotating == 0;
-    if (!selection.has(kind) || unwanted) intake.leave_out(kind, arguments.files);
+  if (arguments.counts().rotating == 0) {
+    std::erase_if(settings.methods, [](const engine::Method* method) { return method->kind == Kind::rotating; });
   }
+  intake.leave_out(settings.methods, arguments.files);
   if (intake.suites.empty()) {
     if (!bad) {
       complain(fmt::format(

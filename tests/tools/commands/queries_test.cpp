@@ -141,7 +141,7 @@ TEST(CertifyQueries, a_case_of_any_query_is_judged) {
       std::string more = ", \"query\": \"" + query + "\"";
       if (query == "penetration_along") more += ", \"direction\": [1, 0.5, 0.25]";
       folder.write("x.json", cubes("test/x", query.starts_with("penetration") ? 1.5 : 4, more, shape));
-      const CommandRun run = folder.graze("certify x.json --method exact --queries 0");
+      const CommandRun run = folder.graze("certify x.json --queries 0 --full");
       EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
       EXPECT_EQ(run.err, "");
       EXPECT_NE(run.out.find("1 questions beside the cast are judged"), std::string::npos) << run.out;
@@ -201,7 +201,7 @@ TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
   EXPECT_EQ(folder.graze("certify unasked.json --queries 0").exit_code, 2);
   // Nor is a cast for which the command line leaves no method.
   folder.write("cast.json", cubes("test/cast", 4));
-  const CommandRun left = folder.graze("certify cast.json deep.json --queries 0 --method bilateral");
+  const CommandRun left = folder.graze("certify cast.json deep.json --queries 0 --method bilateral --method epa");
   EXPECT_EQ(left.exit_code, 0) << left.out << left.err;
   EXPECT_NE(left.err.find("cast.json"), std::string::npos) << left.err;
 }

@@ -178,10 +178,10 @@ TEST(CastPlan, goes_with_no_method_no_proof_and_no_other_query) {
 TEST(CertifyRotating, judges_files_and_families_and_can_be_switched_off) {
   const Scene scene;
   const CommandRun file =
-      scene.graze("certify bar.json straight.json --method bilateral --method certified/double");
+      scene.graze("certify bar.json straight.json --method bilateral --method certified/double --full");
   EXPECT_EQ(file.exit_code, 0) << file.out << file.err;
   EXPECT_NE(file.out.find("Rotating casts"), std::string::npos);
-  EXPECT_NE(file.out.find("Every method keeps its row"), std::string::npos);
+  EXPECT_NE(file.out.find("Every method keeps its guarantee"), std::string::npos);
   const CommandRun off = scene.graze("certify bar.json straight.json --rotating 0");
   EXPECT_EQ(off.exit_code, 0) << off.out << off.err;
   EXPECT_EQ(off.out.find("Rotating casts"), std::string::npos);
