@@ -59,7 +59,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
       // All laws on one case, then the next: they share what the oracle said about it.
       for (std::size_t l = 0; l < settings.laws.size(); ++l) {
         const Law& law = settings.laws[l];
-        if ((law.kind == Kind::rotating) != one.turning) continue;
+        if ((law.kind == Kind::rotating) != (one.suite.kind == Kind::rotating)) continue;
         law::LawTally tally(law);
         for (std::size_t m = 0; m < law.methods().size(); ++m) {
           if (!settings.is_asked(law.methods()[m])) continue;

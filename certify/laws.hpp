@@ -18,7 +18,6 @@ namespace graze::tool {
 // A case that turns is judged by the rotating laws, any other by the linear ones and those of the queries.
 struct LawSuite {
   Suite suite;
-  bool turning = false;
   // How case i is drawn again, a command; empty of given cases, whose id says it.
   std::function<std::string(std::size_t)> seed = {};
 };

@@ -86,7 +86,7 @@ def arguments():
     parser.add_argument("--own", action="store_true", help="each defect is tried by the law that it names alone")
     parser.add_argument("--apply", action="store_true", help="only check that all patches apply and are named")
     parser.add_argument("--none", action="store_true", help="only check that without a defect every law holds")
-    parser.add_argument("--write", action="store_true", help="write docs/defects.md and docs/defects.csv")
+    parser.add_argument("--write", action="store_true", help="write build/reports/defects.md and defects.csv")
     parser.add_argument("patch", nargs="*", help="patches, by name or path; all if none is given")
     return parser.parse_intermixed_args()
 
@@ -126,8 +126,10 @@ def main():
     if not (own or options.patch):
         faults += faults_of_laws(config, results)
         if options.write:
-            (config.source / "docs/defects.md").write_text(page(config, patches, results))
-            (config.source / "docs/defects.csv").write_text(matrix(config, patches, results))
+            reports = config.source / "build/reports"
+            reports.mkdir(parents=True, exist_ok=True)
+            (reports / "defects.md").write_text(page(config, patches, results))
+            (reports / "defects.csv").write_text(matrix(config, patches, results))
     return faults
 
 

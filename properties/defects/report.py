@@ -1,4 +1,4 @@
-"""Who notices what: the faults of a run, docs/defects.md and docs/defects.csv."""
+"""Who notices what: the faults of a run, build/reports/defects.md and defects.csv."""
 from tried import CASES, CASES_OF_ALL
 
 NEEDS = ("metamorphic", "proof", "oracle")
@@ -54,7 +54,7 @@ def how(result, law):
 
 
 def page(config, patches, results):
-    """docs/defects.md: by defect who notices, by law what it notices. Nothing in it depends on the machine."""
+    """defects.md: by defect who notices, by law what it notices. Nothing in it depends on the machine."""
     tied = sum(1 for patch in patches if patch.reports or patch.classes)
     lines = [
         "# Planted defects", "",

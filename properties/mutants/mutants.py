@@ -6,7 +6,7 @@
 CONFIG is written by CMake (tests/mutants): the compiler, and what to link. All mutants stand in one copy of
 core, which is compiled once; then each is run by itself (driver.cpp). What is done is kept in FOLDER: stopped,
 the next run goes on from there; an edit of core, of the laws or of the options begins anew. Without a command
-that changes files the report goes to the standard output; --write makes it docs/mutants.md.
+that changes files the report goes to the standard output; --write makes it build/reports/mutants.md.
 """
 import argparse
 import hashlib
@@ -210,7 +210,7 @@ def arguments():
     parser.add_argument("--page", action="store_true", help="run nothing: the page of what has been run")
     parser.add_argument("--at-least", type=float, metavar="PERCENT",
                         help="exit 1 if less is noticed of what can be")
-    parser.add_argument("--write", action="store_true", help="write docs/mutants.md")
+    parser.add_argument("--write", action="store_true", help="write build/reports/mutants.md")
     options = parser.parse_args()
     if options.count > 1000:
         parser.error("--count is 1000 at most")
@@ -234,7 +234,9 @@ def main():
     outcome = report.read(build.folder, build.source, by_unit_tests)
     text = report.page(outcome, options)
     if options.write:
-        (build.source / "docs/mutants.md").write_text(text)
+        reports = build.source / "build/reports"
+        reports.mkdir(parents=True, exist_ok=True)
+        (reports / "mutants.md").write_text(text)
     else:
         print(text)
     if options.at_least is not None and outcome.share() < options.at_least:

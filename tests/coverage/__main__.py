@@ -1,6 +1,6 @@
 """./run coverage: which lines and branches of core the tests, laws and fuzz inputs reach.
 
-Builds with clang's source-based coverage in build/coverage, runs, prints a table, writes docs/coverage.md. Exit code 1
+Builds with clang's source-based coverage in build/coverage, runs, prints a table, writes build/reports/coverage.md. Exit code 1
 if the share of lines or of branches is below the goal."""
 
 import argparse
@@ -69,7 +69,7 @@ def run(program: Program) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(prog="./run coverage", description=__doc__.partition("\n")[2])
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="compilers and tests at a time")
-    parser.add_argument("--only", default="", metavar="A,B", help="only these programs; docs/coverage.md is left alone")
+    parser.add_argument("--only", default="", metavar="A,B", help="only these programs, and no page")
     given = parser.parse_args()
     if given.jobs < 1:
         fail(f"--jobs: want 1 or more, got {given.jobs}")
@@ -92,7 +92,8 @@ def main() -> int:
     print(table(files))
     if not names:
         reasons = read_reasons(SOURCE / "tests" / "coverage" / "reasons.txt")
-        to = SOURCE / "docs" / "coverage.md"
+        to = SOURCE / "build" / "reports" / "coverage.md"
+        to.parent.mkdir(parents=True, exist_ok=True)
         to.write_text(page(files, reasons, SOURCE / "core" / "graze", [program.target for program in wanted]),
                       encoding="utf-8")
         say(f"wrote {to}")

@@ -1,4 +1,4 @@
-"""The table of coverage, and docs/coverage.md with what is missed and why."""
+"""The table of coverage, and coverage.md with what is missed and why."""
 
 from itertools import groupby
 from pathlib import Path

@@ -54,7 +54,7 @@ void check_methods(const std::vector<std::string>& names, const std::vector<Law>
 
 // The bodies of a question beside the cast are cast: the laws of the queries make their own questions.
 void take(std::vector<LawSuite>& suites, const std::string& name, const std::vector<corpus::Case>& cases) {
-  LawSuite straight{.suite = {.family = name}}, turning{.suite = {.family = name}, .turning = true};
+  LawSuite straight{.suite = {.family = name}}, turning{.suite = {.kind = Kind::rotating, .family = name}};
   for (corpus::Case problem : cases) {
     const bool turns = engine::turns(problem);
     if (!turns) problem.query = corpus::Query::cast;
@@ -70,8 +70,7 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments) {
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
   const std::size_t count =
       family.rotating ? arguments.rotating.value_or(kRotatingCases) : arguments.count.value_or(kLinearCases);
-  LawSuite one{.suite = drawn_suite(family, family.levels.first(levels), count, arguments.seed),
-               .turning = family.rotating};
+  LawSuite one{.suite = drawn_suite(family, family.levels.first(levels), count, arguments.seed)};
   one.seed = [draw = one.suite.draw](std::size_t i) {
     // name/h<hardness>/s<seed>
     const std::string id = draw(i).id;
@@ -155,7 +154,7 @@ int run_laws(const LawArguments& arguments) {
   if (arguments.laws.empty()) {
     std::erase_if(settings.laws, [&](const Law& law) {
       return std::none_of(suites.begin(), suites.end(),
-                          [&](const LawSuite& one) { return one.turning == (law.kind == Kind::rotating); });
+                          [&](const LawSuite& one) { return (one.suite.kind == Kind::rotating) == (law.kind == Kind::rotating); });
     });
   }
   const LawCertification certification = certify_laws(suites, settings);

@@ -54,8 +54,7 @@ A law that sees nothing says nothing. So a run over the families fails, too, if 
 miss or a start in contact, or was never reached by a family of its kind, but for what is listed [below](#out-of-reach).
 
 And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/` which, applied
-to a copy of the library, it is known to notice; `./run defects` tries them, and [defects.md](defects.md) says who
-notices which.
+to a copy of the library, it is known to notice; `./run defects --write` tries them, and writes who notices which.
 )";
 
 std::string line_after(const std::filesystem::path& file, const std::string& text, std::string_view key) {
