@@ -4,41 +4,28 @@
 // more than a sample.
 #include "oracles/polytope/nef_minkowski.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Projection_traits_xy_3.h>
 #include <CGAL/Projection_traits_xz_3.h>
 #include <CGAL/Projection_traits_yz_3.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
-#include <CGAL/minkowski_sum_3.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "oracles/polytope/exact_body.hpp"
+#include "oracles/polytope/nef_kernel.hpp"
 
 namespace graze::oracle {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Kernel = NefKernel;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Nef = CGAL::Nef_polyhedron_3<Kernel>;
-using Exact = Kernel::FT::ET;
 
-Kernel::FT to_exact(const Rational& q) { return Kernel::FT(Exact(q.get_mpq_t())); }
+CGAL::Gmpq to_exact(const Rational& q) { return CGAL::Gmpq(q.get_mpq_t()); }
 
-template <class Number>
-Rational to_rational(const Number& e) {
-  if constexpr (requires { e.backend().data(); }) {
-    return Rational(e.backend().data());
-  } else if constexpr (requires { e.mpq(); }) {
-    return Rational(e.mpq());
-  } else {
-    return e;
-  }
-}
+Rational to_rational(const CGAL::Gmpq& e) { return Rational(e.mpq()); }
 
 using Points = std::vector<Kernel::Point_3>;
 
@@ -106,13 +93,13 @@ NefCso nef_cso(const corpus::Case& problem) {
   const ExactBody body_a = exact_body(problem.a), body_b = exact_body(problem.b);
   if (sum_is_flat(body_a, body_b)) throw std::invalid_argument("Nef sums are for a CSO that is solid");
   Nef a = body_hull(body_a, 1), minus_b = body_hull(body_b, -1);
-  const Nef sum = CGAL::minkowski_sum_3(a, minus_b);
+  const Nef sum = nef_sum(a, minus_b);
   NefCso cso;
   RationalPoint inner = {0, 0, 0};  // the vertices' centre
   for (auto v = sum.vertices_begin(); v != sum.vertices_end(); ++v) {
     RationalPoint& p = cso.vertices.emplace_back();
-    p = {to_rational(CGAL::exact(v->point().x())), to_rational(CGAL::exact(v->point().y())),
-         to_rational(CGAL::exact(v->point().z()))};
+    p = {to_rational(v->point().x()), to_rational(v->point().y()),
+         to_rational(v->point().z())};
     for (std::size_t i = 0; i < 3; ++i) inner[i] += p[i];
   }
   for (Rational& c : inner) c /= static_cast<unsigned long>(cso.vertices.size());
@@ -122,9 +109,9 @@ NefCso nef_cso(const corpus::Case& problem) {
     if (f->is_twin()) continue;
     const Kernel::Plane_3& plane = f->plane();
     NefCso::HalfSpace h;
-    h.normal = {to_rational(CGAL::exact(plane.a())), to_rational(CGAL::exact(plane.b())),
-                to_rational(CGAL::exact(plane.c()))};
-    h.offset = -to_rational(CGAL::exact(plane.d()));
+    h.normal = {to_rational(plane.a()), to_rational(plane.b()),
+                to_rational(plane.c())};
+    h.offset = -to_rational(plane.d());
     if (dot(h.normal, inner) > h.offset) {
       for (Rational& c : h.normal) c = -c;
       h.offset = -h.offset;
