@@ -37,6 +37,11 @@ if(GRAZE_SANITIZE)
   target_compile_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(graze_own INTERFACE -fsanitize=${GRAZE_SANITIZE})
 endif()
+# What is not called a million times a second (commands, reports, tests' own files) need not be compiled to be. It is added
+# to a target after the -O3 of a release build, whose place it takes.
+set(GRAZE_COLD $<$<CONFIG:Release>:-O1>)
+set(GRAZE_WARM $<$<CONFIG:Release>:-O2>)  # the judge: its time goes into oracles and into core, which has -O3
+
 # graze_precompiled(name LIBRARIES l... HEADERS h...): headers that most files of some targets include, compiled once for
 # them all; graze_precompile(target name) makes a target use them. Nothing of it decides what a file may use: with
 # GRAZE_PCH=OFF each stands by itself, and a test of `./run check` compiles them so.

@@ -78,7 +78,7 @@ TEST(Options, a_name_that_may_be_repeated_takes_no_file_for_another) {
   const Folder folder;
   folder.write("x.json", kHit);
   for (const std::string option : {"--method gjk/double", "--family random --count 1"}) {
-    const CommandRun run = folder.graze("certify --queries 0 " + option + " x.json");
+    const CommandRun run = folder.graze("certify --queries 0 --full " + option + " x.json");
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find("x.json"), std::string::npos) << run.out;
   }
