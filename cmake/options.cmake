@@ -5,6 +5,7 @@ option(GRAZE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
 option(GRAZE_WERROR "Warnings are errors in our own targets" OFF)
 option(GRAZE_PCH "Compile our own files with precompiled headers; OFF: each stands by itself" ${PROJECT_IS_TOP_LEVEL})
+option(GRAZE_UNITY "Compile many small files of ours at once: sooner from nothing, later after an edit" OFF)
 set(GRAZE_SANITIZE "" CACHE STRING "Sanitizers for our own targets, e.g. address,undefined")
 
 if(PROJECT_IS_TOP_LEVEL)
@@ -67,4 +68,9 @@ function(graze_precompile target name)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
+endfunction()
+
+# The many small files of a room, ten at a time.
+function(graze_unite target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRAZE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
 endfunction()

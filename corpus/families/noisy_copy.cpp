@@ -15,7 +15,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kReach = 4;  // size of a shape (length)
+constexpr double kNoisyReach = 4;  // size of a shape (length)
 
 // The corner that reaches furthest along the axis, in world axes.
 Vec3<double> extreme(const Body<double>& body, int axis, double sign) {
@@ -34,7 +34,7 @@ Vec3<double> extreme(const Body<double>& body, int axis, double sign) {
 void fill_noisy_copy(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double noise = power_of_ten(-static_cast<int>(hardness));
-  problem.a.shape = draw.hull(kReach, random.integer(8, 24));
+  problem.a.shape = draw.hull(kNoisyReach, random.integer(8, 24));
   std::vector<Vec3<double>> copy = corners(problem.a.shape);
   for (Vec3<double>& x : copy) {
     for (int i = 0; i < 3; ++i) x[i] += noise * random.uniform(-1, 1);

@@ -20,7 +20,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kReach = 4;                            // size of a shape (length)
+constexpr double kSmoothReach = 4;                            // size of a shape (length)
 constexpr Quaternion<double> kOnSide = {1, 1, 0, 0};    // the z-axis to -y: it lies
 constexpr Quaternion<double> kLeaning = {2, 1, 0, 0};   // about x, cosine 3/5, sine 4/5: z to (0, -4/5, 3/5)
 constexpr Quaternion<double> kHalfTurn = {0, 1, 0, 0};  // stands on its head
@@ -36,7 +36,7 @@ double extent(Draw& draw, double reach) {
 
 Topped capsule(Draw& draw) {
   const Stance how = stance(draw);
-  const double reach = how == Stance::leaning ? kReach / 4 : kReach;
+  const double reach = how == Stance::leaning ? kSmoothReach / 4 : kSmoothReach;
   const double r = extent(draw, reach), h = extent(draw, reach);
   switch (how) {
     case Stance::standing:
@@ -49,9 +49,9 @@ Topped capsule(Draw& draw) {
 }
 
 Topped ellipsoid(Draw& draw) {
-  const double x = extent(draw, kReach);
+  const double x = extent(draw, kSmoothReach);
   if (draw.random.once_in(2)) {
-    const double y = extent(draw, kReach), z = extent(draw, kReach);
+    const double y = extent(draw, kSmoothReach), z = extent(draw, kSmoothReach);
     return {Ellipsoid<double>{Vec3<double>(x, y, z)}, {}, {0, 0, -z}};
   }
   // Leaning, z' = 4/5 y + 3/5 z: the height is the root of (4/5 r_y)^2 + (3/5 r_z)^2.
@@ -67,7 +67,7 @@ Topped ellipsoid(Draw& draw) {
 
 Topped cylinder(Draw& draw) {
   const Stance how = stance(draw);
-  const double reach = how == Stance::leaning ? kReach / 4 : kReach;
+  const double reach = how == Stance::leaning ? kSmoothReach / 4 : kSmoothReach;
   const double r = extent(draw, reach), h = extent(draw, reach);
   switch (how) {
     case Stance::standing:
@@ -82,7 +82,7 @@ Topped cylinder(Draw& draw) {
 
 Topped cone(Draw& draw) {
   const Stance how = stance(draw);
-  const double reach = how == Stance::leaning ? kReach / 4 : kReach;
+  const double reach = how == Stance::leaning ? kSmoothReach / 4 : kSmoothReach;
   const double r = extent(draw, reach), h = extent(draw, reach);
   switch (how) {
     case Stance::standing:
@@ -104,7 +104,7 @@ Topped cone(Draw& draw) {
 Topped smooth(Draw& draw) {
   switch (draw.random.below(6)) {
     case 0: {
-      const double r = extent(draw, kReach);
+      const double r = extent(draw, kSmoothReach);
       return {Sphere<double>{r}, {}, {0, 0, -r}};
     }
     case 1:
@@ -116,8 +116,8 @@ Topped smooth(Draw& draw) {
     case 4:
       return cone(draw);
     default: {
-      Topped body = topped_any(draw, kReach);
-      const double r = extent(draw, kReach);
+      Topped body = topped_any(draw, kSmoothReach);
+      const double r = extent(draw, kSmoothReach);
       body.shape = rounded<double>(std::move(body.shape), r);
       body.position[2] -= r;
       return body;
@@ -132,7 +132,7 @@ void fill_smooth_graze(Draw& draw, double hardness, Case& problem) {
   const double unit = power_of_ten(-static_cast<int>(hardness));
   const double size = draw.coordinates == Coordinates::floats ? round_to_float(unit) : unit;
   const double delta = random.once_in(2) ? size : -size;
-  Topped a = smooth(draw), b = random.once_in(3) ? topped_any(draw, kReach) : smooth(draw);
+  Topped a = smooth(draw), b = random.once_in(3) ? topped_any(draw, kSmoothReach) : smooth(draw);
   if (random.once_in(3)) turn_about_z(draw, a);
   if (random.once_in(3)) turn_about_z(draw, b);
   pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);

@@ -91,7 +91,7 @@ struct ShapeFault {
 
 // Vertices by the rule of core/graze/shape.hpp, of a shape without another fault. A double holds what no
 // integer does.
-constexpr double kMostVertices = 4294967295.0;
+constexpr double kMostVerticesInDomain = 4294967295.0;
 double vertices_in(const Shape<double>& shape) {
   return std::visit(
       []<class T>(const T& s) -> double {
@@ -135,7 +135,7 @@ std::string why_invalid(const corpus::Case& problem) {
     if (std::string why = orientation_fault(body->orientation); !why.empty()) return why;
     int parts_seen = 0;
     if (std::string why = std::visit(ShapeFault{&parts_seen}, body->shape); !why.empty()) return why;
-    if (vertices_in(body->shape) > kMostVertices) return "a shape of more than 2^32 - 1 vertices";
+    if (vertices_in(body->shape) > kMostVerticesInDomain) return "a shape of more than 2^32 - 1 vertices";
   }
   if (problem.query == corpus::Query::penetration_along) {
     if (!in_range(problem.direction)) return "a direction outside 1e-60 to 1e60";

@@ -16,7 +16,7 @@ using oracle::CaseTruth;
 namespace {
 
 // Of support evaluations: few enough that most searches are cut short, and all that the search wants.
-constexpr int kBudgets[] = {3, 9, 256};
+constexpr int kDistanceBudgets[] = {3, 9, 256};
 
 // C is rounded by the target distance, so the distance of toi_lower v from C is what the bodies' exceeds it
 // by.
@@ -42,7 +42,7 @@ LawResult distance_is_stated(const Case& problem, const Method& method) {
   const CaseTruth& truth = truth_of(seen);
   const double bound = proved_bound_of(method, seen);
   LawResult result = holds({label_of(truth.outcome())});
-  for (const int budget : kBudgets) {
+  for (const int budget : kDistanceBudgets) {
     const Answer answer = method.ask(seen, {.max_iterations = budget});
     if (answer.outcome != Outcome::hit && answer.outcome != Outcome::not_converged) break;
     if (is_beyond_range(answer.toi_lower, answer.toi_upper, method.unit_roundoff)) break;
