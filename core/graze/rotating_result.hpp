@@ -14,6 +14,21 @@ enum class RotatingMethod : std::uint8_t {
   bilateral_advancement,     // never passes first contact; proves the interval that it skips
   bilateral_published,       // as Catto published it, GDC 2013: may pass an intermediate contact
 };
+[[nodiscard]] constexpr std::string_view to_text(RotatingMethod method) {
+  switch (method) {
+    case RotatingMethod::time_steps:
+      return "time_steps";
+    case RotatingMethod::bounding_spheres:
+      return "bounding_spheres";
+    case RotatingMethod::conservative_advancement:
+      return "conservative_advancement";
+    case RotatingMethod::bilateral_advancement:
+      return "bilateral_advancement";
+    case RotatingMethod::bilateral_published:
+      return "bilateral_published";
+  }
+  return {};
+}
 
 template <Scalar S>
 struct RotatingOptions {
