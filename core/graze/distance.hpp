@@ -20,7 +20,8 @@ struct DistanceOptions {
 
 template <Scalar S>
 struct DistanceResult {
-  Invalid invalid = Invalid::none;  // other than none: nothing else is valid
+  Invalid invalid = Invalid::none;  // other than none: nothing but invalid_at is valid
+  InvalidAt invalid_at = {};
   S lower = 0, upper = kInfinity<S>;
   bool stalled = false;  // the gap asked for was not reached; the bracket is what is known
   // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.

@@ -25,6 +25,7 @@ struct LineResult {
   // invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   // hit: in_lower <= t_in <= in_upper, out_lower <= t_out <= out_upper; at rest -infinity and infinity.
   S in_lower = -kInfinity<S>, in_upper = kInfinity<S>, out_lower = -kInfinity<S>, out_upper = kInfinity<S>;
   // hit, when asked for: unit, from A to B, supporting normals of C where the line enters and where it

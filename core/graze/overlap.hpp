@@ -13,6 +13,7 @@ struct OverlapResult {
   // initially_overlapping, miss, not_converged or invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   Vec3<S> normal = Vec3<S>::Zero();  // of a miss: unit, from A to B, world axes; separates the bodies
   Counters counters;
 };

@@ -30,6 +30,7 @@ struct PenetrationResult {
   // initially_overlapping; miss: apart; not_converged: neither is known; invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   // initially_overlapping: the depth (length). 0, 0 for a miss.
   S lower = 0, upper = kInfinity<S>;
   bool stalled = false;  // the gap asked for was not reached; the bracket is what is known

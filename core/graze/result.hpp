@@ -15,7 +15,7 @@ enum class Outcome : std::uint8_t {
   hit,                    // TOI in (0, T]
   miss,                   // no contact in [0, T]
   not_converged,          // neither is shown within the budget; the bracket is what is known
-  invalid_input,          // see CastResult::invalid
+  invalid_input,          // CastResult::invalid says why, invalid_at where
 };
 [[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
   switch (outcome) {
@@ -173,6 +173,103 @@ enum class Invalid : std::uint8_t {
   return {};
 }
 
+// Whose input it was; none: the options', the machine's, or both bodies'.
+enum class InvalidBody : std::uint8_t { none, a, b };
+[[nodiscard]] constexpr std::string_view to_text(InvalidBody body) {
+  switch (body) {
+    case InvalidBody::none:
+      return "neither body";
+    case InvalidBody::a:
+      return "body a";
+    case InvalidBody::b:
+      return "body b";
+  }
+  return {};
+}
+
+// Which number it was: a body's, a shape's, or an option.
+enum class InvalidField : std::uint8_t {
+  none,
+  shape,  // as a whole
+  position,
+  orientation,
+  displacement,
+  rotation,
+  pivot,
+  radius,
+  radii,
+  half_height,
+  half_extents,
+  vertex,  // of a segment, a triangle or a hull
+  part,    // of a combinator that has none
+  t_max,
+  target_distance,
+  tolerance,
+  max_iterations,
+  time_steps,
+  tier,
+  start_policy,
+  direction,  // of penetration_along
+};
+[[nodiscard]] constexpr std::string_view to_text(InvalidField field) {
+  switch (field) {
+    case InvalidField::none:
+      return "nothing";
+    case InvalidField::shape:
+      return "shape";
+    case InvalidField::position:
+      return "position";
+    case InvalidField::orientation:
+      return "orientation";
+    case InvalidField::displacement:
+      return "displacement";
+    case InvalidField::rotation:
+      return "rotation";
+    case InvalidField::pivot:
+      return "pivot";
+    case InvalidField::radius:
+      return "radius";
+    case InvalidField::radii:
+      return "radii";
+    case InvalidField::half_height:
+      return "half_height";
+    case InvalidField::half_extents:
+      return "half_extents";
+    case InvalidField::vertex:
+      return "vertex";
+    case InvalidField::part:
+      return "part";
+    case InvalidField::t_max:
+      return "t_max";
+    case InvalidField::target_distance:
+      return "target_distance";
+    case InvalidField::tolerance:
+      return "tolerance";
+    case InvalidField::max_iterations:
+      return "max_iterations";
+    case InvalidField::time_steps:
+      return "time_steps";
+    case InvalidField::tier:
+      return "tier";
+    case InvalidField::start_policy:
+      return "start_policy";
+    case InvalidField::direction:
+      return "direction";
+  }
+  return {};
+}
+
+// Where an input was refused: the first place that is wrong. In words: graze/invalid_text.hpp.
+struct InvalidAt {
+  Invalid why = Invalid::none;
+  InvalidBody body = InvalidBody::none;
+  InvalidField field = InvalidField::none;
+  // Whose field it is: -1 the body's own; 0 its shape's; k the k-th part's of a shape that is a combinator,
+  // each part counted before its own parts.
+  int part = -1;
+  int index = -1;  // the vertex, or the component of a vector; -1: the field has none, or all are meant
+};
+
 template <Scalar S>
 struct CastOptions {
   Tier tier = Tier::standard;
@@ -216,6 +313,7 @@ template <Scalar S>
 struct CastResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  // for invalid_input
+  InvalidAt invalid_at = {};
   Method method = Method::gjk_ray_cast;
   // toi_lower <= TOI <= toi_upper in the sense of the tier (standard: true for some convex set within
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.

@@ -49,7 +49,8 @@ template <Scalar S>
 struct RotatingResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  // for invalid_input
-  Plan plan;                        // what was simulated, and why
+  InvalidAt invalid_at = {};
+  Plan plan;  // what was simulated, and why
   // As in CastResult: both 0 for initially_overlapping, infinite for miss, NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();

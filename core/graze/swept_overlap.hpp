@@ -44,6 +44,7 @@ struct SweptOverlapResult {
   // hit: contact at some t in [0, t_max], 0 included; miss; not_converged; invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   Vec3<S> normal =
       Vec3<S>::Zero();  // miss: unit, from A to B, world axes; separates the bodies for all these t
   Counters counters;

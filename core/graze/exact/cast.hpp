@@ -22,7 +22,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   CastResult<S> out;
   out.method = Method::exact_portal;
   out.invalid = exact::refusal(a, b, options);
-  if (out.invalid != Invalid::none) return out;
+  if (exact::refused(out, a, b, options)) return out;
 
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
@@ -70,7 +70,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   if (!scene.valid()) {
     out = {};
     out.method = Method::exact_portal;
-    out.invalid = Invalid::too_complex;
+    exact::refuse_as_too_complex(out);
   }
   return out;
 }

@@ -107,7 +107,7 @@ CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const
   CastResult<S> out;
   out.method = method;
   out.invalid = validate(a, b, options);
-  if (out.invalid == Invalid::none) search_with(a, b, options, search, out);
+  if (!refused(out, a, b, options)) search_with(a, b, options, search, out);
   return out;
 }
 
@@ -159,7 +159,7 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   CastResult<S> out;
   out.method = Method::mpr_sweep;
   out.invalid = validate(a, b, options);
-  if (out.invalid == Invalid::none && !detail::quick_cast(a, b, options, out))
+  if (!detail::refused(out, a, b, options) && !detail::quick_cast(a, b, options, out))
     detail::careful_mpr_sweep(a, b, options, out);
   return out;
 }
