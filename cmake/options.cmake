@@ -4,6 +4,7 @@ option(GRAZE_TOOLS "Build the judge and the graze command (CGAL: GPL)" ${PROJECT
 option(GRAZE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
 option(GRAZE_WERROR "Warnings are errors in our own targets" OFF)
+option(GRAZE_ASSERTIONS "Core checks what it relies on (core/graze/linkage.hpp): for tests and fuzzing" OFF)
 set(GRAZE_SANITIZE "" CACHE STRING "Sanitizers for our own targets, e.g. address,undefined")
 
 if(PROJECT_IS_TOP_LEVEL)

@@ -47,6 +47,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   }
   out.toi_lower = exact::round_down<S>(toi.lower);
   out.toi_upper = exact::round_up<S>(toi.upper);
+  GRAZE_ASSERT(!scene.valid() || out.toi_lower <= out.toi_upper);
   if (out.outcome == Outcome::hit) {
     const Triple& r = cast.pair().direction();
     const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());

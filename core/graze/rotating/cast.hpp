@@ -117,6 +117,7 @@ class RotatingCast {
     out_.invalid = validate(a_, b_, options_);
     if (out_.invalid != Invalid::none) {
       out_.invalid_at = find_invalid(a_, b_, options_);
+      GRAZE_ASSERT(out_.invalid_at.why == out_.invalid);
       return false;
     }
     const bool turns = a_.rotation != Vec3<S>::Zero() || b_.rotation != Vec3<S>::Zero();
@@ -320,6 +321,7 @@ class RotatingCast {
       out_.toi_lower = out_.toi_upper = 0;
       return;
     }
+    GRAZE_ASSERT(0 <= found.lower && found.lower <= found.upper);
     out_.toi_lower = exact::round_down<S>(found.lower);
     out_.toi_upper = found.upper < kInfinity<double> ? exact::round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;

@@ -38,6 +38,7 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
           sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
   }
   if (out.outcome == Outcome::hit) {
+    GRAZE_ASSERT(0 <= out.toi_lower && out.toi_lower <= out.toi_upper && out.toi_upper <= options.t_max);
     if (asks_for(options.request, Request::normal)) out.normal = sweep.n;
     if (asks_for(options.request, Request::witnesses)) {
       out.point_a = witness(a, cso.side_a(), cso, sweep.contact, sweep.n, true, out.toi_lower);

@@ -349,6 +349,7 @@ bool refused(Result& result, const Body<S>& a, const Body<S>& b, const CastOptio
   if (result.invalid == Invalid::none) [[likely]]
     return false;
   result.invalid_at = find_invalid(a, b, options, direction);
+  GRAZE_ASSERT(result.invalid_at.why == result.invalid);
   return true;
 }
 
