@@ -6,12 +6,12 @@
 //   graze::Hull hull(points);                     // its scalar is that of the points
 //   graze::Hull quick = graze::with_adjacency(points);  // a graph beside them, for large hulls
 //
-// Beside the vertices as given, by index, a hull keeps them by axis for its support scan, prepared:
-//   scan_i = (vertex_i - center) 2^-exponent,
-// with center_i = 0 unless the vertices' offset along axis i exceeds their extent (|middle| > 2.5 half); then
+// A hull also keeps its vertices coordinate by coordinate, prepared for the support scan:
+//   scan_i = (vertex_i - center) 2^-exponent.
+// center_i is 0 unless the vertices' offset along axis i exceeds their extent (|middle| > 2.5 half). Then
 // every difference is exact (Sterbenz 1974: b/2 <= a <= 2b makes a - b exact), so a large common offset costs
 // no accuracy. The power of two brings the largest coordinate near 1, so no product in a scan overflows or
-// vanishes.
+// underflows.
 #pragma once
 
 #include <graze/scalar.hpp>
@@ -22,7 +22,7 @@
 namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
-struct HullGraph;  // hull_graph.hpp
+struct HullGraph;  // support/hull_graph.hpp
 
 // Points one after the other in memory: a vector, an array or a span of Vec3<float> or Vec3<double>, which
 // are Eigen::Vector3f and Eigen::Vector3d.

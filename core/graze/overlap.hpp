@@ -18,13 +18,13 @@ struct OverlapResult {
   Counters counters;
 };
 
-// The ray from a point of C's inside through the origin leaves C beyond it, or not.
+// By MPR: does the ray from an interior point of C = A - B through the origin leave C beyond the origin?
 template <Scalar S>
 OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b);
-// The distance is zero, or not.
+// By GJK: is the distance zero?
 template <Scalar S>
 OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b);
-// Do they touch at t = 0? Touching counts.
+// Of the true shapes, decided exactly: see tier exact (cast.hpp).
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);
 

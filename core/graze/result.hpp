@@ -58,7 +58,7 @@ enum class Method : std::uint8_t {
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
 // certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
-// exact: of the true shapes, correctly rounded (exact/exact_cast.hpp); for polytopes without a target
+// exact: of the true shapes, correctly rounded (exact/cast.hpp); for polytopes without a target
 // distance.
 enum class Tier : std::uint8_t { standard, certified, exact };
 [[nodiscard]] constexpr std::string_view to_text(Tier tier) {
@@ -285,8 +285,8 @@ struct CastOptions {
   // 0 stops at the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
   StartPolicy start_policy = StartPolicy::report;
-  int max_iterations =
-      256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
+  // Support evaluations of the search: typically 5 to 20, the worst seen in certify's table.
+  int max_iterations = 256;
 };
 
 // How much was done. Nothing here depends on timing; equal inputs give equal counts.

@@ -45,8 +45,8 @@ struct SweptOverlapResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
   InvalidAt invalid_at = {};
-  Vec3<S> normal =
-      Vec3<S>::Zero();  // miss: unit, from A to B, world axes; separates the bodies for all these t
+  // miss: unit, from A to B, world axes; separates the bodies for all these t.
+  Vec3<S> normal = Vec3<S>::Zero();
   Counters counters;
 };
 
@@ -57,7 +57,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_before_after(const Body<S>& a, const Body<S>& b,
                                                  SweptOverlapOptions<S> options = {});
-// Do they touch at any t in [0, t_max]? options.method is not read.
+// Of the true shapes, decided exactly: see tier exact (cast.hpp). options.method is not read.
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                                           const SweptOverlapOptions<S>& options = {});
