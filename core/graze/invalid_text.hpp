@@ -30,7 +30,7 @@ namespace detail {
     case Invalid::missing_part:
       return at.field == InvalidField::part ? " has no parts" : " is missing";
     case Invalid::too_complex:
-      if (at.body == InvalidBody::none) return " of the two has too many nested rotations for tier exact";
+      if (at.body == InvalidBody::none) return "the shapes nest too many rotations for tier exact";
       return " is nested deeper than 16, or has more than 4096 parts or 2^32 - 1 vertices";
     case Invalid::rounding_mode:
       return "the machine does not round to nearest";

@@ -33,7 +33,7 @@ bool refused(Result& out, const Body<S>& a, const Body<S>& b, const CastOptions<
 template <class Result>
 void refuse_as_too_complex(Result& out) {
   out.invalid = Invalid::too_complex;
-  out.invalid_at = {.why = Invalid::too_complex, .field = InvalidField::shape};
+  out.invalid_at = {.why = Invalid::too_complex};
 }
 
 // Unit, from A to B: -(f_1 x f_2) at an entry, f_1 x f_2 at an exit, as the facet's n.v > 0.
