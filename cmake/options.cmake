@@ -6,6 +6,7 @@ option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
 option(GRAZE_WERROR "Warnings are errors in our own targets" OFF)
 option(GRAZE_PCH "Compile our own files with precompiled headers; OFF: each stands by itself" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_UNITY "Compile many small files of ours at once: sooner from nothing, later after an edit" OFF)
+option(GRAZE_ASSERTIONS "Core checks what it relies on (core/graze/linkage.hpp): for tests and fuzzing" OFF)
 set(GRAZE_SANITIZE "" CACHE STRING "Sanitizers for our own targets, e.g. address,undefined")
 
 if(PROJECT_IS_TOP_LEVEL)

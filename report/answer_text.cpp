@@ -89,43 +89,8 @@ std::string method_line(const engine::Method& method) {
 }  // namespace
 
 std::string invalid_text(Invalid invalid) {
-  switch (invalid) {
-    case Invalid::none:
-      return "a kind of case that this method does not answer";
-    case Invalid::not_finite:
-      return "a NaN or an infinite number";
-    case Invalid::out_of_range:
-      return "a magnitude outside 1e-60 to 1e60";
-    case Invalid::empty_hull:
-      return "a hull without a vertex";
-    case Invalid::negative_extent:
-      return "a radius or a half extent below zero";
-    case Invalid::zero_quaternion:
-      return "an orientation of (0, 0, 0, 0)";
-    case Invalid::missing_part:
-      return "a combinator without parts";
-    case Invalid::too_complex:
-      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices, or, in tier "
-             "exact, "
-             "too many nested rotations";
-    case Invalid::rounding_mode:
-      return "another rounding mode than to nearest";
-    case Invalid::unsafe_math:
-      return "compiled with a part of -ffast-math";
-    case Invalid::bad_horizon:
-      return "a t_max below zero";
-    case Invalid::bad_target:
-      return "a target distance below zero or out of range";
-    case Invalid::bad_tolerance:
-      return "a tolerance below zero or beyond the scalar's range, or a budget below one";
-    case Invalid::not_exact:
-      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
-             "which tier exact does not know";
-    case Invalid::not_linear:
-      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
-             "linear motions";
-  }
-  return "an unknown reason";
+  if (invalid == Invalid::none) return "a kind of case that this method does not answer";
+  return std::string(to_text(invalid));
 }
 
 namespace {

@@ -7,8 +7,8 @@
 //
 // Tier standard   the answer is true for some convex set within kappa u scale of C = A - B; kappa per method
 //                 in docs/guarantees.md.
-// Tier certified  toi_lower <= TOI <= toi_upper for the true shapes, rounding included; how wide at most:
-//                 kLinearCertifiedWidth (certified/cast.hpp).
+// Tier certified  toi_lower <= TOI <= toi_upper for the true shapes, rounding included, at most
+//                 kLinearCertifiedWidth of scale wide.
 // Tier exact      the TOI of the true shapes, correctly rounded: toi_lower the largest S not above it,
 //                 toi_upper the least not below. Of points, segments, triangles, boxes, hulls, and what
 //                 posed, sum and swept make of them, without a target distance (exact/cast.hpp).
@@ -38,8 +38,8 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 
-// Convergence target of tier certified, over scale: 9,000 u. Support points of well-formed shapes are within
-// 100 u.
+// Convergence target of tier certified, over scale: 9,000 u. The rounding of support points, which limits it,
+// is below 100 u for shapes whose numbers are of similar size.
 inline constexpr double kLinearCertifiedWidth = 1e-12;
 
 }  // namespace graze::inline GRAZE_LINKAGE

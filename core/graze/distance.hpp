@@ -1,9 +1,9 @@
 // distance(A, B) = min |a - b| at t = 0, with the closest points and a separating axis: GJK.
 //
 // Units: the caller's length, world axes. Guarantee: lower <= distance <= upper up to kappa u scale
-// (docs/guarantees.md); where the bodies are apart by more than that, the normal proves lower: both lie on
-// its sides. 0, 0 in contact. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]. The stopping rule is the
-// duality gap upper - lower.
+// (docs/guarantees.md); both are 0 in contact. Where the bodies are apart by more than kappa u scale, the
+// normal proves lower: the slab across it between the bodies is so wide. The search stops at the duality gap
+// upper - lower that is asked for. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]
 #pragma once
 
 #include <graze/body.hpp>
@@ -20,7 +20,8 @@ struct DistanceOptions {
 
 template <Scalar S>
 struct DistanceResult {
-  Invalid invalid = Invalid::none;  // other than none: nothing else is valid
+  Invalid invalid = Invalid::none;  // other than none: nothing but invalid_at is valid
+  InvalidAt invalid_at = {};
   S lower = 0, upper = kInfinity<S>;
   bool stalled = false;  // the gap asked for was not reached; the bracket is what is known
   // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.

@@ -1,12 +1,17 @@
 // The convex hull of finitely many points. Duplicates, interior points and every order are allowed; nothing
-// is ever simplified. Copies share the immutable vertices.
+// is ever simplified. A hull owns its vertices: what it was made from may be changed or thrown away. Copies
+// of a hull share them, and never change them.
 //
-// Beside the vertices as given, by index, a hull keeps them by axis for its support scan, prepared:
-//   scan_i = (vertex_i - center) 2^-exponent,
-// with center_i = 0 unless the vertices' offset along axis i exceeds their extent (|middle| > 2.5 half); then
+//   std::vector<Eigen::Vector3d> points = ...;
+//   graze::Hull hull(points);                     // its scalar is that of the points
+//   graze::Hull quick = graze::with_adjacency(points);  // a graph beside them, for large hulls
+//
+// A hull also keeps its vertices coordinate by coordinate, prepared for the support scan:
+//   scan_i = (vertex_i - center) 2^-exponent.
+// center_i is 0 unless the vertices' offset along axis i exceeds their extent (|middle| > 2.5 half). Then
 // every difference is exact (Sterbenz 1974: b/2 <= a <= 2b makes a - b exact), so a large common offset costs
 // no accuracy. The power of two brings the largest coordinate near 1, so no product in a scan overflows or
-// vanishes.
+// underflows.
 #pragma once
 
 #include <graze/scalar.hpp>
@@ -17,7 +22,14 @@
 namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
-struct HullGraph;  // hull_graph.hpp
+struct HullGraph;  // support/hull_graph.hpp
+
+// Points one after the other in memory: a vector, an array or a span of Vec3<float> or Vec3<double>, which
+// are Eigen::Vector3f and Eigen::Vector3d.
+template <class Points>
+using PointOf = typename decltype(std::span(std::declval<const Points&>()))::value_type;
+template <class Points>
+concept PointList = std::same_as<PointOf<Points>, Vec3<float>> || std::same_as<PointOf<Points>, Vec3<double>>;
 
 template <Scalar S>
 class Hull {
@@ -33,9 +45,11 @@ class Hull {
 
   [[nodiscard]] std::size_t size() const { return data_ ? data_->vertices.size() : 0; }
   [[nodiscard]] const Vec3<S>& vertex(std::size_t i) const { return data_->vertices[i]; }
-  [[nodiscard]] std::span<const Vec3<S>> vertices() const {
+  // A view, valid while a copy of the hull lives: so not of a hull that ends with the statement.
+  [[nodiscard]] std::span<const Vec3<S>> vertices() const& {
     return data_ ? std::span<const Vec3<S>>(data_->vertices) : std::span<const Vec3<S>>();
   }
+  std::span<const Vec3<S>> vertices() const&& = delete;
 
   // The graph that the support climbs on, where one was derived or verified: see with_adjacency, with_faces.
   [[nodiscard]] bool has_adjacency() const { return graph_ != nullptr; }
@@ -101,16 +115,29 @@ class Hull {
   std::shared_ptr<const HullGraph<S>> graph_;
 };
 
+template <PointList Points>
+Hull(const Points&) -> Hull<typename PointOf<Points>::Scalar>;
+
 // A hull with adjacency derived from its vertices: about O(n log n) time, O(n) memory. None is made, and
 // has_adjacency() says so, for vertices in a plane, that are not finite, or with a non-zero coordinate below
-// 2^-280 of the largest.
+// 2^-280 of the largest. When it pays: docs/costs.md.
 template <Scalar S>
 Hull<S> with_adjacency(std::span<const Vec3<S>> vertices);
+template <PointList Points>
+auto with_adjacency(const Points& vertices) {
+  using S = typename PointOf<Points>::Scalar;
+  return with_adjacency<S>(std::span<const Vec3<S>>(vertices));
+}
 
 // The same from faces: lists of vertex indices, anticlockwise from outside. A hint: unless it is, exactly,
 // the boundary of the hull of the vertices, it is ignored.
 template <Scalar S>
 Hull<S> with_faces(std::span<const Vec3<S>> vertices, std::span<const std::vector<std::uint32_t>> faces);
+template <PointList Points>
+auto with_faces(const Points& vertices, std::span<const std::vector<std::uint32_t>> faces) {
+  using S = typename PointOf<Points>::Scalar;
+  return with_faces<S>(std::span<const Vec3<S>>(vertices), faces);
+}
 
 }  // namespace graze::inline GRAZE_LINKAGE
 

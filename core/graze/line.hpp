@@ -1,9 +1,9 @@
 // line(A, B) = {t in R : the bodies touch at t} = [t_in, t_out]: the signed answer of a linear motion.
 //
 // Nothing is clipped: t may be negative, and [0, t_max] plays no part. At rest (v = 0) it is all of R or
-// nothing. By portals: one where the line {t v} enters C, one where it leaves, seen from behind (portal.hpp).
-// Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for some convex set within
-// kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
+// nothing. By portals: one where the line {t v} enters C, one where it leaves, seen from behind
+// (portal/portal.hpp). Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for
+// some convex set within kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
 #pragma once
 
 #include <graze/body.hpp>
@@ -25,6 +25,7 @@ struct LineResult {
   // invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   // hit: in_lower <= t_in <= in_upper, out_lower <= t_out <= out_upper; at rest -infinity and infinity.
   S in_lower = -kInfinity<S>, in_upper = kInfinity<S>, out_lower = -kInfinity<S>, out_upper = kInfinity<S>;
   // hit, when asked for: unit, from A to B, supporting normals of C where the line enters and where it
@@ -35,7 +36,7 @@ struct LineResult {
 
 template <Scalar S>
 LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
-// The signed answer {t in R : contact at t}: each end as its two neighbouring S, or one.
+// The same of the true shapes: each end between two neighbouring S, or known as one.
 template <Scalar S>
 LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 

@@ -2,9 +2,15 @@
 //
 //   graze::core   header-only: a public header brings its definitions.
 //   graze::graze  compiled for float and double: the public headers only declare, and the CMake target
-//   defines
-//                 GRAZE_COMPILED.
+//                 defines GRAZE_COMPILED.
 // The two are in namespaces of their own, both inline, so that one program may hold both.
+//
+// Where GRAZE_ASSERTIONS is defined, functions check what they rely on, and a broken invariant ends the
+// program with one line (or does what GRAZE_ASSERTION_FAILED(text, file, line) is defined as, the same in
+// every file). CMake's option of that name defines it for our tests and fuzzers; users need it for none.
+// Assertions stand behind the public headers only. So a compiled library holds its own, whatever its user
+// defines; and headers that assert are in a namespace of their own, so that files with and without may be
+// linked together.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
@@ -13,6 +19,29 @@
 
 #ifdef GRAZE_COMPILED
 #define GRAZE_LINKAGE compiled
+#elif defined(GRAZE_ASSERTIONS)
+#define GRAZE_LINKAGE header_only_asserting
 #else
 #define GRAZE_LINKAGE header_only
+#endif
+
+// What the caller of a function must have ensured, or what an algorithm's argument rests on; never a check of
+// input, which is validate()'s. Without GRAZE_ASSERTIONS it is compiled, and not evaluated.
+#ifdef GRAZE_ASSERTIONS
+#ifndef GRAZE_ASSERTION_FAILED
+#include <cstdio>
+#include <cstdlib>
+
+namespace graze::inline GRAZE_LINKAGE::detail {
+[[noreturn]] inline void assertion_failed(const char* text, const char* file, int line) {
+  std::fprintf(stderr, "%s:%d: graze relies on %s\n", file, line, text);
+  std::abort();
+}
+}  // namespace graze::inline GRAZE_LINKAGE::detail
+#define GRAZE_ASSERTION_FAILED(text, file, line) ::graze::detail::assertion_failed(text, file, line)
+#endif
+#define GRAZE_ASSERT(...) \
+  ((__VA_ARGS__) ? static_cast<void>(0) : GRAZE_ASSERTION_FAILED(#__VA_ARGS__, __FILE__, __LINE__))
+#else
+#define GRAZE_ASSERT(...) static_cast<void>(sizeof((__VA_ARGS__) ? 1 : 0))
 #endif

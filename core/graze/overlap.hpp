@@ -13,17 +13,18 @@ struct OverlapResult {
   // initially_overlapping, miss, not_converged or invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   Vec3<S> normal = Vec3<S>::Zero();  // of a miss: unit, from A to B, world axes; separates the bodies
   Counters counters;
 };
 
-// The ray from a point of C's inside through the origin leaves C beyond it, or not.
+// By MPR: does the ray from an interior point of C = A - B through the origin leave C beyond the origin?
 template <Scalar S>
 OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b);
-// The distance is zero, or not.
+// By GJK: is the distance zero?
 template <Scalar S>
 OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b);
-// Do they touch at t = 0? Touching counts.
+// Of the true shapes, decided exactly: see tier exact (cast.hpp).
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);
 

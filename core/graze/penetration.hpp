@@ -1,7 +1,7 @@
 // penetration(A, B) = how deep two bodies in contact are in each other at t = 0.
 //
 //   least:  min over unit n of h(n), h(n) = max over C of n.c. Moving B by h(n) n makes them only touch, and
-//           no shorter move does. By EPA (epa.hpp).
+//           no shorter move does. By EPA (gjk/epa.hpp).
 //   along d:  max {s : s d/|d| in C}: moving B by that much along d. By MPR, the far end of a line in C.
 //
 // Units: the caller's length, world axes; the normal from A to B. Touching is contact, of depth 0; a C of
@@ -30,6 +30,7 @@ struct PenetrationResult {
   // initially_overlapping; miss: apart; not_converged: neither is known; invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
+  InvalidAt invalid_at = {};
   // initially_overlapping: the depth (length). 0, 0 for a miss.
   S lower = 0, upper = kInfinity<S>;
   bool stalled = false;  // the gap asked for was not reached; the bracket is what is known

@@ -16,12 +16,11 @@ enum class Effects : std::uint8_t {
 
 // Each can be switched off; none changes a verdict (properties/: plan laws).
 struct Economies {
-  bool at_rest = true;  // nothing moves: a static query
-  bool unseen_spin =
-      true;            // a turn that cannot be seen: a ball's about its centre, a cylinder's about its axis
-  bool as_one = true;  // both bodies turn and move as one
-  bool slow_spin = true;  // a turn whose effect is below the tolerance: linear, with the bound added
-  bool bounds = true;     // bounds that never meet
+  bool at_rest = true;      // nothing moves: a static query
+  bool unseen_spin = true;  // a turn that leaves the shape as it is: a ball's about its centre, ...
+  bool as_one = true;       // both bodies turn and move as one
+  bool slow_spin = true;    // a turn whose effect is below the tolerance: linear, with the bound added
+  bool bounds = true;       // bounding volumes that never meet
 
   [[nodiscard]] static constexpr Economies none() { return {false, false, false, false, false}; }
 };

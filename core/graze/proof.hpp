@@ -17,6 +17,7 @@
 
 #include <array>
 #include <graze/scalar.hpp>
+#include <string_view>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -46,6 +47,17 @@ struct AxisFactor {
   Vec3<double> given = Vec3<double>::Zero();
   SupportPair from, to;
 };
+[[nodiscard]] constexpr std::string_view to_text(AxisFactor::Kind kind) {
+  switch (kind) {
+    case AxisFactor::Kind::given:
+      return "given";
+    case AxisFactor::Kind::motion:
+      return "motion";
+    case AxisFactor::Kind::difference:
+      return "difference";
+  }
+  return {};
+}
 
 struct Proof {
   // Claim: TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.

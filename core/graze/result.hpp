@@ -1,8 +1,12 @@
 // What a cast is asked, and what it answers. One aggregate each; every field says when it is valid.
+//
+// Every enumeration of graze has a to_text: its enumerators' names, or, where a reason is given, the reason
+// in words. A value that is no enumerator has an empty text.
 #pragma once
 
 #include <graze/proof.hpp>
 #include <optional>
+#include <string_view>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -11,8 +15,23 @@ enum class Outcome : std::uint8_t {
   hit,                    // TOI in (0, T]
   miss,                   // no contact in [0, T]
   not_converged,          // neither is shown within the budget; the bracket is what is known
-  invalid_input,          // see CastResult::invalid
+  invalid_input,          // CastResult::invalid says why, invalid_at where
 };
+[[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::initially_overlapping:
+      return "initially_overlapping";
+    case Outcome::hit:
+      return "hit";
+    case Outcome::miss:
+      return "miss";
+    case Outcome::not_converged:
+      return "not_converged";
+    case Outcome::invalid_input:
+      return "invalid_input";
+  }
+  return {};
+}
 
 enum class Method : std::uint8_t {
   conservative_advancement,
@@ -21,17 +40,52 @@ enum class Method : std::uint8_t {
   exact_portal,
   certified_portal,  // the search of tier certified, where that is not the exact one
 };
+[[nodiscard]] constexpr std::string_view to_text(Method method) {
+  switch (method) {
+    case Method::conservative_advancement:
+      return "conservative_advancement";
+    case Method::gjk_ray_cast:
+      return "gjk_ray_cast";
+    case Method::mpr_sweep:
+      return "mpr_sweep";
+    case Method::exact_portal:
+      return "exact_portal";
+    case Method::certified_portal:
+      return "certified_portal";
+  }
+  return {};
+}
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
 // certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
-// exact: of the true shapes, correctly rounded (exact/exact_cast.hpp); for polytopes without a target
+// exact: of the true shapes, correctly rounded (exact/cast.hpp); for polytopes without a target
 // distance.
 enum class Tier : std::uint8_t { standard, certified, exact };
+[[nodiscard]] constexpr std::string_view to_text(Tier tier) {
+  switch (tier) {
+    case Tier::standard:
+      return "standard";
+    case Tier::certified:
+      return "certified";
+    case Tier::exact:
+      return "exact";
+  }
+  return {};
+}
 
 // What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
 // n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
 // other start in contact is reported.
 enum class StartPolicy : std::uint8_t { report, pass_over };
+[[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
+  switch (policy) {
+    case StartPolicy::report:
+      return "report";
+    case StartPolicy::pass_over:
+      return "pass_over";
+  }
+  return {};
+}
 
 // What is wanted; what is not asked for is not computed. The verdict (outcome and bracket) always is.
 enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proof = 4, everything = 7 };
@@ -40,6 +94,25 @@ enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proo
 }
 [[nodiscard]] constexpr bool asks_for(Request request, Request what) {
   return (static_cast<unsigned>(request) & static_cast<unsigned>(what)) != 0;
+}
+// Of several: each, with a comma between them.
+[[nodiscard]] constexpr std::string_view to_text(Request request) {
+  switch (request) {
+    case Request::verdict:
+      return "verdict";
+    case Request::normal:
+      return "normal";
+    case Request::witnesses:
+      return "witnesses";
+    case Request::proof:
+      return "proof";
+    case Request::everything:
+      return "everything";
+  }
+  if (request == (Request::normal | Request::witnesses)) return "normal, witnesses";
+  if (request == (Request::normal | Request::proof)) return "normal, proof";
+  if (request == (Request::witnesses | Request::proof)) return "witnesses, proof";
+  return {};
 }
 
 // Why an input was refused.
@@ -61,6 +134,141 @@ enum class Invalid : std::uint8_t {
                     // shapes, a target distance, a rotation that is seen
   not_linear,       // a rotation that is seen, with an infinite t_max or the start policy pass_over
 };
+[[nodiscard]] constexpr std::string_view to_text(Invalid invalid) {
+  switch (invalid) {
+    case Invalid::none:
+      return "nothing";
+    case Invalid::not_finite:
+      return "a NaN or an infinite number";
+    case Invalid::out_of_range:
+      return "a magnitude outside 1e-60 to 1e60";
+    case Invalid::empty_hull:
+      return "a hull without a vertex";
+    case Invalid::negative_extent:
+      return "a radius or a half extent below zero";
+    case Invalid::zero_quaternion:
+      return "an orientation of (0, 0, 0, 0)";
+    case Invalid::missing_part:
+      return "a combinator without parts";
+    case Invalid::too_complex:
+      return "combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices, or, in tier "
+             "exact, too many nested rotations";
+    case Invalid::rounding_mode:
+      return "another rounding mode than to nearest";
+    case Invalid::unsafe_math:
+      return "compiled with a part of -ffast-math";
+    case Invalid::bad_horizon:
+      return "a t_max below zero";
+    case Invalid::bad_target:
+      return "a target distance below zero or out of range";
+    case Invalid::bad_tolerance:
+      return "a tolerance below zero or beyond the scalar's range, or a budget below one";
+    case Invalid::not_exact:
+      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
+             "which tier exact does not know";
+    case Invalid::not_linear:
+      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
+             "linear motions";
+  }
+  return {};
+}
+
+// Whose input it was; none: the options', the machine's, or both bodies'.
+enum class InvalidBody : std::uint8_t { none, a, b };
+[[nodiscard]] constexpr std::string_view to_text(InvalidBody body) {
+  switch (body) {
+    case InvalidBody::none:
+      return "neither body";
+    case InvalidBody::a:
+      return "body a";
+    case InvalidBody::b:
+      return "body b";
+  }
+  return {};
+}
+
+// Which number it was: a body's, a shape's, or an option.
+enum class InvalidField : std::uint8_t {
+  none,
+  shape,  // as a whole
+  position,
+  orientation,
+  displacement,
+  rotation,
+  pivot,
+  radius,
+  radii,
+  half_height,
+  half_extents,
+  vertex,  // of a segment, a triangle or a hull
+  part,    // of a combinator that has none
+  t_max,
+  target_distance,
+  tolerance,
+  max_iterations,
+  time_steps,
+  tier,
+  start_policy,
+  direction,  // of penetration_along
+};
+[[nodiscard]] constexpr std::string_view to_text(InvalidField field) {
+  switch (field) {
+    case InvalidField::none:
+      return "nothing";
+    case InvalidField::shape:
+      return "shape";
+    case InvalidField::position:
+      return "position";
+    case InvalidField::orientation:
+      return "orientation";
+    case InvalidField::displacement:
+      return "displacement";
+    case InvalidField::rotation:
+      return "rotation";
+    case InvalidField::pivot:
+      return "pivot";
+    case InvalidField::radius:
+      return "radius";
+    case InvalidField::radii:
+      return "radii";
+    case InvalidField::half_height:
+      return "half_height";
+    case InvalidField::half_extents:
+      return "half_extents";
+    case InvalidField::vertex:
+      return "vertex";
+    case InvalidField::part:
+      return "part";
+    case InvalidField::t_max:
+      return "t_max";
+    case InvalidField::target_distance:
+      return "target_distance";
+    case InvalidField::tolerance:
+      return "tolerance";
+    case InvalidField::max_iterations:
+      return "max_iterations";
+    case InvalidField::time_steps:
+      return "time_steps";
+    case InvalidField::tier:
+      return "tier";
+    case InvalidField::start_policy:
+      return "start_policy";
+    case InvalidField::direction:
+      return "direction";
+  }
+  return {};
+}
+
+// Where an input was refused: the first place that is wrong. In words: graze/invalid_text.hpp.
+struct InvalidAt {
+  Invalid why = Invalid::none;
+  InvalidBody body = InvalidBody::none;
+  InvalidField field = InvalidField::none;
+  // Whose field it is: -1 the body's own; 0 its shape's; k the k-th part's of a shape that is a combinator,
+  // each part counted before its own parts.
+  int part = -1;
+  int index = -1;  // the vertex, or the component of a vector; -1: the field has none, or all are meant
+};
 
 template <Scalar S>
 struct CastOptions {
@@ -77,8 +285,8 @@ struct CastOptions {
   // 0 stops at the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
   StartPolicy start_policy = StartPolicy::report;
-  int max_iterations =
-      256;  // support evaluations of the search; typical 5..20, worst seen in certify's table
+  // Support evaluations of the search: typically 5 to 20, the worst seen in certify's table.
+  int max_iterations = 256;
 };
 
 // How much was done. Nothing here depends on timing; equal inputs give equal counts.
@@ -105,6 +313,7 @@ template <Scalar S>
 struct CastResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  // for invalid_input
+  InvalidAt invalid_at = {};
   Method method = Method::gjk_ray_cast;
   // toi_lower <= TOI <= toi_upper in the sense of the tier (standard: true for some convex set within
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.

@@ -27,6 +27,17 @@
 namespace graze::inline GRAZE_LINKAGE {
 
 enum class AxisFrame : std::uint8_t { world, a, b };
+[[nodiscard]] constexpr std::string_view to_text(AxisFrame frame) {
+  switch (frame) {
+    case AxisFrame::world:
+      return "world";
+    case AxisFrame::a:
+      return "a";
+    case AxisFrame::b:
+      return "b";
+  }
+  return {};
+}
 
 struct TimeSlice {
   double end = 0;                            // the slice begins where the one before it ends, the first at 0

@@ -14,6 +14,21 @@ enum class RotatingMethod : std::uint8_t {
   bilateral_advancement,     // never passes first contact; proves the interval that it skips
   bilateral_published,       // as Catto published it, GDC 2013: may pass an intermediate contact
 };
+[[nodiscard]] constexpr std::string_view to_text(RotatingMethod method) {
+  switch (method) {
+    case RotatingMethod::time_steps:
+      return "time_steps";
+    case RotatingMethod::bounding_spheres:
+      return "bounding_spheres";
+    case RotatingMethod::conservative_advancement:
+      return "conservative_advancement";
+    case RotatingMethod::bilateral_advancement:
+      return "bilateral_advancement";
+    case RotatingMethod::bilateral_published:
+      return "bilateral_published";
+  }
+  return {};
+}
 
 template <Scalar S>
 struct RotatingOptions {
@@ -34,7 +49,8 @@ template <Scalar S>
 struct RotatingResult {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  // for invalid_input
-  Plan plan;                        // what was simulated, and why
+  InvalidAt invalid_at = {};
+  Plan plan;  // what was simulated, and why
   // As in CastResult: both 0 for initially_overlapping, infinite for miss, NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();

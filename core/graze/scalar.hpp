@@ -61,10 +61,18 @@ Vec3<S> unit(const Vec3<S>& n) {
 }
 
 // A rotation x -> q x conj(q) / |q|^2 for any q != 0: rational in q, so a posed vertex is an exact rational.
-// (1, 1, 0, 0) is exactly 90 degrees about x. |q| = 1 is neither needed nor assumed.
+// (1, 1, 0, 0) is exactly 90 degrees about x. |q| = 1 is neither needed nor assumed. An Eigen::Quaternion of
+// the same scalar, or a Map of one, converts to it, number by number; whoever has one has included
+// <Eigen/Geometry>, which graze does not need.
 template <Scalar S>
 struct Quaternion {
   S w = 1, x = 0, y = 0, z = 0;
+
+  constexpr Quaternion() = default;
+  constexpr Quaternion(S real, S i, S j, S k) : w(real), x(i), y(j), z(k) {}
+  template <class Derived>
+  requires std::same_as<typename Derived::Scalar, S> Quaternion(const Eigen::QuaternionBase<Derived>& q)
+      : Quaternion(q.w(), q.x(), q.y(), q.z()) {}
 
   // True also for (w, 0, 0, 0) with any w != 0, and for its negative.
   [[nodiscard]] bool is_identity() const { return x == 0 && y == 0 && z == 0; }

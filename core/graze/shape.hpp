@@ -1,10 +1,11 @@
 // Shapes: closed convex sets given by finite numbers, in the body's own frame, in the caller's length unit.
 //
-// The set is exactly the one that the numbers define; zero extents and radii are valid. A shape is a value;
-// hulls and the parts of combinators are immutable and shared between copies.
+// The set is exactly the one that the numbers define; zero extents and radii are valid. A shape is a value:
+// copies share hulls and the parts of combinators, which are immutable.
 //
-// Every vertex of a shape's core has an index, by which proofs name it; the rule stands with each shape. A
-// shape is its core plus a ball: of `radius` for spheres and capsules, of none for the others.
+// A shape is the Minkowski sum of its core and a ball: of `radius` for spheres and capsules, of radius 0 for
+// the others. Proofs name a vertex of the core by its index; how vertices are counted is said with each
+// shape.
 #pragma once
 
 #include <graze/hull.hpp>
@@ -46,7 +47,8 @@ struct Box {
   Vec3<S> half_extents = Vec3<S>::Zero();
 };
 
-// {x : sum (x_i / radii_i)^2 <= 1}; x_i = 0 where radii_i = 0. Curved: vertex 0 stands for all its points.
+// {x : sum (x_i / radii_i)^2 <= 1}; x_i = 0 where radii_i = 0. Curved: vertex 0 stands for all its points, as
+// it does for the cylinder and the cone.
 template <Scalar S>
 struct Ellipsoid {
   Vec3<S> radii = Vec3<S>::Zero();

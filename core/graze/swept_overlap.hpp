@@ -7,9 +7,8 @@
 //   mpr           seen along v, D and C project alike: a portal of C holds the line or it does not, and D is
 //                 entered before t_max and left after 0 or it is not. That is the MPR sweep without its time.
 //   before_after  the lecture's slow version: D as the hull of C at t = 0 and C at t_max. Each support
-//   searches
-//                 all points of C twice, once where they are before and once where they are after. Kept as
-//                 the baseline that the sum is measured against (bench/queries_bench.cpp).
+//                 searches all points of C twice, once where they are before and once where they are after.
+//                 Kept as the baseline that the sum is measured against (bench/queries_bench.cpp).
 // Units: the caller's; world axes. Guarantee: right wherever clearance or depth exceeds kappa u scale
 // (docs/guarantees.md). Touching counts.
 #pragma once
@@ -20,6 +19,17 @@
 namespace graze::inline GRAZE_LINKAGE {
 
 enum class SweptMethod : std::uint8_t { gjk, mpr, before_after };
+[[nodiscard]] constexpr std::string_view to_text(SweptMethod method) {
+  switch (method) {
+    case SweptMethod::gjk:
+      return "gjk";
+    case SweptMethod::mpr:
+      return "mpr";
+    case SweptMethod::before_after:
+      return "before_after";
+  }
+  return {};
+}
 
 template <Scalar S>
 struct SweptOverlapOptions {
@@ -34,8 +44,9 @@ struct SweptOverlapResult {
   // hit: contact at some t in [0, t_max], 0 included; miss; not_converged; invalid_input.
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
-  Vec3<S> normal =
-      Vec3<S>::Zero();  // miss: unit, from A to B, world axes; separates the bodies for all these t
+  InvalidAt invalid_at = {};
+  // miss: unit, from A to B, world axes; separates the bodies for all these t.
+  Vec3<S> normal = Vec3<S>::Zero();
   Counters counters;
 };
 
@@ -46,7 +57,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_before_after(const Body<S>& a, const Body<S>& b,
                                                  SweptOverlapOptions<S> options = {});
-// Do they touch at any t in [0, t_max]? options.method is not read.
+// Of the true shapes, decided exactly: see tier exact (cast.hpp). options.method is not read.
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                                           const SweptOverlapOptions<S>& options = {});

@@ -1,8 +1,8 @@
-// The door: what a query accepts. Everything behind it may assume finite numbers in range.
+// Input validation: what a query accepts. The solvers behind it may assume finite numbers in range.
 //
-// Range of a magnitude: 0, or kLeastMagnitude to kGreatestMagnitude. It holds every finite float, and leaves
-// the products of three lengths, two quaternion components and a time that the solvers and the proofs form
-// far from both ends of double's exponent range.
+// Range of a magnitude: 0, or kLeastMagnitude to kGreatestMagnitude. Every finite float is in it. The solvers
+// and the proofs form products of three lengths, two quaternion components and a time: of numbers in this
+// range such a product stays far from both ends of double's exponent range.
 #pragma once
 
 #include <graze/body.hpp>
@@ -13,12 +13,12 @@ namespace graze::inline GRAZE_LINKAGE {
 inline constexpr double kLeastMagnitude = 1e-60;
 inline constexpr double kGreatestMagnitude = 1e60;
 
-// What every query does first: Invalid::none, or why the input is refused.
+// What every query does first: Invalid::none, or why the input is refused. Where: the result's invalid_at.
 template <Scalar S>
 Invalid validate(const Body<S>& body);
 template <Scalar S>
 Invalid validate(const CastOptions<S>& options);
-// Of the arithmetic, too: is the machine rounding to nearest, and was this compiled to keep it?
+// Also of the arithmetic: the machine must round to nearest, and the compiler must have kept IEEE 754.
 template <Scalar S>
 Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options);
 

@@ -8,19 +8,23 @@
 
 namespace graze::corpus {
 
+// The text of the first kCount enumerators: where core has the word, the format has the same.
+template <class Enum, std::size_t kCount>
+[[nodiscard]] consteval std::array<std::string_view, kCount> core_names() {
+  std::array<std::string_view, kCount> names;
+  for (std::size_t k = 0; k < kCount; ++k) names[k] = to_text(static_cast<Enum>(k));
+  return names;
+}
+
 // Indexed by the enumerators' values.
-inline constexpr std::array<std::string_view, 5> kOutcomeNames = {"initially_overlapping", "hit", "miss",
-                                                                  "not_converged", "invalid_input"};
-inline constexpr std::array<std::string_view, 2> kStartPolicyNames = {"report", "pass_over"};
+inline constexpr auto kOutcomeNames = core_names<Outcome, 5>();
+inline constexpr auto kStartPolicyNames = core_names<StartPolicy, 2>();
+inline constexpr auto kTierNames = core_names<Tier, 3>();
 inline constexpr std::array<std::string_view, 7> kQueryNames = {
     "cast", "line", "overlap", "distance", "penetration", "penetration_along", "swept_overlap"};
 
-[[nodiscard]] constexpr std::string_view name_of(Outcome outcome) {
-  return kOutcomeNames[static_cast<std::size_t>(outcome)];
-}
-[[nodiscard]] constexpr std::string_view name_of(StartPolicy policy) {
-  return kStartPolicyNames[static_cast<std::size_t>(policy)];
-}
+[[nodiscard]] constexpr std::string_view name_of(Outcome outcome) { return to_text(outcome); }
+[[nodiscard]] constexpr std::string_view name_of(StartPolicy policy) { return to_text(policy); }
 [[nodiscard]] constexpr std::string_view name_of(Query query) {
   return kQueryNames[static_cast<std::size_t>(query)];
 }

@@ -8,15 +8,13 @@ namespace graze::corpus {
 namespace {
 
 constexpr std::string_view kSchema = "graze.proof/1", kCaseSchema = "graze.case/1";
-// Indexed by Tier.
-constexpr std::array<std::string_view, 3> kTierNames = {"standard", "certified", "exact"};
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
 constexpr std::string_view kAxisForm =
     "an axis is an array of three numbers, or an object {\"sign\", \"cross\"} with the two factors of n";
 constexpr std::string_view kCrossForm = "cross is an array of two factors";
-constexpr std::string_view kMotion = "motion";
+constexpr std::string_view kMotion = to_text(AxisFactor::Kind::motion);
 constexpr std::string_view kFactorForm =
     "a factor is an array of three numbers, \"motion\", or an object {\"from\", \"to\"} of support pairs";
 constexpr std::string_view kPortalForm = "a portal is an array of at most four pairs {\"a\", \"b\"}";
@@ -26,8 +24,7 @@ constexpr std::string_view kChainForm =
 constexpr std::string_view kContactForm =
     "contact is an array of at most four weighted pairs {\"a\", \"b\", \"weight\"}";
 constexpr std::string_view kContactFrom = "contact_from";
-// Indexed by AxisFrame.
-constexpr std::array<std::string_view, 3> kFrameNames = {"world", "a", "b"};
+constexpr auto kAxisFrameNames = core_names<AxisFrame, 3>();
 
 Feature read_feature(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"vertex", "offset", "curved"});
@@ -126,7 +123,7 @@ TimeSlice read_slice(const JsonValue& value, const std::string& path) {
   slice.axis = read_vec3(fields.required("axis", "three numbers"), fields.path("axis"),
                          "the axis of a slice is an array of three numbers");
   if (const JsonValue* frame = fields.optional("frame")) {
-    slice.frame = static_cast<AxisFrame>(read_choice(*frame, fields.path("frame"), kFrameNames));
+    slice.frame = static_cast<AxisFrame>(read_choice(*frame, fields.path("frame"), kAxisFrameNames));
   }
   return slice;
 }
@@ -251,7 +248,7 @@ std::string write_rotating(const RotatingProof& proof) {
     text += (i > 0 ? ", " : "") + ("{\"end\": " + json_number(slice.end)) +
             ", \"axis\": " + write_vec3(slice.axis);
     if (slice.frame != AxisFrame::world) {
-      text += ", \"frame\": " + json_quote(kFrameNames[static_cast<std::size_t>(slice.frame)]);
+      text += ", \"frame\": " + json_quote(kAxisFrameNames[static_cast<std::size_t>(slice.frame)]);
     }
     text += "}";
   }

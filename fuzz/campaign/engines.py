@@ -85,7 +85,7 @@ class Programs:
         if not compiler:
             raise BadInput(f"--engine {self.engine} needs {self.compiler}; ./run packages lists what to install")
         steps = [["cmake", "-S", str(self.source), "-B", str(self.directory), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                  f"-DCMAKE_CXX_COMPILER={compiler}", "-DGRAZE_FUZZ=ON"],
+                  f"-DCMAKE_CXX_COMPILER={compiler}", "-DGRAZE_FUZZ=ON", "-DGRAZE_ASSERTIONS=ON"],
                  ["cmake", "--build", str(self.directory), f"-j{jobs}", "--target",
                   *(f"graze_{kind}_{target.name}" for target in targets for kind in ("fuzz", "replay"))]]
         for step in steps:

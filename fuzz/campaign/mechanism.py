@@ -9,7 +9,7 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?(0x[0-9a-f.]+(p[-+]?\d+)?|\d+(\.\d+)?(e[-+]
 LONGEST = 160
 ROOMS = "(?:core|corpus|oracles|engines|properties|report|draw|certify|fuzz|tools)"
 # The inline namespace of the compiled library, or of the headers alone, tells no fault from another.
-LINKAGE = re.compile(r"graze::(?:compiled|header_only)::")
+LINKAGE = re.compile(r"graze::(?:compiled|header_only(?:_asserting)?)::")
 
 
 def _own_frame(report: str) -> str:

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <graze/cast.hpp>
 #include <graze/distance.hpp>
+#include <graze/eigen.hpp>
+#include <graze/invalid_text.hpp>
 #include <graze/rotating_cast.hpp>
 #include <vector>
 
@@ -21,6 +23,17 @@ void add(std::vector<double>& out, const auto& result) {
   }
 }
 
+// A body that is refused, by its pose from Eigen and a part of its shape: where, and the length of its words.
+template <class S>
+void add_refusal(std::vector<double>& out, const graze::Body<S>& good) {
+  Eigen::Transform<S, 3, Eigen::Isometry> pose(Eigen::Translation<S, 3>(1, 2, 3));
+  const graze::Body<S> bad = graze::body_at(graze::rounded<S>(graze::Sphere<S>{-1}, 1), pose);
+  const graze::InvalidAt at = graze::cast(good, bad).invalid_at;
+  for (const int number : {int(at.why), int(at.body), int(at.field), at.part, at.index})
+    out.push_back(number);
+  out.push_back(static_cast<double>(to_text(at).size()));
+}
+
 template <class S>
 void add_scene(std::vector<double>& out, const Scene<S>& scene) {
   graze::CastOptions<S> options;
@@ -34,6 +47,7 @@ void add_scene(std::vector<double>& out, const Scene<S>& scene) {
   graze::RotatingBody<S> a{scene.a}, b{scene.b};
   b.rotation = {1, S(-0.5), 2};
   add(out, graze::cast(a, b));
+  add_refusal(out, scene.a);
 }
 
 }  // namespace

@@ -457,7 +457,7 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
   CastResult<S> out;
   out.method = Method::certified_portal;
   out.invalid = validate(a, b, options);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, options)) return out;
   if (!(options.target_distance > 0)) {
     if (exact::is_exact(a.shape) && exact::is_exact(b.shape)) return cast_exact(a, b, options);
     if (const auto flat = detail::cast_flat(a, b, options)) return *flat;

@@ -55,6 +55,7 @@ std::array<Value, 3> facet_sides(const Facet& facet, const V& motion, const std:
 // The weights, >= 0 with sum 1 and within 2^-52, of the line's point in the facet's corners.
 template <Scalar S>
 std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, const Term& v) {
+  GRAZE_ASSERT(facet.size >= 1 && facet.size <= 3);
   if (facet.size == 1) return {1, 0, 0};
   const auto corner = [&](std::size_t i) {
     return facet.size == 2 && i == 2 ? facet.f2 : Term::point(facet.corner[i]);
@@ -135,6 +136,7 @@ inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi
   Proof out;
   if (answer.passage == Passage::contact) {
     if (policy == StartPolicy::pass_over) return out;
+    GRAZE_ASSERT(answer.hull_size >= 1 && answer.hull_size <= 4);
     out.toi_upper = 0;
     out.portal_size = answer.hull_size;
     for (std::size_t i = 0; i < static_cast<std::size_t>(answer.hull_size); ++i)

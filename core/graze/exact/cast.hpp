@@ -22,7 +22,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   CastResult<S> out;
   out.method = Method::exact_portal;
   out.invalid = exact::refusal(a, b, options);
-  if (out.invalid != Invalid::none) return out;
+  if (exact::refused(out, a, b, options)) return out;
 
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
@@ -47,6 +47,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   }
   out.toi_lower = exact::round_down<S>(toi.lower);
   out.toi_upper = exact::round_up<S>(toi.upper);
+  GRAZE_ASSERT(!scene.valid() || out.toi_lower <= out.toi_upper);
   if (out.outcome == Outcome::hit) {
     const Triple& r = cast.pair().direction();
     const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
@@ -70,7 +71,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   if (!scene.valid()) {
     out = {};
     out.method = Method::exact_portal;
-    out.invalid = Invalid::too_complex;
+    exact::refuse_as_too_complex(out);
   }
   return out;
 }

@@ -16,6 +16,26 @@ Invalid refusal(const Body<S>& a, const Body<S>& b, const CastOptions<S>& option
   return known ? Invalid::none : Invalid::not_exact;
 }
 
+// Was it refused, and if so, where?
+template <class Result, Scalar S>
+bool refused(Result& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  if (out.invalid != Invalid::not_exact) return detail::refused(out, a, b, options);
+  const bool of_a = !is_exact(a.shape), of_b = !of_a && !is_exact(b.shape);
+  out.invalid_at = {.why = Invalid::not_exact,
+                    .body = of_a   ? InvalidBody::a
+                            : of_b ? InvalidBody::b
+                                   : InvalidBody::none,
+                    .field = of_a || of_b ? InvalidField::shape : InvalidField::target_distance,
+                    .part = of_a || of_b ? 0 : -1};
+  return true;
+}
+// A number outgrew its room (dyadic.hpp): no body alone is to blame.
+template <class Result>
+void refuse_as_too_complex(Result& out) {
+  out.invalid = Invalid::too_complex;
+  out.invalid_at = {.why = Invalid::too_complex};
+}
+
 // Unit, from A to B: -(f_1 x f_2) at an entry, f_1 x f_2 at an exit, as the facet's n.v > 0.
 template <Scalar S>
 Vec3<S> outward_normal(const Scene<S>& scene, const Facet& facet, bool entry) {

@@ -120,6 +120,7 @@ FineTime fine_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
 // The sign of t minus `end`, end >= 0 and finite.
 template <Scalar S>
 int compare_time(const Scene<S>& scene, const Facet& facet, const Term& v, double end) {
+  GRAZE_ASSERT(end >= 0 && end < kInfinity<double>);
   const FineTime f = fine_time(scene, facet, v);
   const double s = end * power_of_two(scene.speed_exponent() - scene.length_exponent());
   if (f.known && (s == 0 || (s > 0x1p-500 && s < 0x1p500))) {

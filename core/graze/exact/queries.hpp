@@ -29,7 +29,7 @@ Result finished(const Scene<S>& scene, Result result) {
   result.counters.exact_decisions = scene.exact_decisions();
   if (scene.valid()) return result;
   Result refused;
-  refused.invalid = Invalid::too_complex;
+  refuse_as_too_complex(refused);
   return refused;
 }
 
@@ -40,8 +40,9 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   OverlapResult<S> out;
   Body<S> fixed_a = a, fixed_b = b;
   fixed_a.displacement = fixed_b.displacement = Vec3<S>::Zero();
-  out.invalid = exact::refusal(a, b, CastOptions<S>{});
-  if (out.invalid != Invalid::none) return out;
+  const CastOptions<S> options;
+  out.invalid = exact::refusal(a, b, options);
+  if (exact::refused(out, a, b, options)) return out;
   exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
   const exact::Answer answer = cast.pass();
   out.outcome = Outcome::miss;
@@ -68,7 +69,7 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   as_cast.max_iterations = options.max_iterations;
   SweptOverlapResult<S> out;
   out.invalid = exact::refusal(a, b, as_cast);
-  if (out.invalid != Invalid::none) return out;
+  if (exact::refused(out, a, b, as_cast)) return out;
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Answer answer = cast.pass();
   const bool ahead = answer.passage == exact::Passage::ahead;
@@ -94,12 +95,13 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   checked.max_iterations = options.max_iterations;
   LineResult<S> out;
   out.invalid = exact::refusal(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
+  if (exact::refused(out, a, b, checked)) return out;
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
   if (!cast.pair().moves()) {
     const OverlapResult<S> rest = overlap_exact(a, b);
     out.invalid = rest.invalid;
+    out.invalid_at = rest.invalid_at;
     out.counters = rest.counters;
     out.outcome = rest.outcome == Outcome::initially_overlapping ? Outcome::hit : rest.outcome;
     if (out.outcome == Outcome::miss) out.normal_in = rest.normal;

@@ -105,6 +105,7 @@ class EpaPolytope {
   // room.
   bool add(const CsoPoint<S>& w, std::size_t seen, S visible) {
     if (full()) return false;
+    GRAZE_ASSERT(vertices_ >= 4 && seen < faces_ && face_[seen].alive);
     // The seen faces, from one to the next across edges; the edges beyond which a face is not seen.
     ++stamp_;
     std::size_t seen_count = 1, rim = 0;

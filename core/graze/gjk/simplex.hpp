@@ -24,7 +24,10 @@ struct Simplex {
   std::array<CsoPoint<S>, 4> point;
   std::array<S, 4> lambda{};
 
-  void add(const CsoPoint<S>& p) { point[static_cast<std::size_t>(size++)] = p; }
+  void add(const CsoPoint<S>& p) {
+    GRAZE_ASSERT(size >= 0 && size < 4);
+    point[static_cast<std::size_t>(size++)] = p;
+  }
   [[nodiscard]] bool holds(const CsoPoint<S>& p) const {
     for (int i = 0; i < size; ++i) {
       if (point[static_cast<std::size_t>(i)].same_feature(p)) return true;
@@ -187,6 +190,7 @@ Closest<S> closest_inside(const Points4<S>& y) {
 template <Scalar S>
 Closest<S> closest_to_origin(const Simplex<S>& simplex, const Vec3<S>& x) {
   using namespace detail;
+  GRAZE_ASSERT(simplex.size >= 1 && simplex.size <= 4);
   Points4<S> y;
   for (int i = 0; i < simplex.size; ++i) {
     y[static_cast<std::size_t>(i)] = simplex.point[static_cast<std::size_t>(i)].w - x;
@@ -219,6 +223,7 @@ void reduce(Simplex<S>& simplex, const Closest<S>& closest) {
   Simplex<S> kept;
   for (int i = 0; i < closest.size; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
+    GRAZE_ASSERT(closest.index[k] < simplex.size);
     kept.add(simplex.point[closest.index[k]]);
     kept.lambda[k] = closest.lambda[k];
   }

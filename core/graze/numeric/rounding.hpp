@@ -9,6 +9,7 @@ namespace graze::inline GRAZE_LINKAGE::exact {
 // The largest S not above x, and the least not below.
 template <Scalar S>
 S round_down(double x) {
+  GRAZE_ASSERT(x == x);
   if constexpr (std::same_as<S, double>) {
     return x;
   } else {

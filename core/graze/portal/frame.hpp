@@ -23,6 +23,7 @@ struct Frame {
       length = most;
     }
     const S norm = e3.norm();
+    GRAZE_ASSERT(norm > 0 && norm < kInfinity<S>);
     e3 /= norm;
     length *= norm;
     // Across the two larger coordinates: an axis-aligned r gives axis-aligned e1, e2, and ties stay ties.

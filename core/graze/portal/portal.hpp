@@ -262,6 +262,7 @@ S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
 // may have no area at all. `noise` bounds the error of a projected coordinate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
+  GRAZE_ASSERT(portal.size == 3);
   auto& p = portal.p;
   std::array<S, 3> off, area;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -286,6 +287,7 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
 // corner that lies beneath an end, beside the line by less than rounding, but for a height far lower.
 template <Scalar S>
 void flatten(Portal<S>& portal, S height_lost, bool grown) {
+  GRAZE_ASSERT(portal.size == (grown ? 2 : 3));
   std::array<S, 3> off, height;
   std::array<bool, 3> between;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -402,6 +404,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
   auto& p = search.portal.p;
   int& size = search.portal.size;
   const S noise = view.noise();
+  GRAZE_ASSERT(search.state == State::entered && size >= 1 && size <= 3);
   search.state = State::exhausted;
   while (true) {
     if (size == 3 && !has_area(p[0], p[1], p[2], noise)) flatten(search.portal, 2 * noise, false);

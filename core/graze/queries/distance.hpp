@@ -15,7 +15,7 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
   checked.tolerance = options.tolerance;
   checked.max_iterations = options.max_iterations;
   out.invalid = validate(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, checked)) return out;
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const S R = cso.radius();

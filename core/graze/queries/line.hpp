@@ -80,7 +80,7 @@ LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& opt
   checked.max_iterations = options.max_iterations;
   checked.target_distance = options.target_distance;
   out.invalid = validate(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, checked)) return out;
   const Cso<S> cso(a, b, options.target_distance);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   if (!cso.moves()) {

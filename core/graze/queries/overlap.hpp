@@ -12,7 +12,7 @@ OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b) {
   OverlapResult<S> out;
   const CastOptions<S> options;
   out.invalid = validate(a, b, options);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, options)) return out;
   const Cso<S> cso(a, b);
   const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, options), out.counters);
   out.outcome = sweep.outcome;
@@ -27,6 +27,7 @@ OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b) {
   options.request = Request::normal;
   const DistanceResult<S> d = distance(a, b, options);
   out.invalid = d.invalid;
+  out.invalid_at = d.invalid_at;
   out.counters = d.counters;
   if (out.invalid != Invalid::none) return out;
   out.normal = d.normal;

@@ -81,7 +81,7 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   PenetrationResult<S> out;
   const CastOptions<S> checked = detail::checked(options);
   out.invalid = validate(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, checked)) return out;
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
@@ -140,7 +140,7 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   out.invalid = validate(a, b, checked);
   if (out.invalid == Invalid::none) out.invalid = detail::check_vector(direction);
   if (out.invalid == Invalid::none && direction == Vec3<S>::Zero()) out.invalid = Invalid::out_of_range;
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, checked, &direction)) return out;
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const Frame<S> frame(unit(direction));

@@ -59,7 +59,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
   checked.target_distance = options.target_distance;
   checked.max_iterations = options.max_iterations;
   out.invalid = validate(a, b, checked);
-  if (out.invalid != Invalid::none) return out;
+  if (detail::refused(out, a, b, checked)) return out;
   const Cso<S> cso(a, b, options.target_distance);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   if (options.method == SweptMethod::mpr) {

@@ -55,6 +55,26 @@ Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const Rotat
   return validate(b, options.t_max);
 }
 
+// Where validate() above refuses: the same checks in the same order.
+template <Scalar S>
+[[gnu::noinline]] InvalidAt find_invalid(const RotatingBody<S>& a, const RotatingBody<S>& b,
+                                         const RotatingOptions<S>& options) {
+  InvalidFinder<S> find;
+  if (find.arithmetic() || find.options(linear_options(options)) ||
+      find.limits(options.tolerance, options.max_iterations))
+    return find.at();
+  if (options.time_steps < 1) return {.why = Invalid::bad_tolerance, .field = InvalidField::time_steps};
+  for (const InvalidBody which : {InvalidBody::a, InvalidBody::b}) {
+    const RotatingBody<S>& body = which == InvalidBody::a ? a : b;
+    if (find.body(body.body, which) || find.vector(InvalidField::rotation, body.rotation) ||
+        find.vector(InvalidField::pivot, body.pivot))
+      return find.at();
+    if (const Invalid why = validate(body, options.t_max); why != Invalid::none)
+      return {.why = why, .body = which, .field = InvalidField::rotation};
+  }
+  return find.at();
+}
+
 template <Scalar S>
 class RotatingCast {
  public:
@@ -95,7 +115,11 @@ class RotatingCast {
   // The door and the plan. False: the answer is out_.
   bool prepare() {
     out_.invalid = validate(a_, b_, options_);
-    if (out_.invalid != Invalid::none) return false;
+    if (out_.invalid != Invalid::none) {
+      out_.invalid_at = find_invalid(a_, b_, options_);
+      GRAZE_ASSERT(out_.invalid_at.why == out_.invalid);
+      return false;
+    }
     const bool turns = a_.rotation != Vec3<S>::Zero() || b_.rotation != Vec3<S>::Zero();
     if (!turns && !options_.method) {
       out_.plan = plan_without_rotation(a_, b_, options_.economies);
@@ -115,9 +139,10 @@ class RotatingCast {
     }
     if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
     if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) {
-      out_.invalid = Invalid::not_linear;
+      refuse_as_turning();
     } else if (options_.tier == Tier::exact) {
       out_.invalid = Invalid::not_exact;
+      out_.invalid_at = {.why = Invalid::not_exact, .field = InvalidField::tier};
     }
     return out_.invalid == Invalid::none;
   }
@@ -157,6 +182,7 @@ class RotatingCast {
   void take(const CastResult<S>& linear) {
     out_.outcome = linear.outcome;
     out_.invalid = linear.invalid;
+    out_.invalid_at = linear.invalid_at;
     out_.toi_lower = linear.toi_lower;
     out_.toi_upper = linear.toi_upper;
     out_.distance = std::max(linear.distance, S(0));
@@ -189,7 +215,7 @@ class RotatingCast {
   }
 
   void run(RotatingMethod method) {
-    if (!(options_.t_max < kInfinity<S>)) return refuse();
+    if (!(options_.t_max < kInfinity<S>)) return refuse_as_turning();
     switch (method) {
       case RotatingMethod::time_steps:
         return run_steps(0);
@@ -211,7 +237,12 @@ class RotatingCast {
       }
     }
   }
-  void refuse() { out_.invalid = Invalid::not_linear; }
+  void refuse_as_turning() {
+    const bool endless = !(options_.t_max < kInfinity<S>);
+    out_.invalid = Invalid::not_linear;
+    out_.invalid_at = {.why = Invalid::not_linear,
+                       .field = endless ? InvalidField::t_max : InvalidField::start_policy};
+  }
 
   void run_steps(double begin) {
     StepLimits limits;
@@ -290,6 +321,7 @@ class RotatingCast {
       out_.toi_lower = out_.toi_upper = 0;
       return;
     }
+    GRAZE_ASSERT(0 <= found.lower && found.lower <= found.upper);
     out_.toi_lower = exact::round_down<S>(found.lower);
     out_.toi_upper = found.upper < kInfinity<double> ? exact::round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;

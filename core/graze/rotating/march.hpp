@@ -83,6 +83,7 @@ class Marcher {
     now_ = {t, near};
     if (near.n != Vec3<double>::Zero()) axis_ = near.n;
     if (open_) return;
+    GRAZE_ASSERT(t >= out_.lower);  // what was proved stays proved
     met_at_lower_ = near.met;
     out_.lower = t;
     out_.apart = near.apart;

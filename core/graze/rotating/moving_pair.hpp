@@ -86,6 +86,7 @@ class MovingPair {
   }
 
   void place(double t) {
+    GRAZE_ASSERT(t >= 0 && t < kInfinity<double>);
     t_ = t;
     TwoDoubles3 d = pivots_;
     if (t != 0) {

@@ -54,6 +54,7 @@ struct Seen {
 
 // The last double that is not later than t + h. Near contact a step is a few units in the last place of t.
 inline double not_after(double t, double h) {
+  GRAZE_ASSERT(h >= 0);
   const double end = t + h;
   return end - t > h ? std::nextafter(end, t) : end;
 }
@@ -65,6 +66,7 @@ class SliceSearch {
 
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
+    GRAZE_ASSERT(now.near.gap > 0 && now.t >= 0 && now.t <= limits_.end);
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;

@@ -15,6 +15,8 @@ namespace detail {
 // One advance. Returns false if the cast is decided: out.outcome is a miss.
 template <Scalar S>
 bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max) {
+  // An axis that separates: no length, or none, would prove a miss.
+  GRAZE_ASSERT(apart > 0 && std::abs(n.squaredNorm() - 1) < S(1e-3));
   const S closing = -n.dot(r);
   const S next = out.lower + apart / closing;
   if (!(closing > 0) || next > s_max) {

@@ -38,6 +38,7 @@ void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOpti
           sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
   }
   if (out.outcome == Outcome::hit) {
+    GRAZE_ASSERT(0 <= out.toi_lower && out.toi_lower <= out.toi_upper && out.toi_upper <= options.t_max);
     if (asks_for(options.request, Request::normal)) out.normal = sweep.n;
     if (asks_for(options.request, Request::witnesses)) {
       out.point_a = witness(a, cso.side_a(), cso, sweep.contact, sweep.n, true, out.toi_lower);
@@ -107,7 +108,7 @@ CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const
   CastResult<S> out;
   out.method = method;
   out.invalid = validate(a, b, options);
-  if (out.invalid == Invalid::none) search_with(a, b, options, search, out);
+  if (!refused(out, a, b, options)) search_with(a, b, options, search, out);
   return out;
 }
 
@@ -159,7 +160,7 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   CastResult<S> out;
   out.method = Method::mpr_sweep;
   out.invalid = validate(a, b, options);
-  if (out.invalid == Invalid::none && !detail::quick_cast(a, b, options, out))
+  if (!detail::refused(out, a, b, options) && !detail::quick_cast(a, b, options, out))
     detail::careful_mpr_sweep(a, b, options, out);
   return out;
 }

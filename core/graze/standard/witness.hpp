@@ -13,6 +13,7 @@ Vec3<S> witness(const Body<S>& body, const Side<S>& side, const Cso<S>& cso, con
   for (int i = 0; i < contact.size; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const CsoPoint<S>& p = contact.point[k];
+    GRAZE_ASSERT(contact.lambda[k] >= 0 && contact.lambda[k] <= S(1.001));
     const Vec3<S> d = side.to_own(of_a ? p.n : Vec3<S>(-p.n));
     own += contact.lambda[k] * side.support(side, d, of_a ? &p.vertex_a : &p.vertex_b).x;
     const Vec3<S>& e = p.e == Vec3<S>::Zero() ? n : p.e;

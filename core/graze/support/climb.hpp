@@ -102,6 +102,7 @@ class HeightOrder {
 
 template <Scalar S, Scalar Given, class Count>
 std::uint32_t climb(const Hull<Given>& hull, const Vec3<S>& n, std::uint32_t start, Count& count) {
+  GRAZE_ASSERT(hull.has_adjacency() && hull.graph().base_size > 0);
   const HullGraph<Given>& graph = hull.graph();
   const HeightOrder<S, Given> order(hull, n);
   const auto height = [&](std::uint32_t r) {

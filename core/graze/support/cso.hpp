@@ -69,6 +69,8 @@ class Cso {
     const double speed = v.cwiseAbs().maxCoeff();
     j_ = speed > 0 ? exponent_of(speed) : 0;
     r_ = (power_of_two(-j_) * v).template cast<S>();
+    // What validate() lets pass is finite, and near 1 in internal units.
+    GRAZE_ASSERT(scale_ >= 0 && scale_ < 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
   }
 
   // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those
@@ -77,6 +79,7 @@ class Cso {
     if (rotation_a) a_.turn_to(*rotation_a);
     if (rotation_b) b_.turn_to(*rotation_b);
     d_ = offset;
+    GRAZE_ASSERT(d_.allFinite());
   }
 
   // The core's support point along n (any length); the rounded C's, n a unit vector.
@@ -93,6 +96,7 @@ class Cso {
   [[nodiscard]] CsoPoint<S> rounded_support(const Vec3<S>& unit_n) const {
     CsoPoint<S> out = support(unit_n);
     if (radius_ > 0) {
+      GRAZE_ASSERT(!(std::abs(unit_n.squaredNorm() - 1) > S(1e-3)));
       out.e = unit_n;
       out.w += radius_ * unit_n;
     }

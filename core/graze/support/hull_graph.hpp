@@ -231,6 +231,7 @@ HullGraph<S> GraphMaker::graph(const std::vector<HullTriangle>& surface) const {
   }
   const auto rank = [&](std::uint32_t i) { return rank_of[i]; };
   for (const std::uint32_t i : representative_) out.rank.push_back(rank_of[i]);
+  GRAZE_ASSERT(out.base_size > 0 && out.rank.size() == representative_.size());
   out.children.begin = out.neighbours.begin = {0};
   for (const std::uint32_t i : order) {
     std::reverse(children[i].begin(), children[i].end());

@@ -14,6 +14,7 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 // Vertex k of a box, of a capsule's core.
 template <Scalar S>
 Vec3<S> box_vertex(const Vec3<S>& half, std::uint32_t k) {
+  GRAZE_ASSERT(k < 8);
   return {k & 1u ? half[0] : -half[0], k & 2u ? half[1] : -half[1], k & 4u ? half[2] : -half[2]};
 }
 template <Scalar S>
@@ -24,6 +25,7 @@ std::uint32_t box_support(const Vec3<S>& d) {
 // The first of a few points that is greatest along d.
 template <Scalar S>
 std::uint32_t first_greatest(std::span<const Vec3<S>> points, const Vec3<S>& d) {
+  GRAZE_ASSERT(!points.empty());
   std::uint32_t best = 0;
   for (std::uint32_t k = 1; k < points.size(); ++k) {
     if (d.dot(points[k] - points[best]) > 0) best = k;
@@ -60,6 +62,7 @@ Vec3<S> cone_point(S radius, S half_height, const Vec3<S>& d) {
 // (4.4 for small offsets): at most 8 u |d| diameter below the true maximum.
 template <Scalar S, Scalar Given>
 std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
+  GRAZE_ASSERT(hull.size() > 0 && hull.finite());
   if constexpr (std::same_as<S, Given>) {
     const std::size_t k =
         scan(hull.choice_scan(0), hull.choice_scan(1), hull.choice_scan(2), hull.padded_size(), d);
@@ -91,6 +94,7 @@ std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
 // In the hull's scan units, about its centre.
 template <Scalar S, Scalar Given>
 Vec3<S> hull_vertex(const Hull<Given>& hull, std::uint32_t k) {
+  GRAZE_ASSERT(k < hull.size());
   return {S(hull.scan(0)[k]), S(hull.scan(1)[k]), S(hull.scan(2)[k])};
 }
 

@@ -177,6 +177,7 @@ class Guide {
     switch (kind_) {
       case Kind::hull:
       case Kind::climb: {
+        GRAZE_ASSERT(vertex < hull_->size());
         const Vec3<S>& v = vertices_[vertex];  // exact (hull.hpp)
         x = unit_ * (double(v[0]) - center_.x);
         y = unit_ * (double(v[1]) - center_.y);

@@ -40,6 +40,8 @@ class Quickhull {
     for (const Facet& facet : facets_) {
       if (facet.alive) out.push_back(facet.corner);
     }
+    // Closed: each triangle has three edges, each edge two triangles.
+    GRAZE_ASSERT(out.size() >= 4 && out.size() % 2 == 0);
     return out;
   }
 

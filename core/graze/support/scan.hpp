@@ -84,6 +84,7 @@ inline std::size_t scan_chunk(const S* x, const S* y, const S* z, std::size_t n,
 
 template <Scalar S>
 inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+  GRAZE_ASSERT(n > 0 && n % 8 == 0);
   S top;
   const std::size_t first = scan_chunk(x, y, z, std::min(n, kScanChunk), d, top);
   std::size_t best = first < n ? first : 0;  // NaN: none is equal
@@ -121,6 +122,7 @@ void for_each_above(const float* x, const float* y, const float* z, std::size_t 
 }
 template <Scalar S>
 std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+  GRAZE_ASSERT(n > 0 && n % 8 == 0);
   constexpr std::size_t kLanes = 8;
   S value[kScanChunk];
   std::size_t best = 0;

@@ -207,4 +207,152 @@ Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& optio
   return validate(options);
 }
 
+namespace detail {
+
+// Where validate() refuses: walks the same numbers in the same order, and stops at the first that is refused.
+// A walk of its own, so that what is valid pays nothing for it. Each step says whether it stopped.
+template <Scalar S>
+class InvalidFinder {
+ public:
+  [[nodiscard]] const InvalidAt& at() const { return at_; }
+
+  bool arithmetic() { return stop(check_arithmetic(), InvalidField::none); }
+
+  bool body(const Body<S>& body, InvalidBody which) {
+    at_.body = which;
+    at_.part = 0;
+    int parts_seen = 0;
+    if (shape(body.shape, 0, parts_seen)) return true;
+    at_.part = -1;
+    return vector(InvalidField::position, body.position) ||
+           vector(InvalidField::displacement, body.displacement) || quaternion(body.orientation);
+  }
+
+  bool options(const CastOptions<S>& options) {
+    at_.body = InvalidBody::none;
+    if (const Invalid why = validate(options); why == Invalid::bad_horizon || why == Invalid::bad_target)
+      return stop(why, why == Invalid::bad_horizon ? InvalidField::t_max : InvalidField::target_distance);
+    return limits(options.tolerance, options.max_iterations);
+  }
+  bool limits(S tolerance, int max_iterations) {
+    if (!(tolerance >= 0 && tolerance < kInfinity<S>))
+      return stop(Invalid::bad_tolerance, InvalidField::tolerance);
+    return stop(max_iterations < 1 ? Invalid::bad_tolerance : Invalid::none, InvalidField::max_iterations);
+  }
+
+  bool vector(InvalidField field, const Vec3<S>& v) {
+    const Invalid why = check_vector(v);
+    int i = 0;
+    while (i < 2 && check_magnitude(v[i]) != why) ++i;
+    return stop(why, field, i);
+  }
+
+ private:
+  bool stop(Invalid why, InvalidField field, int index = -1) {
+    if (why == Invalid::none) return false;
+    at_.why = why;
+    at_.field = field;
+    at_.index = index;
+    return true;
+  }
+
+  bool extent(InvalidField field, S x, int index = -1) { return stop(check_extent(x), field, index); }
+  bool extents(InvalidField field, const Vec3<S>& x) {
+    return vector(field, x) || extent(field, x[0], 0) || extent(field, x[1], 1) || extent(field, x[2], 2);
+  }
+  bool quaternion(const Quaternion<S>& q) { return stop(check_quaternion(q), InvalidField::orientation); }
+
+  bool vertices(std::span<const Vec3<S>> list) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (stop(check_vector(list[k]), InvalidField::vertex, static_cast<int>(k))) return true;
+    }
+    return false;
+  }
+  // A NaN in any vertex comes before a magnitude out of range in another.
+  bool hull(const Hull<S>& hull) {
+    if (hull.size() == 0) return stop(Invalid::empty_hull, InvalidField::shape);
+    const std::span<const Vec3<S>> all = hull.vertices();
+    for (std::size_t k = 0; !hull.finite() && k < all.size(); ++k) {
+      if (check_vector(all[k]) == Invalid::not_finite)
+        return stop(Invalid::not_finite, InvalidField::vertex, static_cast<int>(k));
+    }
+    return vertices(all);
+  }
+
+  bool parts(std::span<const SharedShape<S>> list, const Shape<S>& whole, int nesting, int& parts_seen) {
+    if (list.empty()) return stop(Invalid::missing_part, InvalidField::part);
+    if (nesting >= kMaxNesting) return stop(Invalid::too_complex, InvalidField::shape);
+    const int self = at_.part;
+    for (const SharedShape<S>& part : list) {
+      at_.part = parts_seen + 1;
+      if (!part) return stop(Invalid::missing_part, InvalidField::shape);
+      if (++parts_seen > kMaxParts) return stop(Invalid::too_complex, InvalidField::shape);
+      if (shape(part->shape, nesting + 1, parts_seen)) return true;
+    }
+    at_.part = self;
+    const bool many = nesting == 0 && vertex_count(whole) > kMaxVertices;
+    return stop(many ? Invalid::too_complex : Invalid::none, InvalidField::shape);
+  }
+
+  bool shape(const Shape<S>& whole, int nesting, int& parts_seen) {
+    const auto parts_of = [&](std::span<const SharedShape<S>> list) {
+      return parts(list, whole, nesting, parts_seen);
+    };
+    return std::visit(
+        Overloaded{[](const Point<S>&) { return false; },
+                   [&](const Segment<S>& s) {
+                     return vertices(std::array{s.a, s.b});
+                   },
+                   [&](const Triangle<S>& s) {
+                     return vertices(std::array{s.a, s.b, s.c});
+                   },
+                   [&](const Sphere<S>& s) { return extent(InvalidField::radius, s.radius); },
+                   [&](const Box<S>& s) { return extents(InvalidField::half_extents, s.half_extents); },
+                   [&](const Ellipsoid<S>& s) { return extents(InvalidField::radii, s.radii); },
+                   [&](const Hull<S>& s) { return hull(s); },
+                   [&](const Posed<S>& s) {
+                     return vector(InvalidField::position, s.position) || quaternion(s.orientation) ||
+                            parts_of(std::span(&s.shape, 1));
+                   },
+                   [&](const Rounded<S>& s) {
+                     return extent(InvalidField::radius, s.radius) || parts_of(std::span(&s.shape, 1));
+                   },
+                   [&](const Sum<S>& s) { return parts_of(s.shapes); },
+                   [&](const HullOf<S>& s) { return parts_of(s.shapes); },
+                   // Capsule, cylinder, cone.
+                   [&](const auto& s) {
+                     return extent(InvalidField::radius, s.radius) ||
+                            extent(InvalidField::half_height, s.half_height);
+                   }},
+        whole);
+  }
+
+  InvalidAt at_;
+};
+
+template <Scalar S>
+[[gnu::noinline]] InvalidAt find_invalid(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                         const Vec3<S>* direction) {
+  InvalidFinder<S> find;
+  if (find.arithmetic() || find.body(a, InvalidBody::a) || find.body(b, InvalidBody::b) ||
+      find.options(options))
+    return find.at();
+  if (direction != nullptr && !find.vector(InvalidField::direction, *direction))
+    return {.why = Invalid::out_of_range, .field = InvalidField::direction};  // zero
+  return find.at();
+}
+
+// Was the input refused? Then result.invalid_at says where.
+template <class Result, Scalar S>
+bool refused(Result& result, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+             const Vec3<S>* direction = nullptr) {
+  if (result.invalid == Invalid::none) [[likely]]
+    return false;
+  result.invalid_at = find_invalid(a, b, options, direction);
+  GRAZE_ASSERT(result.invalid_at.why == result.invalid);
+  return true;
+}
+
+}  // namespace detail
+
 }  // namespace graze::inline GRAZE_LINKAGE

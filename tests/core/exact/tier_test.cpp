@@ -7,6 +7,7 @@
 
 #include <graze/cast.hpp>
 #include <graze/exact/queries.hpp>
+#include <graze/invalid_text.hpp>
 #include <map>
 
 #include "corpus/format/case_io.hpp"
@@ -367,6 +368,7 @@ TEST(ExactTier, NestedRotationsAreRightOrRefused) {
       const CastResult<double> result = cast_exactly(problem);
       if (result.outcome == Outcome::invalid_input) {
         EXPECT_EQ(result.invalid, Invalid::too_complex);
+        EXPECT_EQ(to_text(result.invalid_at), "the shapes nest too many rotations for tier exact");
         EXPECT_GT(depth, 4) << corpus::write_case(problem);
         EXPECT_TRUE(std::isnan(result.toi_lower) && std::isnan(result.toi_upper) && !result.proof);
         ++refused;

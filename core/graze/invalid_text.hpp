@@ -1,0 +1,74 @@
+// Why and where an input was refused, in one line: "body b: shape.half_extents[1] is negative".
+//
+// Apart from result.hpp, as it makes strings; a cast that is not asked for words does without.
+#pragma once
+
+#include <graze/result.hpp>
+#include <string>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+namespace detail {
+
+// What is wrong with it, said of the field.
+[[nodiscard]] constexpr std::string_view predicate_of(const InvalidAt& at) {
+  switch (at.why) {
+    case Invalid::none:
+      return "";
+    case Invalid::not_finite:
+      return " is NaN or infinite";
+    case Invalid::out_of_range:
+      if (at.field == InvalidField::rotation && at.index < 0) return " is a turn of more than 2^30 radians";
+      if (at.field == InvalidField::direction && at.index < 0) return " is zero";
+      return " is neither 0 nor of a magnitude from 1e-60 to 1e60";
+    case Invalid::empty_hull:
+      return " has no vertex";
+    case Invalid::negative_extent:
+      return " is negative";
+    case Invalid::zero_quaternion:
+      return " is (0, 0, 0, 0)";
+    case Invalid::missing_part:
+      return at.field == InvalidField::part ? " has no parts" : " is missing";
+    case Invalid::too_complex:
+      if (at.body == InvalidBody::none) return "the shapes nest too many rotations for tier exact";
+      return " is nested deeper than 16, or has more than 4096 parts or 2^32 - 1 vertices";
+    case Invalid::rounding_mode:
+      return "the machine does not round to nearest";
+    case Invalid::unsafe_math:
+      return "graze is compiled with a part of -ffast-math";
+    case Invalid::bad_horizon:
+      return " is negative or NaN";
+    case Invalid::bad_target:
+      return " is negative, NaN or out of range";
+    case Invalid::bad_tolerance:
+      return at.field == InvalidField::tolerance ? " is negative, NaN or infinite" : " is below one";
+    case Invalid::not_exact:
+      if (at.field == InvalidField::tier) return " is exact, which knows no rotation that can be seen";
+      if (at.field == InvalidField::target_distance) return " is not 0, which tier exact does not know";
+      return " is curved, rounded or a hull of shapes, which tier exact does not know";
+    case Invalid::not_linear:
+      if (at.field == InvalidField::t_max) return " is infinite, and a rotation can be seen";
+      return " is pass_over, and a rotation can be seen";
+  }
+  return {};
+}
+
+}  // namespace detail
+
+// Empty where nothing is wrong.
+[[nodiscard]] inline std::string to_text(const InvalidAt& at) {
+  std::string text;
+  if (at.body != InvalidBody::none) text.append(to_text(at.body)).append(": ");
+  const bool whole = at.field == InvalidField::shape || at.field == InvalidField::part;
+  if (at.part > 0) {
+    text.append("part ").append(std::to_string(at.part)).append(" of its shape");
+    if (!whole) text.append(": ");
+  } else if (at.part == 0 || whole) {
+    text.append(whole ? "shape" : "shape.");
+  }
+  if (!whole && at.field != InvalidField::none) text.append(to_text(at.field));
+  if (at.index >= 0) text.append("[").append(std::to_string(at.index)).append("]");
+  return text.append(detail::predicate_of(at));
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE
