@@ -27,6 +27,7 @@ template <Scalar S>
 Answer widened(const CastResult<S>& result) {
   return {.outcome = result.outcome,
           .invalid = result.invalid,
+          .invalid_at = result.invalid_at,
           .toi_lower = result.toi_lower,
           .toi_upper = result.toi_upper,
           .normal = result.normal.template cast<double>(),

@@ -26,6 +26,7 @@ Answer begun(const Result& result, Outcome outcome) {
   Answer answer;
   answer.outcome = result.invalid == Invalid::none ? outcome : Outcome::invalid_input;
   answer.invalid = result.invalid;
+  answer.invalid_at = result.invalid_at;
   answer.counters = result.counters;
   return answer;
 }

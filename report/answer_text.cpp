@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <graze/invalid_text.hpp>
 
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
@@ -35,7 +36,7 @@ bool has_times(const engine::Answer& answer) {
 
 // Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
 std::string reason_of(const engine::Answer& answer) {
-  if (answer.outcome == Outcome::invalid_input) return invalid_text(answer.invalid);
+  if (answer.outcome == Outcome::invalid_input) return invalid_text(answer);
   if (answer.passed_over) return "the motion leaves or slides from its start in contact";
   return {};
 }
@@ -88,9 +89,10 @@ std::string method_line(const engine::Method& method) {
 
 }  // namespace
 
-std::string invalid_text(Invalid invalid) {
-  if (invalid == Invalid::none) return "a kind of case that this method does not answer";
-  return std::string(to_text(invalid));
+std::string invalid_text(const engine::Answer& answer) {
+  if (answer.invalid_at.why != Invalid::none) return to_text(answer.invalid_at);
+  if (answer.invalid == Invalid::none) return "a kind of case that this method does not answer";
+  return std::string(to_text(answer.invalid));
 }
 
 namespace {

@@ -22,7 +22,8 @@ namespace graze::tool {
 [[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                                       const engine::Answer& answer);
 
-[[nodiscard]] std::string invalid_text(Invalid invalid);
+// Why an input was refused, and where: "body b: shape.half_extents[1] is negative".
+[[nodiscard]] std::string invalid_text(const engine::Answer& answer);
 
 // What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"], "added": 0.0}
 [[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);

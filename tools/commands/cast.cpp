@@ -128,7 +128,7 @@ class Run {
                settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
     if (answer.outcome == Outcome::invalid_input) {
       refuse(file, problem,
-             fmt::format("is invalid_input for {}: {}", method.full_name(), invalid_text(answer.invalid)));
+             fmt::format("is invalid_input for {}: {}", method.full_name(), invalid_text(answer)));
     }
   }
 

@@ -79,14 +79,14 @@ std::string why_refused(const corpus::Case& problem) {
   if (problem.query == corpus::Query::cast) {
     const engine::Answer answer =
         engine::find_method(engine::Kind::rotating, "plan/double")->ask(problem, {});
-    return answer.outcome == Outcome::invalid_input ? invalid_text(answer.invalid) : "";
+    return answer.outcome == Outcome::invalid_input ? invalid_text(answer) : "";
   }
   if (const std::string why = engine::unsupported(engine::Kind::query, problem); !why.empty())
     return "it has " + why;
   for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query != problem.query) continue;
     const engine::Answer answer = method.answer(problem);
-    return answer.outcome == Outcome::invalid_input ? invalid_text(answer.invalid) : "";
+    return answer.outcome == Outcome::invalid_input ? invalid_text(answer) : "";
   }
   return "no method answers its query";
 }
