@@ -12,8 +12,7 @@
 // Turning bodies, a rotating family each, its levels in turn:
 //   turning     a block of `graze campaign --rotating`: plan and certified, in double and in float;
 //   stages      the milliseconds of processor time of a case in its parts: generated, cast by the plan and by
-//   tier certified,
-//               the check of that proof, and the oracle's bracket.
+//               tier certified, the check of that proof, and the oracle's bracket.
 //
 // Each alone runs over the same cases again and again, so what it needs has been used before; the shares are
 // of cases met once.

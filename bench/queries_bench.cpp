@@ -1,8 +1,7 @@
 // What the queries cost beside each other: the lecture's claims about cost, measured.
 //
 //   penetration   "EPA is the expensive way": the least depth by EPA, the depth along a direction by MPR, and
-//                 the distance by GJK, all of the same two hulls (in contact for the first two, apart for
-//                 GJK)
+//                 the distance by GJK, all of the same two hulls (in contact for the first two, apart for GJK)
 //   swept         the sum with a segment beside the points before and after
 //   ray           every face beside GJK and MPR, on a globe of 8 to 1,024 vertices
 // 64 pairs a row, each asked once an iteration; the time is that of one query, in nanoseconds. `supports`:

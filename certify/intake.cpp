@@ -68,7 +68,8 @@ void Intake::take(const std::string& name, const std::vector<Case>& cases, bool 
   }
 }
 
-void Intake::leave_out(std::span<const engine::Method* const> methods, const std::vector<std::string>& files) {
+void Intake::leave_out(std::span<const engine::Method* const> methods,
+                       const std::vector<std::string>& files) {
   const auto has_method = [&](const Suite& suite, const Case& problem) {
     return std::any_of(methods.begin(), methods.end(), [&](const engine::Method* method) {
       const bool is_query = suite.kind == engine::Kind::query && !suite.asks_every_query;
@@ -85,12 +86,11 @@ void Intake::leave_out(std::span<const engine::Method* const> methods, const std
     left_out += without;
     const bool is_query = suite.kind == engine::Kind::query;
     if (is_query) questions -= without;
-    why.push_back(
-        fmt::format("{}: {} {} are not judged{}: the command line leaves no method for them", suite.family,
-                    without, is_query ? "questions" : "casts",
-                    is_query ? ""
-                             : fmt::format(", in which {} body turns",
-                                           suite.kind == engine::Kind::rotating ? "a" : "no")));
+    why.push_back(fmt::format("{}: {} {} are not judged{}: the command line leaves no method for them",
+                              suite.family, without, is_query ? "questions" : "casts",
+                              is_query ? ""
+                                       : fmt::format(", in which {} body turns",
+                                                     suite.kind == engine::Kind::rotating ? "a" : "no")));
   }
   std::erase_if(suites, [](const Suite& suite) { return suite.size() == 0; });
 }

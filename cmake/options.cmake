@@ -23,14 +23,16 @@ endif()
 
 add_library(graze_own INTERFACE)
 target_compile_features(graze_own INTERFACE cxx_std_20)
-# Our results must not depend on whether a multiply-add was fused; users of core may do as they like.
-target_compile_options(graze_own INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                           -Wno-sign-conversion)
+# Our results must not depend on whether a multiply-add was fused; users of core may do as they like, and so do the targets
+# with the property GRAZE_CONTRACTED (their own flags come before these, so none of theirs could take this one back).
+target_compile_options(graze_own INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:-ffp-contract=off>
+                                           -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 target_include_directories(graze_own INTERFACE ${PROJECT_SOURCE_DIR})
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 drops the rounding of double(float(x)) on neighbouring doubles when it packs them (seen at -O2 and -O3), and
   # warns falsely of overlap and bounds in "x" + std::string (GCC 105651, 105329).
-  target_compile_options(graze_own INTERFACE -fno-tree-slp-vectorize -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(graze_own INTERFACE -fno-tree-slp-vectorize -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
+                                            -Wno-stringop-overread)
 endif()
 if(GRAZE_WERROR)
   target_compile_options(graze_own INTERFACE -Werror)

@@ -1,4 +1,6 @@
-# graze_test(name LABELS l... SOURCES s... LIBRARIES l...): one GoogleTest executable, its cases known to ctest.
+# graze_test(name LABELS l... SOURCES s... LIBRARIES l... [STANDALONE] [CONTRACTED]): one GoogleTest executable, its cases
+# known to ctest. STANDALONE: without the precompiled headers, for files with flags of their own. CONTRACTED: built as users
+# may build core, for the machine at hand, multiply-adds fused; and subnormals are flushed (tests/shared/flushed.hpp).
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
@@ -6,11 +8,20 @@ graze_precompiled(graze_test_headers LIBRARIES graze::corpus GTest::gtest
   HEADERS <gtest/gtest.h> <algorithm> <cmath> <functional> <string> <vector> ${PROJECT_SOURCE_DIR}/corpus/case.hpp)
 
 function(graze_test name)
-  cmake_parse_arguments(arg "" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "STANDALONE;CONTRACTED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE graze_own ${arg_LIBRARIES} GTest::gtest_main)
-  graze_precompile(${name} graze_test_headers)
-  target_compile_options(${name} PRIVATE ${GRAZE_COLD})
+  if(NOT arg_STANDALONE AND NOT arg_CONTRACTED)
+    graze_precompile(${name} graze_test_headers)
+  endif()
+  if(arg_CONTRACTED)
+    set_target_properties(${name} PROPERTIES GRAZE_CONTRACTED ON)
+    target_compile_definitions(${name} PRIVATE GRAZE_TEST_FLUSH)
+    # g++ 12 takes its own AVX-512 intrinsics, and an empty optional, for used before they are set.
+    target_compile_options(${name} PRIVATE -O2 -march=native -ffp-contract=fast -Wno-maybe-uninitialized)
+  else()
+    target_compile_options(${name} PRIVATE ${GRAZE_COLD})
+  endif()
   target_compile_definitions(${name} PRIVATE GRAZE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}")
 endfunction()

@@ -30,7 +30,7 @@ struct Interval {
 struct Answer {
   Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;
-  InvalidAt invalid_at = {};  // of an input that the library refused: where
+  InvalidAt invalid_at = {};            // of an input that the library refused: where
   double toi_lower = 0, toi_upper = 0;  // of casts
   Vec3<double> normal = Vec3<double>::Zero(), point_a = Vec3<double>::Zero(), point_b = Vec3<double>::Zero();
   double distance = 0;       // of casts: of the bodies at toi_lower, at most, beyond the target distance

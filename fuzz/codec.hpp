@@ -2,8 +2,7 @@
 //
 //   byte 0       one bit each: A turned (bit 0), B turned, t_max given, target distance given, more given
 //   more         if given, a byte, one bit each: A's rotation (bit 0), A's pivot, B's rotation, B's pivot,
-//   the
-//                policy pass_over, a query, a direction
+//                the policy pass_over, a query, a direction
 //   body         A, then B: shape; position; orientation (w, x, y, z) if turned; displacement
 //   shape        a byte, its low four bits the kind, in the order of graze::Shape; then the kind's numbers,
 //                in the order of its fields. Of a hull first a byte: its low seven bits are the vertex count

@@ -96,7 +96,8 @@ Judged judge_turning(const Case& problem, corpus::Random& random) {
   if (!judged.reached) return judged;
   const engine::Answer certified =
       engine::find_method(engine::Kind::rotating, "certified")->ask(problem, {.request = Request::proof});
-  RotatingProof proof = random.once_in(8) ? RotatingProof() : certified.rotating_proof.value_or(RotatingProof());
+  RotatingProof proof =
+      random.once_in(8) ? RotatingProof() : certified.rotating_proof.value_or(RotatingProof());
   spoil(proof, problem, random);
   if (!oracle::check_rotating_proof(problem, proof).accepted()) return judged;
   if (within(certified, proof.toi_lower, proof.toi_upper)) return judged;

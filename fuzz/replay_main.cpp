@@ -2,12 +2,10 @@
 // replays under any debugger.
 //
 //   replay PATH...               runs every file, and every file of a directory; finding none is an error
-//   replay --print FILE          prints the file's case as JSON, ready for `graze corpus add` (--decode: the
-//                                same)
-//   replay --minimise FILE [OUT] prints the smallest case that still has a finding, and writes its bytes to
-//   OUT replay --encode DIR FILE...  writes the cases of .json and .jsonl files to DIR as seeds
-//   (seed_corpus.cpp
-//                                does so of the whole corpus)
+//   replay --print FILE            prints the file's case as JSON, ready for `graze corpus add` (--decode: the same)
+//   replay --minimise FILE [OUT]   prints the smallest case that still has a finding; writes its bytes to OUT
+//   replay --encode DIR FILE...    writes the cases of .json and .jsonl files to DIR as seeds (seed_corpus.cpp
+//                                  does so of the whole corpus)
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -26,7 +26,7 @@ struct Finding {
 struct Judged {
   bool reached = false;  // some law looked at it; else the input was no question for this target
   bool by_oracle = false;
-  bool known = false;  // what broke is listed as a known failure (law_reach.hpp): no finding
+  bool known = false;  // what broke is listed as a known failure (properties/laws/reach.hpp): no finding
   std::optional<Finding> finding;
 };
 

@@ -5,7 +5,8 @@
 //   3  brackets of tiers certified and exact hold without condition: any two of one question have a time in
 //      common;
 //   4  every other answer agrees with the proved one of its question, or the oracle finds each within its
-//   row; 5  the two scalars' answers of one method agree likewise.
+//      row;
+//   5  the two scalars' answers of one method agree likewise.
 #include <fmt/format.h>
 
 #include "engines/convert.hpp"

@@ -24,7 +24,7 @@ struct AnswerWords {
 struct CampaignCast {
   AnswerWords answer;
   law::Judgement judgement = {};  // of tier exact a stall is a fault, and is counted once
-  std::string undecided = {};  // why the oracle, which was asked, could not tell
+  std::string undecided = {};     // why the oracle, which was asked, could not tell
 
   [[nodiscard]] std::string reason() const;  // the first fault, or what stalled
 };

@@ -20,7 +20,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kSmoothReach = 4;                            // size of a shape (length)
+constexpr double kSmoothReach = 4;                      // size of a shape (length)
 constexpr Quaternion<double> kOnSide = {1, 1, 0, 0};    // the z-axis to -y: it lies
 constexpr Quaternion<double> kLeaning = {2, 1, 0, 0};   // about x, cosine 3/5, sine 4/5: z to (0, -4/5, 3/5)
 constexpr Quaternion<double> kHalfTurn = {0, 1, 0, 0};  // stands on its head

@@ -8,8 +8,8 @@
 // What a step discards it has in hand, and its magnitude goes into the error:
 //   sum      a + b = s0 + e0 + s1 + e1,  (s0,e0) = two_sum(a0,b0), (s1,e1) = two_sum(a1,b1);
 //            (t,e2) = two_sum(e0,s1);  result two_sum(s0,t);  discarded e1, e2.
-//   product  a b = a0 b0 + a0 b1 + a1 b0 + a1 b1;  (p,q) = two_product(a0,b0), p1 = fl(a0 b1), p2 = fl(a1
-//   b0);
+//   product  a b = a0 b0 + a0 b1 + a1 b0 + a1 b1;
+//            (p,q) = two_product(a0,b0), p1 = fl(a0 b1), p2 = fl(a1 b0);
 //            (t1,f1) = two_sum(p1,p2), (t2,f2) = two_sum(q,t1);  result two_sum(p,t2);
 //            discarded f1, f2, a1 b1, and the roundings of p1 and p2, at most u |p1| + u |p2|;
 //            inherited (|a0|+|a1|) eb + (|b0|+|b1|) ea + ea eb.

@@ -5,8 +5,8 @@
 // m = 0. {s : s v in P} is an interval [s0, s1], and its ends are basic solutions of a linear program: each
 // comes from a subset of the points whose projections along v are affinely independent and hold 0:
 //   a point       v x p = 0                                      s = p_c / v_c
-//   a segment     0 between two opposite projections             s = (-g_ij p_i + g_ii p_j)_c / ((g_ii -
-//   g_ij) v_c) a triangle    0 in it, o_ij, o_jk, o_ki of one sign or zero,  s = sum o_jk p_i,c / (sum o v_c)
+//   a segment     0 between two opposite projections             s = (-g_ij p_i + g_ii p_j)_c / ((g_ii - g_ij) v_c)
+//   a triangle    0 in it, o_ij, o_jk, o_ki of one sign or zero  s = sum o_jk p_i,c / (sum o v_c)
 // with c any axis along which v_c != 0, o_ij = v.(p_i x p_j), g_ij = (v x p_i).(v x p_j). The claim holds iff
 // the subsets give some s <= U and some s >= 0; it is off the path iff there is no subset.
 //

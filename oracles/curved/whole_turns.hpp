@@ -1,8 +1,7 @@
 // A turning body at all its angles at once: the cylinder that it sweeps about its axis of rotation, which
 // only moves along. What keeps clear of the cylinder keeps clear of the body, however many turns it makes.
 //
-// Notation   u = w/|w|;   c + t v the path of the pivot;   the body lies in a core and a ball of radius r
-//            about its points.
+// Notation   u = w/|w|;   c + t v the path of the pivot;   every point of the body is within r of the core.
 //   max over the cylinder and the ball of n.x = n.(c + t v) + max(n.u high, n.u low) + |n x u| reach + r |n|,
 // high and low the core's greatest and least height along u from the pivot, which no turn changes, reach its
 // largest distance from the axis. All four are those of one core: BallMotion's (ball_motion.hpp).

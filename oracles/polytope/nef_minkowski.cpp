@@ -98,8 +98,7 @@ NefCso nef_cso(const corpus::Case& problem) {
   RationalPoint inner = {0, 0, 0};  // the vertices' centre
   for (auto v = sum.vertices_begin(); v != sum.vertices_end(); ++v) {
     RationalPoint& p = cso.vertices.emplace_back();
-    p = {to_rational(v->point().x()), to_rational(v->point().y()),
-         to_rational(v->point().z())};
+    p = {to_rational(v->point().x()), to_rational(v->point().y()), to_rational(v->point().z())};
     for (std::size_t i = 0; i < 3; ++i) inner[i] += p[i];
   }
   for (Rational& c : inner) c /= static_cast<unsigned long>(cso.vertices.size());
@@ -109,8 +108,7 @@ NefCso nef_cso(const corpus::Case& problem) {
     if (f->is_twin()) continue;
     const Kernel::Plane_3& plane = f->plane();
     NefCso::HalfSpace h;
-    h.normal = {to_rational(plane.a()), to_rational(plane.b()),
-                to_rational(plane.c())};
+    h.normal = {to_rational(plane.a()), to_rational(plane.b()), to_rational(plane.c())};
     h.offset = -to_rational(plane.d());
     if (dot(h.normal, inner) > h.offset) {
       for (Rational& c : h.normal) c = -c;

@@ -1,8 +1,8 @@
 // CGAL's sum, compiled by itself: it decomposes both bodies into convex parts, and takes the compiler as much
-// time and memory as all the rest.
-#include <CGAL/minkowski_sum_3.h>
-
+// time and memory as all the rest. The polyhedra come first: CGAL's header of sums does not stand alone.
 #include "oracles/polytope/nef_kernel.hpp"
+
+#include <CGAL/minkowski_sum_3.h>
 
 namespace graze::oracle {
 

@@ -24,8 +24,7 @@ struct Undecided : std::invalid_argument {
 //
 // Throws Undecided for what the oracles do not decide:
 //   curved shapes     a clearance or depth below 1e-30 of scale, and every penetration. The TOI is the exact
-//                     one's neighbours but at a graze, where it is a bracket as wide as 1e-30 of scale makes
-//                     it
+//                     one's neighbours but at a graze, where it is a bracket as wide as 1e-30 of scale makes it
 //   bodies that turn  in casts and swept_overlap, a clearance or depth below 1e-14 of scale, a search beyond
 //                     the budget of rotating_truth.hpp, an infinite t_max, a cast with the policy pass_over;
 //                     a line. toi_lower and toi_upper are a bracket as wide as 1e-14 of scale makes it

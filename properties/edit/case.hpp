@@ -104,7 +104,7 @@ void visit_scalars(const corpus::Case& problem, F&& f) {
 // Both bodies moved by one vector, chosen among large and small ones, axis by axis, so that every sum is
 // exact; `salt` varies the choice. Nothing where no axis can move. TOI unchanged.
 [[nodiscard]] std::optional<corpus::Case> translated(const corpus::Case& problem, std::uint64_t salt);
-// The shape of A (or B, by `salt`) replaced by a superset (shape_edit.hpp). TOI not later.
+// The shape of A (or B, by `salt`) replaced by a superset (shape.hpp). TOI not later.
 [[nodiscard]] corpus::Case grown(const corpus::Case& problem, std::uint64_t salt);
 // Linear: C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed
 // vertices only.

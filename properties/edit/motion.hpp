@@ -1,4 +1,4 @@
-// Exact edits of how the bodies of a linear case move. As in case_edit.hpp: nothing is returned where some
+// Exact edits of how the bodies of a linear case move. As in case.hpp: nothing is returned where some
 // number of the new case would have to be rounded, and the true answer is known from the original's.
 //
 // Frame: world. Contact at t iff t v in C; [t_in, t_out] is where the whole line is in contact.

@@ -1,4 +1,4 @@
-// Edits of a case whose bodies turn, beside those of case_edit.hpp: other ways to say one motion, the same
+// Edits of a case whose bodies turn, beside those of case.hpp: other ways to say one motion, the same
 // motion the other way round, and a motion that repeats itself. Each is exact but where it states an error.
 //
 // Frame: world. A body's point x is at R(w t)(x - c) + c + v t, c = position + R(orientation) pivot.

@@ -1,10 +1,10 @@
-// The laws' own generator of cases whose bodies turn: as broad as draw_case.hpp, of which it takes the
+// The laws' own generator of cases whose bodies turn: as broad as case.hpp, of which it takes the
 // shapes, poses and motions.
 //
 // Every case picks how its bodies turn: freely; slowly; by many turns; both alike; in a way that cannot be
 // seen; like a lash, whose tip meets the other body as fast as the bounds of its motion allow
-// (draw_lash.hpp); like a propeller, the other body above what it sweeps; far out in their own frames, or on
-// far arms, nearly as one (draw_far.hpp); or not at all, one body or both.
+// (tip_contact.hpp); like a propeller, the other body above what it sweeps; far out in their own frames, or on
+// far arms, nearly as one (far.hpp); or not at all, one body or both.
 // Pivots are at the origin of the body, at small integers, or far off. Two thirds of the cases are placed so
 // that a point of B meets a point of A at a chosen time (0, t_max and what lies beyond among them), a few of
 // those so that it stays beside it by one part in 2^8 or 2^24. A pure function of the random bits: the turn

@@ -3,8 +3,7 @@
 //   1  what must be refused is refused, and nothing in the domain is;
 //   2  every answer is consistent in itself (properties/laws/linear/proof.hpp);
 //   3  every answer is judged (judge.hpp) by its proof, and by the oracle where that leaves something open,
-//   or
-//      of a case that is asked for.
+//      or for every answer of a case that is asked for.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@ namespace graze::law {
 // A length. Points of tier certified are known within 2^-95 of the lengths that a shape is made of, for each
 // of its nodes (named_point.hpp), a portal's corners across the line within e, four times that, and it takes
 // a triangle whose area is 16 times the 3 * 8 e m that its sides of length m may be off by
-// (certified_portal.hpp): one that is 2^9 e high. Axes of proofs lose less: 2^-90 of those lengths
+// (certified/portal.hpp): one that is 2^9 e high. Axes of proofs lose less: 2^-90 of those lengths
 // (prove.hpp).
 [[nodiscard]] double unseen_of_own_frames(const corpus::Case& problem);
 
@@ -18,7 +18,7 @@ namespace graze::law {
 [[nodiscard]] double unseen_of_turns(const corpus::Case& problem);
 
 // A length. Of the standard tier: positions under k rotations within a combinator round by 23 k u of a
-// double, both where a point lies and which one is chosen (combinator.hpp). `scale`: what kappa counts
+// double, both where a point lies and which one is chosen (tree.hpp). `scale`: what kappa counts
 // already.
 [[nodiscard]] double unseen_of_trees(const corpus::Case& problem, double scale);
 

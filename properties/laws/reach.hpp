@@ -1,7 +1,7 @@
 // What a law must have seen before "it holds" means anything: every outcome, and every family of its kind.
 //
 // A law that no case of a family ever applied to says nothing about what that family is hard in. Where it
-// cannot apply, the table in law_reach.cpp says so, and why; a test holds the table to that, too: what is
+// cannot apply, the table in reach.cpp says so, and why; a test holds the table to that, too: what is
 // declared out of reach and is reached all the same has no place in it.
 #pragma once
 

@@ -93,8 +93,7 @@ std::string stall_fault(const Difference& sum) {
   for (const engine::Method& method : engine::methods()) {
     const Stalls& stalls = sum.stalls[at++];
     const double cap = method.guarantee != nullptr ? method.guarantee->stall_cap : 1;
-    const bool above =
-        static_cast<double>(stalls.with) > std::ceil(cap * static_cast<double>(stalls.asked));
+    const bool above = static_cast<double>(stalls.with) > std::ceil(cap * static_cast<double>(stalls.asked));
     if (above && stalls.with > stalls.without)
       return fmt::format("{}: {} of {} end undecided, {} without the mutant", method.full_name(), stalls.with,
                          stalls.asked, stalls.without);

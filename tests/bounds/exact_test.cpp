@@ -1,4 +1,4 @@
-// The arithmetic beyond doubles that the exact tier filters with (exact/pair.hpp, vectors.hpp, scene.hpp,
+// The arithmetic beyond doubles that the exact tier filters with (numeric/pair.hpp, vectors.hpp, exact/scene.hpp,
 // beyond.hpp): each stated error against exact numbers. Trees are as the door lets them in: 16 levels, many
 // shifts above few leaves, sixteen rotations above one leaf, more leaves than pairs of doubles are used for.
 #include <gtest/gtest.h>

@@ -114,8 +114,7 @@ TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
   // Tier standard is asked everything.
-  const CampaignCases standard(families, {engine::find_method(engine::Kind::linear, "mpr")}, 1,
-                               {});
+  const CampaignCases standard(families, {engine::find_method(engine::Kind::linear, "mpr")}, 1, {});
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
 }

@@ -19,9 +19,8 @@ using test::turning_bar_above;
 const engine::Method& rotating(const char* name) { return *engine::find_method(Kind::rotating, name); }
 
 Suite bars() {
-  return {.kind = Kind::rotating,
-          .family = "bars",
-          .cases = {turning_bar(), turning_bar_above(), dipping_bar()}};
+  return {
+      .kind = Kind::rotating, .family = "bars", .cases = {turning_bar(), turning_bar_above(), dipping_bar()}};
 }
 
 TEST(Certification, tallies_by_method_and_family_and_names_the_first_breach) {
@@ -92,7 +91,8 @@ TEST(Report, fits_on_a_screen) {
   const std::string line = verdict_line(certification, 61);
   EXPECT_LE(line.size(), 111U) << line;
   // Every method has its line, both scalars in one.
-  for (const engine::Method* method : all) EXPECT_NE(screen.find(method->name), std::string::npos) << method->name;
+  for (const engine::Method* method : all)
+    EXPECT_NE(screen.find(method->name), std::string::npos) << method->name;
   EXPECT_NE(full_tables(certification, settings).find("Rotating casts"), std::string::npos);
 }
 

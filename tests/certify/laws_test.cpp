@@ -36,7 +36,8 @@ Law counts_turning() {
           .sentence = "It holds.",
           .needs = law::Needs::metamorphic,
           .check = [](const corpus::Case&, const engine::Method& method) -> LawResult {
-            return method.full_name() == "plan/double" ? law::holds({"miss"}) : law::not_applicable("another");
+            return method.full_name() == "plan/double" ? law::holds({"miss"})
+                                                       : law::not_applicable("another");
           },
           .kind = Kind::rotating};
 }

@@ -243,8 +243,7 @@ engine::Answer missed_turn(const Case&, const engine::Ask&) {
 Curve measured_turn(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
   engine::Method method = *engine::find_method(engine::Kind::rotating, "bilateral");
   method.ask = cast;
-  return only_curve(measure_family(
-      kBars, {.methods = {&method}, .rotating_count = 1}));
+  return only_curve(measure_family(kBars, {.methods = {&method}, .rotating_count = 1}));
 }
 
 TEST(Stability, rotating_times_and_verdicts_are_measured) {

@@ -6,8 +6,21 @@
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 #endif
+#include <optional>
 
 namespace graze::test {
+
+// Whether this file's multiply-adds are fused; nothing where the machine has none.
+inline std::optional<bool> fuses() {
+#if defined(__FMA__)
+  const volatile double given = 1 + 0x1p-30;
+  const double x = given, y = given;  // two products for the compiler, else it makes one, for the rounded sum
+  const volatile double rounded = x * x;
+  return y * y - rounded != 0;
+#else
+  return std::nullopt;
+#endif
+}
 
 struct Flushed {
 #if defined(GRAZE_TEST_FLUSH) && defined(__SSE2__)

@@ -249,7 +249,8 @@ int run(const Arguments& arguments) {
   Intake intake;
   const bool bad = take_all(intake, arguments, selection.has(Kind::query));
   if (arguments.counts().rotating == 0) {
-    std::erase_if(settings.methods, [](const engine::Method* method) { return method->kind == Kind::rotating; });
+    std::erase_if(settings.methods,
+                  [](const engine::Method* method) { return method->kind == Kind::rotating; });
   }
   intake.leave_out(settings.methods, arguments.files);
   if (intake.suites.empty()) {

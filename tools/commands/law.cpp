@@ -153,8 +153,9 @@ int run_laws(const LawArguments& arguments) {
   // Laws of a kind that no case is for say nothing, unless one was asked for by name.
   if (arguments.laws.empty()) {
     std::erase_if(settings.laws, [&](const Law& law) {
-      return std::none_of(suites.begin(), suites.end(),
-                          [&](const LawSuite& one) { return (one.suite.kind == Kind::rotating) == (law.kind == Kind::rotating); });
+      return std::none_of(suites.begin(), suites.end(), [&](const LawSuite& one) {
+        return (one.suite.kind == Kind::rotating) == (law.kind == Kind::rotating);
+      });
     });
   }
   const LawCertification certification = certify_laws(suites, settings);

@@ -11,22 +11,21 @@
 //   miss                   an axis proves it;
 //   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards;
 //   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact
-//                          and contact is proved a little later: a verdict of contact, whichever it is at t =
-//                          0;
+//                          and contact is proved a little later: a verdict of contact, whether it is in
+//                          contact at t = 0 or not;
 //   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
 //                          width, or under pass_over where that much decides whether the start leaves.
 //                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
-// How. Upper half: a portal of exactly named points (certified_portal.hpp), its decisions beyond doubt. Lower
+// How. Upper half: a portal of exactly named points (certified/portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
 // face that is nearly along the path and another), the axis from C to a point of the path a little before
 // contact: as that point is farther from C than h rounds, its axis is proved, and as it is nearer than the
 // width, that is enough. Both halves' backward errors are then bounded:
 //   distance of t v from C      <= (upper - t) |v|, and by GJK;
-//   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: so far moved along -n, C
-//   lies
-//                                  beneath the path.
+//   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: moved so far along -n, C
+//                                  lies beneath the path.
 #pragma once
 
 #include <graze/cast.hpp>

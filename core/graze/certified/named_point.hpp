@@ -3,11 +3,11 @@
 //   w = (p_A + R_A x_A + o_A) - (p_B + R_B x_B + o_B) + o_m,
 // x a vertex or a curved part's point, o_A and o_B offsets within the radii, o_m within the target distance:
 // doubles all, so that w is one point of C and no other. It is a support point along n but for what keeps it
-// inside: the points of curved parts and the offsets are drawn in by a few u (combinator.hpp), so
+// inside: the points of curved parts and the offsets are drawn in by a few u (tree.hpp), so
 //   n.w >= h(n) - 32 u extent |n|   or so; nothing rests on that but how near a portal comes.
 //
 // Evaluated in sums of two doubles, and, where that leaves a sign open, exactly. The difference of the
-// positions is exact; what the trees cost is in combinator.hpp: all within 2^-95 nodes (|p_A - p_B| +
+// positions is exact; what the trees cost is in tree.hpp: all within 2^-95 nodes (|p_A - p_B| +
 // lengths). Units: internal, as in cso.hpp.
 #pragma once
 

@@ -1,7 +1,7 @@
 // The other questions of tier exact: overlap at t = 0, overlap on the path, the signed answer. Touching
 // counts.
 //
-// For the shapes of exact_cast.hpp; anything else is invalid_input with not_exact. Normals are within 2 u per
+// For the shapes of exact/cast.hpp; anything else is invalid_input with not_exact. Normals are within 2 u per
 // component of one that separates, or supports C where the line enters and leaves.
 #pragma once
 

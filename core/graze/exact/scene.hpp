@@ -3,7 +3,7 @@
 // What the cast decides is the sign of a determinant of three terms (term.hpp): points of C, their
 // differences, v, triples of doubles. Each has a Fine and an Exact form (vectors.hpp).
 //
-// Lengths are in the pair's internal unit, 2^k of the caller's, and v in its own, 2^j (guide.hpp).   Frame:
+// Lengths are in the pair's internal unit, 2^k of the caller's, and v in its own, 2^j (prepared_pair.hpp).   Frame:
 // world axes.   Range: magnitudes 1e-60 to 1e60. A difference of two coordinates of a leaf is exact
 // (two_sum).
 //

@@ -9,8 +9,7 @@
 //   1 start    three vertices that are a triangle, seen along v (none: C is seen edge on, `edge_on.hpp`);
 //   2 around   while o is outside an edge: the vertex farthest beyond it takes the triangle there; if none
 //              is beyond it, the line misses;
-//   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, such that o stays
-//   inside.
+//   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, so that o stays inside.
 // [portal refinement: Snethen 2008; the lecture's MPR; here with exact decisions, as a simplex method]
 //
 // Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its
@@ -68,7 +67,7 @@ struct Line {
 };
 
 // Bounds of the rounding, lengths in internal units, per component:
-//   body   of a vertex of A or B about its centre, both added (guide.hpp);
+//   body   of a vertex of A or B about its centre, both added (prepared_pair.hpp);
 //   edge   of the difference of two vertices of C, formed from those of A and of B, with what a determinant
 //          of three such adds (8 u of the product of three, each below 6 reach: 16 u reach each);
 //   seen   of q: twice that of w, 3.1 u + u of the slope's product, 2 u of the sum;

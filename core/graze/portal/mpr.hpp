@@ -2,12 +2,12 @@
 //
 // The sweep follows the lecture's four steps, in the order in which they are cheapest. The line {s r} enters
 // C at s_in and leaves it at s_out; contact is in [0, s_max] iff s_in <= s_max and s_out >= 0.
-//   step 2, 3   a portal for the line, refined to the surface of C: s_in;    step 4   its weights give the
-//   point. step 1      "do the swept shapes collide?": the line misses, or s_in > s_max, or, where s_in <= 0,
-//   the portal on
-//               the far side decides whether s_out >= 0.
-// The lecture's t = 1 - d / |v| is s_in seen from the end of the path; s is measured from its beginning, so
-// that nothing is cancelled. [Snethen, XenoCollide, in Game Programming Gems 7, 2008]
+//   steps 2, 3   a portal that the line passes, refined to the surface of C: s_in
+//   step 4       the weights of the portal's corners give the contact point
+//   step 1       "do the swept shapes collide?": no, if the line misses C or s_in > s_max; where s_in <= 0,
+//                a portal on the far side of C decides whether s_out >= 0
+// The lecture's t = 1 - d / |v| is s_in measured from the end of the path. Here s is measured from its
+// beginning, so that nothing cancels. [Snethen, XenoCollide, in Game Programming Gems 7, 2008]
 #pragma once
 
 #include <graze/portal/sweep.hpp>

@@ -1,10 +1,12 @@
-// Where a line enters C: minkowski portal refinement along a direction, in the plane across it.
+// Where a line enters C: Minkowski portal refinement along a direction, in the plane across it.
 //
 //   z_in = min z over {c in C : c projects to the origin},   C rounded by its radius;   Frame: frame.hpp.
 //
-// Notation   q = (x, y, z), a support point in the frame;   a portal = up to three of them whose projections
-// hold the
-//   origin in their hull;   lambda their weights;   n = the portal's normal, n_z < 0.
+// Notation
+//   q        (x, y, z), a support point in the frame
+//   portal   up to three of them, whose projections hold the origin in their hull
+//   lambda   their weights
+//   n        the portal's normal, n_z < 0
 // A portal bounds from above, z_in <= sum lambda z; its normal from below, z_in >= h(n) / n_z. [Snethen 2008]
 // Discovery is the same question in the plane: GJK in two dimensions; a support that stays on its own side of
 // the origin proves that the line misses, with n_z = 0. Differs: lines instead of rays, so no point of C's
@@ -185,8 +187,8 @@ std::array<S, 3> portal_weights(const Portal<S>& portal) {
   return l;
 }
 
-// Is the projected triangle higher above its longest edge than rounding makes it? If not, it is seen edge on:
-// its n_z has no sign.
+// Is the projected triangle higher above its longest edge than rounding alone could make it? If not, it is
+// seen edge on: the sign of its n_z is not known.
 template <Scalar S>
 bool has_area(const PortalPoint<S>& a, const PortalPoint<S>& b, const PortalPoint<S>& c, S rounding) {
   const Vec3<S> e = b.q - a.q, f = c.q - a.q, g = c.q - b.q;
@@ -257,9 +259,10 @@ S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
   return inside ? S(0) : nearest;
 }
 
-// The origin is in one of the three triangles that w makes with the portal's edges; in two or three where it
-// is on their common side as far as rounding can tell, as always on lattices. Then the largest: the others
-// may have no area at all. `noise` bounds the error of a projected coordinate.
+// The portal with w as a corner: of the three triangles that w makes with the portal's edges, the one that
+// holds the origin. Where rounding finds it in two or three of them (on a common side, as is usual on
+// lattices) the largest is taken, since the others may have no area. `noise` bounds the rounding error of a
+// projected coordinate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   GRAZE_ASSERT(portal.size == 3);
@@ -278,13 +281,15 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   if (out < 3) p[out] = w;
 }
 
-// An edge-on triangle becomes one of its edges: of those that pass the origin nearest, up to the height that
-// such a triangle may have (`height_lost`), the one that the line meets first, with the origin between its
-// ends. So the height of the portal never rises, and no two portals alternate. The edge across a thin
-// triangle has the origin between its ends, too, as a line may that passes far away. `grown`: the last corner
-// has just been found beyond the edge of the other two, which is kept only if no edge to that corner will do:
-// near an end of it, where the heights agree as rounded, it would be found again for ever; and so would a
-// corner that lies beneath an end, beside the line by less than rounding, but for a height far lower.
+// Replaces a triangle that is seen edge on by one of its edges. Candidates have the origin between their ends
+// and pass it nearest, up to the height that such a triangle may have (`height_lost`); of these the edge that
+// the line meets first is taken. So the height of the portal never rises, and the refinement does not cycle
+// between two portals. (That the origin is between the ends does not suffice: so it is for the long edge of a
+// thin triangle, which may pass far away.)
+// `grown`: the last corner has just been found beyond the edge of the other two. That edge is kept only where
+// no edge to the new corner is a candidate, since else the same corner would be found again for ever: near an
+// end of the edge, where heights agree as rounded, or beneath an end, beside the line by less than rounding
+// and far lower.
 template <Scalar S>
 void flatten(Portal<S>& portal, S height_lost, bool grown) {
   GRAZE_ASSERT(portal.size == (grown ? 2 : 3));

@@ -1,23 +1,25 @@
 // The quick walk: where does the path enter C = A - B? For polytopes; in doubles; it may give up.
 //
-//   path s r, 0 <= s <= horizon, units and frame of guide.hpp;   m(c) = c x r;   det(c, d) = det(c, d, r) =
-//   c.m(d).
-// Portal refinement (portal.hpp) without its care for ties: walk as the signs come, then make sure. Nothing
-// that happens on the way has to be right, since every answer is shown to hold by what is left in hand at the
-// end:
-//   miss      an axis n with h(n) < min(0, n.(horizon r)), the farthest vertex of each body made sure of;
-//   hit       upper: weights >= 0 of the portal, whose point p is within the noise of the path at
-//             s = p.r / r.r.   lower: h(n) / n.r for the last normal n, however it was found.   They have
-//             met: upper - lower is below the target;
-//   contact   portals whose points are within the noise of the line, one at s <= 0 and one at s >= 0: C is
-//   convex.
-// Where that fails, near the start, near the end of the path or after kQuickSteps, it gives up, and the
-// careful search answers.
+// The path is s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp.
+// Notation   m(c) = c x r,   det(c, d) = det(c, d, r) = c.m(d).
 //
-// Rounding, internal length, over |n|_1, with e = err(a) + err(b) of guide.hpp, M the extent, u in double:
-//   a vertex c of C: e + the offset's error + 4 u M per component (two sums);   n.c: 3 u M;   n turned: 2 e,
-//   and sums compared, 8 u M, for the farthest in doubles;   horizon n.r, with |horizon r| <= 4 M: 12 u M,
-//   and r rounded, 4 u M.   Together below margin = 4 e + offset's error + 40 u M.
+// Portal refinement (portal.hpp) without its treatment of ties: the walk follows the signs as they are
+// computed. No step has to be right, since the answer is verified by what is in hand at the end:
+//   miss      an axis n with h(n) < min(0, n.(horizon r)); the farthest vertex of each body is made sure of
+//   hit       upper: weights >= 0 of a portal whose point p is within the noise of the path, s = p.r / r.r;
+//             lower: h(n) / n.r for the last normal n, however that was found;
+//             upper - lower is below the target
+//   contact   two portals whose points are within the noise of the line, one at s <= 0 and one at s >= 0;
+//             C is convex, so the start is between them
+// Where that fails, near the start, near the end of the path or after kQuickSteps, it gives up, and the
+// search of portal.hpp answers.
+//
+// Rounding, internal length, over |n|_1; e = err(a) + err(b) of prepared_pair.hpp, M the extent, u in double:
+//   a vertex c of C     e + the offset's error + 4 u M per component (two sums)
+//   n.c                 3 u M
+//   n turned            2 e; and sums compared, 8 u M, for the farthest vertex in doubles
+//   horizon n.r         12 u M, as |horizon r| <= 4 M; and r rounded, 4 u M
+// Together below margin = 4 e + offset's error + 40 u M.
 // A vertex that floats guess is within slip() of the farthest: below the noise for S = float, where it serves
 // as the farthest for `lower`; wherever else it decides, a scan in doubles makes sure.
 #pragma once

@@ -42,7 +42,7 @@ inline double swing_as_one(const MovingPair& pair, double t_end) {
 }
 
 // Is the pivots' difference exactly parallel to w, which both bodies turn by? What two doubles lost is
-// decided in dyadic numbers: a posed pivot is rational (exact/vectors.hpp).
+// decided in dyadic numbers: a posed pivot is rational (numeric/vectors.hpp).
 template <Scalar S>
 bool swing_about_one_line(const RotatingBody<S>& a, const RotatingBody<S>& b) {
   const auto pivot_of = [](const RotatingBody<S>& moving) {

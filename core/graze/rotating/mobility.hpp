@@ -10,8 +10,8 @@
 // A solid of revolution is the same set whatever its turn about its own axis a, so its points may be followed
 // in a frame that turns by w less its part along a(t), of length |w x a|, constant. About the foot c of the
 // pivot on the axis, with s = a.w and r the largest |x_0 - c|:
-//   velocity <= |n x w| |c_perp| + |w x a| r,     acceleration <= |w| |n x w| |c_perp| + |w x a|(|w x a| +
-//   |s|) r.
+//   velocity     <= |n x w| |c_perp| + |w x a| r
+//   acceleration <= |w| |n x w| |c_perp| + |w x a| (|w x a| + |s|) r
 // The lesser of both bounds counts.   [Mirtich 1996, 2.3: the first bound, with |w| rho for |n x w| rho.]
 //
 // Rounding. Each number here is raised above what it stands for. Two of them vanish where their operands are
@@ -187,7 +187,7 @@ void for_each_outer_point(const Shape<S>& shape, const Bounds& bounds, const Vis
 
 // How far a point of the core may lie from the hull of the outer points. Of a leaf nothing rounds; a
 // combinator's bounds come from its own support points, one u of their coordinates each for the last sum, the
-// rest as combinator.hpp counts it; points and choice both, as a greatest coordinate is either's.
+// rest as tree.hpp counts it; points and choice both, as a greatest coordinate is either's.
 template <Scalar S>
 double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
   const bool combined = std::holds_alternative<Posed<S>>(shape) ||

@@ -184,12 +184,12 @@ class MovingPair {
     return frame == AxisFrame::world ? 0.0 : 64 * kUnitRoundoff<double> * (cso_.extent() + radius_);
   }
   // As bend(), for an axis that turns with a body, n as it stands now, within 64 u (to_world, to_own and
-  // to_start), for times up to t_end. With A,
-  // positions are taken from the path of its pivot, in its axes: x = R_A^T (R_B p + c + v t). A's points
-  // stand still, and
+  // to_start), for times up to t_end. Seen from A, positions
+  // are taken from the path of its pivot, in its axes: x = R_A^T (R_B p + c + v t). A's points stand still, and
   //   |n.x''| <= |w_B - w_A| (|w_A| + |w_B|) |p| + |w_A x n| (2 |v| + |w_A x c| + |w_A x v| t),
-  // since (R_A^T R_B)'' = R_A^T ([d][w_B] - [w_A][d]) R_B, d = w_B - w_A, and (R_A^T y)'' = R_A^T (y'' - 2
-  // w_A x y' + w_A x (w_A x y)).
+  // since, with d = w_B - w_A,
+  //   (R_A^T R_B)'' = R_A^T ([d][w_B] - [w_A][d]) R_B,
+  //   (R_A^T y)''   = R_A^T (y'' - 2 w_A x y' + w_A x (w_A x y)).
   [[nodiscard]] double bend(AxisFrame frame, const Vec3<double>& n, double t_end) const {
     if (frame == AxisFrame::world) return bend(n);
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,

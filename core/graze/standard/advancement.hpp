@@ -58,8 +58,8 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   const int iterations = counters.iterations;
   const Sweep<S> above = mpr_sweep(cso, limits, counters);
   counters.iterations = iterations;
-  // A miss, a later lower end, or a contact that this search has passed, within rounding at a graze: then the
-  // whole of MPR's answer stands, since the end of one bracket is no contact of the other.
+  // Near a graze GJK and MPR may differ by rounding. Where MPR reports a miss, a later lower bound, or a contact
+  // before ours, its answer is returned whole: ends taken from two searches may bracket nothing.
   if (above.outcome == Outcome::miss || above.lower > out.lower || above.upper < out.lower) {
     out = above;
     return;

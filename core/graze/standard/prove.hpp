@@ -18,7 +18,7 @@ namespace graze::inline GRAZE_LINKAGE {
 
 namespace detail {
 
-// The radii of the rounded support points of a proof are shortened by kInside (combinator.hpp), so that
+// The radii of the rounded support points of a proof are shortened by kInside (tree.hpp), so that
 // |offset| <= radius holds exactly: e is a unit vector within 4 u, and the product rounds once more. On
 // a combinator the radius and what the part has beyond it round as well, once each.
 inline constexpr int kInsideTree = 16;  // u

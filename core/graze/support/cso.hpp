@@ -13,7 +13,7 @@
 // within 9 sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms 3 u; nothing where R
 // permutes the axes. Per component
 //   point_error = 4 u M + kTurn u (|a| + |b|) + blur:  d is within 2 u, two sums round once each; blur is
-//   what curved leaves and combinators round themselves (leaf.hpp, combinator.hpp), and what centres far out
+//   what curved leaves and combinators round themselves (leaf.hpp, tree.hpp), and what centres far out
 //   leave of d where they cancel (offset.hpp).
 // Rounding of h(n) = n.w, over |n|:
 //   reach_error = sqrt(3) point_error + 3 u M + choice_error: the product, and a point that is not the

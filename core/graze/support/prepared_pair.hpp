@@ -1,5 +1,5 @@
 // Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a
-// direction.
+// direction. A `Guide` is one of the two bodies, a `GuidedPair` both.
 //
 //   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
 //
@@ -8,10 +8,10 @@
 // the farthest vertex must make sure of it.
 //
 // Rounding, internal length, per component, u in double; |a|, |b| <= reach:
-//   body   of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (as
-//          rotation_matrix, and a product with a reciprocal instead of a quotient), so 10 sqrt(3) u, and 3 u
-//          for the sum of three;
-//   offset 2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each).
+//   body     of R x: nothing where R is the identity, else kGuideTurn u |x|: entries of R within 10 u (as
+//            rotation_matrix, with a product by a reciprocal instead of a quotient), so 10 sqrt(3) u, and
+//            3 u for the sum of three
+//   offset   2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each)
 #pragma once
 
 #include <graze/support/guess_scan.hpp>

@@ -1,5 +1,5 @@
 // The law of the checker of proofs itself, by proofs that claim too much. What each says and when it does not
-// apply: laws_checker.cpp and the table in law.cpp.
+// apply: checker.cpp and the table in linear.cpp.
 #pragma once
 
 #include "properties/laws/law.hpp"

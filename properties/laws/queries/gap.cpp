@@ -2,7 +2,7 @@
 //
 // One function of C, apart and in contact: gap = max over unit n of -h(n), h(n) = max over C of n.c. So it
 // does not rise as C grows, falls by r as C is rounded by r, and rises by s as B is moved by s along the
-// normal of an answer. Right answers have it within their limits (query_asked.hpp).
+// normal of an answer. Right answers have it within their limits (asked.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The laws of rotating casts that stand on the oracle: an answer's errors, each within the method's row
-// (judge_rotating.hpp).
+// (judge/judge_rotating.cpp).
 #pragma once
 
 #include "engines/method.hpp"

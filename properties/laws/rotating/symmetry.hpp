@@ -1,5 +1,5 @@
 // Laws that ask a rotating method twice, the second time about the same bodies and motion described in
-// another way: exact edits of a case (case_edit.hpp) that keep the times of contact.
+// another way: exact edits of a case (edit/turning.hpp) that keep the times of contact.
 #pragma once
 
 #include "engines/method.hpp"

@@ -76,7 +76,7 @@ LawResult turning_horizon(const Case& problem, const Method& method) {
                   {part.outcome == Outcome::miss ? "contact after or none" : "contact before"});
 }
 
-// What is restarted is off by a rounding (case_edit.hpp: Restart), which is granted as a length.
+// What is restarted is off by a rounding (edit/turning.hpp: Restart), which is granted as a length.
 LawResult turning_splitting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();

@@ -257,4 +257,12 @@ TEST(CertifiedTier, PolytopesAreExact) {
   EXPECT_EQ(std::nextafter(result.toi_lower, 1.0), result.toi_upper);
 }
 
+#ifdef GRAZE_TEST_FLUSH
+TEST(CertifiedTier, IsBuiltWithFusedMultiplyAdds) {
+  const std::optional<bool> fused = test::fuses();
+  if (!fused) GTEST_SKIP() << "this machine has none";
+  EXPECT_TRUE(*fused);
+}
+#endif
+
 }  // namespace

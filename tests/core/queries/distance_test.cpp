@@ -123,7 +123,7 @@ TYPED_TEST(DistanceQuery, AFarVertexDoesNotHideANearerOne) {
 //
 // Report: 205 of 24,000 distances of such prisms stalled, with an upper end and witnesses up to 2e7 u scale
 // off. Mechanism: at the foot on a vertex the next support point, the other end of its leaning edge, brings v
-// nearer by less than u |v| (steady_axis.hpp), and the search ended; the axis that this edge turns by the
+// nearer by less than u |v| (refine_axis.hpp), and the search ended; the axis that this edge turns by the
 // root of u finds the vertex that is nearer by the root of u. Threshold: 64 u scale, the row's.
 TYPED_TEST(DistanceQuery, EdgesThatHardlyLeanHideNoNearerOne) {
   using S = TypeParam;

@@ -25,7 +25,7 @@ TEST(RoundingBounds, APartIsAsUncertainAsItsPlace) {
   };
   const Quaternion<double> none{1, 0, 0, 0}, turn{1, 2, 3, 4};
   EXPECT_EQ(point(V(8, -4, 2), none), point(V::Zero(), none));
-  // 9 u of a vector that is turned, at the least (combinator.hpp), of a place of size 9.
+  // 9 u of a vector that is turned, at the least (tree.hpp), of a place of size 9.
   EXPECT_GE(point(V(8, -4, 2), turn), point(V::Zero(), turn) + 9);
 }
 

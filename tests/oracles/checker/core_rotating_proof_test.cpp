@@ -178,4 +178,12 @@ TEST(CoreRotatingProof, IsAcceptedInFloat) {
 }
 
 }  // namespace
+#ifdef GRAZE_TEST_FLUSH
+TEST(CoreRotatingProof, IsBuiltWithFusedMultiplyAdds) {
+  const std::optional<bool> fused = test::fuses();
+  if (!fused) GTEST_SKIP() << "this machine has none";
+  EXPECT_TRUE(*fused);
+}
+#endif
+
 }  // namespace graze::test

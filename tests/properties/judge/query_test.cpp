@@ -20,9 +20,9 @@ using engine::Interval;
 
 // Answers are handed in: of the method only the row, kappa 64, counts.
 const engine::Method& method_for(Query query) {
-  return *engine::find_method(query, query == Query::penetration                                    ? "epa"
+  return *engine::find_method(query, query == Query::penetration                                 ? "epa"
                                      : query == Query::penetration_along || query == Query::line ? "mpr"
-                                                                                                  : "gjk");
+                                                                                                 : "gjk");
 }
 
 // A cube of side 2 about the origin, B a cube of side 1 whose centre is at x, moving by v.
@@ -51,8 +51,7 @@ Judgement judged(const Case& problem, const Answer& answer) {
 }
 
 // Our answer stands; with the change it falls, by the fault named.
-void falls(const Case& problem, std::string Judgement::*fault,
-           const std::function<void(Answer&)>& change) {
+void falls(const Case& problem, std::string Judgement::*fault, const std::function<void(Answer&)>& change) {
   Answer answer = ours(problem);
   const Judgement before = judged(problem, answer);
   EXPECT_FALSE(before.faulty()) << before.wrong << before.off << before.bad_contact;

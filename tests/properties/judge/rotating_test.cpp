@@ -20,8 +20,7 @@ using engine::kPlain;
 
 const engine::Method& method(const char* name) { return *engine::find_method(engine::Kind::rotating, name); }
 
-Judgement judged(const Case& problem, const char* name, const Answer& answer,
-                         Request request = kPlain) {
+Judgement judged(const Case& problem, const char* name, const Answer& answer, Request request = kPlain) {
   Truth truth(problem);
   return judge(truth, method(name), answer, request, true);
 }
@@ -47,10 +46,8 @@ void become_miss(Answer& a) {
 
 TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
   for (const char* name : {"ca", "bilateral", "plan"}) {
-    falls(turning_bar(), name, &Judgement::late,
-          [](Answer& a) { a.toi_upper = a.toi_lower += kOff; });
-    falls(turning_bar(), name, &Judgement::early,
-          [](Answer& a) { a.toi_lower = a.toi_upper -= kOff; });
+    falls(turning_bar(), name, &Judgement::late, [](Answer& a) { a.toi_upper = a.toi_lower += kOff; });
+    falls(turning_bar(), name, &Judgement::early, [](Answer& a) { a.toi_lower = a.toi_upper -= kOff; });
     falls(turning_bar(), name, &Judgement::off, [](Answer& a) { a.toi_lower -= kOff; });
     falls(turning_bar(), name, &Judgement::off, [](Answer& a) { a.toi_upper += kOff; });
     falls(turning_bar(), name, &Judgement::off, [](Answer& a) {
@@ -71,8 +68,7 @@ TEST(RotatingJudge, convicts_a_wrong_verdict) {
     a.outcome = Outcome::initially_overlapping;
     a.toi_lower = a.toi_upper = 0;
   });
-  falls(turning_bar(), "bilateral", &Judgement::wrong,
-        [](Answer& a) { a.outcome = Outcome::invalid_input; });
+  falls(turning_bar(), "bilateral", &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::invalid_input; });
   falls(turning_bar(), "bilateral", &Judgement::wrong,
         [](Answer& a) { std::swap(a.toi_lower, a.toi_upper = 2); });
   falls(turning_bar(), "bilateral", &Judgement::wrong, [](Answer& a) { a.toi_lower = std::nan(""); });
@@ -95,15 +91,12 @@ TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_anot
 
 TEST(RotatingJudge, convicts_normals_and_witnesses) {
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
-  falls(turning_bar(), "bilateral", &Judgement::bad_contact,
-        [](Answer& a) { a.normal *= 1 + 1e-12; });
+  falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= 1 + 1e-12; });
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) {
     a.normal = Vec3<double>(1e-9, -1, 0).normalized();  // the corners of the floor are 2 to the side
   });
-  falls(turning_bar(), "bilateral", &Judgement::bad_contact,
-        [](Answer& a) { a.point_b.y() += kOff; });
-  falls(turning_bar(), "bilateral", &Judgement::bad_contact,
-        [](Answer& a) { a.point_a.z() = std::nan(""); });
+  falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.point_b.y() += kOff; });
+  falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.point_a.z() = std::nan(""); });
 }
 
 TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
@@ -112,7 +105,8 @@ TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
   const Judgement hidden = judged(dipping_bar(), "steps", miss);
   EXPECT_TRUE(hidden.hidden);
   EXPECT_FALSE(hidden.faulty()) << hidden.fault();
-  EXPECT_NEAR(hidden.errors.passed * 5.744562646538029, 0.03, 0.01);  // the dip, over the diagonal of the floor
+  EXPECT_NEAR(hidden.errors.passed * 5.744562646538029, 0.03,
+              0.01);  // the dip, over the diagonal of the floor
   miss.hidden_motion = 0.01;
   EXPECT_NE(judged(dipping_bar(), "steps", miss).wrong, "");
   EXPECT_FALSE(judged(dipping_bar(), "bilateral_published", miss).faulty());

@@ -14,7 +14,8 @@ namespace graze::law {
 bool LawRun::holds_for(const corpus::Case& problem, std::string_view family) {
   for (std::size_t method = 0; method < law_.methods().size(); ++method) {
     LawResult result = law_.check(problem, law_.methods()[method]);
-    if (result.holding == Holding::broken && is_known_breach(law_.name, law_.methods()[method].question_name())) {
+    if (result.holding == Holding::broken &&
+        is_known_breach(law_.name, law_.methods()[method].question_name())) {
       ++known_breaches_;
       continue;
     }

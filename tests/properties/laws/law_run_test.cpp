@@ -46,13 +46,14 @@ Law planted(const std::string& name, Breaks breaks) {
   return {.name = name,
           .sentence = "No cast ever hits.",
           .needs = Needs::metamorphic,
-          .check = [breaks](const corpus::Case& problem, const Method& method) {
-            if (method.full_name() != "mpr/double") return not_applicable("another method");
-            if (!is_linear_question(problem)) return not_applicable("no linear cast");
-            const engine::Answer answer = method.ask(problem, {});
-            if (answer.outcome == Outcome::hit && breaks(problem)) return broken("it hits");
-            return holds({label_of(answer.outcome)});
-          },
+          .check =
+              [breaks](const corpus::Case& problem, const Method& method) {
+                if (method.full_name() != "mpr/double") return not_applicable("another method");
+                if (!is_linear_question(problem)) return not_applicable("no linear cast");
+                const engine::Answer answer = method.ask(problem, {});
+                if (answer.outcome == Outcome::hit && breaks(problem)) return broken("it hits");
+                return holds({label_of(answer.outcome)});
+              },
           .kind = Kind::linear};
 }
 
@@ -110,7 +111,8 @@ TEST(LawRun, a_false_law_ends_as_a_small_case_with_a_picture_and_what_to_do) {
   ASSERT_TRUE(read.ok()) << read.errors.front().text();
   ASSERT_EQ(read.cases.size(), 1U);
   EXPECT_TRUE(same_input(read.cases[0], least));
-  EXPECT_EQ(law.check(read.cases[0], *engine::find_method(Kind::linear, "mpr/double")).holding, Holding::broken);
+  EXPECT_EQ(law.check(read.cases[0], *engine::find_method(Kind::linear, "mpr/double")).holding,
+            Holding::broken);
   EXPECT_EQ(read.cases[0].id, "law/" + files[0].stem().string());
   EXPECT_NE(read.cases[0].comment.find("hulls_are_never_hit"), std::string::npos);
   EXPECT_NE(text_of(files[1]).find("<title>" + read.cases[0].id + "</title>"), std::string::npos);

@@ -186,8 +186,8 @@ TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
 
 TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
   const Folder folder;
-  const CommandRun run =
-      folder.graze("certify --family grazing_edge --family curved --count 300 --method exact --queries 20 --full");
+  const CommandRun run = folder.graze(
+      "certify --family grazing_edge --family curved --count 300 --method exact --queries 20 --full");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("0 wrong, 0 stalled"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("below 3/n"), std::string::npos) << run.out;

@@ -201,7 +201,8 @@ TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
   EXPECT_EQ(folder.graze("certify unasked.json --queries 0").exit_code, 2);
   // Nor is a cast for which the command line leaves no method.
   folder.write("cast.json", cubes("test/cast", 4));
-  const CommandRun left = folder.graze("certify cast.json deep.json --queries 0 --method bilateral --method epa");
+  const CommandRun left =
+      folder.graze("certify cast.json deep.json --queries 0 --method bilateral --method epa");
   EXPECT_EQ(left.exit_code, 0) << left.out << left.err;
   EXPECT_NE(left.err.find("cast.json"), std::string::npos) << left.err;
 }
