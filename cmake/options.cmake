@@ -13,8 +13,11 @@ if(PROJECT_IS_TOP_LEVEL)
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
   endif()
+  # GRAZE_LAUNCHER: one program before the compiler, for scripts that compile.
+  set(GRAZE_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")
   find_program(GRAZE_CCACHE ccache)
   if(GRAZE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(GRAZE_LAUNCHER ${GRAZE_CCACHE})
     # What ccache must overlook to know a file again that is compiled with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${GRAZE_CCACHE})
   endif()

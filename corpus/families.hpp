@@ -25,6 +25,10 @@ struct Family {
   std::span<const double> levels;     // from easy to hard; any integer between the extremes is one too
   void (*fill)(Draw&, double, Case&);
   bool rotating = false;  // a body of each case turns, but for one in sixteen or so
+  struct {
+    double hardness = 0;
+    std::uint64_t seed = 1;
+  } picture{};  // the case that the family's page shows, chosen by eye
 
   // The case `name/h<hardness>/s<seed>`. A hardness is rounded to an integer and brought between the
   // extremes.

@@ -6,6 +6,7 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_aligned_boxes(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -70,5 +71,18 @@ void fill_aligned_boxes(Draw& draw, double hardness, Case& problem) {
   turn_exactly(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kAlignedBoxesLevels[] = {0, 1, 2, 3};
+
+}  // namespace
+
+const Family family::aligned_boxes{
+    .name = "aligned_boxes",
+    .sentence = "Boxes on a grid: support ties along the whole path.",
+    .hardness_meaning = "the number of axes along which the boxes' faces lie in one plane at t = 0",
+    .levels = kAlignedBoxesLevels,
+    .fill = fill_aligned_boxes,
+    .picture = {2, 1},
+};
 
 }  // namespace graze::corpus

@@ -57,8 +57,6 @@ void approach(Draw& draw, double hardness, Case& problem) {
   turn_nearly_alike(draw, hardness, problem);
 }
 
-}  // namespace
-
 void fill_both_turn(Draw& draw, double hardness, Case& problem) {
   if (draw.random.once_in(2)) {
     as_one(draw, hardness, problem);
@@ -68,5 +66,19 @@ void fill_both_turn(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kBothTurnLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+
+}  // namespace
+
+const Family family::both_turn{
+    .name = "both_turn",
+    .sentence = "Both bodies turn, nearly as one.",
+    .hardness_meaning = "k: the angular velocities differ by at most 2^-k along each axis",
+    .levels = kBothTurnLevels,
+    .fill = fill_both_turn,
+    .rotating = true,
+    .picture = {8, 2},
+};
 
 }  // namespace graze::corpus

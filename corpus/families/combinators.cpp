@@ -4,6 +4,7 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_combinators(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -17,5 +18,18 @@ void fill_combinators(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kCombinatorsLevels[] = {1, 2, 3, 4, 5};
+
+}  // namespace
+
+const Family family::combinators{
+    .name = "combinators",
+    .sentence = "Sums, sweeps, hulls of two, roundings and poses, nested.",
+    .hardness_meaning = "how deep the combinators are nested",
+    .levels = kCombinatorsLevels,
+    .fill = fill_combinators,
+    .picture = {3, 3},
+};
 
 }  // namespace graze::corpus

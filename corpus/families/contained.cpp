@@ -53,8 +53,6 @@ Shape<double> shrunk(const Shape<double>& shape, int shift) {
   return Hull<double>(std::span<const Vec3<double>>(list));
 }
 
-}  // namespace
-
 void fill_contained(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const int k = static_cast<int>(hardness);
@@ -109,5 +107,18 @@ void fill_contained(Draw& draw, double hardness, Case& problem) {
   }
   maybe_swap(draw, problem);
 }
+
+constexpr double kContainedLevels[] = {1, 2, 4, 6, 8, 10, 12, 14, 16, 17};  // 17: none at all
+
+}  // namespace
+
+const Family family::contained{
+    .name = "contained",
+    .sentence = "One body within the other, or on its way to the other's middle.",
+    .hardness_meaning = "k: the centres meet but for 10^-k of a size of 4 along an axis; 17 is concentric",
+    .levels = kContainedLevels,
+    .fill = fill_contained,
+    .picture = {2, 5},
+};
 
 }  // namespace graze::corpus

@@ -4,6 +4,7 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_curved(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -19,5 +20,18 @@ void fill_curved(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kCurvedLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+
+}  // namespace
+
+const Family family::curved{
+    .name = "curved",
+    .sentence = "Round shapes and thin ones.",
+    .hardness_meaning = "k: the thin extents are 10^-k of the others, for shapes of size 4",
+    .levels = kCurvedLevels,
+    .fill = fill_curved,
+    .picture = {2, 5},
+};
 
 }  // namespace graze::corpus

@@ -31,8 +31,6 @@ void shoot(Draw& draw, double hardness, Case& problem) {
   maybe_swap(draw, problem);
 }
 
-}  // namespace
-
 void fill_enters_and_leaves(Draw& draw, double hardness, Case& problem) {
   if (draw.random.once_in(2)) {
     shoot(draw, hardness, problem);
@@ -43,5 +41,19 @@ void fill_enters_and_leaves(Draw& draw, double hardness, Case& problem) {
   const double part = power_of_two(-static_cast<int>(hardness));
   spin_past(draw, problem, -12.5 * part * part, 3.7, 5.8);
 }
+
+constexpr double kEntersAndLeavesLevels[] = {2, 4, 6, 8, 10, 12, 14, 16};
+
+}  // namespace
+
+const Family family::enters_and_leaves{
+    .name = "enters_and_leaves",
+    .sentence = "Apart at both ends of the step, in contact in between.",
+    .hardness_meaning = "k: the contact lasts about 2^-k of the step, or less",
+    .levels = kEntersAndLeavesLevels,
+    .fill = fill_enters_and_leaves,
+    .rotating = true,
+    .picture = {6, 1},
+};
 
 }  // namespace graze::corpus

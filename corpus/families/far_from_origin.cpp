@@ -3,10 +3,11 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_far_from_origin(Draw& draw, double hardness, Case& problem) {
   constexpr double kVertices = 8;
-  fill_random(draw, kVertices, problem);
+  family::random.fill(draw, kVertices, problem);
   Random& random = draw.random;
   const double distance = power_of_ten(static_cast<int>(hardness));
   Vec3<double> offset;
@@ -32,5 +33,18 @@ void fill_far_from_origin(Draw& draw, double hardness, Case& problem) {
     }
   }
 }
+
+constexpr double kFarFromOriginLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+
+}  // namespace
+
+const Family family::far_from_origin{
+    .name = "far_from_origin",
+    .sentence = "A random pair far from the origin.",
+    .hardness_meaning = "k: the offset is about 10^k, for shapes of size 4",
+    .levels = kFarFromOriginLevels,
+    .fill = fill_far_from_origin,
+    .picture = {6, 6},
+};
 
 }  // namespace graze::corpus

@@ -9,6 +9,7 @@
 #include "corpus/families/placing.hpp"
 
 namespace graze::corpus {
+namespace {
 
 Vec3<double> far_offset(Draw& draw, double size) {
   Random& random = draw.random;
@@ -60,5 +61,18 @@ void fill_far_own_frame(Draw& draw, double hardness, Case& problem) {
   aim(draw, problem, random.once_in(2) ? 0.25 : kReach);
   maybe_swap(draw, problem);
 }
+
+constexpr double kFarOwnFrameLevels[] = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+}  // namespace
+
+const Family family::far_own_frame{
+    .name = "far_own_frame",
+    .sentence = "A random pair, near the origin, of bodies that lie far out in their own frames.",
+    .hardness_meaning = "k: they are about 10^k out, for shapes of size 4",
+    .levels = kFarOwnFrameLevels,
+    .fill = fill_far_own_frame,
+    .picture = {6, 1},
+};
 
 }  // namespace graze::corpus

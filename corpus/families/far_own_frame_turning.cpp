@@ -142,8 +142,6 @@ void any_two(Draw& draw, double hardness, Case& problem, Coordinates kind) {
   meet(draw, problem, meeting, random.once_in(2) ? 0.25 : kReach);
 }
 
-}  // namespace
-
 void fill_far_own_frame_turning(Draw& draw, double hardness, Case& problem) {
   const Coordinates kind = draw.coordinates;
   draw.coordinates = Coordinates::doubles;
@@ -156,5 +154,19 @@ void fill_far_own_frame_turning(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kFarOwnFrameTurningLevels[] = {10, 13, 16, 19, 22, 25, 28, 31, 34, 37, 40};
+
+}  // namespace
+
+const Family family::far_own_frame_turning{
+    .name = "far_own_frame_turning",
+    .sentence = "Bodies that lie far out in their own frames meet near the origin, turning.",
+    .hardness_meaning = "k: they are about 2^k out, for shapes of size 4",
+    .levels = kFarOwnFrameTurningLevels,
+    .fill = fill_far_own_frame_turning,
+    .rotating = true,
+    .picture = {22, 1},
+};
 
 }  // namespace graze::corpus

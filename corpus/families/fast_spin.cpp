@@ -8,6 +8,7 @@
 #include <cmath>
 
 namespace graze::corpus {
+namespace {
 
 void fill_fast_spin(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -37,5 +38,19 @@ void fill_fast_spin(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kFastSpinLevels[] = {4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+}  // namespace
+
+const Family family::fast_spin{
+    .name = "fast_spin",
+    .sentence = "A body turns many times while another passes.",
+    .hardness_meaning = "k: it turns by up to 2^k radians a unit of time, or by a few turns more",
+    .levels = kFastSpinLevels,
+    .fill = fill_fast_spin,
+    .rotating = true,
+    .picture = {5, 2},
+};
 
 }  // namespace graze::corpus

@@ -94,8 +94,6 @@ void fill_in_one_plane(Draw& draw, const Flat& flat, Case& problem) {
   if (random.once_in(12)) problem.t_max = kInfinity<double>;
 }
 
-}  // namespace
-
 void fill_flat_shapes(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const int k = static_cast<int>(hardness);
@@ -122,5 +120,18 @@ void fill_flat_shapes(Draw& draw, double hardness, Case& problem) {
   }
   maybe_swap(draw, problem);
 }
+
+constexpr double kFlatShapesLevels[] = {1, 2, 4, 6, 8, 10, 12, 14, 16, 17};  // 17: none at all
+
+}  // namespace
+
+const Family family::flat_shapes{
+    .name = "flat_shapes",
+    .sentence = "Plates, needles and specks, in one plane, on one line, or anyhow.",
+    .hardness_meaning = "k: the flattest body's least extent is 10^-k of its largest; 17 is exactly flat",
+    .levels = kFlatShapesLevels,
+    .fill = fill_flat_shapes,
+    .picture = {2, 4},
+};
 
 }  // namespace graze::corpus

@@ -28,8 +28,6 @@ double height(Draw& draw, double hardness) {
   return above ? size : -size;
 }
 
-}  // namespace
-
 void fill_grazing_vertex(Draw& draw, double hardness, Case& problem) {
   const double delta = height(draw, hardness);
   Topped a = topped_vertex(draw, kReach), b = topped_vertex(draw, kReach);
@@ -65,5 +63,36 @@ void fill_grazing_face(Draw& draw, double hardness, Case& problem) {
   if (draw.random.once_in(3)) turn_about_z(draw, b);
   pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);
 }
+
+constexpr double kGrazingLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+
+}  // namespace
+
+const Family family::grazing_vertex{
+    .name = "grazing_vertex",
+    .sentence = "The path just touches, or just misses, a vertex.",
+    .hardness_meaning = "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4",
+    .levels = kGrazingLevels,
+    .fill = fill_grazing_vertex,
+    .picture = {9, 1},
+};
+
+const Family family::grazing_edge{
+    .name = "grazing_edge",
+    .sentence = "The path just touches, or just misses, an edge.",
+    .hardness_meaning = "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4",
+    .levels = kGrazingLevels,
+    .fill = fill_grazing_edge,
+    .picture = {6, 2},
+};
+
+const Family family::grazing_face{
+    .name = "grazing_face",
+    .sentence = "The path just touches, or just misses, a face.",
+    .hardness_meaning = "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4",
+    .levels = kGrazingLevels,
+    .fill = fill_grazing_face,
+    .picture = {6, 5},
+};
 
 }  // namespace graze::corpus

@@ -12,8 +12,6 @@ void draw_hulls(Draw& draw, double hardness, Case& problem) {
   problem.b.shape = draw.hull(kReach, vertices);
 }
 
-}  // namespace
-
 void fill_hulls(Draw& draw, double hardness, Case& problem) {
   draw_hulls(draw, hardness, problem);
   approach(draw, problem);
@@ -25,5 +23,27 @@ void fill_hulls_rotated(Draw& draw, double hardness, Case& problem) {
   problem.b.orientation = draw.turned_pose();
   approach(draw, problem);
 }
+
+constexpr double kHullsLevels[] = {8, 10, 12, 14, 16};
+
+}  // namespace
+
+const Family family::hulls{
+    .name = "hulls",
+    .sentence = "Two hulls of few random vertices, not turned, one aimed near the other.",
+    .hardness_meaning = "the number of vertices of each hull",
+    .levels = kHullsLevels,
+    .fill = fill_hulls,
+    .picture = {12, 2},
+};
+
+const Family family::hulls_rotated{
+    .name = "hulls_rotated",
+    .sentence = "Two hulls of few random vertices, turned, one aimed near the other.",
+    .hardness_meaning = "the number of vertices of each hull",
+    .levels = kHullsLevels,
+    .fill = fill_hulls_rotated,
+    .picture = {12, 4},
+};
 
 }  // namespace graze::corpus

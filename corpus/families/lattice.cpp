@@ -32,8 +32,6 @@ Shape<double> lattice_shape(Random& random, int reach) {
   }
 }
 
-}  // namespace
-
 void fill_lattice(Draw& draw, double hardness, Case& problem) {
   draw.coordinates = Coordinates::integers;
   Random& random = draw.random;
@@ -61,5 +59,18 @@ void fill_lattice(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kLatticeLevels[] = {0, 1, 2, 3, 4, 5, 6};
+
+}  // namespace
+
+const Family family::lattice{
+    .name = "lattice",
+    .sentence = "Shapes, positions and motion on a coarse lattice.",
+    .hardness_meaning = "k: the shapes' coordinates are integers of -2^(6-k) .. 2^(6-k)",
+    .levels = kLatticeLevels,
+    .fill = fill_lattice,
+    .picture = {5, 6},
+};
 
 }  // namespace graze::corpus

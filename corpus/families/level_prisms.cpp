@@ -74,8 +74,6 @@ void lay_down(Draw& draw, Body<double>& body, const Prism& prism, double unit) {
   body.orientation.z += unit * lean[1];
 }
 
-}  // namespace
-
 void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double unit = power_of_ten(-static_cast<int>(hardness));
@@ -119,5 +117,18 @@ void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   draw_horizon(random, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kLevelPrismsLevels[] = {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
+
+}  // namespace
+
+const Family family::level_prisms{
+    .name = "level_prisms",
+    .sentence = "Prisms with level ends, whose edges are nearly parallel.",
+    .hardness_meaning = "k: edges lean by 10^-k, for shapes of size 4",
+    .levels = kLevelPrismsLevels,
+    .fill = fill_level_prisms,
+    .picture = {3, 1},
+};
 
 }  // namespace graze::corpus

@@ -160,8 +160,6 @@ void speeds_apart(Draw& draw, double arm, Case& problem) {
   set_pivots(problem, c, c);
 }
 
-}  // namespace
-
 void fill_long_arms(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double arm = power_of_two(static_cast<int>(hardness));
@@ -184,5 +182,19 @@ void fill_long_arms(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kLongArmsLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+
+}  // namespace
+
+const Family family::long_arms{
+    .name = "long_arms",
+    .sentence = "Both bodies, on arms far longer than they are, turn as one but for the last digits.",
+    .hardness_meaning = "k: the arms are about 2^k, for shapes of size 4",
+    .levels = kLongArmsLevels,
+    .fill = fill_long_arms,
+    .rotating = true,
+    .picture = {4, 1},
+};
 
 }  // namespace graze::corpus

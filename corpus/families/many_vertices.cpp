@@ -119,8 +119,6 @@ Shape<double> small_shape(Draw& draw, double reach) {
   }
 }
 
-}  // namespace
-
 void fill_many_vertices(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   problem.a.shape = dense_hull(draw, 1 << static_cast<int>(hardness));
@@ -146,5 +144,18 @@ void fill_many_vertices(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kManyVerticesLevels[] = {5, 6, 7, 8, 9};
+
+}  // namespace
+
+const Family family::many_vertices{
+    .name = "many_vertices",
+    .sentence = "Dense hulls: spheres, caps, prisms, rings of nearly coplanar triangles.",
+    .hardness_meaning = "k: one hull has 2^k corners",
+    .levels = kManyVerticesLevels,
+    .fill = fill_many_vertices,
+    .picture = {6, 4},
+};
 
 }  // namespace graze::corpus

@@ -103,8 +103,6 @@ Shape<double> tree(Draw& draw, int k, int depth) {
   }
 }
 
-}  // namespace
-
 void fill_mixed_magnitudes(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const int k = std::min(static_cast<int>(hardness), kGreatestExponent);
@@ -129,5 +127,18 @@ void fill_mixed_magnitudes(Draw& draw, double hardness, Case& problem) {
   draw_horizon(random, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kMixedMagnitudesLevels[] = {1, 2, 3, 5, 8, 12, 16, 20, 30, 40, 50, 59};
+
+}  // namespace
+
+const Family family::mixed_magnitudes{
+    .name = "mixed_magnitudes",
+    .sentence = "Sums and nested poses of coordinates of very different size.",
+    .hardness_meaning = "k: coordinates are 0, or 10^-k to 10^k in size, each by itself",
+    .levels = kMixedMagnitudesLevels,
+    .fill = fill_mixed_magnitudes,
+    .picture = {1, 1},
+};
 
 }  // namespace graze::corpus

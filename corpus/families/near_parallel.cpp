@@ -57,8 +57,6 @@ Shape<double> tilted_hull(Draw& draw, double tilt) {
   return Hull<double>(std::span<const Vec3<double>>(list));
 }
 
-}  // namespace
-
 void fill_parallel_faces(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double tilt = small_unit(draw, hardness);
@@ -140,5 +138,27 @@ void fill_parallel_edges(Draw& draw, double hardness, Case& problem) {
   turn_exactly(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kNearParallelLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+
+}  // namespace
+
+const Family family::parallel_faces{
+    .name = "parallel_faces",
+    .sentence = "A small body falls face on face, the two nearly parallel.",
+    .hardness_meaning = "k: the angle between the faces is 10^-k radians",
+    .levels = kNearParallelLevels,
+    .fill = fill_parallel_faces,
+    .picture = {1, 6},
+};
+
+const Family family::parallel_edges{
+    .name = "parallel_edges",
+    .sentence = "Two edges meet that are nearly parallel.",
+    .hardness_meaning = "k: the angle between the edges is 10^-k radians",
+    .levels = kNearParallelLevels,
+    .fill = fill_parallel_edges,
+    .picture = {1, 3},
+};
 
 }  // namespace graze::corpus

@@ -119,8 +119,6 @@ void finish(Draw& draw, Case& problem) {
   maybe_swap(draw, problem);
 }
 
-}  // namespace
-
 void fill_needles(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const Sizes size = sizes(draw, static_cast<int>(hardness));
@@ -171,5 +169,27 @@ void fill_plates(Draw& draw, double hardness, Case& problem) {
   meet(draw, problem, a, b, off, v, meeting_time(random));
   finish(draw, problem);
 }
+
+constexpr double kNeedlesLevels[] = {0, 1, 2, 3, 4, 5, 6};
+
+}  // namespace
+
+const Family family::needles{
+    .name = "needles",
+    .sentence = "Long thin bodies that meet near their ends.",
+    .hardness_meaning = "k: the length is 10^k times the width",
+    .levels = kNeedlesLevels,
+    .fill = fill_needles,
+    .picture = {1, 2},
+};
+
+const Family family::plates{
+    .name = "plates",
+    .sentence = "Flat bodies that meet flat on flat, edge on edge or edge on flat, near their rims.",
+    .hardness_meaning = "k: the width is 10^k times the thickness",
+    .levels = kNeedlesLevels,
+    .fill = fill_plates,
+    .picture = {2, 1},
+};
 
 }  // namespace graze::corpus

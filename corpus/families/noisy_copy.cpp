@@ -29,8 +29,6 @@ Vec3<double> extreme(const Body<double>& body, int axis, double sign) {
   return best;
 }
 
-}  // namespace
-
 void fill_noisy_copy(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double noise = power_of_ten(-static_cast<int>(hardness));
@@ -90,5 +88,18 @@ void fill_noisy_copy(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kNoisyCopyLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+}  // namespace
+
+const Family family::noisy_copy{
+    .name = "noisy_copy",
+    .sentence = "A hull and a copy of it with noise.",
+    .hardness_meaning = "k: the noise is 10^-k a coordinate, for shapes of size 4",
+    .levels = kNoisyCopyLevels,
+    .fill = fill_noisy_copy,
+    .picture = {1, 4},
+};
 
 }  // namespace graze::corpus

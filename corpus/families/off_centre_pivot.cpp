@@ -5,6 +5,7 @@
 #include "corpus/families/turning.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_off_centre_pivot(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -32,5 +33,19 @@ void fill_off_centre_pivot(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kOffCentrePivotLevels[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 10};
+
+}  // namespace
+
+const Family family::off_centre_pivot{
+    .name = "off_centre_pivot",
+    .sentence = "A body turns about a point far outside.",
+    .hardness_meaning = "k: the pivot is 2^k sizes of 4 from the body's origin",
+    .levels = kOffCentrePivotLevels,
+    .fill = fill_off_centre_pivot,
+    .rotating = true,
+    .picture = {4, 4},
+};
 
 }  // namespace graze::corpus

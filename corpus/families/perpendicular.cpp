@@ -17,6 +17,7 @@
 #include "corpus/families/topped.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_perpendicular(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;  // size of the smaller body (length)
@@ -60,5 +61,18 @@ void fill_perpendicular(Draw& draw, double hardness, Case& problem) {
   set_motion(draw, problem, v);
   finish_exactly(draw, problem);
 }
+
+constexpr double kPerpendicularLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+
+}  // namespace
+
+const Family family::perpendicular{
+    .name = "perpendicular",
+    .sentence = "The motion lies nearly in the face that would be hit.",
+    .hardness_meaning = "k: the angle between motion and face is 10^-k radians; one case in 16 has 0",
+    .levels = kPerpendicularLevels,
+    .fill = fill_perpendicular,
+    .picture = {2, 1},
+};
 
 }  // namespace graze::corpus

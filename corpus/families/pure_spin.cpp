@@ -91,8 +91,6 @@ void swing_past(Draw& draw, Case& problem, double delta) {
   maybe_swap(draw, problem);
 }
 
-}  // namespace
-
 void fill_pure_spin(Draw& draw, double hardness, Case& problem) {
   const double size = power_of_two(-static_cast<int>(hardness));
   const double delta = draw.random.once_in(2) ? size : -size;
@@ -105,5 +103,19 @@ void fill_pure_spin(Draw& draw, double hardness, Case& problem) {
   problem.a.displacement = Vec3<double>::Zero();
   problem.b.displacement = Vec3<double>::Zero();
 }
+
+constexpr double kPureSpinLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+
+}  // namespace
+
+const Family family::pure_spin{
+    .name = "pure_spin",
+    .sentence = "No linear motion: a body meets the other by turning alone.",
+    .hardness_meaning = "k: the clearance is 2^-k, or the depth at most that, for an arm of 5 to 160",
+    .levels = kPureSpinLevels,
+    .fill = fill_pure_spin,
+    .rotating = true,
+    .picture = {12, 4},
+};
 
 }  // namespace graze::corpus

@@ -2,6 +2,7 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_random(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;  // size of a shape (length); integers up to 4 keep some variety
@@ -13,5 +14,18 @@ void fill_random(Draw& draw, double hardness, Case& problem) {
   problem.b.orientation = draw.pose();
   approach(draw, problem);
 }
+
+constexpr double kRandomPairLevels[] = {4, 6, 8, 12, 16, 24};
+
+}  // namespace
+
+const Family family::random{
+    .name = "random",
+    .sentence = "Two random bodies, one aimed near the other.",
+    .hardness_meaning = "the number of vertices of a hull",
+    .levels = kRandomPairLevels,
+    .fill = fill_random,
+    .picture = {8, 2},
+};
 
 }  // namespace graze::corpus

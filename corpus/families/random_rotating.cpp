@@ -5,6 +5,7 @@
 #include "corpus/families/turning.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_random_rotating(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -33,5 +34,19 @@ void fill_random_rotating(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kRandomRotatingLevels[] = {0, 1, 2, 3};
+
+}  // namespace
+
+const Family family::random_rotating{
+    .name = "random_rotating",
+    .sentence = "Any two shapes, turning and moving at moderate speed.",
+    .hardness_meaning = "how deep the combinators of one body are nested; 0 for none",
+    .levels = kRandomRotatingLevels,
+    .fill = fill_random_rotating,
+    .rotating = true,
+    .picture = {1, 1},
+};
 
 }  // namespace graze::corpus

@@ -71,8 +71,6 @@ Shape<double> redundant_hull(Draw& draw, int copies) {
   return Hull<double>(std::span<const Vec3<double>>(list));
 }
 
-}  // namespace
-
 void fill_redundant_vertices(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const int copies = 1 << static_cast<int>(hardness);
@@ -107,5 +105,18 @@ void fill_redundant_vertices(Draw& draw, double hardness, Case& problem) {
   }
   maybe_swap(draw, problem);
 }
+
+constexpr double kRedundantVerticesLevels[] = {0, 1, 2, 3, 4, 5};
+
+}  // namespace
+
+const Family family::redundant_vertices{
+    .name = "redundant_vertices",
+    .sentence = "Hulls that list more than their corners: copies, midpoints, inner points.",
+    .hardness_meaning = "k: 2^k redundant vertices for each corner",
+    .levels = kRedundantVerticesLevels,
+    .fill = fill_redundant_vertices,
+    .picture = {2, 8},
+};
 
 }  // namespace graze::corpus

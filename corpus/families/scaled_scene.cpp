@@ -34,8 +34,6 @@ Shape<double> scaled(const Shape<double>& shape, int exponent) {
   return Hull<double>(std::span<const Vec3<double>>(vertices));
 }
 
-}  // namespace
-
 void fill_scaled_scene(Draw& draw, double hardness, Case& problem) {
   constexpr double kTolerances[] = {1e-4, 0x1p-23, 1e-12}, kFactors[] = {0.1, 1, 10};
   Random& random = draw.random;
@@ -62,5 +60,18 @@ void fill_scaled_scene(Draw& draw, double hardness, Case& problem) {
     body->displacement = scaled(body->displacement, exponent);
   }
 }
+
+constexpr double kScaledSceneLevels[] = {0, 10, 20, 30, 40, 50, 75, 100};
+
+}  // namespace
+
+const Family family::scaled_scene{
+    .name = "scaled_scene",
+    .sentence = "A scene that is tiny or huge, with gaps near the usual absolute tolerances.",
+    .hardness_meaning = "j: the scene is 2^j or 2^-j as large as shapes of size 4",
+    .levels = kScaledSceneLevels,
+    .fill = fill_scaled_scene,
+    .picture = {40, 3},
+};
 
 }  // namespace graze::corpus

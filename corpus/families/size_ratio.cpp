@@ -30,8 +30,6 @@ Capped large_body(Draw& draw, double reach) {
   }
 }
 
-}  // namespace
-
 void fill_size_ratio(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
   Random& random = draw.random;
@@ -65,5 +63,18 @@ void fill_size_ratio(Draw& draw, double hardness, Case& problem) {
   }
   maybe_swap(draw, problem);
 }
+
+constexpr double kSizeRatioLevels[] = {0, 1, 2, 3, 4, 5, 6};
+
+}  // namespace
+
+const Family family::size_ratio{
+    .name = "size_ratio",
+    .sentence = "A small body falls anywhere on a large one.",
+    .hardness_meaning = "k: the large body is 10^k times as large",
+    .levels = kSizeRatioLevels,
+    .fill = fill_size_ratio,
+    .picture = {3, 4},
+};
 
 }  // namespace graze::corpus

@@ -13,8 +13,6 @@ namespace {
 
 constexpr int kLastTilt = 16;
 
-}  // namespace
-
 void fill_sliding(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
   Random& random = draw.random;
@@ -55,5 +53,18 @@ void fill_sliding(Draw& draw, double hardness, Case& problem) {
   turn_exactly(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kSlidingLevels[] = {0, 1, 2, 4, 6, 8, 10, 12, 14, 16, 17};
+
+}  // namespace
+
+const Family family::sliding{
+    .name = "sliding",
+    .sentence = "Bodies in touch that slide off, along, or into each other.",
+    .hardness_meaning = "k: |n.v| is 10^-k of the largest component of v; 17 is exactly along the face",
+    .levels = kSlidingLevels,
+    .fill = fill_sliding,
+    .picture = {2, 3},
+};
 
 }  // namespace graze::corpus

@@ -103,8 +103,6 @@ Shape<double> partner(Draw& draw, double size) {
   }
 }
 
-}  // namespace
-
 void fill_slivers(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double size = power_of_ten(-static_cast<int>(hardness));
@@ -140,5 +138,18 @@ void fill_slivers(Draw& draw, double hardness, Case& problem) {
   vary_time_scale(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kSliversLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+
+}  // namespace
+
+const Family family::slivers{
+    .name = "slivers",
+    .sentence = "Triangles and hulls with nearly collinear corners.",
+    .hardness_meaning = "k: a corner is within 10^-k of an edge, for shapes of size 4",
+    .levels = kSliversLevels,
+    .fill = fill_slivers,
+    .picture = {2, 2},
+};
 
 }  // namespace graze::corpus

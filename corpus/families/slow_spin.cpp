@@ -21,8 +21,6 @@ void aim_anywhere(Draw& draw, Case& problem) {
   maybe_swap(draw, problem);
 }
 
-}  // namespace
-
 void fill_slow_spin(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double angle = power_of_two(-static_cast<int>(hardness));
@@ -45,5 +43,19 @@ void fill_slow_spin(Draw& draw, double hardness, Case& problem) {
     spin(problem.spin_b);
   }
 }
+
+constexpr double kSlowSpinLevels[] = {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+
+}  // namespace
+
+const Family family::slow_spin{
+    .name = "slow_spin",
+    .sentence = "A turn too small to matter, unless the path grazes.",
+    .hardness_meaning = "k: the turn is 2^-k radians over the step",
+    .levels = kSlowSpinLevels,
+    .fill = fill_slow_spin,
+    .rotating = true,
+    .picture = {12, 5},
+};
 
 }  // namespace graze::corpus

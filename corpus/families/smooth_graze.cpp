@@ -125,8 +125,6 @@ Topped smooth(Draw& draw) {
   }
 }
 
-}  // namespace
-
 void fill_smooth_graze(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double unit = power_of_ten(-static_cast<int>(hardness));
@@ -137,5 +135,18 @@ void fill_smooth_graze(Draw& draw, double hardness, Case& problem) {
   if (random.once_in(3)) turn_about_z(draw, b);
   pass_over(draw, problem, a, b, Vec3<double>::Zero(), delta);
 }
+
+constexpr double kSmoothGrazeLevels[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
+
+}  // namespace
+
+const Family family::smooth_graze{
+    .name = "smooth_graze",
+    .sentence = "Round shapes that pass at a small gap, or meet to a small depth.",
+    .hardness_meaning = "k: the clearance is 10^-k, or the depth at most that, for shapes of size 4",
+    .levels = kSmoothGrazeLevels,
+    .fill = fill_smooth_graze,
+    .picture = {4, 1},
+};
 
 }  // namespace graze::corpus

@@ -16,8 +16,6 @@ constexpr int kLastFast = 30;
 // Of the domain (validate.hpp), with room for a rounding.
 constexpr double kLeast = 1.0001e-60;
 
-}  // namespace
-
 void fill_speeds(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const int k = static_cast<int>(hardness);
@@ -43,5 +41,18 @@ void fill_speeds(Draw& draw, double hardness, Case& problem) {
   if (problem.t_max < kInfinity<double>) problem.t_max = draw.real(problem.t_max / factor);
   maybe_swap(draw, problem);
 }
+
+constexpr double kSpeedsLevels[] = {0, 1, 2, 3, 5, 8, 12, 16, 20, 25, 30, 40, 50};
+
+}  // namespace
+
+const Family family::speeds{
+    .name = "speeds",
+    .sentence = "Very slow and very fast motion over very long and very short times.",
+    .hardness_meaning = "k: |v| is 10^k or 10^-k of what arrives within a unit of time",
+    .levels = kSpeedsLevels,
+    .fill = fill_speeds,
+    .picture = {12, 3},
+};
 
 }  // namespace graze::corpus

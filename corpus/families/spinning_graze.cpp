@@ -12,11 +12,26 @@
 #include "corpus/families/turning.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_spinning_graze(Draw& draw, double hardness, Case& problem) {
   const double size = power_of_two(-static_cast<int>(hardness));
   const double delta = draw.random.once_in(2) ? size : -size;
   spin_past(draw, problem, delta, 3.7, 9);
 }
+
+constexpr double kSpinningGrazeLevels[] = {4, 8, 12, 16, 20, 24, 28, 32, 36, 40};
+
+}  // namespace
+
+const Family family::spinning_graze{
+    .name = "spinning_graze",
+    .sentence = "A spinning corner just passes, or just meets, a face, an edge, a corner or a round body.",
+    .hardness_meaning = "k: the clearance is 2^-k, or the depth at most that, for shapes of size 4 to 16",
+    .levels = kSpinningGrazeLevels,
+    .fill = fill_spinning_graze,
+    .rotating = true,
+    .picture = {12, 6},
+};
 
 }  // namespace graze::corpus

@@ -56,8 +56,6 @@ Capped narrow(Draw& draw) {
   }
 }
 
-}  // namespace
-
 // The axis is x through the origin; the ball meets at (0, 0, radius of the ring), or beside it.
 void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
@@ -129,5 +127,19 @@ void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   vary_horizon(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kSwungBallsLevels[] = {0, 1, 2, 3, 4, 5, 6, 8, 10, 12};
+
+}  // namespace
+
+const Family family::swung_balls{
+    .name = "swung_balls",
+    .sentence = "A ball, written as another shape, swings about a far pivot by up to a few turns.",
+    .hardness_meaning = "k: the pivot is 2^k radii away",
+    .levels = kSwungBallsLevels,
+    .fill = fill_swung_balls,
+    .rotating = true,
+    .picture = {2, 1},
+};
 
 }  // namespace graze::corpus

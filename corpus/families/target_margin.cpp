@@ -86,8 +86,6 @@ void start_within(Draw& draw, Case& problem, double m) {
   turn_exactly(draw, problem);
 }
 
-}  // namespace
-
 void fill_target_margin(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double m = draw.real(4 * power_of_ten(static_cast<int>(hardness)));
@@ -108,5 +106,18 @@ void fill_target_margin(Draw& draw, double hardness, Case& problem) {
   }
   maybe_swap(draw, problem);
 }
+
+constexpr double kTargetMarginLevels[] = {-6, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4};
+
+}  // namespace
+
+const Family family::target_margin{
+    .name = "target_margin",
+    .sentence = "Casts to a target distance, from far below the shapes' size to far above.",
+    .hardness_meaning = "k: the target distance is 10^k sizes of 4",
+    .levels = kTargetMarginLevels,
+    .fill = fill_target_margin,
+    .picture = {-1, 4},
+};
 
 }  // namespace graze::corpus

@@ -7,6 +7,7 @@
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
+namespace {
 
 void fill_touching(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;
@@ -49,5 +50,19 @@ void fill_touching(Draw& draw, double hardness, Case& problem) {
   turn_exactly(draw, problem);
   maybe_swap(draw, problem);
 }
+
+constexpr double kTouchingLevels[] = {-1024, -64, -8, -4, -2, -1, 0};
+
+}  // namespace
+
+const Family family::touching{
+    .name = "touching",
+    .sentence = "Bodies that start in touch, or within a few units in the last place of it.",
+    .hardness_meaning =
+        "-n: the gap is n units in the last place of 1 (2^-23 or 2^-52), either sign; 0 touches",
+    .levels = kTouchingLevels,
+    .fill = fill_touching,
+    .picture = {-8, 4},
+};
 
 }  // namespace graze::corpus

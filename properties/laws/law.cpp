@@ -9,15 +9,12 @@ namespace graze::law {
 std::span<const Law> laws() {
   static const std::vector<Law> kLaws = [] {
     std::vector<Law> all;
-    const auto add = [&](Kind kind, std::vector<Law> table) {
-      for (Law& law : table) {
-        law.kind = kind;
+    for (const LawTable& table : kLawTables) {
+      for (Law& law : table.laws()) {
+        law.kind = table.kind;
         all.push_back(std::move(law));
       }
-    };
-    add(Kind::linear, linear_laws());
-    add(Kind::query, query_laws());
-    add(Kind::rotating, rotating_laws());
+    }
     return all;
   }();
   return kLaws;

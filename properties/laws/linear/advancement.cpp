@@ -1,11 +1,12 @@
-#include "properties/laws/linear/advancement.hpp"
-
+// Laws of what a search may be told and what it leaves behind: budgets that end too soon, tolerances, another
+// scalar or tier, and the same question again.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "properties/laws/ask_twice.hpp"
 #include "properties/laws/linear/proof.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -43,8 +44,6 @@ bool is_same_answer(const Answer& one, const Answer& two) {
          (one.proof->toi_lower == two.proof->toi_lower && one.proof->toi_upper == two.proof->toi_upper &&
           one.proof->portal_size == two.proof->portal_size && one.proof->axis == two.proof->axis);
 }
-
-}  // namespace
 
 LawResult interrupting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -278,6 +277,35 @@ LawResult asking_again(const Case& problem, const Method& method) {
                               describe(first)));
   }
   return holds({label_of(first.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> linear_advancement_laws() {
+  return {
+      {"interrupting",
+       "A budget too small leaves a bracket that meets the answer's; a lower end that decreases with "
+       "the budget was right all the same (of ca, an advance cut short may lead farther).",
+       Needs::metamorphic, &interrupting},
+      {"tightening", "A tighter tolerance never lowers toi_lower and never raises toi_upper.",
+       Needs::metamorphic, &tightening},
+      {"asking_again", "The same question gets the same bits, whatever was asked between.",
+       Needs::metamorphic, &asking_again},
+      {"scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
+       Needs::metamorphic, &scalars_meet},
+      {"tiers_nest", "The exact bracket lies within the certified one.", Needs::metamorphic, &tiers_nest},
+      {"every_iterate_is_proved",
+       "Every proof of an answer cut short by its budget is accepted by the checker.", Needs::proof,
+       &every_iterate_is_proved},
+      {"interrupted_is_right",
+       "An answer cut short by its budget is never late, and a verdict of it never wrong, beyond kappa u "
+       "scale.",
+       Needs::oracle, &interrupted_is_right},
+      {"tolerance_bounds_the_error",
+       "A looser tolerance widens the backward error by no more than itself, is never late, and changes no "
+       "verdict.",
+       Needs::oracle, &tolerance_bounds_the_error},
+  };
 }
 
 }  // namespace graze::law

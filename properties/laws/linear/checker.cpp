@@ -1,5 +1,5 @@
-#include "properties/laws/linear/checker.hpp"
-
+// The law of the checker of proofs itself, by proofs that claim too much. What each says and when it does not
+// apply: checker.cpp and the table in linear.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 
 #include "oracles/checker/check_proof.hpp"
 #include "properties/judge/linear.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -103,8 +104,6 @@ class Overclaims {
   std::string fault_;
 };
 
-}  // namespace
-
 LawResult overclaims_are_refused(const Case& problem, const engine::Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
@@ -114,6 +113,15 @@ LawResult overclaims_are_refused(const Case& problem, const engine::Method& meth
   std::string fault = Overclaims(seen, *answer.proof).accepted();
   if (!fault.empty()) return broken(std::move(fault));
   return holds({label_of(answer.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> linear_checker_laws() {
+  return {
+      {"overclaims_are_refused", "Of an accepted proof no more is accepted than its bounds leave room for.",
+       Needs::proof, &overclaims_are_refused},
+  };
 }
 
 }  // namespace graze::law

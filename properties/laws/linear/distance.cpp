@@ -1,10 +1,10 @@
-#include "properties/laws/linear/distance.hpp"
-
+// What a linear cast says of the bodies' distance at toi_lower.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "properties/judge/linear.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -33,8 +33,6 @@ std::string distance_fault(const CaseTruth& truth, const Answer& answer, double 
                      answer.distance, bound);
 }
 
-}  // namespace
-
 LawResult distance_is_stated(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
@@ -53,6 +51,16 @@ LawResult distance_is_stated(const Case& problem, const Method& method) {
     result.labels.push_back(std::isinf(answer.distance) ? "interrupted, no distance" : "interrupted");
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> linear_distance_laws() {
+  return {
+      {"distance_is_stated",
+       "At toi_lower the bodies' distance exceeds the target distance by no more than the answer says.",
+       Needs::oracle, &distance_is_stated},
+  };
 }
 
 }  // namespace graze::law

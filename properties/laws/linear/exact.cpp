@@ -7,6 +7,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/linear.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -82,25 +83,6 @@ std::string query_fault(const Case& seen, const Method& method, const Answer& ca
   return ask_oracle ? line_fault(seen, line, method.scalar == "float") : "";
 }
 
-}  // namespace
-
-ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_oracle) {
-  const bool in_float = method.scalar == "float";
-  ExactJudgement judgement;
-  judgement.answer = method.ask(seen, {.request = Request::proof});
-  const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
-  judgement.fault = finding.fault;
-  if (!judgement.fault.empty() || (finding.settled && !ask_oracle)) return judgement;
-  if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
-  judgement.by_oracle = true;
-  judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
-  if (!judgement.fault.empty()) {
-    judgement.fault +=
-        fmt::format(": [{}, {}]", hex(truth_of(seen).toi_lower()), hex(truth_of(seen).toi_upper()));
-  }
-  return judgement;
-}
-
 LawResult exact_equals_oracle(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_asked(method, seen)) return not_applicable("not a cast of tier exact");
@@ -120,6 +102,38 @@ LawResult exact_queries_agree(const Case& problem, const Method& method) {
   const std::string fault = query_fault(seen, method, cast, hash_of(seen) % kOracleShare == 0);
   if (!fault.empty()) return broken(fault + "; the cast: " + describe(cast));
   return holds({label_of(cast.outcome)});
+}
+
+}  // namespace
+
+ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_oracle) {
+  const bool in_float = method.scalar == "float";
+  ExactJudgement judgement;
+  judgement.answer = method.ask(seen, {.request = Request::proof});
+  const ExactFinding finding = judge_exact_by_proof(seen, judgement.answer, in_float);
+  judgement.fault = finding.fault;
+  if (!judgement.fault.empty() || (finding.settled && !ask_oracle)) return judgement;
+  if (!is_exactly_decided(seen) || !has_truth(seen)) return judgement;
+  judgement.by_oracle = true;
+  judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
+  if (!judgement.fault.empty()) {
+    judgement.fault +=
+        fmt::format(": [{}, {}]", hex(truth_of(seen).toi_lower()), hex(truth_of(seen).toi_upper()));
+  }
+  return judgement;
+}
+
+std::vector<Law> linear_exact_laws() {
+  return {
+      {"exact_equals_oracle",
+       "Tier exact: the verdict is the exact one, and the bracket the two S next to the TOI, to the last "
+       "bit.",
+       Needs::proof, &exact_equals_oracle},
+      {"exact_queries_agree",
+       "Tier exact: overlap, swept overlap and line say what the cast and the exact oracle say, to the last "
+       "bit.",
+       Needs::proof, &exact_queries_agree},
+  };
 }
 
 }  // namespace graze::law

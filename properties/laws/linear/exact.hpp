@@ -5,9 +5,6 @@
 
 namespace graze::law {
 
-LawResult exact_equals_oracle(const corpus::Case&, const engine::Method&);
-LawResult exact_queries_agree(const corpus::Case&, const engine::Method&);
-
 // The first of what tier exact gets wrong on this case (as the method saw it); empty if nothing. With
 // ask_oracle the exact oracle looks at it whatever the proof says; without, only where the proof says too
 // little.

@@ -1,11 +1,12 @@
-#include "properties/laws/linear/metamorphic.hpp"
-
+// Laws that ask the method twice: an exact edit of the case, whose true answer is known from the original's.
+// Where the two answers differ, the oracle arbitrates (judge.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
 #include "properties/laws/ask_twice.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -23,8 +24,6 @@ bool fits(const Case& edited, const Method& method) { return same_input(method.s
 std::string pair_of(const Answer& one, const Answer& other) {
   return describe(one) + "; against " + describe(other);
 }
-
-}  // namespace
 
 LawResult swapping(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -226,6 +225,29 @@ LawResult requesting(const Case& problem, const Method& method) {
     return broken("computed unasked: " + describe(least));
   }
   return holds({label_of(least.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> linear_metamorphic_laws() {
+  return {
+      {"swapping", "Swapping A and B changes no contact and puts the normal in the negated cone.",
+       Needs::metamorphic, &swapping},
+      {"scaling", "Multiplying every length by a power of two changes no time, no normal and no iteration.",
+       Needs::metamorphic, &scaling},
+      {"translating", "Translating both bodies by an exact amount changes no contact.", Needs::metamorphic,
+       &translating},
+      {"superset", "A superset of a body is never hit later.", Needs::metamorphic, &superset},
+      {"ray_is_point_cast", "A cast is the ray against the CSO, which is the cast of a point.",
+       Needs::metamorphic, &ray_is_point_cast},
+      {"splitting",
+       "Casting over [0, T] is casting over [0, s] and then, from where the bodies are, over [s, T].",
+       Needs::metamorphic, &splitting},
+      {"methods_meet", "The brackets of the methods of one scalar meet, each within its row.",
+       Needs::metamorphic, &methods_meet},
+      {"requesting", "Asking for less changes no verdict, costs no more and computes nothing unasked.",
+       Needs::metamorphic, &requesting},
+  };
 }
 
 }  // namespace graze::law

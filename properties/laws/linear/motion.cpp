@@ -1,5 +1,6 @@
-#include "properties/laws/linear/motion.hpp"
-
+// Laws of the motion: the same bodies on a longer, slower, shared, reversed or farther path, or with a target
+// distance between them. The true answer is known from the original's; where two answers differ, the oracle
+// arbitrates (judge.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "properties/edit/motion.hpp"
 #include "properties/judge/own_frames.hpp"
 #include "properties/laws/ask_twice.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -31,8 +33,6 @@ Case with_horizon(Case problem, double t_max) {
   problem.expect.reset();
   return problem;
 }
-
-}  // namespace
 
 LawResult moving_the_horizon(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -163,8 +163,6 @@ LawResult moving_together(const Case& problem, const Method& method) {
   return not_applicable("no exact velocity to share");
 }
 
-namespace {
-
 const engine::Method* query_of(corpus::Query query, std::string_view name, const std::string& scalar) {
   for (const engine::Method& one : engine::methods(engine::Kind::query)) {
     if (one.query == query && one.name == name && one.scalar == scalar) return &one;
@@ -184,8 +182,6 @@ Answer from_the_end(const engine::Answer& line, double t_max) {
   answer.outcome = answer.toi_upper > 0 ? Outcome::hit : Outcome::initially_overlapping;
   return answer;
 }
-
-}  // namespace
 
 LawResult reversing(const Case& problem, const Method& method) {
   const Case seen = reporting(method.seen(problem));
@@ -309,6 +305,29 @@ LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) 
     result.labels.push_back("arbitrated");
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> linear_motion_laws() {
+  return {
+      {"moving_the_horizon",
+       "A longer horizon keeps the contact found within a shorter; one before toi_lower is a miss.",
+       Needs::metamorphic, &moving_the_horizon},
+      {"keeping_distance", "A target distance is a rounding of either body; a larger one is never met later.",
+       Needs::metamorphic, &keeping_distance},
+      {"changing_the_clock",
+       "T times 2^k and velocities by it multiply every time by 2^k and change no normal and no count.",
+       Needs::metamorphic, &changing_the_clock},
+      {"moving_together", "A velocity added to both bodies changes no contact.", Needs::metamorphic,
+       &moving_together},
+      {"reversing", "The path run backwards meets the other end of the line's contact.", Needs::metamorphic,
+       &reversing},
+      {"extending", "Starting farther back on the same line delays the contact by as much.",
+       Needs::metamorphic, &extending},
+      {"threshold_of_swept_overlap", "The swept overlap over [0, T] is in contact if T is not below the TOI.",
+       Needs::metamorphic, &threshold_of_swept_overlap},
+  };
 }
 
 }  // namespace graze::law

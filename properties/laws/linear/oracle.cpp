@@ -1,5 +1,4 @@
-#include "properties/laws/linear/oracle.hpp"
-
+// Laws that compare one answer with what an oracle knows, each within the method's row.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +6,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/judge/own_frames.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -15,11 +15,11 @@ using engine::Answer;
 using engine::Method;
 using oracle::CaseTruth;
 
-namespace {
-
 using Fault = std::string (*)(const CaseTruth&, const Answer&, double);
 
 using Bound = double (*)(const Method&, const Case&);
+
+namespace {
 
 LawResult judged_by(Fault fault, const Case& problem, const Method& method, Bound bound = &proved_bound_of) {
   const Case seen = method.seen(problem);
@@ -33,8 +33,6 @@ LawResult judged_by(Fault fault, const Case& problem, const Method& method, Boun
   if (answer.outcome == Outcome::not_converged) result.labels.push_back("not_converged");
   return result;
 }
-
-}  // namespace
 
 LawResult verdict_is_right(const Case& problem, const Method& method) {
   return judged_by(&verdict_fault, problem, method);
@@ -153,6 +151,29 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
   if (!proof.has_axis) result.labels.push_back("no axis");
   if (!upper) result.labels.push_back("no portal");
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> linear_oracle_laws() {
+  return {
+      {"verdict_is_right", "Contact or no contact is wrong only within kappa u scale in clearance or depth.",
+       Needs::oracle, &verdict_is_right},
+      {"never_late", "toi_lower is late by a depth of kappa u scale at most.", Needs::oracle, &never_late},
+      {"bracket_holds_toi", "The bracket holds the time of impact, each end within kappa u scale.",
+       Needs::oracle, &bracket_holds_toi},
+      {"time_is_stable", "The backward error of a contact's time is within kappa u scale.", Needs::oracle,
+       &time_is_stable},
+      {"normal_supports", "The normal of a hit supports the CSO at the contact within kappa u scale.",
+       Needs::oracle, &normal_supports},
+      {"witnesses_touch", "The witnesses of a hit lie in their bodies at toi_lower, and at each other.",
+       Needs::oracle, &witnesses_touch},
+      {"proof_is_tight", "A proof's bounds are within kappa u scale of the bracket's.", Needs::oracle,
+       &proof_is_tight},
+      {"certified_decides",
+       "Tier certified leaves a verdict open only where clearance or depth is below the width of its row.",
+       Needs::oracle, &certified_decides},
+  };
 }
 
 }  // namespace graze::law

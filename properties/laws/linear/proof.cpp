@@ -8,6 +8,7 @@
 #include "oracles/checker/check_proof.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -35,35 +36,6 @@ std::string bracket_fault(const Case& seen, const Answer& answer) {
       return "a valid case was refused";
   }
   return "no such outcome";
-}
-
-}  // namespace
-
-std::string consistency_fault(const Case& seen, const Method& method, const Answer& answer, Request request) {
-  if (std::string fault = bracket_fault(seen, answer); !fault.empty()) return fault;
-  if (answer.outcome != Outcome::hit) return "";
-  const double u = method.unit_roundoff;
-  if (asks_for(request, Request::normal)) {
-    if (!(std::abs(answer.normal.norm() - 1) <= 8 * u)) return "a normal of a length other than 1";
-    const Vec3<double> v = velocity(seen);
-    // Divided first: the products of extreme lengths may leave the exponent range.
-    const double speed = v.stableNorm();
-    const double receding = speed > 0 ? answer.normal.dot(v / speed) : 0;
-    if (!(receding <= contact_kappa(method, seen) * u)) {
-      return fmt::format("a normal along the motion, n.v = {} |v|", receding);
-    }
-  }
-  if (asks_for(request, Request::witnesses) && !(answer.point_a.allFinite() && answer.point_b.allFinite())) {
-    return "a witness that is not a point";
-  }
-  return "";
-}
-
-std::string proof_fault(const Case& seen, const Answer& answer) {
-  if (!answer.proof) return "";
-  const oracle::Verdict verdict = oracle::check_proof(seen, *answer.proof);
-  if (verdict.accepted() || verdict.refusal == oracle::Refusal::out_of_range) return "";
-  return fmt::format("proof refused, {}: {}", oracle::to_string(verdict.refusal), verdict.detail);
 }
 
 LawResult answer_is_consistent(const Case& problem, const Method& method) {
@@ -155,6 +127,47 @@ LawResult bad_input_is_refused(const Case& problem, const Method& method) {
   expect_refusal(bad, "a negative t_max");
   if (!fault.empty()) return broken(fault);
   return holds({label_of(method.ask(seen, {}).outcome)});
+}
+
+}  // namespace
+
+std::string consistency_fault(const Case& seen, const Method& method, const Answer& answer, Request request) {
+  if (std::string fault = bracket_fault(seen, answer); !fault.empty()) return fault;
+  if (answer.outcome != Outcome::hit) return "";
+  const double u = method.unit_roundoff;
+  if (asks_for(request, Request::normal)) {
+    if (!(std::abs(answer.normal.norm() - 1) <= 8 * u)) return "a normal of a length other than 1";
+    const Vec3<double> v = velocity(seen);
+    // Divided first: the products of extreme lengths may leave the exponent range.
+    const double speed = v.stableNorm();
+    const double receding = speed > 0 ? answer.normal.dot(v / speed) : 0;
+    if (!(receding <= contact_kappa(method, seen) * u)) {
+      return fmt::format("a normal along the motion, n.v = {} |v|", receding);
+    }
+  }
+  if (asks_for(request, Request::witnesses) && !(answer.point_a.allFinite() && answer.point_b.allFinite())) {
+    return "a witness that is not a point";
+  }
+  return "";
+}
+
+std::string proof_fault(const Case& seen, const Answer& answer) {
+  if (!answer.proof) return "";
+  const oracle::Verdict verdict = oracle::check_proof(seen, *answer.proof);
+  if (verdict.accepted() || verdict.refusal == oracle::Refusal::out_of_range) return "";
+  return fmt::format("proof refused, {}: {}", oracle::to_string(verdict.refusal), verdict.detail);
+}
+
+std::vector<Law> linear_proof_laws() {
+  return {
+      {"answer_is_consistent",
+       "Outcome and bracket say one thing; a normal is unit and does not follow the motion.",
+       Needs::metamorphic, &answer_is_consistent},
+      {"bad_input_is_refused",
+       "A NaN, an infinity, an empty hull, a negative extent or q = 0 is refused at the door.",
+       Needs::metamorphic, &bad_input_is_refused},
+      {"proof_is_accepted", "Every proof is accepted by the checker.", Needs::proof, &proof_is_accepted},
+  };
 }
 
 }  // namespace graze::law

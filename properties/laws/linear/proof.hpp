@@ -6,10 +6,6 @@
 
 namespace graze::law {
 
-LawResult answer_is_consistent(const corpus::Case&, const engine::Method&);
-LawResult proof_is_accepted(const corpus::Case&, const engine::Method&);
-LawResult bad_input_is_refused(const corpus::Case&, const engine::Method&);
-
 // The same for an answer already at hand (`seen` as the method saw it); empty, or what is wrong.
 [[nodiscard]] std::string consistency_fault(const corpus::Case& seen, const engine::Method& method,
                                             const engine::Answer& answer, Request request);

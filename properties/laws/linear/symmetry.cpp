@@ -1,8 +1,9 @@
-#include "properties/laws/linear/symmetry.hpp"
-
+// Laws of symmetry: the whole problem turned or mirrored, and the same bodies given by other numbers. Where
+// two answers differ, the oracle arbitrates (judge.hpp).
 #include "properties/edit/integer_turn.hpp"
 #include "properties/edit/same_body.hpp"
 #include "properties/laws/ask_twice.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -40,9 +41,9 @@ LawResult turning(const Case& problem, const Method& method) {
   return not_applicable("every rotation tried takes rounding");
 }
 
-namespace {
-
 using Edit = std::optional<Shape<double>> (*)(const Shape<double>&, std::uint64_t);
+
+namespace {
 
 // A, B or both given by other numbers.
 LawResult redescribed(const Case& problem, const Method& method, Edit edit, std::string_view name,
@@ -67,8 +68,6 @@ LawResult redescribed(const Case& problem, const Method& method, Edit edit, std:
   return not_applicable("no other exact description of the bodies");
 }
 
-}  // namespace
-
 LawResult reordering(const Case& problem, const Method& method) {
   return redescribed(problem, method, &reordered, "the reordered",
                      "another order of vertices or parts changes the answer");
@@ -82,6 +81,24 @@ LawResult redundant_points(const Case& problem, const Method& method) {
 LawResult describing_otherwise(const Case& problem, const Method& method) {
   return redescribed(problem, method, &described_otherwise, "the other description",
                      "another description of a body changes the answer");
+}
+
+}  // namespace
+
+std::vector<Law> linear_symmetry_laws() {
+  return {
+      {"permuting_the_axes", "The 48 signed permutations of the axes change no contact.", Needs::metamorphic,
+       &permuting_the_axes},
+      {"turning",
+       "A Pythagorean rotation of both bodies, with every length times its denominator, changes no contact.",
+       Needs::metamorphic, &turning},
+      {"reordering", "The order of vertices and of parts, and doubling some, change no contact.",
+       Needs::metamorphic, &reordering},
+      {"redundant_points", "Points of a hull added to its vertices change no contact.", Needs::metamorphic,
+       &redundant_points},
+      {"describing_otherwise", "Another description of the same set answers the same contact.",
+       Needs::metamorphic, &describing_otherwise},
+  };
 }
 
 }  // namespace graze::law

@@ -8,8 +8,8 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
-#include "properties/laws/queries/checks.hpp"
 #include "properties/laws/queries/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -52,8 +52,6 @@ LawResult same_answers(const Method& method, const Question& first, const Answer
   return result;
 }
 
-}  // namespace
-
 LawResult query_swapping(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -94,8 +92,6 @@ LawResult query_translating(const Case& problem, const Method& method) {
   return not_applicable("no exact translation");
 }
 
-namespace {
-
 std::optional<Interval> scaled_by(const std::optional<Interval>& x, int k) {
   if (!x) return x;
   return Interval{std::scalbn(x->lower, k), std::scalbn(x->upper, k)};
@@ -133,8 +129,6 @@ bool loses_bits(const Answer& answer, double least) {
     any = any || small(x[0]) || small(x[1]) || small(x[2]);
   return any;
 }
-
-}  // namespace
 
 LawResult query_scaling(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
@@ -190,8 +184,6 @@ LawResult query_requesting(const Case& problem, const Method& method) {
   return holds({label_of(all.outcome)});
 }
 
-namespace {
-
 bool is_bracket(const std::optional<Interval>& x) { return x && x->lower <= x->upper; }
 bool is_length(const std::optional<Interval>& x) {
   return is_bracket(x) && x->lower >= 0 && std::isfinite(x->upper);
@@ -231,8 +223,6 @@ std::string inconsistent(const Question& question, const Method& method, const A
   return "";
 }
 
-}  // namespace
-
 LawResult query_answer_is_consistent(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -241,8 +231,6 @@ LawResult query_answer_is_consistent(const Case& problem, const Method& method) 
   if (!fault.empty()) return broken(fault + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
-
-namespace {
 
 // Calls `refused(case, what)` for edits that make a valid question a bad one.
 template <class F>
@@ -294,8 +282,6 @@ void spoil(const Case& seen, const F& refused) {
   }
 }
 
-}  // namespace
-
 LawResult query_bad_input_is_refused(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -309,6 +295,31 @@ LawResult query_bad_input_is_refused(const Case& problem, const Method& method) 
   });
   if (!fault.empty()) return broken(fault);
   return holds({label_of(method.answer(question->seen).outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> query_any_laws() {
+  return {
+      {"query_swapping",
+       "Swapping A and B changes no distance, depth or time of a query, and negates its normal.",
+       Needs::metamorphic, &query_swapping},
+      {"query_scaling",
+       "Multiplying every length by a power of two scales distances, depths and points, and changes no time, "
+       "normal or iteration.",
+       Needs::metamorphic, &query_scaling},
+      {"query_translating", "Translating both bodies by an exact amount changes the answer to no query.",
+       Needs::metamorphic, &query_translating},
+      {"query_requesting", "Of a query, too, asking for less changes no answer and computes nothing unasked.",
+       Needs::metamorphic, &query_requesting},
+      {"query_answer_is_consistent",
+       "Outcome and brackets of a query say one thing; normals are unit, points finite, wide brackets "
+       "stalls.",
+       Needs::metamorphic, &query_answer_is_consistent},
+      {"query_bad_input_is_refused",
+       "Bad input is refused at the door of every query, a direction of no length among it.",
+       Needs::metamorphic, &query_bad_input_is_refused},
+  };
 }
 
 }  // namespace graze::law

@@ -12,8 +12,8 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
-#include "properties/laws/queries/checks.hpp"
 #include "properties/laws/queries/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -67,8 +67,6 @@ Gap gap_by(const Method& method, const Case& seen) {
 std::string pair_of(const Gap& one, const Gap& two) { return one.text + "; against " + two.text; }
 
 LawResult held(const Answer& answer) { return holds({label_of(answer.outcome)}); }
-
-}  // namespace
 
 LawResult gaps_agree(const Case& problem, const Method& method) {
   if (!asks_for_gap(method)) return other_query();
@@ -181,8 +179,6 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   return held(one.answer);
 }
 
-namespace {
-
 // The question along another direction; nothing if the scalar has none such.
 std::optional<Question> along(const Case& seen, const Vec3<double>& d, const Method& method) {
   Case other = seen;
@@ -190,8 +186,6 @@ std::optional<Question> along(const Case& seen, const Vec3<double>& d, const Met
   other.direction = d;
   return requestioned(std::move(other), method);
 }
-
-}  // namespace
 
 LawResult no_way_is_shorter(const Case& problem, const Method& method) {
   if (method.query != Query::penetration_along) return other_query();
@@ -240,6 +234,30 @@ LawResult growing_lengthens_the_way(const Case& problem, const Method& method) {
     return judged;
   }
   return not_applicable("no superset in this scalar");
+}
+
+}  // namespace
+
+std::vector<Law> query_gap_laws() {
+  return {
+      {"gaps_agree",
+       "Overlap, distance and penetration speak of one gap: a distance above zero is a depth of none.",
+       Needs::metamorphic, &gaps_agree},
+      {"growing_closes_gaps", "A superset is no farther away, and no less deep.", Needs::metamorphic,
+       &growing_closes_gaps},
+      {"rounding_takes_its_radius",
+       "Rounding a body by r takes r from the distance, or adds it to the depth.", Needs::metamorphic,
+       &rounding_takes_its_radius},
+      {"moving_along_the_normal",
+       "Moving B by s along the normal adds s to the gap: by the depth they touch, by less they still meet.",
+       Needs::metamorphic, &moving_along_the_normal},
+      {"no_way_is_shorter",
+       "The penetration along a direction is no less than the least, and ends on this side of its normal's "
+       "plane.",
+       Needs::metamorphic, &no_way_is_shorter},
+      {"growing_lengthens_the_way", "The way out of a superset along a direction is no shorter.",
+       Needs::metamorphic, &growing_lengthens_the_way},
+  };
 }
 
 }  // namespace graze::law

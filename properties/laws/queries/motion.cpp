@@ -10,8 +10,8 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
-#include "properties/laws/queries/checks.hpp"
 #include "properties/laws/queries/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -58,8 +58,6 @@ std::string against_cast(const Case& seen, const Answer& line, const engine::Ans
   const bool at_start = line.t_in->lower <= 0 && line.t_out->upper >= 0;
   return at_start ? "" : "the line is not in contact at the start";
 }
-
-}  // namespace
 
 LawResult line_holds_cast(const Case& problem, const Method& method) {
   if (method.query != Query::line) return other_query();
@@ -270,6 +268,31 @@ LawResult target_is_rounding(const Case& problem, const Method& method) {
                              {"by the radius", method, by_radius->seen, two}},
                             "a body rounded by the target distance is met otherwise"),
                   one);
+}
+
+}  // namespace
+
+std::vector<Law> query_motion_laws() {
+  return {
+      {"line_holds_cast",
+       "The line's interval begins where the cast hits, and holds 0 where it starts in contact.",
+       Needs::metamorphic, &line_holds_cast},
+      {"line_reversed", "Backwards the line is the same interval, negated.", Needs::metamorphic,
+       &line_reversed},
+      {"line_grows", "The line meets a superset for no shorter a time.", Needs::metamorphic, &line_grows},
+      {"swept_overlap_is_cast", "Swept overlap says whether the cast finds contact, whatever the method.",
+       Needs::metamorphic, &swept_overlap_is_cast},
+      {"swept_overlap_grows",
+       "A longer path, a target distance and a superset lose no contact of a swept overlap.",
+       Needs::metamorphic, &swept_overlap_grows},
+      {"swept_overlap_of_volume", "Swept overlap is the overlap of A with the volume that B sweeps.",
+       Needs::metamorphic, &swept_overlap_of_volume},
+      {"motion_at_rest",
+       "At rest, moved as one, or on no time at all, swept overlap and line say what the overlap says.",
+       Needs::metamorphic, &motion_at_rest},
+      {"target_is_rounding", "A target distance is a rounding of either body.", Needs::metamorphic,
+       &target_is_rounding},
+  };
 }
 
 }  // namespace graze::law

@@ -2,7 +2,7 @@
 #include "properties/judge/judge.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
-#include "properties/laws/queries/checks.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -26,8 +26,6 @@ LawResult judged_by(std::string Judgement::*fault, const Case& problem, const Me
   return result;
 }
 
-}  // namespace
-
 LawResult query_verdict_is_right(const Case& problem, const Method& method) {
   return judged_by(&Judgement::wrong, problem, method);
 }
@@ -36,6 +34,22 @@ LawResult query_bracket_is_right(const Case& problem, const Method& method) {
 }
 LawResult query_contact_is_right(const Case& problem, const Method& method) {
   return judged_by(&Judgement::bad_contact, problem, method);
+}
+
+}  // namespace
+
+std::vector<Law> query_oracle_laws() {
+  return {
+      {"query_verdict_is_right",
+       "The verdict of a query is wrong only within kappa u scale in distance, depth or clearance.",
+       Needs::oracle, &query_verdict_is_right},
+      {"query_bracket_is_right",
+       "Distance, depth, and both ends of a line are within kappa u scale, and held by their brackets.",
+       Needs::oracle, &query_bracket_is_right},
+      {"query_contact_is_right",
+       "Normals of queries separate or support, and their points lie on the bodies, within kappa u scale.",
+       Needs::oracle, &query_contact_is_right},
+  };
 }
 
 }  // namespace graze::law

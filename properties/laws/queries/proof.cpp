@@ -11,7 +11,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
-#include "properties/laws/queries/checks.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -61,8 +61,6 @@ struct Shown {
     return {};
   }
 };
-
-}  // namespace
 
 LawResult distance_is_shown(const Case& problem, const Method& method) {
   if (method.query != Query::distance) return other_query();
@@ -186,6 +184,22 @@ LawResult line_normals_support(const Case& problem, const Method& method) {
     }
   }
   return holds({label_of(answer.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> query_proof_laws() {
+  return {
+      {"distance_is_shown",
+       "The normal of a distance separates by it, its points are as far apart and end their bodies there.",
+       Needs::proof, &distance_is_shown},
+      {"depth_is_shown", "The normal of a depth ends C there, and its points meet when B is moved by it.",
+       Needs::proof, &depth_is_shown},
+      {"miss_is_shown", "The axis of a miss separates the bodies, for all times that the query is about.",
+       Needs::proof, &miss_is_shown},
+      {"line_normals_support", "The line's normals support C where the line enters and where it leaves.",
+       Needs::proof, &line_normals_support},
+  };
 }
 
 }  // namespace graze::law

@@ -1,13 +1,15 @@
-#include "properties/laws/rotating/answer.hpp"
-
+// Laws about what an answer of a rotating method says of itself, and how it changes with what is asked: the
+// options, the shapes, the method.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -15,6 +17,8 @@ using corpus::Case;
 using engine::Answer;
 using engine::Method;
 using oracle::RotatingTruth;
+
+namespace {
 
 LawResult turning_methods_meet(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -190,6 +194,28 @@ LawResult turning_scalars_meet(const Case& problem, const Method& method) {
     if (!fault.empty()) return broken(fmt::format("{}; at fault is {}: {}", all, judged->scalar, fault));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> rotating_answer_laws() {
+  return {
+      {"turning_superset", "A superset, or a larger target distance, is never hit later.", Needs::metamorphic,
+       &turning_superset},
+      {"turning_methods_meet", "The brackets of the methods of one scalar meet, each within its row.",
+       Needs::metamorphic, &turning_methods_meet},
+      {"turning_scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
+       Needs::metamorphic, &turning_scalars_meet},
+      {"turning_budget", "With a larger budget a bracket is within the one before, and the whole one in it.",
+       Needs::metamorphic, &turning_budget},
+      {"tolerance_is_kept", "A tolerance widens a bracket by no more than itself, and makes no time late.",
+       Needs::metamorphic, &tolerance_is_kept},
+      {"turning_requesting",
+       "Asking for less changes no verdict, costs no more and computes nothing unasked.", Needs::metamorphic,
+       &turning_requesting},
+      {"turning_answer_is_consistent", "Outcome and bracket say one thing.", Needs::metamorphic,
+       &turning_answer_is_consistent},
+  };
 }
 
 }  // namespace graze::law

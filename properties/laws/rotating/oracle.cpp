@@ -1,11 +1,13 @@
-#include "properties/laws/rotating/oracle.hpp"
-
+// The laws of rotating casts that stand on the oracle: an answer's errors, each within the method's row
+// (judge/judge_rotating.cpp).
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "engines/method.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -14,9 +16,9 @@ using engine::Answer;
 using engine::Method;
 using oracle::RotatingTruth;
 
-namespace {
-
 using Error = RotatingError(const RotatingTruth&, const Answer&, const Limits&);
+
+namespace {
 
 LawResult by_truth(const Case& problem, const Method& method, Error* error) {
   const Case seen = method.seen(problem);
@@ -30,8 +32,6 @@ LawResult by_truth(const Case& problem, const Method& method, Error* error) {
   if (truth->outcome() == Outcome::not_converged) result.labels.push_back("undecided");
   return result;
 }
-
-}  // namespace
 
 LawResult turning_verdict_is_right(const Case& problem, const Method& method) {
   return by_truth(problem, method, &verdict_error);
@@ -80,6 +80,28 @@ LawResult turning_contact_is_right(const Case& problem, const Method& method) {
     return broken(fmt::format("the witnesses are {} apart: {}", between_points, describe(answer)));
   if (truth->outcome() != Outcome::hit) return holds({label_of(answer.outcome), "no true normal"});
   return holds({label_of(answer.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> rotating_oracle_laws() {
+  return {
+      {"turning_verdict_is_right", "Contact or no contact is wrong only within the row.", Needs::oracle,
+       &turning_verdict_is_right},
+      {"turning_is_never_late", "toi_lower is not past the first contact by more than the row's depth.",
+       Needs::oracle, &turning_is_never_late},
+      {"turning_claims_no_contact_early", "At toi_upper the bodies have met.", Needs::oracle,
+       &turning_claims_no_contact_early},
+      {"turning_bracket_is_narrow", "Either end of a contact's bracket is as near to it as the row says.",
+       Needs::oracle, &turning_bracket_is_narrow},
+      {"turning_distance_is_stated", "At toi_lower the bodies are no farther apart than the answer says.",
+       Needs::oracle, &turning_distance_is_stated},
+      {"turning_certified_decides",
+       "Tier certified leaves a verdict open only where clearance or depth is below the width of its row.",
+       Needs::oracle, &turning_certified_decides},
+      {"turning_contact_is_right", "A hit's normal separates the bodies, and its witnesses lie in them.",
+       Needs::oracle, &turning_contact_is_right},
+  };
 }
 
 }  // namespace graze::law

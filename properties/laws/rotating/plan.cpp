@@ -1,14 +1,15 @@
-#include "properties/laws/rotating/plan.hpp"
-
+// The laws of the plan: what it spares changes no answer, and is not done.
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -46,8 +47,6 @@ constexpr double kAskedTolerance = 0x1p-10;
 double rounding_of_target(const Case& seen) {
   return 32 * kUnitRoundoff<double> * seen.target_distance * (1 + 0x1p-40);
 }
-
-}  // namespace
 
 LawResult plan_changes_nothing(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -245,6 +244,25 @@ LawResult as_one_stands_still(const Case& problem, const Method& method) {
     return broken("bodies that stand still to each other are simulated: " + describe(one));
   return compare(method, {"both moving as one", *alike, one}, {"both at rest", still, two},
                  "moving as one changes the answer");
+}
+
+}  // namespace
+
+std::vector<Law> rotating_plan_laws() {
+  return {
+      {"unturned_is_linear", "Without turns the answer is the linear cast's.", Needs::metamorphic,
+       &unturned_is_linear},
+      {"unseen_turn_is_none", "A ball's turn about its centre, or a solid's about its axis, changes nothing.",
+       Needs::metamorphic, &unseen_turn_is_none},
+      {"as_one_stands_still", "Bodies that turn and move as one meet at t = 0 or never.", Needs::metamorphic,
+       &as_one_stands_still},
+      {"plan_changes_nothing", "Every economy on or off, verdicts stay and brackets meet.",
+       Needs::metamorphic, &plan_changes_nothing},
+      {"plan_spares_the_work", "What a plan spares is not done, and a plan says what is done.",
+       Needs::metamorphic, &plan_spares_the_work},
+      {"plan_is_monotone", "One more economy never leaves more to simulate.", Needs::metamorphic,
+       &plan_is_monotone},
+  };
 }
 
 }  // namespace graze::law

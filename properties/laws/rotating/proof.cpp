@@ -1,12 +1,13 @@
-#include "properties/laws/rotating/proof.hpp"
-
+// The laws of rotating casts that stand on the checker of proofs.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "engines/method.hpp"
 #include "oracles/checker/check_rotating_proof.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -37,8 +38,6 @@ std::size_t curved_points(const Shape<double>& shape) {
              : 0;
 }
 
-}  // namespace
-
 LawResult turning_proof_is_accepted(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
@@ -65,6 +64,15 @@ LawResult turning_proof_is_accepted(const Case& problem, const Method& method) {
                               hex(proof.toi_upper), describe(answer)));
   }
   return holds({label_of(answer.outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> rotating_proof_laws() {
+  return {
+      {"turning_proof_is_accepted", "Every proof is accepted, and says as much as the answer.", Needs::proof,
+       &turning_proof_is_accepted},
+  };
 }
 
 }  // namespace graze::law

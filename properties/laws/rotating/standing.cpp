@@ -1,5 +1,5 @@
-#include "properties/laws/rotating/standing.hpp"
-
+// The law that takes a rotating cast at its word: the bodies where the motion has them at a moment, and asked
+// a static query.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "properties/edit/turning.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -57,8 +58,6 @@ std::optional<Gap> gap_at(const Case& seen, double t) {
 
 constexpr double kMoments[] = {1, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875};
 
-}  // namespace
-
 LawResult turning_stands_as_said(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
@@ -86,6 +85,16 @@ LawResult turning_stands_as_said(const Case& problem, const Method& method) {
         fmt::format("at toi_lower the bodies are {} deep in each other: {}", -gap->high, describe(answer)));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> rotating_standing_laws() {
+  return {
+      {"turning_stands_as_said",
+       "Placed at a moment, bodies do not overlap before toi_lower, and are as near there as is said.",
+       Needs::metamorphic, &turning_stands_as_said},
+  };
 }
 
 }  // namespace graze::law

@@ -1,20 +1,24 @@
-#include "properties/laws/rotating/symmetry.hpp"
-
+// Laws that ask a rotating method twice, the second time about the same bodies and motion described in
+// another way: exact edits of a case (edit/turning.hpp) that keep the times of contact.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
 
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/edit/turning.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
 using corpus::Case;
 using engine::Answer;
 using engine::Method;
+
+namespace {
 
 LawResult turning_swapping(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -141,6 +145,26 @@ LawResult turning_drifting(const Case& problem, const Method& method) {
     }
   }
   return labelled(std::move(result), {"witnesses"});
+}
+
+}  // namespace
+
+std::vector<Law> rotating_symmetry_laws() {
+  return {
+      {"turning_swapping", "Swapping A and B keeps the bracket.", Needs::metamorphic, &turning_swapping},
+      {"turning_scaling", "Multiplying every length by a power of two changes no time and no count.",
+       Needs::metamorphic, &turning_scaling},
+      {"turning_translating", "Translating both bodies by an exact amount keeps the bracket.",
+       Needs::metamorphic, &turning_translating},
+      {"turning_both", "Turning both bodies and their motion, or mirroring them, keeps the bracket.",
+       Needs::metamorphic, &turning_both},
+      {"pivot_is_a_line", "A pivot moved along its axis keeps the bracket.", Needs::metamorphic,
+       &pivot_is_a_line},
+      {"idle_pivot_is_nothing", "The pivot of a body that does not turn changes nothing.", Needs::metamorphic,
+       &idle_pivot_is_nothing},
+      {"turning_drifting", "A velocity that both bodies share keeps the bracket, and carries the witnesses.",
+       Needs::metamorphic, &turning_drifting},
+  };
 }
 
 }  // namespace graze::law

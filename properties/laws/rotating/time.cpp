@@ -1,5 +1,5 @@
-#include "properties/laws/rotating/time.hpp"
-
+// Laws that ask a rotating method twice, the second time about other times: a longer or a shorter step, a
+// part of it, the way back.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,10 +7,12 @@
 #include <optional>
 
 #include "corpus/support_value.hpp"
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/edit/turning.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -18,6 +20,8 @@ using corpus::Case;
 using engine::Answer;
 using engine::Method;
 using oracle::RotatingTruth;
+
+namespace {
 
 LawResult stretching_time(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -40,8 +44,6 @@ LawResult stretching_time(const Case& problem, const Method& method) {
   return not_applicable("no power of two keeps every number in range");
 }
 
-namespace {
-
 constexpr double kFractions[] = {0.5, 0.25, 0.75, 0.125, 0.875};
 
 // A pose that is rounded to the scalar: a quaternion's components by u each, so a point of the body, and the
@@ -56,8 +58,6 @@ double rounding_of_pose(const Case& given, const Method& method) {
   }
   return sum;
 }
-
-}  // namespace
 
 LawResult turning_horizon(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -153,6 +153,24 @@ LawResult whole_turn_is_all(const Case& problem, const Method& method) {
     if (result.holding == Holding::broken) return result;
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Law> rotating_time_laws() {
+  return {
+      {"stretching_time", "A step 2^k times as long at velocities 2^-k times as large has times times 2^k.",
+       Needs::metamorphic, &stretching_time},
+      {"turning_horizon", "A shorter step has the same first contact, or none before its end.",
+       Needs::metamorphic, &turning_horizon},
+      {"turning_splitting", "Casting from where the bodies are at s, on to T, finds the same first contact.",
+       Needs::metamorphic, &turning_splitting},
+      {"turning_backwards",
+       "On the way back contact is no later than T less the first one, and a miss stays a miss.",
+       Needs::metamorphic, &turning_backwards},
+      {"whole_turn_is_all", "A body that only turns meets nothing new after a whole turn.",
+       Needs::metamorphic, &whole_turn_is_all},
+  };
 }
 
 }  // namespace graze::law

@@ -1,13 +1,14 @@
-#include "properties/laws/rotating/validity.hpp"
-
+// The law of the door of rotating casts: what no method may take.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
+#include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
+#include "properties/laws/tables.hpp"
 
 namespace graze::law {
 
@@ -15,6 +16,8 @@ using corpus::Case;
 using engine::Answer;
 using engine::Ask;
 using engine::Method;
+
+namespace {
 
 LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -66,6 +69,15 @@ LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   if (follows_plan(method)) expect_refusal(rod, {}, "a seen turn by the policy pass_over");
   if (!fault.empty()) return broken(fault);
   return holds({label_of(plain_answer(method, seen).outcome)});
+}
+
+}  // namespace
+
+std::vector<Law> rotating_validity_laws() {
+  return {
+      {"bad_turn_is_refused", "A NaN, an infinity, 2^31 radians, or a seen turn without an end is refused.",
+       Needs::metamorphic, &bad_turn_is_refused},
+  };
 }
 
 }  // namespace graze::law
