@@ -29,7 +29,10 @@ target_compile_features(graze_own INTERFACE cxx_std_20)
 # Our results must not depend on whether a multiply-add was fused; users of core may do as they like, and so do the targets
 # with the property GRAZE_CONTRACTED (their own flags come before these, so none of theirs could take this one back).
 target_compile_options(graze_own INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:-ffp-contract=off>
-                                           -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+                                           -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
+if(NOT GRAZE_UNITY)  # there a file's local names hide another file's
+  target_compile_options(graze_own INTERFACE -Wshadow)
+endif()
 target_include_directories(graze_own INTERFACE ${PROJECT_SOURCE_DIR})
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 drops the rounding of double(float(x)) on neighbouring doubles when it packs them (seen at -O2 and -O3), and

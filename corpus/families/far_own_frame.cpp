@@ -9,7 +9,6 @@
 #include "corpus/families/placing.hpp"
 
 namespace graze::corpus {
-namespace {
 
 Vec3<double> far_offset(Draw& draw, double size) {
   Random& random = draw.random;
@@ -42,6 +41,8 @@ void push_out(Body<double>& body, Spin& spin, const Vec3<double>& offset) {
   const Vec3<double> out = rotate(body.orientation, offset);
   for (int i = 0; i < 3; ++i) body.position[i] = 0 + (body.position[i] - out[i]);
 }
+
+namespace {
 
 void fill_far_own_frame(Draw& draw, double hardness, Case& problem) {
   constexpr double kReach = 4;

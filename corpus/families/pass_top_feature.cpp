@@ -6,7 +6,7 @@
 // With floats and integers the scene is then turned by a rotation of the cube: clearance and depth stay
 // exact. With full doubles it is turned by any integer quaternion, and positions are rounded: delta is then
 // known to within 4 u times the coordinates (about 16).
-#include "corpus/families/families_list.hpp"
+#include "corpus/families/placing.hpp"
 
 namespace graze::corpus {
 

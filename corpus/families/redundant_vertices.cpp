@@ -16,7 +16,7 @@ namespace {
 constexpr int kWeights[][4] = {{4, 0, 0, 0}, {4, 0, 0, 0}, {2, 2, 0, 0}, {2, 2, 0, 0},
                                {1, 3, 0, 0}, {2, 1, 1, 0}, {2, 1, 1, 0}, {1, 1, 1, 1}};
 
-std::vector<Vec3<double>> corners(Draw& draw) {
+std::vector<Vec3<double>> random_corners(Draw& draw) {
   Random& random = draw.random;
   // Four grid steps a unit, within 4, or 8 with integers.
   const double reach = draw.coordinates == Coordinates::integers ? 2 : 1;
@@ -55,7 +55,7 @@ std::vector<Vec3<double>> corners(Draw& draw) {
 
 Shape<double> redundant_hull(Draw& draw, int copies) {
   Random& random = draw.random;
-  const std::vector<Vec3<double>> corner = corners(draw);
+  const std::vector<Vec3<double>> corner = random_corners(draw);
   std::vector<Vec3<double>> list = corner;
   while (list.size() < corner.size() * static_cast<std::size_t>(1 + copies)) {
     const auto& weights = kWeights[random.below(std::size(kWeights))];

@@ -2,6 +2,7 @@
 // feature at a height of 2^-k, as in grazing, so that the turn has its say in the verdict; half are aimed
 // anywhere.
 #include "corpus/families/families_list.hpp"
+#include "corpus/families/placing.hpp"
 #include "corpus/families/turning.hpp"
 
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
+#include "corpus/families/placing.hpp"
 
 namespace graze::corpus {
 namespace {
