@@ -314,7 +314,7 @@ void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Coun
     return distance_at(proof.toi_lower).upper - c.cso.radius() >
            kContact * kUnitRoundoff<double> * c.cso.scale();
   };
-  if (is_near() || !is_apart()) return;
+  if (is_near() || !(upper < kInfinity<double>) || !is_apart()) return;  // what is endless has no middle
   double high = upper;
   for (int i = 0; i < kHalvings && !is_near(); ++i) {
     const double low = proof.toi_lower, middle = low + (high - low) / 2;

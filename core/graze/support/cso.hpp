@@ -70,7 +70,7 @@ class Cso {
     j_ = speed > 0 ? exponent_of(speed) : 0;
     r_ = (power_of_two(-j_) * v).template cast<S>();
     // What validate() lets pass is finite, and near 1 in internal units.
-    GRAZE_ASSERT(scale_ >= 0 && scale_ < 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
+    GRAZE_ASSERT(scale_ >= 0 && scale_ <= 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
   }
 
   // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those
@@ -78,11 +78,10 @@ class Cso {
   void place(const Mat3<S>* rotation_a, const Mat3<S>* rotation_b, const Vec3<S>& offset) {
     if (rotation_a) a_.turn_to(*rotation_a);
     if (rotation_b) b_.turn_to(*rotation_b);
-    d_ = offset;
-    GRAZE_ASSERT(d_.allFinite());
+    d_ = offset;  // of a way that outgrows the doubles infinite or NaN: then nothing is found or proved
   }
 
-  // The core's support point along n (any length); the rounded C's, n a unit vector.
+  // The core's support point along n (any length); the rounded C's, n a unit vector, or 0 for any point of C.
   [[nodiscard]] CsoPoint<S> support(const Vec3<S>& n) const {
     CsoPoint<S> out;
     const detail::SidePoint<S> a = a_.support(a_, a_.to_own(n), nullptr);
@@ -96,7 +95,7 @@ class Cso {
   [[nodiscard]] CsoPoint<S> rounded_support(const Vec3<S>& unit_n) const {
     CsoPoint<S> out = support(unit_n);
     if (radius_ > 0) {
-      GRAZE_ASSERT(!(std::abs(unit_n.squaredNorm() - 1) > S(1e-3)));
+      GRAZE_ASSERT(unit_n == Vec3<S>::Zero() || !(std::abs(unit_n.squaredNorm() - 1) > S(1e-3)));
       out.e = unit_n;
       out.w += radius_ * unit_n;
     }
@@ -113,7 +112,7 @@ class Cso {
   [[nodiscard]] bool moves() const { return r_ != Vec3<S>::Zero(); }
   [[nodiscard]] S radius() const { return radius_; }
   [[nodiscard]] S target() const { return target_; }
-  // In [1, 2) internal units (0 for two coinciding points), and within a factor 3 below the pair's scale: the
+  // In [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale: the
   // largest side of either box in its own axes, or the largest coordinate of the distance between their
   // centres.
   [[nodiscard]] S scale() const { return scale_; }

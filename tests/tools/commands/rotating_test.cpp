@@ -133,7 +133,7 @@ TEST(CastRotating, what_is_only_for_linear_motions_is_refused_with_the_reason) {
   corpus::Case ray = test::turning_bar();
   ray.t_max = std::numeric_limits<double>::infinity();
   scene.write("ray.json", corpus::write_case(ray));
-  expect_one_complaint(scene.graze("cast ray.json --json"), {"ray.json", "t_max", "linear"});
+  expect_one_complaint(scene.graze("cast ray.json --json"), {"ray.json", "t_max", "rotation"});
 }
 
 TEST(CastPlan, says_what_must_be_simulated_and_why_and_casts_nothing) {
