@@ -132,6 +132,7 @@ void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S no
 template <Scalar S>
 void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const SweepLimits<S>& limits,
                  Counters& counters) {
+  if (!(d.upper < kInfinity<S>)) return;  // where the bodies are is beyond the doubles
   const auto support = [&cso](const Vec3<S>& n) { return cso.support(n); };
   const auto steady = [&] { return d.upper - d.lower <= limits.noise; };
   go_on(d, support, contact, limits.noise, counters);
