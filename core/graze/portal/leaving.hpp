@@ -3,10 +3,12 @@
 // It does iff n.v >= 0 for some n != 0 with h(n) <= 0, h of C without the target distance: C is convex, so
 // such a motion never makes contact anew. That is: the ray {s r : s >= 0} does not go into C. Three tests,
 // each up to the noise of contact (sweep.hpp):
-//   the line misses C;   it leaves C at s = 0 or before;   it runs along C's silhouette: seen along r, the
-//   origin lies on the border of C's projection. The last is decided in that plane by expanding a polygon
-//   inside the projection, edge by edge from the one nearest to the origin, until a support line passes
-//   within the noise of the origin, or no edge does (EPA of van den Bergen 2001, one dimension lower).
+//   the line misses C;
+//   the line leaves C at s = 0 or before;
+//   the line runs along C's silhouette: seen along r, the origin lies on the border of C's projection.
+// The last is decided in the plane across r. A polygon inside the projection is expanded, edge by edge from
+// the one nearest to the origin, until a support line passes within the noise of the origin, or no edge does
+// (EPA of van den Bergen 2001, one dimension lower).
 #pragma once
 
 #include <graze/portal/sweep.hpp>
@@ -60,9 +62,9 @@ Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counte
   const Vec3<S> outward =
       cso.middle() == Vec3<S>::Zero() ? Vec3<S>(Vec3<S>::UnitZ()) : Vec3<S>(-cso.middle());
   const Frame<S> frame(cso.moves() ? cso.direction() : outward);
-  // Seen from behind: the exit is the entry of the mirrored line, at -z. Where the line passes so near to
-  // corners and edges one beneath the other that two portals take turns, as corners of magnitudes far apart
-  // make it do, it is that of C moved by 6 u scale.
+  // Seen from behind, the exit is the entry of the mirrored line, at -z. Corners and edges that lie one beneath
+  // the other, nearer to the line than rounding can tell, may make the refinement cycle (seen with coordinates
+  // of magnitudes far apart). Then C is moved aside by 6 u scale, and the search begins again.
   PortalView<S> view{cso, frame, S(-1), counters};
   PortalSearch<S> exit;
   for (const auto& [x, y] :

@@ -436,22 +436,23 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     }
     S face = n.dot(p[0].q);
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
-    // A steep plane bounds z only to its gap over n_z, and a portal beyond what is asked for says nothing of
-    // what is before it: there a wide gap is closed as far as rounding allows.
+    // `told`: the bracket of z is as narrow as was asked for. It need not be where the gap is closed: a steep
+    // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
+    // before that. In both cases the gap is closed further, as far as rounding allows.
     const auto told = [&] {
       return search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
     };
     const S fine = std::min(limits.gap, S(4 * noise));
     if (!(reach - face > (told() ? limits.gap : fine))) {
       search.lambda = portal_weights(search.portal);
-      // Where the plane is steep its height is rounding over n_z. The portal's own point, which the witnesses
-      // are made of, is not, while it is on the line.
+      // Where the plane is steep, its height on the line has an error of rounding over n_z. The portal's own
+      // point, which the witnesses are made of, has not, provided that it is on the line.
       if (const Vec3<S> own = portal_point(search.portal, search.lambda);
           length_across(own[0], own[1]) <= 2 * noise) {
         search.upper = own[2];
       }
-      // That point may lie later than the plane told: then, too, only the fine gap will do, since from a
-      // portal that tells no more its users conclude that its point is no deeper in C than that.
+      // That point may lie later than the plane said, so whether the bracket is narrow is asked again. If it is
+      // not, only the fine gap will do: callers rely on the point being no deeper in C than that.
       if (told() || !(reach - face > fine)) {
         search.state = State::entered;
         search.facing = view.world(n);

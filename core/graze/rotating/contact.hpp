@@ -1,10 +1,10 @@
 // Proved contact of two placed bodies: pairs of support points that hold the origin between them.
 //
 // Lengths: internal. e bounds how far a support point may be from the point of the true CSO that its feature
-// names. Contact holds if either
-//   |sum l_i w_i| + e <= R, R the radii and the target distance: the closest point of the cores is near
-//   enough; or the ball of radius e about the origin lies inside the tetrahedron of four support points: h(n)
-//   > e for every unit n then, and moving each point by up to e leaves h > 0.
+// names, R is the sum of the radii and the target distance. Contact holds if either
+//   - |sum l_i w_i| + e <= R: the closest point of the cores is near enough; or
+//   - the ball of radius e about the origin lies inside the tetrahedron of four support points: then h(n) > e
+//     for every unit n, and moving each point by up to e leaves h > 0.
 #pragma once
 
 #include <graze/gjk/gjk.hpp>

@@ -1,11 +1,11 @@
-// Contact with a flat C, which holds no point strictly: a point that passes through a triangle, an edge that
-// passes an edge. Contact is proved between two times instead of at one.
+// Contact with a flat C, which has no interior: a point passes through a triangle, or an edge passes an edge.
+// Contact is then proved between two times t_1 < t_2 instead of at one.
 //
-// Three support pairs span a triangle of C at every t. Seen along its normal n at t_1, the origin lies inside
-// it, farther from its edges than any of its corners moves until t_2: so the line {s n} pierces the triangle
-// all the time, at a height that changes continuously. It changes sign: at some time between it is 0, and the
-// origin is in C. (The idea of continuous tests on meshes; Provot 1997, with the coplanar instant bracketed,
-// not solved for.)
+// Three support pairs span a triangle of C at every t. Let n be its normal at t_1. Seen along n, the origin
+// lies inside the triangle, farther from its edges than any of its corners moves until t_2. So the line
+// {s n} pierces the triangle at all times between, at a height that changes continuously. If the height
+// changes sign, it is 0 at some time between, and then the origin is in C. (The idea of continuous tests on
+// meshes, Provot 1997; here the coplanar instant is bracketed, not solved for.)
 #pragma once
 
 #include <Eigen/Geometry>  // cross

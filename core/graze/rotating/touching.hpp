@@ -1,6 +1,7 @@
-// Contact at t = 0, where no ball about the origin is in C: nothing has turned yet, a named point is where it
-// is exactly, and whether the hull of up to four of them holds the origin, its boundary included, has an
-// answer.
+// Contact at t = 0, where the origin is on the boundary of C, so that no ball about it lies in C.
+//
+// Nothing has turned yet at t = 0, so a named point (certified/named_point.hpp) is an exact number, and
+// whether the hull of up to four of them holds the origin, its boundary included, is decided exactly.
 #pragma once
 
 #include <graze/certified/named_point.hpp>

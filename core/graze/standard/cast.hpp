@@ -69,8 +69,8 @@ template <Scalar S, class Search>
   } else {
     sweep = search(cso, limits, clip, out.counters);
   }
-  // A search that found no way in from the start: seen along the path C may be too thin for a portal, and yet
-  // hold the origin, which the overlap test sees from C's inside.
+  // The search did not get beyond the start. Seen along the path C may be too thin for a portal, and yet hold
+  // the origin: the overlap test, which starts from a point inside C, can tell.
   if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
     Counters again;  // its budget is its own
     const Sweep<S> start = mpr_overlap(cso, limits, again);
@@ -84,7 +84,7 @@ template <Scalar S, class Search>
   };
   if (options.start_policy == StartPolicy::pass_over && at_start()) {
     if (sweep.outcome == Outcome::hit && limits.target > limits.noise) {
-      // What a tolerance leaves of the bracket does not say so.
+      // Whether the start is in contact was decided up to the caller's tolerance: search again up to the noise.
       limits.target = limits.noise;
       Counters again;
       sweep = search(cso, limits, clip, again);
@@ -144,8 +144,8 @@ void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         Sweep<S> sweep = mpr_sweep(cso, limits, counters);
         if (sweep.outcome == Outcome::not_converged) {
-          // Portals that alternate, as far as rounding can tell: another method has another way in.
-          Counters again;  // its budget is its own
+          // MPR cycles at the level of rounding: GJK is tried instead, with a budget of its own.
+          Counters again;
           sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
           counters += again;
         }

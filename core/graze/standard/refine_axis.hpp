@@ -1,12 +1,11 @@
 // What GJK (gjk.hpp) left open where it stalled: axes that prove more, and nearer points.
 //
-// |v| is known to u of itself, its direction only to the root of that: where the foot of the origin on an
-// edge or a face is as near as rounding can tell to a smaller feature, GJK ends there, with a tilted axis
-// that proves little. On an edge that is long beside |v| even a turn too small to see in v decides which
-// vertex is the support point, and whether a nearer one is found: an edge of length L, at an angle e to the
-// plane across v at its end, makes |v| shorter by (e |v|)^2 / 2 |v| at most, and turns it by e, while a
-// vertex at the other end of the face that it bounds lies as far as e L before that plane, with e to the root
-// of u.
+// GJK knows |v| to u of itself, but the direction of v only to the root of u. Where the foot of the origin on
+// an edge or a face cannot be told from a smaller feature, it ends there, with a tilted axis that proves
+// little. If an edge is long beside |v|, a turn that |v| does not show decides which vertex is the support
+// point, and so whether a nearer one is found. Let e be the angle of an edge of length L to the plane across
+// v at its end. The edge makes |v| shorter by e^2 |v| / 2 at most, and turns it by e; a vertex at the other
+// end of the face that it bounds may lie e L before that plane. |v| does not show an e up to the root of u.
 #pragma once
 
 #include <graze/portal/mpr.hpp>
@@ -132,6 +131,7 @@ void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S no
 template <Scalar S>
 void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const SweepLimits<S>& limits,
                  Counters& counters) {
+  if (!(d.upper < kInfinity<S>)) return;  // where the bodies are is beyond the doubles
   const auto support = [&cso](const Vec3<S>& n) { return cso.support(n); };
   const auto steady = [&] { return d.upper - d.lower <= limits.noise; };
   go_on(d, support, contact, limits.noise, counters);

@@ -181,7 +181,8 @@ TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
   EXPECT_EQ(answer["tier"], "exact");
   EXPECT_EQ(answer["t_in"]["lower"], 1.0 / 3);
   folder.write("hit.json", kHit);
-  expect_one_complaint(folder.graze("cast hit.json --tier exact"), {"test/hit", "body b: shape", "tier exact"});
+  expect_one_complaint(folder.graze("cast hit.json --tier exact"),
+                       {"test/hit", "body b: shape", "tier exact"});
 }
 
 TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
