@@ -7,6 +7,19 @@ include(GoogleTest)
 graze_precompiled(graze_test_headers LIBRARIES graze::corpus GTest::gtest
   HEADERS <gtest/gtest.h> <algorithm> <cmath> <functional> <string> <vector> ${PROJECT_SOURCE_DIR}/corpus/case.hpp)
 
+# Core as users may build it. Such tests link it before the library as it is.
+function(graze_contract target)
+  set_target_properties(${target} PROPERTIES GRAZE_CONTRACTED ON)
+  target_compile_definitions(${target} PRIVATE GRAZE_TEST_FLUSH)
+  # g++ 12 takes its own AVX-512 intrinsics, and an empty optional, for used before they are set.
+  target_compile_options(${target} PRIVATE -O2 -march=native -ffp-contract=fast -Wno-maybe-uninitialized)
+endfunction()
+set(core_sources certified exact rotating shapes standard)
+list(TRANSFORM core_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/core/src/\\1.cpp")
+add_library(graze_contracted_core OBJECT ${core_sources})
+target_link_libraries(graze_contracted_core PRIVATE graze_own graze::graze)
+graze_contract(graze_contracted_core)
+
 function(graze_test name)
   cmake_parse_arguments(arg "STANDALONE;CONTRACTED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
@@ -15,10 +28,8 @@ function(graze_test name)
     graze_precompile(${name} graze_test_headers)
   endif()
   if(arg_CONTRACTED)
-    set_target_properties(${name} PROPERTIES GRAZE_CONTRACTED ON)
-    target_compile_definitions(${name} PRIVATE GRAZE_TEST_FLUSH)
-    # g++ 12 takes its own AVX-512 intrinsics, and an empty optional, for used before they are set.
-    target_compile_options(${name} PRIVATE -O2 -march=native -ffp-contract=fast -Wno-maybe-uninitialized)
+    graze_contract(${name})
+    target_link_libraries(${name} PRIVATE graze_contracted_core)
   else()
     target_compile_options(${name} PRIVATE ${GRAZE_COLD})
   endif()

@@ -4,13 +4,6 @@
 // more than a sample.
 #include "oracles/polytope/nef_minkowski.hpp"
 
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Projection_traits_xy_3.h>
-#include <CGAL/Projection_traits_xz_3.h>
-#include <CGAL/Projection_traits_yz_3.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/convex_hull_3.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -21,52 +14,25 @@ namespace graze::oracle {
 namespace {
 
 using Kernel = NefKernel;
-using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
 CGAL::Gmpq to_exact(const Rational& q) { return CGAL::Gmpq(q.get_mpq_t()); }
 
 Rational to_rational(const CGAL::Gmpq& e) { return Rational(e.mpq()); }
 
-using Points = std::vector<Kernel::Point_3>;
-
-// The convex polygon of coplanar points, in order: their hull as seen along an axis that the plane does not
-// contain.
-template <class Projection>
-Nef polygon(const Points& points) {
-  Points loop;
-  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(loop), Projection());
-  return Nef(loop.begin(), loop.end());
-}
-
-// The hull of the vertices, in the dimension that it has.
+// A, or -A.
 Nef body_hull(const ExactBody& body, int sign) {
   if (sgn(body.radius) != 0) throw std::invalid_argument("Nef sums are for polytopes without rounding");
-  Points points;
+  NefPoints points;
   for (const RationalPoint& p : body.vertices) {
     points.emplace_back(to_exact(sign * p[0]), to_exact(sign * p[1]), to_exact(sign * p[2]));
   }
-  const auto ends = std::minmax_element(points.begin(), points.end());
-  const auto least = ends.first, most = ends.second;
-  if (*least == *most) return Nef(*least);
-  const auto off_line = std::find_if(points.begin(), points.end(),
-                                     [&](const auto& p) { return !CGAL::collinear(*least, *most, p); });
-  if (off_line == points.end()) return Nef(Kernel::Segment_3(*least, *most));
-  if (std::all_of(points.begin(), points.end(),
-                  [&](const auto& p) { return CGAL::coplanar(*least, *most, *off_line, p); })) {
-    const Kernel::Vector_3 n = CGAL::cross_product(*most - *least, *off_line - *least);
-    if (n.z() != 0) return polygon<CGAL::Projection_traits_xy_3<Kernel>>(points);
-    if (n.y() != 0) return polygon<CGAL::Projection_traits_xz_3<Kernel>>(points);
-    return polygon<CGAL::Projection_traits_yz_3<Kernel>>(points);
-  }
-  Polyhedron hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return Nef(hull);
+  return nef_hull(points);
 }
 
 // Do the two bodies' own directions together fail to span space? (CGAL's sum of two parallel segments
 // crashes.)
 bool sum_is_flat(const ExactBody& a, const ExactBody& b) {
-  Points along = {CGAL::ORIGIN};
+  NefPoints along = {CGAL::ORIGIN};
   for (const ExactBody* body : {&a, &b}) {
     const RationalPoint& from = body->vertices[0];
     for (const RationalPoint& p : body->vertices) {

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Installs graze as somebody does who has Eigen and a compiler, and looks at what is there: the headers, the compiled library, the package. usage: install.sh SETTINGS
+# Installs graze as somebody does who has Eigen and a compiler, and looks at what is there: the headers, the compiled
+# library, the package. At -O1, which compiles in half the time; with -O3 the same sources are in every other test.
+# usage: install.sh SETTINGS
 set -euo pipefail
 source "$1"
 build="$scratch/core" prefix="$scratch/prefix"
 rm -rf "$build" "$prefix"
 "$cmake" -S "$source_dir" -B "$build" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" --no-warn-unused-cli -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF \
-  -DCMAKE_CXX_COMPILER="$cxx" -DEigen3_DIR="$eigen_dir" "${without[@]}" >"$build.log" 2>&1 ||
+  -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_COMPILER="$cxx" -DEigen3_DIR="$eigen_dir" "${without[@]}" >"$build.log" 2>&1 ||
   { cat "$build.log"; exit 1; }
 "$cmake" --build "$build" -j2 >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 "$cmake" --install "$build" --prefix "$prefix" >>"$build.log"

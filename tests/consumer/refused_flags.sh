@@ -11,8 +11,8 @@ include=(-std=c++20 -I"$source_dir/core" -isystem "$eigen_include")
 refused() {
   local compiler=$1 reason=$2 said
   shift 2
-  # The preprocessor's #error, or clang's of a pragma, which -fsyntax-only shows without optimising.
-  if said=$("$compiler" "${include[@]}" -fsyntax-only -O2 "$@" "$program" 2>&1); then
+  # The preprocessor's #error, or clang's of a pragma, which -fsyntax-only shows without optimising; it is the first.
+  if said=$("$compiler" "${include[@]}" -fsyntax-only -Wfatal-errors -O2 "$@" "$program" 2>&1); then
     echo "$compiler $*: accepted"
     failed=1
   elif ! grep -q "$reason" <<<"$said"; then

@@ -6,7 +6,6 @@
 #include <graze/swept_overlap.hpp>
 
 #include <graze/cast.hpp>
-#include <graze/exact/queries.hpp>
 #include <graze/invalid_text.hpp>
 #include <map>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/rotating/cast.hpp>
+#include <graze/rotating/slice.hpp>
 
 #include <graze/rotating_cast.hpp>
 #include <numbers>
