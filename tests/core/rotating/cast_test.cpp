@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <graze/rotating/slice.hpp>
 
+#include <graze/cast.hpp>
 #include <graze/rotating_cast.hpp>
 #include <numbers>
 

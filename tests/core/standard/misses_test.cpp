@@ -1,6 +1,6 @@
 // Misses have an axis that says so, and hits lie on the path, also where the path runs almost along C.
 #include <gtest/gtest.h>
-#include <graze/portal/sweep.hpp>
+#include <graze/portal/mpr.hpp>
 #include <graze/support/cso.hpp>
 
 #include <graze/cast.hpp>
