@@ -6,7 +6,7 @@
 #pragma once
 
 #include <Eigen/Geometry>  // cross
-#include <graze/gjk/simplex.hpp>
+#include <graze/scalar.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 

@@ -21,6 +21,7 @@
 
 #include <graze/portal/frame.hpp>
 #include <graze/result.hpp>
+#include <graze/support/cso.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 

@@ -40,8 +40,6 @@ TEST_P(Laws, hold_for_the_families) {
   LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::linear)) {
     for (const double hardness : family.levels) {
-      // The largest hulls cost the oracle seconds; the campaigns have time for them.
-      if (law.needs == Needs::oracle && family.name == "random" && hardness > 32) continue;
       for (int i = 0; i < family_seeds(law.needs) / static_cast<int>(family.levels.size()) + 1; ++i) {
         const auto seed = static_cast<std::uint64_t>(i);
         if (run.holds_for(family.generate(hardness, seed), family.name)) continue;

@@ -51,8 +51,6 @@ TEST_P(QueryLaws, hold_for_the_families) {
     for (std::size_t i = 0; i < levels; i += stride) {
       const std::size_t level = (i + turn_of(law)) % levels;
       const double hardness = family.levels[level];
-      // The largest hulls cost the oracle seconds.
-      if (is_slow(law) && family.name == "random" && hardness > 32) continue;
       const auto seed = static_cast<std::uint64_t>(level);
       if (run.holds_for(family.generate(hardness, seed), family.name)) continue;
       run.minimise();
