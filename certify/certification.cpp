@@ -187,6 +187,7 @@ class Run {
     const std::vector<Tally*> tallies = tallies_of(suite.kind, nth);
     if (tallies.empty()) return;
     std::vector<const Method*> methods;
+    methods.reserve(tallies.size());
     for (const Tally* tally : tallies) methods.push_back(tally->method);
     const std::size_t block = block_of(suite.kind);
     for (std::size_t first = 0; first < suite.size() && !settings_.stop(); first += block) {
