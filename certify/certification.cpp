@@ -183,6 +183,8 @@ class Run {
     return found;
   }
 
+  [[nodiscard]] bool stops() const { return settings_.stop() || (settings_.fail_fast && failed_); }
+
   void judge_suite(const Suite& suite, std::size_t nth) {
     const std::vector<Tally*> tallies = tallies_of(suite.kind, nth);
     if (tallies.empty()) return;
@@ -190,7 +192,7 @@ class Run {
     methods.reserve(tallies.size());
     for (const Tally* tally : tallies) methods.push_back(tally->method);
     const std::size_t block = block_of(suite.kind);
-    for (std::size_t first = 0; first < suite.size() && !settings_.stop(); first += block) {
+    for (std::size_t first = 0; first < suite.size() && !stops(); first += block) {
       std::vector<JudgedCase> judged(std::min(block, suite.size() - first));
       for_each_index(judged.size(), settings_.threads, [&](std::size_t i) {
         if (settings_.stop()) return;
@@ -199,7 +201,7 @@ class Run {
       });
       for (JudgedCase& one : judged) count(one, tallies);
     }
-    if (settings_.stop()) {
+    if (stops()) {
       result_.unfinished.push_back(suite.family);
       return;
     }
@@ -216,6 +218,7 @@ class Run {
       tallies[m]->add(one.problem, judged.judgement, judged.counters);
       tallies[m]->true_backward.push_back(judged.true_backward);
       result_.answers += requests_of(tallies[m]->method->kind).size();
+      failed_ = failed_ || judged.judgement.faulty();
       if (!judged.judgement.faulty() && !judged.judgement.stalled) continue;
       const bool is_query = tallies[m]->method->kind == Kind::query;
       if (is_query || !convicted) result_.convicted.push_back(*judged.asked);
@@ -233,6 +236,7 @@ class Run {
   const Settings& settings_;
   Progress progress_;
   Certification result_;
+  bool failed_ = false;                   // some answer is at fault
   const std::string* hits_of_ = nullptr;  // the suite whose hits are being kept
   std::size_t hits_kept_ = 0;
 };

@@ -16,6 +16,7 @@ struct Settings {
   unsigned threads = 1;
   // Asked between cases: whether to stop. What is judged then is kept.
   std::function<bool()> stop = [] { return false; };
+  bool fail_fast = false;  // stops at the first fault
 };
 
 struct Certification {

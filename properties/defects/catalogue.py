@@ -25,7 +25,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from planted import Config, Fault, Patch, kind_of, plant  # noqa: E402
 from report import faults_of_laws, faults_of_patches, how, matrix, page  # noqa: E402
-from tried import CASES_OF_ALL, read_laws, try_all  # noqa: E402
+from tried import CASES_OF_ALL, outcome, read_laws, try_all  # noqa: E402
 
 
 def spread(config, patches, count, seed):
@@ -76,6 +76,20 @@ def check_none(config):
     return faults
 
 
+def faults_of_certify(results):
+    """What could not be tried, and what a thorough run alone convicts."""
+    faults = []
+    for name, result in results.items():
+        print(f"{name}: {outcome(result)}")
+        if result["error"]:
+            faults.append(f"{name}: {result['error']}")
+        elif result["said"].get("thorough"):
+            faults.append(f"{name}: convicted by --thorough alone")
+    by_default = sum(1 for result in results.values() if not result["error"] and result["said"]["default"])
+    print(f"{by_default} of {len(results)} defects are convicted by default")
+    return faults
+
+
 def arguments():
     parser = argparse.ArgumentParser(prog="./run defects", description=__doc__.split("\n\n")[0])
     parser.add_argument("config", help="written by CMake: defects-Release.conf")
@@ -86,6 +100,8 @@ def arguments():
     parser.add_argument("--own", action="store_true", help="each defect is tried by the law that it names alone")
     parser.add_argument("--apply", action="store_true", help="only check that all patches apply and are named")
     parser.add_argument("--none", action="store_true", help="only check that without a defect every law holds")
+    parser.add_argument("--certify", action="store_true",
+                        help="ask `graze certify` instead of the laws: what convicts with --thorough must by default")
     parser.add_argument("--write", action="store_true", help="write build/reports/defects.md and defects.csv")
     parser.add_argument("patch", nargs="*", help="patches, by name or path; all if none is given")
     return parser.parse_intermixed_args()
@@ -114,8 +130,12 @@ def main():
         raise Fault("--write is for a run of all defects and all laws")
     if options.jobs < 1:
         raise Fault("--jobs is 1 or more")
+    if options.certify and (options.write or options.own):
+        raise Fault("--certify asks no law: leave --write and --own away")
     if options.sample:
         patches = spread(config, patches, options.sample, options.seed)
+    if options.certify:
+        return faults_of_certify(try_all(config, patches, options.jobs, False, certifies=True))
     own = bool(options.own or options.sample)
     results = try_all(config, patches, options.jobs, own)
     for patch in patches:

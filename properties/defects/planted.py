@@ -39,6 +39,7 @@ class Config:
         self.flags = fields["flags"].split(";")
         self.includes = fields["includes"].split(";")
         self.link = fields["link"].split(";")
+        self.command_link = fields.get("command_link", "").split(";")
         self.work = pathlib.Path(work).resolve()
         self.defects = self.source / "properties/defects"
         self.law_kind, self.law_needs = {}, {}
@@ -141,8 +142,8 @@ def plant(config, patch, root):
     return ""
 
 
-def compile_defect(config, patch, kind, root):
-    """A driver whose methods, or whose oracle, carry the defect. An error, or nothing."""
+def compile_defect(config, patch, kind, root, link=None):
+    """root/driver, whose methods, or whose oracle, carry the defect. An error, or nothing."""
     objects = []
     alone = [] if "float" in patch.text else ["-DGRAZE_DOUBLE_ALONE"]
     files = [str(root / name) for name in patch.compiled]
@@ -158,7 +159,7 @@ def compile_defect(config, patch, kind, root):
         objects.append(str(root / (pathlib.Path(name).stem + ".o")))
         if run([*config.compiler, *config.flags, *alone, *include, "-c", name, "-o", objects[-1]], log):
             return f"does not compile, see {log}"
-    if run([config.compiler[-1], *objects, *config.link, "-o", root / "driver"], log):
+    if run([config.compiler[-1], *objects, *(link or config.link), "-o", root / "driver"], log):
         return f"does not link, see {log}"
     return ""
 

@@ -17,11 +17,15 @@ CASES_OF_ALL = {"linear": 120, "query": 80, "rotating": 60}
 TIME_LIMIT = 3600
 
 
+# What `graze certify` judges by default, and what it judged before a verdict came in a minute.
+CERTIFICATIONS = {"default": [], "thorough": ["--thorough"]}
+
+
 def state_of(config):
     """A hash of all that a result depends on beside its patch: the sources that a driver is built from."""
     state = hashlib.sha256(repr((CASES, CASES_OF_ALL, config.flags, config.includes)).encode())
     paths = list((config.source / "core").rglob("*.hpp"))
-    for room in ("corpus", "oracles", "engines", "properties"):
+    for room in ("corpus", "oracles", "engines", "properties", "certify"):
         paths += (config.source / room).rglob("*.?pp")
     for path in sorted(paths):
         state.update(path.read_bytes())
@@ -31,10 +35,10 @@ def state_of(config):
 class Results:
     """What became of each defect, kept on disk."""
 
-    def __init__(self, config):
+    def __init__(self, config, name="results"):
         self.config = config
         self.state = state_of(config)
-        self.folder = config.work / "results"
+        self.folder = config.work / name
         self.folder.mkdir(parents=True, exist_ok=True)
 
     def key(self, patch, only_own_law):
@@ -85,10 +89,43 @@ def try_defect(config, patch, only_own_law):
     if not error and not only_own_law:
         of_all, error = ask_laws(root, kind, CASES_OF_ALL[kind], [])
         killers = of_all | killers
+    clear(root)
+    return {"kind": kind, "error": error, "laws": killers}
+
+
+def clear(root):
     for room in ("core", "oracles", "driver"):
         path = root / room
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
-    return {"kind": kind, "error": error, "laws": killers}
+
+
+def certify_defect(config, patch):
+    """What `graze certify` says of one defect: by default, and, if that convicts nobody, with --thorough."""
+    kind = kind_of(config, patch)
+    root = config.work / f"certify_{patch.name}"
+    root.mkdir(parents=True, exist_ok=True)
+    error = plant(config, patch, root) or compile_defect(config, patch, kind, root, config.command_link)
+    said = {}
+    for name, options in CERTIFICATIONS.items():
+        if error or any(said.values()):
+            break
+        try:
+            done = subprocess.run([root / "driver", "certify", "--fail-fast", "--threads", "1", *options],
+                                  capture_output=True, text=True, check=False, timeout=TIME_LIMIT)
+        except subprocess.TimeoutExpired:
+            said[name] = f"no verdict in {TIME_LIMIT} s"
+            continue
+        broken = [line for line in done.stdout.splitlines() if line.startswith("broken: ")]
+        if done.returncode < 0:
+            said[name] = f"killed by signal {-done.returncode}"
+        elif done.returncode == 1 and broken:
+            said[name] = broken[0].removeprefix("broken: ")
+        elif done.returncode == 0:
+            said[name] = ""
+        else:
+            error = f"certify failed, exit {done.returncode}: {done.stderr[-200:]}"
+    clear(root)
+    return {"kind": kind, "error": error, "said": said}
 
 
 class Progress:
@@ -112,18 +149,25 @@ class Progress:
             print("\r\033[K", end="", file=sys.stderr)
 
 
-def try_all(config, patches, jobs, only_own_law):
-    results = Results(config)
+def outcome(result):
+    if result["error"]:
+        return result["error"]
+    if "laws" in result:
+        return f"noticed by {sum(1 for how in result['laws'].values() if how)} laws"
+    return next((f"{name}: {how}" for name, how in result["said"].items() if how), "convicts nobody")
+
+
+def try_all(config, patches, jobs, only_own_law, certifies=False):
+    results = Results(config, "certified" if certifies else "results")
     progress = Progress(len(patches))
 
     def one(patch):
         result = results.find(patch, only_own_law)
         if result is None:
-            result = try_defect(config, patch, only_own_law)
+            result = certify_defect(config, patch) if certifies else try_defect(config, patch, only_own_law)
             if not result["error"]:
                 results.keep(patch, only_own_law, result)
-        noticed = sum(1 for how in result["laws"].values() if how)
-        progress.step(f"{patch.name}: {result['error'] or f'noticed by {noticed} laws'}")
+        progress.step(f"{patch.name}: {outcome(result)}")
         return patch.name, result
 
     pool = concurrent.futures.ThreadPoolExecutor(jobs)

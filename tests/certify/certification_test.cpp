@@ -70,6 +70,23 @@ TEST(Certification, a_stop_keeps_what_is_finished) {
   EXPECT_EQ(verdict_line(stopped, 1).find("Stopped"), 0U);
 }
 
+// The first fault ends a run that is to fail fast: the suite after it is not judged.
+TEST(Certification, fails_fast_if_asked_to) {
+  engine::Guarantee strict = *rotating("bilateral").guarantee;
+  strict.kappa_polytope = 0;
+  engine::Method held = rotating("bilateral");
+  held.guarantee = &strict;
+  Suite later = bars();
+  later.family = "later";
+  for (const bool fail_fast : {false, true}) {
+    const Settings settings{.methods = {&held}, .fail_fast = fail_fast};
+    const Certification broken = certify({bars(), later}, settings);
+    EXPECT_FALSE(broken.breaches.empty());
+    EXPECT_EQ(broken.tallies.at(1).cases, fail_fast ? 0U : 3U);
+    EXPECT_EQ(broken.unfinished.empty(), !fail_fast);
+  }
+}
+
 // A screen: 40 lines of 110 columns at most, whatever is judged.
 TEST(Report, fits_on_a_screen) {
   std::vector<const engine::Method*> all;

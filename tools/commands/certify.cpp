@@ -46,7 +46,7 @@ struct Arguments {
   std::vector<std::string> files, families, methods = {"all"}, law_names;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
   std::size_t oracle_every = 20;
-  bool stability = false, laws = false, full = false, thorough = false;
+  bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
   std::string corpus, guarantees, save, plot;
@@ -266,6 +266,7 @@ int run(const Arguments& arguments) {
 
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
+  settings.fail_fast = arguments.fail_fast;
   const Certification certification = certify(intake.suites, settings);
   const bool studies = arguments.full || arguments.thorough || !arguments.plot.empty();
   const std::vector<ToleranceRow> tolerances =
@@ -354,6 +355,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       fmt::format("Judge more: {} cases a family, {} of a rotating one, {} for queries; and print "
                   "everything",
                   kThorough.linear, kThorough.rotating, kThorough.queries));
+  command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first fault");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
       ->check(whole_number(0, kMostThreads))
