@@ -9,7 +9,6 @@ median of the rounds is shown. Bullet is left out where its headers are not ther
 import argparse
 import os
 import pathlib
-import resource
 import statistics
 import subprocess
 import sys
@@ -55,22 +54,14 @@ def files(options):
 
 def compile_once(command):
     """Processor seconds, and the peak of memory in MiB."""
-    read, write = os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.close(read)
-        done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
-        used = resource.getrusage(resource.RUSAGE_CHILDREN)
-        os.write(write, f"{done.returncode} {used.ru_utime + used.ru_stime} {used.ru_maxrss}\n{done.stderr}".encode())
-        os._exit(0)
-    os.close(write)
-    with os.fdopen(read) as said:
-        code, seconds, memory = said.readline().split()
-        errors = said.read()
-    os.waitpid(child, 0)
-    if code != "0":
-        sys.exit(f"compile_cost: {' '.join(command)} failed: {errors.splitlines()[0] if errors else 'no reason given'}")
-    return float(seconds), int(memory) / 1024
+    with tempfile.TemporaryFile("w+") as errors:
+        process = subprocess.Popen(command, stderr=errors)
+        _, status, used = os.wait4(process.pid, 0)  # with what its own children used
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode != 0:
+            errors.seek(0)
+            sys.exit(f"compile_cost: {' '.join(command)} failed: {errors.readline().strip() or 'no reason given'}")
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
 def main():

@@ -35,6 +35,8 @@ std::span<const Family> rotating_families() {
   return kFamilies;
 }
 
+#undef GRAZE_FAMILY
+
 const Family* find_family(std::string_view name) {
   for (const std::span<const Family> list : {families(), rotating_families()}) {
     for (const Family& family : list) {

@@ -15,17 +15,20 @@ CASES = {"linear": 2000, "query": 1000, "rotating": 600}
 CASES_OF_ALL = {"linear": 120, "query": 80, "rotating": 60}
 # Seconds for all laws on one defect: fifty times what they take.
 TIME_LIMIT = 3600
-
-
 # What `graze certify` judges by default, and what it judged before a verdict came in a minute.
 CERTIFICATIONS = {"default": [], "thorough": ["--thorough"]}
 
 
-def state_of(config):
+# The rooms beside core that the driver of laws is built from, and those of the command.
+ROOMS = {"results": ("corpus", "oracles", "engines", "properties"),
+         "certified": ("corpus", "oracles", "engines", "properties", "certify", "report", "draw", "tools")}
+
+
+def state_of(config, rooms):
     """A hash of all that a result depends on beside its patch: the sources that a driver is built from."""
     state = hashlib.sha256(repr((CASES, CASES_OF_ALL, config.flags, config.includes)).encode())
     paths = list((config.source / "core").rglob("*.hpp"))
-    for room in ("corpus", "oracles", "engines", "properties", "certify"):
+    for room in rooms:
         paths += (config.source / room).rglob("*.?pp")
     for path in sorted(paths):
         state.update(path.read_bytes())
@@ -35,9 +38,9 @@ def state_of(config):
 class Results:
     """What became of each defect, kept on disk."""
 
-    def __init__(self, config, name="results"):
+    def __init__(self, config, name):
         self.config = config
-        self.state = state_of(config)
+        self.state = state_of(config, ROOMS[name])
         self.folder = config.work / name
         self.folder.mkdir(parents=True, exist_ok=True)
 
@@ -112,9 +115,12 @@ def certify_defect(config, patch):
         try:
             done = subprocess.run([root / "driver", "certify", "--fail-fast", "--threads", "1", *options],
                                   capture_output=True, text=True, check=False, timeout=TIME_LIMIT)
-        except subprocess.TimeoutExpired:
-            said[name] = f"no verdict in {TIME_LIMIT} s"
-            continue
+        except subprocess.TimeoutExpired:  # a thorough run may take as long; by default it is the defect's doing
+            if name == "default":
+                said[name] = "hangs"
+            else:
+                error = f"no verdict in {TIME_LIMIT} s with {' '.join(options)}"
+            break
         broken = [line for line in done.stdout.splitlines() if line.startswith("broken: ")]
         if done.returncode < 0:
             said[name] = f"killed by signal {-done.returncode}"

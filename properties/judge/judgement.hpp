@@ -25,9 +25,8 @@ struct Errors {
   double witness = kNone;   // the larger distance of the two from their bodies
   double passed = kNone;    // of casts of turning bodies: the depth of a contact that a miss denies or that
                             // toi_lower has passed
-  double over_limit =
-      kNone;  // not over scale: `backward` over what the guarantee grants it, of an answer that
-              // converged
+  // Not over scale: `backward` over what the guarantee grants it, of an answer that converged.
+  double over_limit = kNone;
 };
 
 struct Judgement {
