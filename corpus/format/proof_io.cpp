@@ -92,6 +92,8 @@ void read_axis(const JsonValue& value, const std::string& path, Proof& proof) {
   }
 }
 
+}  // namespace
+
 Proof read_proof(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal"});
   Proof proof;
@@ -115,6 +117,8 @@ Proof read_proof(const JsonValue& value, const std::string& path) {
   }
   return proof;
 }
+
+namespace {
 
 TimeSlice read_slice(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"end", "axis", "frame"});
