@@ -40,6 +40,7 @@ enum class Failure : std::uint8_t {
   out_of_memory,
   left_behind,
 };
+inline constexpr std::size_t kFailures = 11;
 [[nodiscard]] std::string_view to_text(Failure failure);
 
 // An answer in doubles, whatever scalar computed it (a float is a double). Fields as in CastResult and

@@ -150,10 +150,7 @@ class Reading {
   }
 
  private:
-  [[nodiscard]] bool casts() const {
-    return offer_.question == Question::cast || offer_.question == Question::rotating_cast ||
-           offer_.question == Question::ray;
-  }
+  [[nodiscard]] bool casts() const { return is_cast(offer_.question); }
 
   void outcome(const Fields& fields) {
     static constexpr std::array<std::string_view, 5> kOutcomes = {"initially_overlapping", "hit", "miss",

@@ -82,6 +82,11 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
         break;
     }
   }
+  // Whether bodies touch is the query overlap.
+  if (offer.question == Question::distance && !offer.holds_distance)
+    throw Malformed{where, "answers to distance hold \"distance\""};
+  if (offer.question == Question::penetration && !offer.holds_depth)
+    throw Malformed{where, "answers to penetration hold \"depth\""};
   offer.tolerance = length(fields, "tolerance");
   offer.relative_tolerance = length(fields, "relative_tolerance");
   offer.kappa = length(fields, "kappa");

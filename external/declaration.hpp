@@ -13,6 +13,10 @@ namespace graze::external {
 
 enum class Question { cast, rotating_cast, ray, overlap, distance, penetration };
 [[nodiscard]] std::string_view to_text(Question question);
+// Of bodies that move; the others are about t = 0.
+[[nodiscard]] constexpr bool is_cast(Question question) {
+  return question == Question::cast || question == Question::rotating_cast || question == Question::ray;
+}
 
 // One thing that it can be asked: what its answers hold, and what it promises of them.
 struct Offer {

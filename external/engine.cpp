@@ -130,9 +130,9 @@ void Engine::add_method(const Offer& offer) {
   row.tolerance = tolerance.value_or(0);
   row.relative_tolerance = relative.value_or(0);
   row.early = offer.early;
-  row.stall_cap = offer.stalls;
-  row.touching = offer.touching;
   row.is_open = !is_held && !offer.promises_errors();
+  row.stall_cap = row.is_open ? 1 : offer.stalls;
+  row.touching = offer.touching;
   Method method;
   method.kind = kind;
   method.query = query_of(offer.question);

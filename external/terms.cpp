@@ -142,9 +142,7 @@ class Translation {
   // What is asked, and in which words.
   void question() {
     Case& asked = out_.asked;
-    const bool casts = offer_.question == Question::cast || offer_.question == Question::rotating_cast ||
-                       offer_.question == Question::ray;
-    if (!casts) {
+    if (!is_cast(offer_.question)) {
       for (Body<double>* body : {&asked.a, &asked.b}) body->displacement.setZero();
       asked.spin_a = asked.spin_b = {};
       asked.target_distance = 0;
@@ -236,7 +234,14 @@ class Translation {
       }
     }
     if (out_.swapped) std::swap(out_.seen.a, out_.seen.b);
-    out_.seen.target_distance += std::ldexp(engine_.margin, -out_.exponent);
+    if (engine_.margin == 0) return;
+    const double margin = std::ldexp(engine_.margin, -out_.exponent);
+    // Queries about t = 0 know no target distance.
+    if (is_cast(offer_.question)) {
+      out_.seen.target_distance += margin;
+    } else {
+      out_.seen.a.shape = rounded<double>(std::move(out_.seen.a.shape), margin);
+    }
   }
 
   const Declaration& engine_;

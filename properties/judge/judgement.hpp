@@ -33,6 +33,7 @@ struct Errors {
 struct Judgement {
   Outcome outcome = Outcome::invalid_input;
   // Faults: why, or empty.
+  engine::Failure failure = engine::Failure::none;  // of `failed`: which
   std::string failed;       // an engine of others crashed, hung, or wrote what is no answer
   std::string wrong;        // the verdict, by more than the limit; or an answer that says nothing sensible
   std::string late;         // toi_lower is past the contact, by more than the limit

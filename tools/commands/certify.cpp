@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "certify/certification.hpp"
+#include "certify/engine_findings.hpp"
+#include "certify/engine_report.hpp"
 #include "certify/intake.hpp"
 #include "certify/report.hpp"
 #include "certify/tolerance_study.hpp"
@@ -18,6 +20,7 @@
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
 #include "tools/commands/law.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/stability.hpp"
@@ -42,15 +45,24 @@ constexpr Counts kUsual = {512, 12, 20}, kThorough = {4000, 60, 100};
 // curved shapes in tens of milliseconds.
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 
+// To make a finding of an engine of others small.
+constexpr int kSmallerAsks = 2000;
+constexpr double kSmallerSeconds = 20;
+
 struct Arguments {
-  std::vector<std::string> files, families, methods = {"all"}, law_names;
+  std::vector<std::string> files, families, methods, law_names;
+  EngineArguments engines;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
   std::size_t oracle_every = 20;
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
-  std::string corpus, guarantees, save, plot;
+  std::string corpus, guarantees, save, plot, json, findings;
 
+  // All of ours, unless engines of others are to be judged.
+  [[nodiscard]] std::vector<std::string> our_methods() const {
+    return methods.empty() && engines.commands.empty() ? std::vector<std::string>{"all"} : methods;
+  }
   [[nodiscard]] Counts counts() const {
     const Counts& usual = thorough ? kThorough : kUsual;
     return {count.value_or(usual.linear), rotating.value_or(usual.rotating), queries.value_or(usual.queries)};
@@ -63,13 +75,22 @@ class Selection {
  public:
   explicit Selection(const Arguments& arguments) {
     if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
-    for (const engine::Method* method : select_methods(arguments.methods)) {
-      methods_.push_back(*method);
-      if (!arguments.guarantees.empty()) {
-        methods_.back().guarantee = engine::find_guarantee(table_, *method);
+    if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
+      for (const engine::Method* method : select_methods(names)) {
+        methods_.push_back(*method);
+        if (!arguments.guarantees.empty()) {
+          methods_.back().guarantee = engine::find_guarantee(table_, *method);
+        }
       }
     }
+    engines_ = start_engines(arguments.engines);
+    for (const auto& engine : engines_) {
+      methods_.insert(methods_.end(), engine->methods().begin(), engine->methods().end());
+    }
   }
+  // Ends the engines of others, and says what they left behind.
+  [[nodiscard]] std::vector<std::string> finish() const { return finish_engines(engines_); }
+  [[nodiscard]] std::span<const std::unique_ptr<external::Engine>> engines() const { return engines_; }
   Selection(const Selection&) = delete;
   Selection& operator=(const Selection&) = delete;
 
@@ -96,6 +117,7 @@ class Selection {
   }
 
   std::vector<engine::Guarantee> table_;
+  std::vector<std::unique_ptr<external::Engine>> engines_;
   std::vector<engine::Method> methods_;
 };
 
@@ -158,7 +180,7 @@ int show_stability(const Arguments& arguments, const Settings& settings) {
 int show_laws(const Arguments& arguments) {
   return run_laws({.files = arguments.files,
                    .families = arguments.families,
-                   .methods = arguments.methods,
+                   .methods = arguments.our_methods(),
                    .laws = arguments.law_names,
                    .count = arguments.count,
                    .rotating = arguments.rotating,
@@ -243,9 +265,12 @@ int run(const Arguments& arguments) {
     will_read({curated, known_failures().string()});
   }
   if (!arguments.plot.empty()) require_folder(arguments.plot);
+  if (!arguments.findings.empty()) require_folder(arguments.findings);
   if (arguments.stability) return show_stability(arguments, settings);
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
+  std::unique_ptr<OutputFile> json;
+  if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
 
   Intake intake;
   const bool bad = take_all(intake, arguments, selection.has(Kind::query));
@@ -267,23 +292,35 @@ int run(const Arguments& arguments) {
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
-  const Certification certification = certify(intake.suites, settings);
+  Certification certification = certify(intake.suites, settings);
   const bool studies = arguments.full || arguments.thorough || !arguments.plot.empty();
   const std::vector<ToleranceRow> tolerances =
       studies && !settings.stop() ? study(certification, settings) : std::vector<ToleranceRow>{};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const std::vector<EngineFinding> findings =
+      arguments.findings.empty() ? std::vector<EngineFinding>{}
+                                 : engine_findings(certification, kSmallerAsks, kSmallerSeconds);
+  const std::vector<std::string> left_behind = selection.finish();
+  certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   fmt::print("{}", verdict_line(certification, took.count()));
   for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
   if (!certification.unfinished.empty()) {
     fmt::print("Not finished: {}\n", fmt::join(certification.unfinished, ", "));
   }
-  if (arguments.takes_curated() && !settings.stop())
+  // What is known of our own methods.
+  if (arguments.takes_curated() && !settings.stop() && arguments.engines.commands.empty())
     print_known_failures(settings, arguments.full || arguments.thorough);
   print_intake(intake);
   if (arguments.full || arguments.thorough) {
     print_full(certification, settings, tolerances);
   } else {
     print_screen(certification, settings);
+  }
+  if (!selection.engines().empty()) fmt::print("\n{}", certificates(certification, settings));
+  if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));
+  if (json) {
+    json->write_line(certification_json(certification, settings, took.count()));
+    json->close();
   }
   if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(tolerances, arguments.plot));
   if (save) {
@@ -370,6 +407,16 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->add_option("--save", arguments->save,
                    "Write the cases that a method got wrong or stalled on to this file")
       ->type_name("OUT.jsonl");
+  command
+      ->add_option(
+          "--json", arguments->json,
+          "Write what was counted, method by method and family by family, to this file, one JSON object")
+      ->type_name("OUT.json");
+  command
+      ->add_option("--findings", arguments->findings,
+                   "Of each engine and kind of fault write a case, made small, into this folder")
+      ->type_name("DIR");
+  add_engine_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "
                     "(docs/stability.md)");
