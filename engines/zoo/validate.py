@@ -80,6 +80,11 @@ def octahedron(r):
     return {"type": "hull", "vertices": [[s * r if i == k else 0.0 for k in range(3)] for i in range(3) for s in (1, -1)]}
 
 
+def prism(r, h):
+    """Upright, on a square that stands on its corner."""
+    return {"type": "hull", "vertices": [[x, y, z] for x, y in ((r, 0.0), (0.0, r), (-r, 0.0), (0.0, -r)) for z in (-h, h)]}
+
+
 def vertices(shape):
     if shape["type"] == "hull":
         return shape["vertices"]
@@ -133,6 +138,8 @@ PAIRS = [
     (WALL, octahedron(0.5)),
     (octahedron(0.75), octahedron(0.5)),
     (box(0.5, 0.5, 0.5), box(0.25, 0.75, 0.5)),
+    (box(0.5, 0.75, 1.0), box(0.25, 0.375, 0.5)),
+    (box(0.75, 0.5, 0.625), prism(0.5, 0.25)),
     (round_shape("capsule", 0.25, 0.5), sphere(0.5)),
     (WALL, round_shape("capsule", 0.25, 0.5)),
     (round_shape("capsule", 0.25, 0.5), round_shape("capsule", 0.375, 0.25)),
@@ -144,6 +151,7 @@ PAIRS = [
     ({"type": "ellipsoid", "radii": [0.5, 0.25, 0.75]}, sphere(0.5)),
 ]
 SCENE_TURNS = [IDENTITY, turn((0.0, 0.0, 1.0), math.pi / 2), turn((1.0, 2.0, -2.0), 0.7), turn((-2.0, 1.0, 0.5), 2.1)]
+PLANE_TURNS = [IDENTITY, turn((0.0, 0.0, 1.0), math.pi / 2), turn((0.0, 0.0, 1.0), -0.7)]
 SCENE_SHIFTS = [(0.0, 0.0, 0.0), (1.5, -2.0, 0.75), (-0.5, 0.25, 3.0)]
 
 
@@ -157,17 +165,19 @@ def as_asked(shape, known):
 class Scene:
     """A and B with a gap along a unit normal from A to B, in a scene that is turned and shifted."""
 
-    def __init__(self, a, b, axis, gap, k, swapped):
+    def __init__(self, a, b, axis, gap, k, swapped, planar=False):
         if swapped:
             a, b = b, a
         whole, shift = SCENE_TURNS[k % len(SCENE_TURNS)], SCENE_SHIFTS[k % len(SCENE_SHIFTS)]
+        if planar:
+            whole = PLANE_TURNS[k % len(PLANE_TURNS)]
         self.gap = gap
         self.normal = rotate(whole, axis)
         self.a = body(a, shift, whole)
         self.b = body(b, (0.0, 0.0, 0.0), whole)
         reach = dot(world_support(self.a, self.normal), self.normal) - dot(world_support(self.b, scaled(-1, self.normal)), self.normal)
         self.b["position"] = add(shift, scaled(reach + gap - dot(shift, self.normal), self.normal))
-        self.tangent = rotate(whole, (axis[1], axis[2], axis[0]))
+        self.tangent = rotate(whole, (-axis[1], axis[0], 0.0) if planar else (axis[1], axis[2], axis[0]))
 
     def moved(self, which, relative):
         """The same with displacements: of B relative to A it is `relative`."""
@@ -179,8 +189,14 @@ class Scene:
 
 
 def scenes(known, gap):
-    """Each pair in four scenes that between them see every axis, swapped and not."""
+    """Each pair in four scenes that between them see every axis, swapped and not; upright prisms also in the plane."""
     k = 0
+    for a, b in PAIRS:
+        upright = all(s["type"] == "box" or (s["type"] == "hull" and len(s["vertices"]) == 8) for s in (a, b))
+        here = (as_asked(a, known), as_asked(b, known))
+        for i in range(4 if upright and here[0] and here[1] else 0):
+            k += 1
+            yield k, Scene(here[0], here[1], AXES[i], gap, k, k % 3 == 0, True)
     for a, b in PAIRS:
         for _ in range(4):
             axis, swapped = AXES[(k * 5 + k // 6) % 6], (k // 2) % 2 == 1
@@ -224,7 +240,8 @@ def rotating_questions(says):
     known, margin = says["shapes"], says.get("margin", 0)
     bars = [(box(1.5, 0.125, 0.25), IDENTITY, 0.125),
             (round_shape("capsule", 0.125, 1.5), turn((0.0, 1.0, 0.0), math.pi / 2), 0.125)]
-    others = [(sphere(0.125), lambda n: 0.125), (octahedron(0.125), lambda n: 0.125 * max(map(abs, n)))]
+    others = [(sphere(0.125), lambda n: 0.125), (octahedron(0.125), lambda n: 0.125 * max(map(abs, n))),
+              (prism(0.125, 0.25), lambda n: 0.125 * max(map(abs, n)))]
     phi, rho, k = 0.75, 1.0, 0
     for (bar, lying, thick), (other, reach) in itertools.product(bars, others):
         shape_a, shape_b = as_asked(bar, known), as_asked(other, known)
@@ -242,7 +259,7 @@ def rotating_questions(says):
         for variant in range(4):
             whole, shift = SCENE_TURNS[variant], SCENE_SHIFTS[variant % 3]
             t_max, angle = (1.0, 2.0, 0.5, 1.0)[variant], 0.7
-            common = (0.0, 0.0, 0.0) if variant < 2 else (0.3, -0.2, 0.1)
+            common = [(0.0, 0.0, 0.0), (0.3, -0.2, 0.0), (0.3, -0.2, 0.1), (0.0, 0.0, 0.0)][variant]
             a, b = body(shape_a, shift, product(whole, lying)), body(shape_b, (0.0, 0.0, 0.0), whole)
             b["position"] = add(shift, rotate(whole, (rho * math.cos(phi), rho * math.sin(phi), 0.0)))
             axis = rotate(whole, (0.0, 0.0, angle / t_max))
