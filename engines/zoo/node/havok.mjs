@@ -25,7 +25,8 @@ const call = option("call", ["ShapeCast"]);
 const setting = option("setting", ["default"]);
 
 const wasm = join(dirname(createRequire(import.meta.url).resolve("@babylonjs/havok")), "HavokPhysics.wasm");
-const havok = await initialize({ wasmBinary: readFileSync(wasm) });
+const print = (line) => console.error(line);
+const havok = await initialize({ wasmBinary: readFileSync(wasm), print, printErr: print });
 const kOk = havok.Result.RESULT_OK;
 const kEverything = [-1, -1];
 const kNoBody = [0n];

@@ -35,7 +35,8 @@ const kCollisionTolerance = 1e-4;
 const kHullTolerance = 1e-3;
 const kFloatEpsilon = 2 ** -23;
 
-const Jolt = await initialize({ print: () => {} });
+const print = (line) => console.error(line);
+const Jolt = await initialize({ print, printErr: print });
 const { system, jolt } = start();
 const bodies = system.GetBodyInterface();
 const narrow = system.GetNarrowPhaseQuery();

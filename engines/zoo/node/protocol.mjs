@@ -1,5 +1,7 @@
 // Speaks graze.engine/1, graze.question/1 and graze.answer/1 (docs/engines.md) on standard input and output.
 //
+// Whoever imports this file prints nothing else on standard output.
+//
 //   serve(engine, queries)
 //     engine   the fields of graze.engine/1 beside `schema`, `timed` and `queries`
 //     queries  name of a query -> { declares, ask }
@@ -46,6 +48,9 @@ export function crash(error) {
     process.exit(kCrashed);
   }
 }
+
+// Standard output belongs to the answers; what an engine prints goes to standard error.
+console.log = console.info = console.debug = console.error;
 
 process.on("uncaughtException", crash);
 process.on("unhandledRejection", crash);
