@@ -3,8 +3,9 @@
 // --call sweep     cast PxGeometryQuery.sweep, B is swept, its displacement relative to A's; ray PxGeometryQuery.raycast;
 //                  overlap PxGeometryQuery.overlap; penetration, where there is an overlap, PxGeometryQuery.sweep with
 //                  eMTD and no way to go
-// --call gjk       cast PxGjkQuery.sweep, ray PxGjkQuery.raycast, overlap PxGjkQuery.overlap, distance and penetration
-//                  PxGjkQuery.proximityInfo, with a contactDistance that no two points can exceed
+// --call gjk       cast PxGjkQuery.sweep, ray PxGjkQuery.raycast, overlap PxGjkQuery.overlap, distance
+//                  PxGjkQuery.proximityInfo with a contactDistance that no two points can exceed, penetration
+//                  proximityInfo with a contactDistance of 0
 //
 // --setting default    flags eDEFAULT; hulls are cooked as PxCookingParams are made
 // --setting tightest   of sweep alone: ePRECISE_SWEEP; planeTolerance 0; eSHIFT_VERTICES. The GJK queries take no tolerance
@@ -284,7 +285,7 @@ const gjk_sweep = with_arena((question, arena) => {
     run: () => gjk.sweep(a.shape, b.shape, a.pose, b.pose, unit, speed * question.t_max, result),
     read: (found) => {
       if (!found) return { outcome: "miss" };
-      if (result.t <= 0) return { outcome: "initially_overlapping", ...nearest(question, a, b, arena)()?.contact };
+      if (result.t <= 0) return { outcome: "initially_overlapping", ...nearest(a, b, 0, arena)()?.contact };
       const time = time_of(result.t, speed);
       const point = add(array(result.p), scaled(time, question.a.displacement));
       return { outcome: "hit", time, normal: array(result.n), point_a: point, point_b: point };
@@ -316,8 +317,7 @@ const gjk_overlap = with_arena((question, arena) => {
   };
 });
 
-function nearest(question, a, b, arena) {
-  const most = reach(question.a, question.b);
+function nearest(a, b, most, arena) {
   const result = arena.hold(new PhysX.PxGjkQueryProximityInfoResult());
   return () => {
     if (!gjk.proximityInfo(a.shape, b.shape, a.pose, b.pose, most, kUnitLength, result)) return null;
@@ -326,22 +326,21 @@ function nearest(question, a, b, arena) {
   };
 }
 
-const proximity = (read) => with_arena((question, arena) => {
+const proximity = (most, read) => with_arena((question, arena) => {
   const a = placed(question.a, arena, support_of);
   const b = placed(question.b, arena, support_of);
-  return {
-    run: nearest(question, a, b, arena),
-    read: (found) => (found === null ? { outcome: "not_converged", message: "nothing within a distance beyond reach" }
-      : read(found.separation, found.contact)),
-  };
+  return { run: nearest(a, b, most(question.a, question.b), arena), read };
 });
 
-const gjk_distance = proximity((separation, contact) =>
-  separation <= 0 ? { outcome: "initially_overlapping", distance: 0, ...contact }
-    : { outcome: "miss", distance: separation, ...contact });
+const gjk_distance = proximity(reach, (found) => {
+  if (found === null) return { outcome: "not_converged", message: "nothing within a distance beyond reach" };
+  if (found.separation <= 0) return { outcome: "initially_overlapping", distance: 0, ...found.contact };
+  return { outcome: "miss", distance: found.separation, ...found.contact };
+});
 
-const gjk_penetration = proximity((separation, contact) =>
-  separation > 0 ? { outcome: "miss" } : { outcome: "initially_overlapping", depth: -separation, ...contact });
+const gjk_penetration = proximity(() => 0, (found) =>
+  found === null || found.separation > 0 ? { outcome: "miss" }
+    : { outcome: "initially_overlapping", depth: -found.separation, ...found.contact });
 
 const kGjkQueries = {
   cast: { declares: { answers: ["time", "normal", "witnesses"], touching: "either" }, ask: gjk_sweep },
