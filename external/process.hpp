@@ -18,7 +18,7 @@ namespace graze::external {
 
 struct ProcessLimits {
   std::chrono::milliseconds time{1000};           // for an answer
-  std::chrono::milliseconds start{10000};         // for the first line
+  std::chrono::milliseconds start{30000};         // for the first line
   std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of private memory
 };
 

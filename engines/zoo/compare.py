@@ -4,6 +4,8 @@
   ./run zoo                 all that are installed, a minute or two for each; what is judged is kept, and a run that was
                             stopped goes on; --write makes docs/engines_compared.md of it
   ./run zoo jolt rapier     only engines whose name begins so
+  ./run zoo --findings      asks each engine the cases that it was convicted on, and says whether it still is;
+                            --write makes docs/bugs_found.md of it
 
 Every engine is held to one length, --relative-tolerance R over the scale of each question (1e-3 unless given): a
 contact deeper than that must not be missed or passed, nor one claimed of bodies that stay farther apart. A list,
@@ -17,6 +19,10 @@ import shlex
 import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import findings  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LISTS = ("engines/zoo/zoo.json", "engines/zoo/node/zoo.json")
@@ -49,6 +55,22 @@ def engines_of(options):
             out.append((f"graze-{method}-{scalar}",
                         shlex.join([str(options.graze), "serve", "--method", method, "--scalar", scalar]), True))
     return out, left
+
+
+def version_of(engines):
+    """A function: the version that an engine says it has."""
+    commands, known = {name: command for name, command, _ in engines}, {}
+
+    def version(name):
+        if name not in known:
+            with subprocess.Popen(shlex.split(commands[name]), cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                  stderr=subprocess.DEVNULL, text=True) as process:
+                known[name] = json.loads(process.stdout.readline()).get("version", "")
+                process.stdin.close()
+                process.stdout.read()
+        return known[name]
+
+    return version
 
 
 def key_of(options, command):
@@ -187,6 +209,7 @@ def arguments():
     parser.add_argument("--rotating", type=int, default=8, metavar="N", help="of one in which bodies turn (8)")
     parser.add_argument("--queries", type=int, default=6, metavar="N", help="whose bodies are asked queries (6)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_found.md again")
     parser.add_argument("--write", action="store_true", help="write docs/engines_compared.md")
     return parser.parse_args()
 
@@ -196,6 +219,13 @@ def main():
     options.graze, options.zoo = options.graze.resolve(), options.zoo.resolve()
     options.results.mkdir(parents=True, exist_ok=True)
     engines, left = engines_of(options)
+    if options.findings:
+        if options.names:
+            raise Fault("--findings is about all of them: leave the names away")
+        gone = findings.show(options, ROOT, {name: command for name, command, _ in engines}, version_of(engines))
+        if gone:
+            print(f"graze: not convicted any more: {', '.join(gone)}", file=sys.stderr)
+        sys.exit(1 if gone else 0)
     if options.names:
         engines = [e for e in engines if any(e[0].startswith(name) for name in options.names)]
         if not engines:
