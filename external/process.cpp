@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -210,7 +210,8 @@ Process::Process(const std::vector<std::string>& command, const ProcessLimits& l
   out_ = out.read;
   err_ = err.read;
   for (const int end : {in_, out_, err_}) do_not_block(end);
-  life_ = pidfd_open(pid_, 0);
+  life_ = static_cast<int>(
+      syscall(SYS_pidfd_open, pid_, 0));  // the C library of Debian 12 has no working name for it
 }
 
 Process::~Process() {
@@ -342,7 +343,9 @@ Line Process::read_line(std::chrono::milliseconds limit) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(stop - Clock::now()).count();
     if (left <= 0) {
       end(SIGKILL);
-      return failed(Failure::hung,
+      read_errors();
+      // One that is still dying of it has not hung.
+      return failed(says_no_memory(errors_) ? Failure::out_of_memory : Failure::hung,
                     fmt::format("no answer within {} s", static_cast<double>(limit.count()) / 1000));
     }
     std::array<pollfd, 4> ends = {pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0},

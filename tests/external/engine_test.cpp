@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Found{"upside_down", Failure::out_of_range, "time is a bracket upside down"},
                     Found{"long_normal", Failure::out_of_range, "the normal has length 2"},
                     Found{"leaks", Failure::out_of_memory, "of 256"},
-                    Found{"anothers_answer", Failure::anothers_answer, "it answers \"q999999\", and was asked"},
+                    Found{"anothers_answer", Failure::anothers_answer,
+                          "it answers \"q999999\", and was asked"},
                     Found{"garbage", Failure::garbage, "hit at 0.5, I think"},
                     Found{"binary_garbage", Failure::garbage, ""},
                     Found{"half_a_line", Failure::half_a_line, "its output ended within a line"},
@@ -89,8 +90,7 @@ TEST(Engine, IsNotHeldUpByWhatItWritesOnStandardError) {
 // A question that does not fit into a pipe that nobody reads.
 TEST(Engine, ThatDoesNotReadHangs) {
   Engine engine(bad_engine("does_not_read"));
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(engine.methods().front().answer(test::hit()).failure, Failure::hung);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(engine.methods().front().answer(test::hit()).failure, Failure::hung);
 }
 
 TEST(Engine, ThatAnswersTwiceAnswersAnothersQuestionNext) {
@@ -140,12 +140,12 @@ TEST_P(BadStarts, AreRefusedWithALine) {
   }
   EXPECT_EQ(test::bad_engines(), 0U);
 }
-INSTANTIATE_TEST_SUITE_P(
-    Every, BadStarts,
-    testing::Values(std::pair{"silent_start", "hung: no answer within 2 s"},
-                    std::pair{"ends_at_start", "silent: it ended, and said nothing"},
-                    std::pair{"fails_at_start", "crashed: exit 7"},
-                    std::pair{"declares_nonsense", "scalar: "}, std::pair{"declares_no_json", "no graze.engine/1"}));
+INSTANTIATE_TEST_SUITE_P(Every, BadStarts,
+                         testing::Values(std::pair{"silent_start", "hung: no answer within 2 s"},
+                                         std::pair{"ends_at_start", "silent: it ended, and said nothing"},
+                                         std::pair{"fails_at_start", "crashed: exit 7"},
+                                         std::pair{"declares_nonsense", "scalar: "},
+                                         std::pair{"declares_no_json", "no graze.engine/1"}));
 
 TEST(Engine, ThatIsNoProgramIsRefused) {
   EXPECT_THROW(Engine({.command = "/nowhere/at/all"}), std::runtime_error);

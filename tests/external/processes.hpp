@@ -42,7 +42,8 @@ inline std::size_t zombies() {
   for (int pid = 0; children >> pid;) {
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     const std::string line((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (const std::size_t end = line.rfind(')'); end != std::string::npos && line.substr(end).starts_with(") Z"))
+    if (const std::size_t end = line.rfind(')');
+        end != std::string::npos && line.substr(end).starts_with(") Z"))
       ++count;
   }
   return count;
