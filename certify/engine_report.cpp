@@ -93,6 +93,70 @@ Json tally_json(const Tally& tally) {
           {"ns_median", number_or_null(median(tally.ns))}};
 }
 
+// Text within XML 1.0, also within quotes. Bytes that are none of its characters become U+FFFD.
+std::string xml_text(std::string_view text) {
+  constexpr std::string_view kNone = "\xEF\xBF\xBD";
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t length = c < 0x80                ? 1
+                               : c >= 0xC2 && c < 0xE0 ? 2
+                               : c >= 0xE0 && c < 0xF0 ? 3
+                               : c >= 0xF0 && c < 0xF5 ? 4
+                                                       : 0;
+    bool is_whole = length > 0 && i + length <= text.size();
+    for (std::size_t k = 1; is_whole && k < length; ++k)
+      is_whole = (static_cast<unsigned char>(text[i + k]) & 0xC0U) == 0x80U;
+    if (!is_whole) {
+      out += kNone;
+      ++i;
+      continue;
+    }
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+        out += "&#10;";
+        break;
+      default:
+        if (c < 0x20 && c != '\t') {
+          out += kNone;
+        } else {
+          out += text.substr(i, length);
+        }
+    }
+    i += length;
+  }
+  return out;
+}
+
+// What broke on a family: the lines of the verdict, then the first case of each fault.
+std::string why_failed(const Tally& tally, const std::vector<std::string>& lines) {
+  std::string text = fmt::format("{}\n", fmt::join(lines, "\n"));
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (tally.faults[k] > 0)
+      text += fmt::format("{} ({}): {}: {}\n", law::kFaultKinds[k].name, tally.faults[k], tally.first[k].id,
+                          tally.first[k].reason);
+  }
+  for (std::size_t k = 1; k < tally.failures.size(); ++k) {
+    const Tally::Failed& failed = tally.failures[k];
+    if (failed.count > 0)
+      text += fmt::format("{} ({}): {}: {}\n", to_text(static_cast<Failure>(k)), failed.count,
+                          failed.first.id, failed.first.reason);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string certificates(const Certification& certification, const Settings& settings) {
@@ -181,6 +245,60 @@ std::string certification_json(const Certification& certification, const Setting
          {"families", std::move(families)}});
   }
   return all.dump();
+}
+
+std::string certification_junit(const Certification& certification, const Settings& settings,
+                                double seconds) {
+  std::string suites;
+  std::size_t all_tests = 0, all_failed = 0;
+  std::vector<std::string> told;  // breaches that a family has
+  for (const Method* method : settings.methods) {
+    std::string tests;
+    std::size_t count = 0, failed = 0, skipped = 0;
+    for (const Tally& tally : certification.tallies) {
+      if (tally.method != method || (tally.cases == 0 && tally.not_asked == 0)) continue;
+      ++count;
+      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(method->question_name()),
+                           xml_text(tally.family));
+      if (const std::vector<std::string> lines = breaches(tally); !lines.empty()) {
+        ++failed;
+        told.insert(told.end(), lines.begin(), lines.end());
+        tests += fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                             xml_text(lines.front()), xml_text(why_failed(tally, lines)));
+      } else if (tally.cases == 0) {
+        ++skipped;
+        tests +=
+            fmt::format(">\n      <skipped message=\"{} cases, none that it takes\"/>\n    </testcase>\n",
+                        tally.not_asked);
+      } else {
+        tests += "/>\n";
+      }
+    }
+    if (count == 0) continue;
+    all_tests += count;
+    all_failed += failed;
+    suites += fmt::format(
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
+        xml_text(method->question_name()), count, failed, skipped, tests);
+  }
+  std::vector<std::string> others;
+  for (const std::string& breach : certification.breaches) {
+    if (std::find(told.begin(), told.end(), breach) == told.end()) others.push_back(breach);
+  }
+  if (!others.empty()) {
+    ++all_tests;
+    ++all_failed;
+    suites += fmt::format(
+        "  <testsuite name=\"run\" tests=\"1\" failures=\"1\">\n    <testcase classname=\"run\" "
+        "name=\"ends\">\n      "
+        "<failure message=\"{}\">{}</failure>\n    </testcase>\n  </testsuite>\n",
+        xml_text(others.front()), xml_text(fmt::format("{}\n", fmt::join(others, "\n"))));
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"graze certify\" tests=\"{}\" "
+      "failures=\"{}\" "
+      "time=\"{:.3f}\">\n{}</testsuites>",
+      all_tests, all_failed, seconds, suites);
 }
 
 }  // namespace graze::tool

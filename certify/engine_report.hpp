@@ -18,4 +18,9 @@ namespace graze::tool {
 [[nodiscard]] std::string certification_json(const Certification& certification, const Settings& settings,
                                              double seconds);
 
+// The same for build servers, JUnit's XML: of each method a suite, of each family a test; a family on which the method
+// does not keep its row has failed, with the first case of each fault and the reason.
+[[nodiscard]] std::string certification_junit(const Certification& certification, const Settings& settings,
+                                              double seconds);
+
 }  // namespace graze::tool

@@ -97,6 +97,7 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
   offer.early = length(fields, "early").value_or(0);
   offer.starts = flag_or(fields, "starts", true);
   offer.stalls = length(fields, "stalls").value_or(0);
+  if (offer.stalls > 1) throw Malformed{fields.path("stalls"), "a fraction of a family is at most 1"};
   offer.takes_target_distance = flag_or(fields, "target_distance", false);
   offer.takes_pass_over = flag_or(fields, "pass_over", false);
   return offer;

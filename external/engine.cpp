@@ -161,8 +161,8 @@ void Engine::add_method(const Offer& offer) {
   methods_.push_back(std::move(method));
 }
 
-// One whose first line is read, or, where none waits, a new one. Nothing is returned where it says nothing.
-std::unique_ptr<Process> Engine::take() {
+// One whose first line is read, or, where none waits, a new one; of one that says nothing of itself, why.
+std::unique_ptr<Process> Engine::take(Line& first) {
   Waiting next;
   {
     const std::lock_guard lock(mutex_);
@@ -179,8 +179,7 @@ std::unique_ptr<Process> Engine::take() {
       ++starts_;
     }
   }
-  if (!next.has_spoken && next.process->read_line(options_.limits.start).failure != Failure::none)
-    return nullptr;
+  if (!next.has_spoken) first = next.process->read_line(options_.limits.start);
   return std::move(next.process);
 }
 
@@ -203,20 +202,28 @@ Answer Engine::ask(const Offer& offer, const corpus::Case& problem, int repeat) 
     const std::lock_guard lock(mutex_);
     id = fmt::format("q{}", ++asked_);
   }
-  std::unique_ptr<Process> process = take();
-  if (!process) return failure(Failure::crashed, "it was started again, and said nothing of itself");
+  Line first;
+  std::unique_ptr<Process> process = take(first);
+  if (first.failure != Failure::none) {
+    left_behind_ += process->stop();
+    return failure(first.failure, "it was started again, and said nothing of itself: " + first.what);
+  }
   const Line line = process->ask(write_question(offer, terms, id, repeat));
-  if (line.failure != Failure::none) return failure(line.failure, line.what);
-  Answer answer = read_answer(line.text, id, offer, terms);
+  Answer answer = line.failure != Failure::none ? failure(line.failure, line.what)
+                                                : read_answer(line.text, id, offer, terms);
   // One that answers what it was not asked, or no JSON, is out of step with its questions.
-  if (answer.failure == Failure::garbage || answer.failure == Failure::anothers_answer) return answer;
-  give_back(std::move(process));
+  if (line.failure != Failure::none || answer.failure == Failure::garbage ||
+      answer.failure == Failure::anothers_answer) {
+    left_behind_ += process->stop();
+  } else {
+    give_back(std::move(process));
+  }
   return answer;
 }
 
 int Engine::finish() {
   const std::lock_guard lock(mutex_);
-  int left = 0;
+  int left = left_behind_;
   for (Waiting& one : waiting_) left += one.process->finish();
   waiting_.clear();
   return left;

@@ -2,6 +2,7 @@
 // list of those that are judged.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -44,12 +45,13 @@ class Engine {
   // Asks one question, from any thread; `repeat` > 0 asks for the time of a call.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const corpus::Case& problem, int repeat = 0);
 
-  // Every process is asked to end. How many processes they left behind; to be asked once, at the end.
+  // Every process is asked to end. How many processes they left behind, those that were ended before
+  // included; to be asked once, at the end.
   int finish();
   [[nodiscard]] std::size_t starts() const { return starts_; }  // processes that were started
 
  private:
-  std::unique_ptr<Process> take();
+  std::unique_ptr<Process> take(Line& first);
   void give_back(std::unique_ptr<Process> process);
   void add_method(const Offer& offer);
 
@@ -66,6 +68,7 @@ class Engine {
   };
   std::vector<Waiting> waiting_;
   std::size_t starts_ = 0, asked_ = 0;
+  std::atomic<int> left_behind_ = 0;
 };
 
 }  // namespace graze::external

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,9 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -63,6 +67,7 @@ void do_not_block(int descriptor) { fcntl(descriptor, F_SETFL, fcntl(descriptor,
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
+  close_range(STDERR_FILENO + 1, ~0U, 0);  // nothing that is ours is the engine's
   const rlimit data{.rlim_cur = memory, .rlim_max = memory}, core{.rlim_cur = 0, .rlim_max = 0};
   setrlimit(RLIMIT_DATA, &data);
   setrlimit(RLIMIT_CORE, &core);
@@ -78,21 +83,86 @@ void do_not_block(int descriptor) { fcntl(descriptor, F_SETFL, fcntl(descriptor,
   _exit(127);
 }
 
-// The processes in whose environment the mark is.
-std::vector<pid_t> marked(const std::string& mark) {
+std::string read_whole(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool is_number(std::string_view name) {
+  return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::vector<pid_t> numbers_in(const char* directory) {
   std::vector<pid_t> found;
-  DIR* const all = opendir("/proc");
+  DIR* const all = opendir(directory);
   if (all == nullptr) return found;
   while (const dirent* const entry = readdir(all)) {
-    const std::string name = entry->d_name;
-    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    std::ifstream file("/proc/" + name + "/environ", std::ios::binary);
-    const std::string environment((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    // Each variable ends with a zero.
-    if (environment.find(mark + '\0') != std::string::npos) found.push_back(std::stoi(name));
+    if (is_number(entry->d_name)) found.push_back(std::stoi(entry->d_name));
   }
   closedir(all);
   return found;
+}
+
+// Our children: engines, and what they left behind, since we are its reaper. Where the kernel keeps no list of them,
+// every process.
+std::vector<pid_t> candidates() {
+  std::vector<pid_t> found;
+  for (const pid_t thread : numbers_in("/proc/self/task")) {
+    std::ifstream file(fmt::format("/proc/self/task/{}/children", thread));
+    if (!file) {
+      if (thread == getpid()) return numbers_in("/proc");
+      continue;  // a thread that has ended
+    }
+    for (pid_t pid = 0; file >> pid;) found.push_back(pid);
+  }
+  return found;
+}
+
+// Z in /proc/PID/stat, whose second field is a name in brackets that may hold anything.
+bool is_zombie(pid_t pid) {
+  const std::string stat = read_whole(fmt::format("/proc/{}/stat", pid));
+  const std::size_t name = stat.rfind(')');
+  return name != std::string::npos && stat.substr(name).starts_with(") Z");
+}
+
+bool is_marked(pid_t pid, const std::string& mark) {
+  // Each variable ends with a zero.
+  return read_whole(fmt::format("/proc/{}/environ", pid)).find(mark + '\0') != std::string::npos;
+}
+
+// The processes that are ours to wait for by name. Whatever else ends as a child of ours in a group that is not ours
+// was left behind by an engine.
+struct Leaders {
+  std::mutex mutex = {};
+  std::set<pid_t> pids = {};
+};
+Leaders& leaders() {
+  static Leaders all;
+  return all;
+}
+
+void reap_orphans(const std::vector<pid_t>& children) {
+  const std::lock_guard lock(leaders().mutex);
+  for (const pid_t pid : children) {
+    if (!leaders().pids.contains(pid) && is_zombie(pid) && getpgid(pid) != getpgrp())
+      waitpid(pid, nullptr, WNOHANG);
+  }
+}
+
+// Kilobytes that this process has had in memory at most. An engine's own count begins there, since it is forked.
+long own_memory() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return used.ru_maxrss;
+}
+
+// What allocators and runtimes write when they get no more.
+bool says_no_memory(std::string_view text) {
+  for (const std::string_view words : {"bad_alloc", "out of memory", "Out of memory", "MemoryError",
+                                       "Cannot allocate memory", "memory allocation of"}) {
+    if (text.find(words) != std::string_view::npos) return true;
+  }
+  return false;
 }
 
 std::string signal_text(int signal) {
@@ -122,7 +192,12 @@ Process::Process(const std::vector<std::string>& command, const ProcessLimits& l
   environment.push_back(nullptr);
 
   Pipe in, out, err;
-  pid_ = fork();
+  memory_at_start_ = own_memory();
+  {
+    const std::lock_guard lock(leaders().mutex);
+    pid_ = fork();
+    if (pid_ > 0) leaders().pids.insert(pid_);
+  }
   if (pid_ == 0) become(words, environment, in.read, out.write, err.write, limits.memory);
   const int why = errno;
   for (int* end : {&in.read, &out.write, &err.write}) close_one(*end);
@@ -135,12 +210,13 @@ Process::Process(const std::vector<std::string>& command, const ProcessLimits& l
   out_ = out.read;
   err_ = err.read;
   for (const int end : {in_, out_, err_}) do_not_block(end);
+  life_ = static_cast<int>(
+      syscall(SYS_pidfd_open, pid_, 0));  // the C library of Debian 12 has no working name for it
 }
 
 Process::~Process() {
-  if (!is_ended_) end(SIGKILL);
-  end_others();
-  for (int* one : {&in_, &out_, &err_}) close_one(*one);
+  if (pid_ > 0) stop();
+  for (int* one : {&in_, &out_, &err_, &life_}) close_one(*one);
 }
 
 void Process::read_errors() {
@@ -174,20 +250,32 @@ void Process::end(int signal) {
   kill(-pid_, signal);
   kill(pid_, signal);
   waitpid(pid_, nullptr, 0);
+  has_ended();
+}
+
+void Process::has_ended() {
   is_ended_ = true;
+  const std::lock_guard lock(leaders().mutex);
+  leaders().pids.erase(pid_);
 }
 
 int Process::end_others() const {
   int found = 0;
   // One that is forked while we look is found when we look again.
   for (int round = 0; round < 8; ++round) {
-    const std::vector<pid_t> left = marked(mark_);
-    for (const pid_t pid : left) {
+    const std::vector<pid_t> all = candidates();
+    bool is_clean = true;
+    for (const pid_t pid : all) {
+      if (pid == pid_ || !is_marked(pid, mark_)) continue;
       kill(pid, SIGKILL);
       waitpid(pid, nullptr, 0);
+      ++found;
+      is_clean = false;
     }
-    found += static_cast<int>(left.size());
-    if (left.empty()) break;
+    if (is_clean) {
+      reap_orphans(all);
+      break;
+    }
   }
   return found;
 }
@@ -205,9 +293,13 @@ Line Process::ended(bool within_line) {
     return failed(within_line ? Failure::half_a_line : Failure::silent,
                   within_line ? "its output ended within a line" : "it closed its output, and went on");
   }
-  is_ended_ = true;
+  has_ended();
+  read_errors();
+  // What it had before it became the engine was ours.
   const bool is_full =
-      static_cast<double>(used.ru_maxrss) * 1024 > kFullMemory * static_cast<double>(limits_.memory);
+      (used.ru_maxrss > memory_at_start_ &&
+       static_cast<double>(used.ru_maxrss) * 1024 > kFullMemory * static_cast<double>(limits_.memory)) ||
+      says_no_memory(errors_);
   const std::string memory =
       fmt::format("; it had used {} MiB of {}", used.ru_maxrss / 1024, limits_.memory >> 20);
   const bool by_signal = WIFSIGNALED(status);
@@ -221,8 +313,18 @@ Line Process::ended(bool within_line) {
   return failed(Failure::silent, "it ended, and said nothing");
 }
 
+// What it wrote before it ended, and is still in the pipe. True if that has come to its end.
+bool Process::read_rest() {
+  std::array<char, 65536> buffer{};
+  ssize_t n = 0;
+  while (read_.size() <= kMostOfALine && (n = read(out_, buffer.data(), buffer.size())) > 0)
+    read_.append(buffer.data(), static_cast<std::size_t>(n));
+  return n <= 0;
+}
+
 Line Process::read_line(std::chrono::milliseconds limit) {
   if (is_ended_) return {.failure = Failure::silent, .what = "it has ended"};
+  bool is_dead = false;  // though what it left behind may hold its output open
   const auto stop = Clock::now() + limit;
   std::array<char, 65536> buffer{};
   std::size_t looked = 0;
@@ -232,6 +334,7 @@ Line Process::read_line(std::chrono::milliseconds limit) {
       read_.erase(0, end + 1);
       return line;
     }
+    if (is_dead) return ended(!read_.empty());
     looked = read_.size();
     if (looked > kMostOfALine) {
       end(SIGKILL);
@@ -240,11 +343,13 @@ Line Process::read_line(std::chrono::milliseconds limit) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(stop - Clock::now()).count();
     if (left <= 0) {
       end(SIGKILL);
-      return failed(Failure::hung,
+      read_errors();
+      // One that is still dying of it has not hung.
+      return failed(says_no_memory(errors_) ? Failure::out_of_memory : Failure::hung,
                     fmt::format("no answer within {} s", static_cast<double>(limit.count()) / 1000));
     }
-    std::array<pollfd, 3> ends = {pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0},
-                                  pollfd{to_write_.empty() ? -1 : in_, POLLOUT, 0}};
+    std::array<pollfd, 4> ends = {pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0},
+                                  pollfd{to_write_.empty() ? -1 : in_, POLLOUT, 0}, pollfd{life_, POLLIN, 0}};
     if (poll(ends.data(), ends.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
       end(SIGKILL);
       return failed(Failure::crashed, std::string("it cannot be heard: ") + std::strerror(errno));
@@ -255,6 +360,10 @@ Line Process::read_line(std::chrono::milliseconds limit) {
     }
     // An engine that does not read is one that does not answer: its output says which.
     if (ends[2].revents != 0 && !write_some()) to_write_.clear();
+    if (ends[3].revents != 0) {
+      is_dead = read_rest();
+      continue;
+    }
     if (ends[0].revents == 0) continue;
     const ssize_t n = read(out_, buffer.data(), buffer.size());
     if (n > 0) {
@@ -275,16 +384,27 @@ Line Process::ask(const std::string& line) {
 int Process::finish() {
   if (!is_ended_) {
     close_one(in_);
+    // What it still has to say is read, so that it does not wait for a reader.
     const auto stop = Clock::now() + kToFinish;
     pid_t done = 0;
-    while ((done = waitpid(pid_, nullptr, WNOHANG)) == 0 && Clock::now() < stop)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while ((done = waitpid(pid_, nullptr, WNOHANG)) == 0 && Clock::now() < stop) {
+      read_errors();
+      read_.clear();
+      read_rest();
+      pollfd life{life_, POLLIN, 0};
+      poll(&life, 1, 2);
+    }
     if (done == 0) {
       end(SIGKILL);
     } else {
-      is_ended_ = true;
+      has_ended();
     }
   }
+  return end_others();
+}
+
+int Process::stop() {
+  if (!is_ended_) end(SIGKILL);
   return end_others();
 }
 

@@ -46,19 +46,24 @@ class Process {
   // Its input is closed, and it may end by itself; then what is left of it is ended. How many processes it
   // left behind.
   int finish();
+  // The same at once.
+  int stop();
 
  private:
   [[nodiscard]] Line failed(engine::Failure failure, std::string what);
   [[nodiscard]] Line ended(bool within_line);
   bool write_some();
+  bool read_rest();
   void read_errors();
   void end(int signal);
+  void has_ended();
   int end_others() const;
 
   ProcessLimits limits_;
   std::string mark_;
   pid_t pid_ = -1;
-  int in_ = -1, out_ = -1, err_ = -1;
+  int in_ = -1, out_ = -1, err_ = -1, life_ = -1;
+  long memory_at_start_ = 0;  // kilobytes that were ours, not the engine's
   std::string to_write_, read_, errors_;
   bool is_ended_ = false;
 };

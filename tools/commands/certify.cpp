@@ -57,7 +57,7 @@ struct Arguments {
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
-  std::string corpus, guarantees, save, plot, json, findings;
+  std::string corpus, guarantees, save, plot, json, junit, findings;
 
   // All of ours, unless engines of others are to be judged.
   [[nodiscard]] std::vector<std::string> our_methods() const {
@@ -285,6 +285,8 @@ int run(const Arguments& arguments) {
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
   std::unique_ptr<OutputFile> json;
   if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
+  std::unique_ptr<OutputFile> junit;
+  if (!arguments.junit.empty()) junit = std::make_unique<OutputFile>(arguments.junit);
 
   Intake intake;
   const bool bad = take_all(intake, arguments, selection);
@@ -335,6 +337,10 @@ int run(const Arguments& arguments) {
   if (json) {
     json->write_line(certification_json(certification, settings, took.count()));
     json->close();
+  }
+  if (junit) {
+    junit->write_line(certification_junit(certification, settings, took.count()));
+    junit->close();
   }
   if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(tolerances, arguments.plot));
   if (save) {
@@ -426,6 +432,10 @@ void add_certify_command(CLI::App& app, int& exit_code) {
           "--json", arguments->json,
           "Write what was counted, method by method and family by family, to this file, one JSON object")
       ->type_name("OUT.json");
+  command
+      ->add_option("--junit", arguments->junit,
+                   "Write a test of each method and family to this file, as JUnit's XML, for build servers")
+      ->type_name("OUT.xml");
   command
       ->add_option("--findings", arguments->findings,
                    "Of each engine and kind of fault write a case, made small, into this folder")
