@@ -301,12 +301,12 @@ struct Value {
   bool boolean = false;
   double number = 0;
   std::string string;
-  std::vector<Value> array;
-  std::vector<std::pair<std::string, Value>> object;
+  std::vector<std::string> names;  // of an object, in order
+  std::vector<Value> values;       // of an array or an object
 
   [[nodiscard]] const Value* find(std::string_view name) const {
-    for (const auto& [known, value] : object) {
-      if (known == name) return &value;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == name) return &values[i];
     }
     return nullptr;
   }
@@ -381,8 +381,8 @@ class Reader {
       if (value.find(name) != nullptr) fail("the name \"" + name + "\" twice");
       skip_space();
       if (!take(':')) fail("a colon is expected");
-      Value member = read_value(depth + 1);
-      value.object.emplace_back(std::move(name), std::move(member));
+      value.names.push_back(std::move(name));
+      value.values.push_back(read_value(depth + 1));
       skip_space();
     } while (take(','));
     if (!take('}')) fail("a comma or } is expected");
@@ -394,7 +394,7 @@ class Reader {
     skip_space();
     if (take(']')) return;
     do {
-      value.array.push_back(read_value(depth + 1));
+      value.values.push_back(read_value(depth + 1));
       skip_space();
     } while (take(','));
     if (!take(']')) fail("a comma or ] is expected");
@@ -551,13 +551,13 @@ inline double number_of(const Value& value, const std::string& where) {
 }
 template <std::size_t Size>
 std::array<double, Size> numbers_of(const Value& value, const std::string& where) {
-  if (value.kind != Value::Kind::array || value.array.size() != Size) {
+  if (value.kind != Value::Kind::array || value.values.size() != Size) {
     throw BadLine(where + ": an array of " + std::to_string(Size) + " numbers is expected");
   }
   std::array<double, Size> out{};
   for (std::size_t i = 0; i < Size; ++i) {
-    if (value.array[i].kind != Value::Kind::number) throw BadLine(where + ": a number is expected");
-    out[i] = value.array[i].number;
+    if (value.values[i].kind != Value::Kind::number) throw BadLine(where + ": a number is expected");
+    out[i] = value.values[i].number;
   }
   return out;
 }
@@ -566,9 +566,9 @@ inline const std::string& text_of(const Value& value, const std::string& where) 
   return value.string;
 }
 inline const std::vector<Value>& array_of(const Value& value, const std::string& where) {
-  if (value.kind != Value::Kind::array || value.array.empty())
+  if (value.kind != Value::Kind::array || value.values.empty())
     throw BadLine(where + ": an array is expected, not empty");
-  return value.array;
+  return value.values;
 }
 inline Vector vector_of(const Value& object, const std::string& name, const std::string& where) {
   return numbers_of<3>(member(object, name, where), where + "." + name);

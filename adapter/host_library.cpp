@@ -224,12 +224,13 @@ std::map<Query, std::vector<std::string>> answers_of(const std::string& descript
   const json::Value* queries = line.find("queries");
   if (queries == nullptr || queries->kind != json::Value::Kind::object)
     refuse("the description has no queries");
-  for (const auto& [name, row] : queries->object) {
+  for (std::size_t i = 0; i < queries->names.size(); ++i) {
+    const std::string& name = queries->names[i];
     const std::optional<Query> query = value_of(name, query_names());
     if (!query) refuse("the description has an unknown query: " + name);
     std::vector<std::string>& answers = out[*query];
-    if (const json::Value* list = row.find("answers")) {
-      for (const json::Value& answer : list->array) answers.push_back(answer.string);
+    if (const json::Value* list = queries->values[i].find("answers")) {
+      for (const json::Value& answer : list->values) answers.push_back(answer.string);
     }
   }
   return out;

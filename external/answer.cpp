@@ -189,7 +189,10 @@ class Reading {
         }
         const Interval time = read_interval(fields, "time");
         finite(time.lower, "time");
-        finite(time.upper, "time");
+        // A time that the scalar cannot hold lies between its largest number and infinity.
+        const bool is_beyond = time.lower == std::numeric_limits<float>::max() ||
+                               time.lower == std::numeric_limits<double>::max();
+        if (!is_beyond) finite(time.upper, "time");
         if (!(time.lower >= 0 && time.lower <= t_max))
           throw Bad{Failure::out_of_range,
                     fmt::format("the time {} is not between 0 and t_max {}", time.lower, t_max)};

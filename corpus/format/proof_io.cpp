@@ -329,6 +329,8 @@ ProofReadResult read_proofs_file(const std::filesystem::path& path) {
   return read_proofs_text(file.text, path.string());
 }
 
+std::string write_proof(const Proof& proof) { return write_linear(proof); }
+
 std::string write_proof(const ProofRecord& record) {
   return "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +
          ", \"method\": " + json_quote(record.method) + ", \"scalar\": " + json_quote(record.scalar) +

@@ -59,6 +59,7 @@ struct ProofRecord {
 struct JsonValue;
 // The object of the field `proof`, of a linear answer. Throws Malformed.
 [[nodiscard]] Proof read_proof(const JsonValue& value, const std::string& path);
+[[nodiscard]] std::string write_proof(const Proof& proof);
 
 struct ProofReadResult {
   std::vector<ProofRecord> proofs;

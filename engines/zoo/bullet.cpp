@@ -175,7 +175,7 @@ double margin_of(const Arguments& arguments) {
 }
 
 template <class Function>
-int run(const Arguments& arguments, Promise promise, const std::vector<Query>& queries,
+int run(const Arguments& arguments, const Promise& promise, const std::vector<Query>& queries,
         const std::string& calls, Function function) {
   const double margin = margin_of(arguments);
   Engine engine;

@@ -163,7 +163,7 @@ class Wrapping {
       }
     }
     for (const auto& [from, to] : {std::pair{low, next}, std::pair{next, low}}) {
-      const Face face = over(from, to);
+      Face face = over(from, to);
       if (!face.empty()) return face;
     }
     return {};

@@ -43,8 +43,7 @@ class LinearJudge {
     const double granted = by_oracle();
     judgement_.errors = errors_of(truth_, answer_, request_);
     judgement_.errors.scale = truth_.cast().scale().high;
-    if (!method_.holds.time) judgement_.errors.backward = judgement_.errors.forward = Errors::kNone;
-    if (!method_.holds.time && !is_verdict_right()) judgement_.errors.backward = error_of_verdict();
+    if (!method_.is_ours()) judgement_.errors.backward = least_limit();
     // Of what did not converge the guarantee says nothing but that it is not late or early.
     if (answer_.outcome != Outcome::not_converged) {
       judgement_.errors.over_limit = over(judgement_.errors.backward, granted);
@@ -96,15 +95,22 @@ class LinearJudge {
     return true;
   }
 
-  [[nodiscard]] bool is_verdict_right() {
+  // Over scale: the least limit with which verdict and times would pass, by what is proved of each.
+  [[nodiscard]] double least_limit() {
     const CaseTruth& exact = truth_.cast();
-    return is_undecided(exact) || answer_.outcome == Outcome::not_converged ||
-           claims_contact(answer_) == (exact.outcome() != Outcome::miss);
-  }
-  // Over scale: what a wrong verdict denies.
-  [[nodiscard]] double error_of_verdict() {
-    const CaseTruth& exact = truth_.cast();
-    return over((claims_contact(answer_) ? exact.clearance() : exact.depth()).high, exact.scale().high);
+    const double scale = exact.scale().high;
+    const bool contact = exact.outcome() != Outcome::miss, decided = !is_undecided(exact);
+    double least = 0;
+    if (answer_.outcome == Outcome::miss) return contact && decided ? over(exact.depth().low, scale) : 0;
+    if (claims_contact(answer_) && !contact) least = exact.clearance().low;
+    if (answer_.toi_lower > 0 && answer_.toi_lower < kInfinity<double> && contact)
+      least = std::fmax(least, exact.lateness(answer_.toi_lower).low);
+    if (!claims_contact(answer_) || !method_.holds.time) return over(least, scale);
+    // The ends of a bracket that did not close are no times that are claimed.
+    for (const double t : {answer_.toi_lower, answer_.toi_upper}) {
+      if (t < kInfinity<double>) least = std::fmax(least, exact.backward_error(t).low);
+    }
+    return over(least, scale);
   }
 
   // What an engine promises to say of bodies that touch and go no deeper.
@@ -160,7 +166,9 @@ class LinearJudge {
       convict(judgement_.early, early_fault(exact, answer_, limits.limit + limits.early));
       convict(judgement_.off, time_fault(exact, answer_, wide));
     }
-    if (limits.strict && answer_.outcome == Outcome::not_converged) {
+    // Of tier certified, and of engines of others, what is decided by less than the limit may stay open.
+    if ((limits.strict || !method_.is_ours()) && answer_.outcome == Outcome::not_converged &&
+        wide < kInfinity<double>) {
       judgement_.undecided = undecided_fault(exact, answer_, wide);
       judgement_.stalled = !judgement_.undecided.empty();
       judgement_.excused = !judgement_.stalled;

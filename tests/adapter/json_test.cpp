@@ -88,10 +88,10 @@ TEST(Json, StringsComeBackAsTheyWere) {
 
 TEST(Json, ValuesKeepTheirKindAndOrder) {
   const json::Value read = json::read(" {\"b\": [1, \"x\", null], \"a\": {\"t\": true}} ");
-  ASSERT_EQ(read.object.size(), 2U);
-  EXPECT_EQ(read.object[0].first, "b");
-  EXPECT_EQ(read.find("b")->array[1].string, "x");
-  EXPECT_EQ(read.find("b")->array[2].kind, json::Value::Kind::null);
+  ASSERT_EQ(read.names.size(), 2U);
+  EXPECT_EQ(read.names[0], "b");
+  EXPECT_EQ(read.find("b")->values[1].string, "x");
+  EXPECT_EQ(read.find("b")->values[2].kind, json::Value::Kind::null);
   EXPECT_TRUE(read.find("a")->find("t")->boolean);
   EXPECT_EQ(read.find("c"), nullptr);
 }

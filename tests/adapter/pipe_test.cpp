@@ -26,6 +26,7 @@ class Program {
       dup2(from[1], 1);
       for (const int end : {to[0], to[1], from[0], from[1]}) close(end);
       std::vector<char*> words;
+      words.reserve(command.size() + 1);
       for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
       words.push_back(nullptr);
       execv(words[0], words.data());
@@ -141,9 +142,9 @@ TEST(BareLibrary, IsDescribedByItsFunctions) {
   Program engine({ENGINE_HOST, BARE_LIBRARY});
   const json::Value says = json::read(engine.line());
   EXPECT_EQ(says.find("schema")->string, "graze.engine/1");
-  ASSERT_EQ(says.find("queries")->object.size(), 1U);
-  EXPECT_EQ(says.find("queries")->find("cast")->find("answers")->array[0].string, "time");
-  EXPECT_EQ(says.find("shapes")->array.size(), 10U);
+  ASSERT_EQ(says.find("queries")->names.size(), 1U);
+  EXPECT_EQ(says.find("queries")->find("cast")->find("answers")->values[0].string, "time");
+  EXPECT_EQ(says.find("shapes")->values.size(), 10U);
   EXPECT_EQ(engine.ask(question("1", "cast", ball(1, 0, 0), ball(1, 5, -3))),
             R"({"schema": "graze.answer/1", "id": "1", "outcome": "hit", "time": 0.5})");
 }

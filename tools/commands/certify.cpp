@@ -99,6 +99,17 @@ class Selection {
     for (const engine::Method& method : methods_) out.push_back(&method);
     return out;
   }
+  [[nodiscard]] bool has_ours() const {
+    return std::any_of(methods_.begin(), methods_.end(),
+                       [](const engine::Method& method) { return method.is_ours(); });
+  }
+  // Is a cast one that some engine of others is asked, or asked queries about?
+  [[nodiscard]] bool takes(const corpus::Case& problem) const {
+    return std::any_of(methods_.begin(), methods_.end(), [&](const engine::Method& method) {
+      return (engine::turns(problem) ? method.kind == Kind::rotating : method.kind != Kind::rotating) &&
+             method.refuses(problem).empty();
+    });
+  }
   [[nodiscard]] bool has(Kind kind) const {
     return std::any_of(methods_.begin(), methods_.end(),
                        [&](const engine::Method& method) { return method.kind == kind; });
@@ -191,7 +202,7 @@ int show_laws(const Arguments& arguments) {
 }
 
 // The curated corpus, the files and the families that are asked for. True if something could not be read.
-bool take_all(Intake& intake, const Arguments& arguments, bool asks_queries) {
+bool take_all(Intake& intake, const Arguments& arguments, const Selection& selection) {
   bool bad = false;
   if (arguments.takes_curated()) {
     const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
@@ -205,11 +216,14 @@ bool take_all(Intake& intake, const Arguments& arguments, bool asks_queries) {
   for (const corpus::Family* family : wanted_families(arguments.families, !arguments.files.empty())) {
     const std::size_t count = family->rotating ? counts.rotating : counts.linear;
     if (count == 0) continue;
-    Suite suite = drawn_suite(*family, family->levels, count, arguments.seed);
+    Suite suite = selection.has_ours()
+                      ? drawn_suite(*family, family->levels, count, arguments.seed)
+                      : sought_suite(*family, family->levels, count, arguments.seed,
+                                     [&](const corpus::Case& problem) { return selection.takes(problem); });
     suite.oracle_every = arguments.oracle_every;
     intake.suites.push_back(std::move(suite));
   }
-  if (counts.queries > 0 && asks_queries) {
+  if (counts.queries > 0 && selection.has(Kind::query)) {
     std::vector<Suite> queried;
     for (const Suite& suite : intake.suites) {
       if (suite.kind == Kind::linear) queried.push_back(queried_suite(suite, counts.queries));
@@ -273,7 +287,7 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
 
   Intake intake;
-  const bool bad = take_all(intake, arguments, selection.has(Kind::query));
+  const bool bad = take_all(intake, arguments, selection);
   if (arguments.counts().rotating == 0) {
     std::erase_if(settings.methods,
                   [](const engine::Method* method) { return method->kind == Kind::rotating; });
@@ -314,7 +328,7 @@ int run(const Arguments& arguments) {
   if (arguments.full || arguments.thorough) {
     print_full(certification, settings, tolerances);
   } else {
-    print_screen(certification, settings);
+    if (selection.has_ours()) print_screen(certification, settings);
   }
   if (!selection.engines().empty()) fmt::print("\n{}", certificates(certification, settings));
   if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));

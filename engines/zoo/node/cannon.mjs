@@ -75,6 +75,7 @@ function ray({ a, origin, direction, t_max }) {
   return {
     run: () => {
       const line = new Ray(new Vec3(...origin), new Vec3(...end));
+      line.mode = Ray.CLOSEST;
       const result = new RaycastResult();
       line.intersectBody(body, result);
       return result;

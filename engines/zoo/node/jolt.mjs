@@ -279,10 +279,13 @@ const distance = collide(reach, (hit, offset) => {
 // The promise of the tightest settings is the documented default, too: it leaves room for the rounding of floats up to
 // 2000 m, of which nothing is said.
 const tolerance = kCollisionTolerance + (tightest ? 0 : kHullTolerance);
+// Bodies nearer than mCollisionTolerance are "considered to be colliding", so those that touch are.
+const touching = "contact";
+const declares = (...answers) => ({ answers, tolerance, touching });
 const tight_queries = {
-  overlap: { declares: { answers: [], tolerance }, ask: overlap },
-  distance: { declares: { answers: ["distance", "normal", "witnesses"], tolerance }, ask: distance },
-  penetration: { declares: { answers: ["depth", "normal", "witnesses"], tolerance }, ask: penetration },
+  overlap: { declares: declares(), ask: overlap },
+  distance: { declares: declares("distance", "normal", "witnesses"), ask: distance },
+  penetration: { declares: declares("depth", "normal", "witnesses"), ask: penetration },
 };
 
 serve(
@@ -297,7 +300,7 @@ serve(
     most_vertices: 256,
   },
   {
-    cast: { declares: { answers: ["time", "normal", "witnesses"], tolerance }, ask: cast },
+    cast: { declares: declares("time", "normal", "witnesses"), ask: cast },
     ray: { declares: { answers: ["time", "normal"] }, ask: ray },
     ...(tightest ? tight_queries : {}),
   });

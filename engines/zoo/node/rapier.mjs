@@ -210,7 +210,10 @@ serve(
     infinite_t_max: true,
   },
   {
-    cast: { declares: { answers: ["time", "normal", "witnesses"], target_distance: true }, ask: cast },
+    cast: {
+      declares: { answers: ["time", "normal", "witnesses"], touching: "contact", target_distance: true },
+      ask: cast,
+    },
     ray: { declares: { answers: ["time", "normal"] }, ask: ray },
     overlap: { declares: { answers: [] }, ask: overlap },
     distance: { declares: { answers: ["distance", "normal", "witnesses"] }, ask: distance },
