@@ -7,7 +7,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr std::string_view kSchema = "graze.proof/1", kCaseSchema = "graze.case/1";
+constexpr std::string_view kSchema = "graze.proof/1";
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
@@ -280,7 +280,8 @@ namespace {
 
 bool is_case(const JsonValue& value) {
   const JsonValue* schema = value.kind == JsonValue::Kind::object ? value.find("schema") : nullptr;
-  return schema != nullptr && schema->kind == JsonValue::Kind::string && schema->text == kCaseSchema;
+  return schema != nullptr && schema->kind == JsonValue::Kind::string &&
+         (schema->text == kCaseSchema || schema->text == kSecondCaseSchema);
 }
 
 }  // namespace
@@ -313,7 +314,7 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
   if (cases > 0) {
     result.errors.push_back({name, first_case, "schema",
                              "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") +
-                                 " (graze.case/1), not proofs (graze.proof/1); `graze cast --proof PROOFS "
+                                 ", not proofs (graze.proof/1); `graze cast --proof PROOFS "
                                  "CASES` writes the proofs of a file of cases"});
   }
   if (result.proofs.empty() && result.errors.empty()) {
