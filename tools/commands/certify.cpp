@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "certify/built_in.hpp"
 #include "certify/certification.hpp"
 #include "certify/intake.hpp"
 #include "certify/report.hpp"
@@ -30,14 +31,6 @@ using engine::Kind;
 // How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
 constexpr std::size_t kStudiedHits = 64;
 
-// Generated cases of a family, of one in which bodies turn, and casts of a family whose bodies are asked the
-// other queries. A cast is judged by its proof, in microseconds; a query costs the exact oracle milliseconds,
-// and a turning cast the bracket oracle tens of them. A verdict in a minute; and --thorough.
-struct Counts {
-  std::size_t linear, rotating, queries;
-};
-constexpr Counts kUsual = {512, 12, 20}, kThorough = {4000, 60, 100};
-
 // Cases of each level of a family, for curves of error against hardness: the oracle measures every one, of
 // curved shapes in tens of milliseconds.
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
@@ -45,7 +38,7 @@ constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 struct Arguments {
   std::vector<std::string> files, families, methods = {"all"}, law_names;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
-  std::size_t oracle_every = 20;
+  std::size_t oracle_every = kOracleEvery;
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
@@ -180,22 +173,9 @@ bool take_all(Intake& intake, const Arguments& arguments, bool asks_queries) {
   const CaseFiles files = read_case_files(arguments.files);
   for (const CaseFile& file : files.files) intake.take(file.name, file.cases, false);
   const Counts counts = arguments.counts();
-  for (const corpus::Family* family : wanted_families(arguments.families, !arguments.files.empty())) {
-    const std::size_t count = family->rotating ? counts.rotating : counts.linear;
-    if (count == 0) continue;
-    Suite suite = drawn_suite(*family, family->levels, count, arguments.seed);
-    suite.oracle_every = arguments.oracle_every;
-    intake.suites.push_back(std::move(suite));
-  }
-  if (counts.queries > 0 && asks_queries) {
-    std::vector<Suite> queried;
-    for (const Suite& suite : intake.suites) {
-      if (suite.kind == Kind::linear) queried.push_back(queried_suite(suite, counts.queries));
-    }
-    for (Suite& suite : queried) {
-      if (suite.size() > 0) intake.suites.push_back(std::move(suite));
-    }
-  }
+  take_families(intake, wanted_families(arguments.families, !arguments.files.empty()), counts, arguments.seed,
+                arguments.oracle_every);
+  if (asks_queries) take_queries(intake, counts);
   return bad || files.bad;
 }
 
