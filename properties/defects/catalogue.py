@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants each defect of the catalogue in a copy of the sources, and lets the laws look for it.
 
-A patch begins with header lines, then a diff that `patch --strip=1 --fuzz=3` applies to the root:
+A patch begins with header lines, then a diff that `patch --strip=1 --fuzz=1` applies to the root:
   Defect: what is wrong, in one sentence
   Law: the law that has to notice; its kind says which methods are compiled with the defect
   Report: an id of the list of reported failures that the mechanism is known from, if there is one

@@ -103,7 +103,8 @@ def certify_all(config, patches, jobs, runs=RUNS):
     state = state_of(config, ROOMS, ("*.?pp", "*.json", "*.jsonl"))
     results = Results(config.work / "certified", state, runs)
     kept = Kept(config, state)
-    return try_each(results, patches, jobs, lambda patch: certify_defect(config, kept, runs, patch), outcome)
+    judges_last = sorted(patches, key=lambda patch: bool(patch.compiled))  # they take the longest
+    return try_each(results, judges_last, jobs, lambda patch: certify_defect(config, kept, runs, patch), outcome)
 
 
 def faults_of_certify(results):

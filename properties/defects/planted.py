@@ -140,7 +140,7 @@ def plant(config, patch, root):
             shutil.copytree(config.source / room, root / room)
     log = root / "log"
     log.write_text("")
-    if run(["patch", "--quiet", "--strip=1", "--fuzz=3", "--directory", root, "--input", patch.path], log):
+    if run(["patch", "--quiet", "--strip=1", "--fuzz=1", "--directory", root, "--input", patch.path], log):
         return "does not apply any more; make it again: " + " ".join(log.read_text().split())
     return ""
 
