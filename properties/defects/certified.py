@@ -62,62 +62,59 @@ def ask(root, words):
     return said, ""
 
 
-def certify_defect(config, kept, runs, patch):
-    """What is said of one defect by each run, up to the first that convicts."""
+def certify_defect(config, kept, run, patch):
+    """What one run says of one defect."""
     kind = kind_of(config, patch)
     root = config.work / f"certify_{patch.name}"
     root.mkdir(parents=True, exist_ok=True)
-    error = plant(config, patch, root)
-    said = {}
+    said, error = {}, plant(config, patch, root)
     if not error:
         objects, error = compile_objects(config, patch, kind, root)
         if not error and patch.in_core:
             error = enclose(config, kind, objects[-1], root / "log")
         error = error or link_defect(config, objects, root, config.certify_link)
-    for run in runs:
-        if error or any(one["broken"] for one in said.values()):
-            break
-        if patch.compiled:  # a judge has the defect, of whichever kinds ask it
-            for one in (kind, *(other for other in KINDS if other != kind)):
-                said[run], error = ask(root, ["whole", one, run])
-                if error or said[run]["broken"]:
-                    break
-        else:
-            said[run], error = ask(root, ["differ", kind, run, kept.find(kind, run)])
+    if not error and patch.compiled:  # a judge has the defect, of whichever kinds ask it
+        for one in (kind, *(other for other in KINDS if other != kind)):
+            said, error = ask(root, ["whole", one, run])
+            if error or said["broken"]:
+                break
+    elif not error:
+        said, error = ask(root, ["differ", kind, run, kept.find(kind, run)])
     clear(root)
-    return {"kind": kind, "error": error, "said": said}
+    return {"kind": kind, "error": error, **said}
 
 
 def outcome(result):
-    """In words, with how many answers of the last run differ from those without the defect."""
-    if result["error"]:
-        return result["error"]
-    for run, one in result["said"].items():
-        if one["broken"]:
-            return f"{run}: {one['broken']}"
-    differing = [f"{run} {one['differing']}" for run, one in result["said"].items() if one["differing"] is not None]
-    return f"convicts nobody (cases with another answer: {', '.join(differing) or 'not counted'})"
+    """In words, with how many cases have another answer than without the defect."""
+    if result["error"] or result["broken"]:
+        return result["error"] or result["broken"]
+    return "convicts nobody" if result["differing"] is None else f"convicts nobody, {result['differing']} cases differ"
 
 
 def certify_all(config, patches, jobs, runs=RUNS):
+    """{name: {run: result}}: what each run says of the defects that those before it do not convict."""
     state = state_of(config, ROOMS, ("*.?pp", "*.json", "*.jsonl"))
-    results = Results(config.work / "certified", state, runs)
     kept = Kept(config, state)
-    judges_last = sorted(patches, key=lambda patch: bool(patch.compiled))  # they take the longest
-    return try_each(results, judges_last, jobs, lambda patch: certify_defect(config, kept, runs, patch), outcome)
+    all_said = {patch.name: {} for patch in patches}
+    left = sorted(patches, key=lambda patch: bool(patch.compiled))  # judges take the longest
+    for run in runs:
+        results = Results(config.work / f"certified_{run}", state, run)
+        said = try_each(results, left, jobs, lambda patch, run=run: certify_defect(config, kept, run, patch), outcome)
+        for name, result in said.items():
+            all_said[name][run] = result
+        left = [patch for patch in left if not said[patch.name]["error"] and not said[patch.name]["broken"]]
+    return all_said
 
 
-def faults_of_certify(results):
+def faults_of_certify(all_said):
     """What could not be tried, and what a thorough run alone convicts."""
     faults, convicted = [], 0
-    for name, result in results.items():
-        print(f"{name}: {outcome(result)}")
-        if result["error"]:
-            faults.append(f"{name}: {result['error']}")
-            continue
-        default, *later = result["said"].values()
-        convicted += bool(default["broken"])
-        if any(one["broken"] for one in later):
+    for name, said in all_said.items():
+        print(f"{name}: {'; '.join(f'{run}: {outcome(result)}' for run, result in said.items())}")
+        faults += [f"{name}: {result['error']}" for result in said.values() if result["error"]]
+        default, *later = said.values()
+        convicted += bool(not default["error"] and default["broken"])
+        if any(not result["error"] and result["broken"] for result in later):
             faults.append(f"{name}: convicted by --thorough alone")
-    print(f"{convicted} of {len(results)} defects are convicted by default")
+    print(f"{convicted} of {len(all_said)} defects are convicted by default")
     return faults
