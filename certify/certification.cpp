@@ -79,16 +79,28 @@ law::Truth& truth_of(std::vector<std::unique_ptr<law::Truth>>& truths, Case seen
 Judged judge_one(const Method& method, const Case& asked, std::vector<std::unique_ptr<law::Truth>>& truths,
                  bool measure) {
   Judged judged;
+  if (!method.is_ours() && (!law::in_domain(asked) || !method.refuses(asked).empty())) {
+    judged.asked = asked;
+    judged.judgement.not_asked = true;
+    return judged;
+  }
+  const Case seen = method.seen(asked);
+  // The scalar has made it another question.
+  if (method.kind == Kind::query && !law::in_domain(seen)) return judged;
   judged.asked = asked;
-  law::Truth& truth = truth_of(truths, method.seen(asked));
+  law::Truth& truth = truth_of(truths, seen);
   bool is_first = true;
-  for (const Request request : requests_of(method.kind)) {
+  const std::span<const Request> requests = method.is_ours() ? requests_of(method.kind) : kWithoutProof;
+  for (const Request request : requests) {
     const engine::Answer answer = method.ask(asked, {.request = request});
     Judgement judgement = law::judge(truth, method, answer, request, measure);
     judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
     if (is_first) judged.counters = answer.counters;
     is_first = false;
-    if (method.kind != Kind::linear || !measure || !method.in_float() || judged.judgement.not_asked) continue;
+    if (method.kind != Kind::linear || !(measure || !method.is_ours()) || !method.in_float() ||
+        judged.judgement.not_asked || !judged.judgement.failed.empty()) {
+      continue;
+    }
     if (law::in_domain(asked)) {
       judged.true_backward = law::errors_of(truth_of(truths, asked), answer, Request::verdict).backward;
     }
@@ -207,10 +219,13 @@ class Run {
       const Judged& judged = one.by_method[m];
       if (!judged.asked) continue;
       asked = true;
-      tallies[m]->add(one.problem, judged.judgement, judged.counters);
+      // What an engine of others was asked is what a finding of it shows.
+      tallies[m]->add(tallies[m]->method->is_ours() ? one.problem : *judged.asked, judged.judgement,
+                      judged.counters);
       if (settings_.judged) settings_.judged(suite, i, *tallies[m]->method, judged.judgement);
       tallies[m]->true_backward.push_back(judged.true_backward);
-      result_.answers += requests_of(tallies[m]->method->kind).size();
+      if (judged.judgement.not_asked && !tallies[m]->method->is_ours()) continue;
+      result_.answers += tallies[m]->method->is_ours() ? requests_of(tallies[m]->method->kind).size() : 1;
       failed_ = failed_ || judged.judgement.faulty();
       if (!judged.judgement.faulty() && !judged.judgement.stalled) continue;
       const bool is_query = tallies[m]->method->kind == Kind::query;

@@ -43,7 +43,7 @@ std::optional<Case> question_for(const Suite& suite, std::size_t i, const Case& 
     asked->start_policy = StartPolicy::report;
   }
   // The scalar may make it another question.
-  if (asked && !law::in_domain(method.seen(*asked))) return std::nullopt;
+  if (asked && method.is_ours() && !law::in_domain(method.seen(*asked))) return std::nullopt;
   return asked;
 }
 
@@ -76,6 +76,32 @@ Suite drawn_suite(const corpus::Family& family, std::span<const double> levels, 
             std::size_t level = 0, share = 0;
             for (; i >= (share = (count + number - 1 - level) / number); ++level) i -= share;
             return family.generate(levels[level], seed + level + i * number);
+          }};
+}
+
+Suite sought_suite(const corpus::Family& family, std::span<const double> levels, std::size_t count,
+                   std::uint64_t seed, const std::function<bool(const Case&)>& takes) {
+  struct Place {
+    double hardness;
+    std::uint64_t seed;
+  };
+  std::vector<Place> found;
+  const std::size_t number = levels.size();
+  for (std::size_t level = 0; level < number; ++level) {
+    const std::size_t share = (count + number - 1 - level) / number;
+    for (std::size_t k = 0, taken = 0; k < kSoughtSeeds * share && taken < share; ++k) {
+      const Place place{.hardness = levels[level], .seed = seed + level + k * number};
+      if (!takes(family.generate(place.hardness, place.seed))) continue;
+      found.push_back(place);
+      ++taken;
+    }
+  }
+  const std::size_t size = found.size();
+  return {.kind = family.rotating ? engine::Kind::rotating : engine::Kind::linear,
+          .family = std::string(family.name),
+          .drawn = size,
+          .draw = [&family, found = std::move(found)](std::size_t i) {
+            return family.generate(found[i].hardness, found[i].seed);
           }};
 }
 

@@ -47,6 +47,13 @@ struct Suite {
 [[nodiscard]] Suite drawn_suite(const corpus::Family& family, std::span<const double> levels,
                                 std::size_t count, std::uint64_t seed);
 
+// The same, out of the cases that `takes` is true of; of each level looked for among so many times its share of seeds
+// (kSoughtSeeds), so that an engine that knows few shapes is asked about those. Fewer where there are no more.
+inline constexpr std::size_t kSoughtSeeds = 24;
+[[nodiscard]] Suite sought_suite(const corpus::Family& family, std::span<const double> levels,
+                                 std::size_t count, std::uint64_t seed,
+                                 const std::function<bool(const corpus::Case&)>& takes);
+
 // The bodies of up to `count` casts of a suite, evenly spread, that the exact oracles represent and answer in
 // a tenth of a second: to be asked every query.
 [[nodiscard]] Suite queried_suite(const Suite& casts, std::size_t count);

@@ -24,11 +24,18 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement, co
     return;
   }
   ++cases;
+  const auto example = [&](const std::string& why) {
+    return Example{.id = problem.id, .reason = why, .problem = method->is_ours() ? corpus::Case{} : problem};
+  };
+  if (judgement.failure != engine::Failure::none) {
+    Failed& failed = failures[static_cast<std::size_t>(judgement.failure)];
+    if (failed.count++ == 0) failed.first = example(judgement.failed);
+  }
   for (std::size_t k = 0; k < law::kFaults; ++k) {
     const std::string& why = judgement.*law::kFaultKinds[k].why;
-    if (!why.empty() && faults[k]++ == 0) first[k] = {problem.id, why};
+    if (!why.empty() && faults[k]++ == 0) first[k] = example(why);
   }
-  if (judgement.stalled && stalled++ == 0) first_stalled = {problem.id, judgement.undecided};
+  if (judgement.stalled && stalled++ == 0) first_stalled = {.id = problem.id, .reason = judgement.undecided};
   excused += judgement.excused ? 1 : 0;
   hidden += judgement.hidden ? 1 : 0;
   open += judgement.open ? 1 : 0;
@@ -46,6 +53,9 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement, co
   width.take(errors.backward, problem);
   passed.take(errors.passed, problem);
   over_limit.take(errors.over_limit, problem);
+  const double least = std::fmax(errors.backward, errors.passed);
+  least_relative.take(least, problem);
+  least_length.take(least * errors.scale, problem);
 }
 
 void Tally::add(const Tally& other) {
@@ -72,6 +82,12 @@ void Tally::add(const Tally& other) {
   width.take(other.width);
   passed.take(other.passed);
   over_limit.take(other.over_limit);
+  least_relative.take(other.least_relative);
+  least_length.take(other.least_length);
+  for (std::size_t k = 0; k < failures.size(); ++k) {
+    if (failures[k].count == 0) failures[k].first = other.failures[k].first;
+    failures[k].count += other.failures[k].count;
+  }
 }
 
 std::size_t Tally::faulty() const { return std::accumulate(faults.begin(), faults.end(), std::size_t{0}); }

@@ -39,12 +39,21 @@ struct Tally {
   Worst width = {};       // errors.backward
   Worst passed = {};      // errors.passed
   Worst over_limit = {};  // errors.over_limit
+  // The least limit with which verdicts and times would have passed: over scale, and as a length.
+  Worst least_relative = {}, least_length = {};
 
   // The first case of each kind, and its reason.
   struct Example {
     std::string id = {}, reason = {};
+    corpus::Case problem = {};  // of engines of others
   };
   std::array<Example, law::kFaults> first = {};
+  // Of engines of others: by what kept an answer from being one.
+  struct Failed {
+    std::size_t count = 0;
+    Example first = {};
+  };
+  std::array<Failed, engine::kFailures> failures = {};
   Example first_stalled = {};
 
   void add(const corpus::Case& problem, const law::Judgement& judgement, const Counters& counters);

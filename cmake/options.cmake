@@ -3,6 +3,7 @@
 option(GRAZE_TOOLS "Build the judge and the graze command (CGAL: GPL)" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
+option(GRAZE_ZOO "Build the programs that put other engines under the judge, where their packages are" OFF)
 option(GRAZE_WERROR "Warnings are errors in our own targets" OFF)
 option(GRAZE_PCH "Compile our own files with precompiled headers; OFF: each stands by itself" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_UNITY "Compile many small files of ours at once: sooner from nothing, later after an edit" OFF)

@@ -22,6 +22,9 @@ enum class Unseen {
 // A row whose cap is greater says by which mechanism.
 inline constexpr double kPlainStallCap = 0.001;
 
+// What an engine of others promises to say of bodies that touch and go no deeper.
+enum class Touching { either, contact, miss };
+
 struct Guarantee {
   std::string query = "cast";  // or a query beside the cast, or "rotating"
   std::string method, scalar, tier;
@@ -39,6 +42,13 @@ struct Guarantee {
   // Over scale: how far either end of a hit's bracket may be from contact, where that is not kappa u. Of tier
   // certified, whose kappa is 0: what stays undecided has a clearance or depth below it.
   std::optional<double> width = {};
+
+  // Engines of others may promise lengths beside kappa: one as it is, one over scale; and lengths by which
+  // their times may be early.
+  double tolerance = 0, relative_tolerance = 0, early = 0;
+  // Nothing is declared about errors: every limit is infinite.
+  bool is_open = false;
+  Touching touching = Touching::either;
 
   [[nodiscard]] double kappa(const corpus::Case& problem) const;
   [[nodiscard]] double contact_kappa(const corpus::Case& problem) const {

@@ -6,6 +6,7 @@
 // not know stays as it is by default.
 #pragma once
 
+#include <functional>
 #include <graze/rotating_result.hpp>
 #include <optional>
 #include <span>
@@ -24,6 +25,23 @@ enum class Kind { linear, query, rotating };
 struct Interval {
   double lower = 0, upper = 0;
 };
+
+// What kept an engine of others from answering at all (docs/engines.md has a sentence about each).
+enum class Failure : std::uint8_t {
+  none,
+  crashed,
+  hung,
+  silent,
+  half_a_line,
+  garbage,
+  anothers_answer,
+  no_number,
+  out_of_range,
+  out_of_memory,
+  left_behind,
+};
+inline constexpr std::size_t kFailures = 11;
+[[nodiscard]] std::string_view to_text(Failure failure);
 
 // An answer in doubles, whatever scalar computed it (a float is a double). Fields as in CastResult and
 // RotatingResult; of the queries as their results have them. Zero vectors: not part of the answer.
@@ -50,6 +68,13 @@ struct Answer {
   bool has_points = false;                         // witnesses were asked for and found
   bool stalled = false;                            // the bracket is wider than was asked for
 
+  // Of engines of others.
+  Failure failure = Failure::none;  // then nothing else of the answer means anything, but what follows
+  std::string message = {};         // of a failure: what happened; else what the engine wants said
+  bool declined = false;            // the engine says that the question is none for it
+  std::optional<double> ns = {};    // what its own repeated call took
+  bool native = true;               // in machine code
+
   [[nodiscard]] bool has_normal() const { return normal != Vec3<double>::Zero(); }
 };
 
@@ -66,6 +91,11 @@ struct Ask {
   Economies economies = {};       // of the plan
 };
 
+// What the answers of a method hold beside their outcome.
+struct Holds {
+  bool time = true, normal = true, witnesses = true;
+};
+
 // What a caller gets by default.
 inline constexpr Request kPlain = Request::normal | Request::witnesses;
 
@@ -76,15 +106,19 @@ struct Method {
   std::string scalar;  // "float", "double"
   std::string tier;    // "standard", "certified", "exact"
   double unit_roundoff = 0;
+  Holds holds = {};
+  bool asks_starts = true;  // false: starts in contact are no questions for it
   // A case for which unsupported() says something comes back as not_taken().
-  Answer (*ask)(const corpus::Case&, const Ask&) = nullptr;
+  std::function<Answer(const corpus::Case&, const Ask&)> ask = nullptr;
   // The case as this method sees it: every number rounded to its scalar. Proofs and guarantees are about it.
-  corpus::Case (*seen)(const corpus::Case&) = nullptr;
+  std::function<corpus::Case(const corpus::Case&)> seen = nullptr;
+  // Of engines of others: why a case is not asked; empty if it is. nullptr: every case is.
+  std::function<std::string(const corpus::Case&)> refuses = nullptr;
   // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one call
   // takes, the median over `repeats` timed batches. nullptr: of the queries, whose time nobody asks for.
-  double (*time_ns)(const corpus::Case&, const Ask&, int repeats) = nullptr;
+  std::function<double(const corpus::Case&, const Ask&, int repeats)> time_ns = nullptr;
   // Of casts of turning bodies: what they would simulate.
-  Plan (*plan)(const corpus::Case&, const Ask&) = nullptr;
+  std::function<Plan(const corpus::Case&, const Ask&)> plan = nullptr;
   // What it promises; nullptr: nothing.
   const Guarantee* guarantee = nullptr;
 
@@ -97,6 +131,8 @@ struct Method {
   [[nodiscard]] std::string question_name() const;
   [[nodiscard]] bool is_exact() const { return tier == "exact"; }
   [[nodiscard]] bool is_certified() const { return tier == "certified"; }
+  // One of ours, not an engine of others.
+  [[nodiscard]] bool is_ours() const { return refuses == nullptr; }
   [[nodiscard]] bool in_float() const { return scalar == "float"; }
 };
 

@@ -75,6 +75,34 @@ std::string_view to_text(Kind kind) {
   return "";
 }
 
+std::string_view to_text(Failure failure) {
+  switch (failure) {
+    case Failure::none:
+      return "none";
+    case Failure::crashed:
+      return "crashed";
+    case Failure::hung:
+      return "hung";
+    case Failure::silent:
+      return "silent";
+    case Failure::half_a_line:
+      return "half a line";
+    case Failure::garbage:
+      return "garbage";
+    case Failure::anothers_answer:
+      return "another's answer";
+    case Failure::no_number:
+      return "no number";
+    case Failure::out_of_range:
+      return "out of range";
+    case Failure::out_of_memory:
+      return "out of memory";
+    case Failure::left_behind:
+      return "left behind";
+  }
+  return "";
+}
+
 std::string unsupported(Kind kind, const corpus::Case& problem) {
   const bool is_cast = problem.query == corpus::Query::cast;
   if (kind == Kind::rotating) return is_cast ? "" : "a query other than cast";

@@ -1,5 +1,5 @@
 // Reading typed fields out of a JsonValue. Every reader throws Malformed, which names the path of the field,
-// what was wrong and what would be right; it never leaves this room (case_io and proof_io catch it).
+// what was wrong and what would be right; whoever reads a document catches it.
 #pragma once
 
 #include <initializer_list>

@@ -7,7 +7,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr std::string_view kSchema = "graze.proof/1", kCaseSchema = "graze.case/1";
+constexpr std::string_view kSchema = "graze.proof/1";
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
@@ -92,6 +92,8 @@ void read_axis(const JsonValue& value, const std::string& path, Proof& proof) {
   }
 }
 
+}  // namespace
+
 Proof read_proof(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"toi_lower", "axis", "toi_upper", "portal"});
   Proof proof;
@@ -115,6 +117,8 @@ Proof read_proof(const JsonValue& value, const std::string& path) {
   }
   return proof;
 }
+
+namespace {
 
 TimeSlice read_slice(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path, {"end", "axis", "frame"});
@@ -276,7 +280,8 @@ namespace {
 
 bool is_case(const JsonValue& value) {
   const JsonValue* schema = value.kind == JsonValue::Kind::object ? value.find("schema") : nullptr;
-  return schema != nullptr && schema->kind == JsonValue::Kind::string && schema->text == kCaseSchema;
+  return schema != nullptr && schema->kind == JsonValue::Kind::string &&
+         (schema->text == kCaseSchema || schema->text == kSecondCaseSchema);
 }
 
 }  // namespace
@@ -309,7 +314,7 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
   if (cases > 0) {
     result.errors.push_back({name, first_case, "schema",
                              "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") +
-                                 " (graze.case/1), not proofs (graze.proof/1); `graze cast --proof PROOFS "
+                                 ", not proofs (graze.proof/1); `graze cast --proof PROOFS "
                                  "CASES` writes the proofs of a file of cases"});
   }
   if (result.proofs.empty() && result.errors.empty()) {
@@ -323,6 +328,8 @@ ProofReadResult read_proofs_file(const std::filesystem::path& path) {
   if (!file.error.empty()) return {{}, {{path.string(), 0, "", std::move(file.error)}}};
   return read_proofs_text(file.text, path.string());
 }
+
+std::string write_proof(const Proof& proof) { return write_linear(proof); }
 
 std::string write_proof(const ProofRecord& record) {
   return "{\"schema\": \"graze.proof/1\", \"case\": " + write_case(record.problem) +

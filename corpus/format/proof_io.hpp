@@ -56,6 +56,11 @@ struct ProofRecord {
   int line = 0;                           // where it was read, from 1; not written
 };
 
+struct JsonValue;
+// The object of the field `proof`, of a linear answer. Throws Malformed.
+[[nodiscard]] Proof read_proof(const JsonValue& value, const std::string& path);
+[[nodiscard]] std::string write_proof(const Proof& proof);
+
 struct ProofReadResult {
   std::vector<ProofRecord> proofs;
   std::vector<ReadError> errors;

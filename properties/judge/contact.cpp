@@ -47,7 +47,7 @@ void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& a
   if (asks_for(request, Request::normal)) {
     const double length = answer.normal.norm();
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-    if (!(std::abs(length - 1) <= 16 * method.unit_roundoff)) {
+    if (!(std::abs(length - 1) <= std::max(16 * method.unit_roundoff, limits.contact_u))) {
       convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
     } else if (!(answer.normal.dot(v) <= limits.contact_u * v.norm())) {
       convict(judgement.bad_contact, "the normal points along the motion");

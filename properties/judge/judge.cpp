@@ -1,9 +1,13 @@
 #include "properties/judge/judge.hpp"
 
+#include <fmt/format.h>
+
 namespace graze::law {
 
-Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer& answer, Request request,
-                bool measure) {
+namespace {
+
+Judgement judge_by_kind(Truth& truth, const engine::Method& method, const engine::Answer& answer,
+                        Request request, bool measure) {
   switch (method.kind) {
     case engine::Kind::linear:
       return judge_linear(truth, method, answer, request, measure);
@@ -13,6 +17,34 @@ Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer
       break;
   }
   return judge_rotating(truth, method, answer, request, measure);
+}
+
+// What of a request the answers of a method hold.
+Request held_of(Request request, const engine::Holds& holds) {
+  unsigned held = static_cast<unsigned>(request);
+  if (!holds.normal) held &= ~static_cast<unsigned>(Request::normal);
+  if (!holds.witnesses) held &= ~static_cast<unsigned>(Request::witnesses);
+  return static_cast<Request>(held);
+}
+
+}  // namespace
+
+Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer& answer, Request request,
+                bool measure) {
+  if (method.is_ours()) return judge_by_kind(truth, method, answer, request, measure);
+  Judgement judgement;
+  judgement.outcome = answer.outcome;
+  if (answer.failure != engine::Failure::none) {
+    judgement.failure = answer.failure;
+    judgement.failed = fmt::format("{}: {}", to_text(answer.failure), answer.message);
+    return judgement;
+  }
+  if (answer.declined) {
+    judgement.not_asked = true;
+    return judgement;
+  }
+  // Its certificate is the least limit that it would have kept: every error is measured.
+  return judge_by_kind(truth, method, answer, held_of(request, method.holds), true);
 }
 
 }  // namespace graze::law

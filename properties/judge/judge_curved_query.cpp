@@ -53,12 +53,14 @@ class CurvedJudge {
   CurvedJudge(const Case& problem, const Method& method, const Answer& answer)
       : problem_(problem),
         answer_(answer),
+        has_witnesses_(method.holds.witnesses),
         rest_(at_rest(problem)),
         pair_(is_along_the_path(problem.query) ? as_cast(problem) : at_rest(problem)) {
     scale_ = scale_of_question(problem.query, problem.target_distance, pair_.scale().high);
     limits_ = limits_of(method, problem, scale_);
     limit_ = limits_.limit;
     judgement_.outcome = answer.outcome;
+    judgement_.errors.scale = scale_;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
   }
 
@@ -148,8 +150,9 @@ class CurvedJudge {
   [[nodiscard]] double rounding(const Vec3<double>& point) const {
     return 2 * limits_.unit_roundoff * point.norm();
   }
-  // Do they lie on their bodies? False: something is missing or off.
+  // Do they lie on their bodies? False: something is missing or off, or not part of the method's answers.
   bool witnesses() {
+    if (!has_witnesses_) return false;
     for (const char body : {'a', 'b'}) {
       const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
       if (!answer_.has_points) {
@@ -288,6 +291,7 @@ class CurvedJudge {
 
   const Case& problem_;
   const Answer& answer_;
+  bool has_witnesses_;
   Limits limits_;
   BracketTruth rest_, pair_;  // at t = 0 without the target distance; as the query asks
   double scale_ = 0, limit_ = 0;

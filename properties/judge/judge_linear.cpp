@@ -33,14 +33,17 @@ class LinearJudge {
       return judgement_;
     }
     if (is_settled_beyond_range()) return judgement_;
-    if (std::string why = senseless(answer_, problem().t_max); !why.empty()) {
+    if (std::string why = senseless(answer_, problem().t_max); !why.empty() && method_.holds.time) {
       convict(judgement_.wrong, std::move(why));
       return judgement_;
     }
     if (proof() && !measure) return judgement_;
+    if (starts_unasked()) return judgement_;
     judgement_.by_oracle = true;
     const double granted = by_oracle();
     judgement_.errors = errors_of(truth_, answer_, request_);
+    judgement_.errors.scale = truth_.cast().scale().high;
+    if (!method_.is_ours()) judgement_.errors.backward = least_limit();
     // Of what did not converge the guarantee says nothing but that it is not late or early.
     if (answer_.outcome != Outcome::not_converged) {
       judgement_.errors.over_limit = over(judgement_.errors.backward, granted);
@@ -84,6 +87,46 @@ class LinearJudge {
     return true;
   }
 
+  // A start in contact is no question for every engine of others.
+  bool starts_unasked() {
+    if (method_.asks_starts || truth_.cast().outcome() != Outcome::initially_overlapping) return false;
+    judgement_.not_asked = true;
+    judgement_.stalled = false;
+    return true;
+  }
+
+  // Over scale: the least limit with which verdict and times would pass, by what is proved of each.
+  [[nodiscard]] double least_limit() {
+    const CaseTruth& exact = truth_.cast();
+    const double scale = exact.scale().high;
+    const bool contact = exact.outcome() != Outcome::miss, decided = !is_undecided(exact);
+    double least = 0;
+    if (answer_.outcome == Outcome::miss) return contact && decided ? over(exact.depth().low, scale) : 0;
+    if (claims_contact(answer_) && !contact) least = exact.clearance().low;
+    if (answer_.toi_lower > 0 && answer_.toi_lower < kInfinity<double> && contact)
+      least = std::fmax(least, exact.lateness(answer_.toi_lower).low);
+    if (!claims_contact(answer_) || !method_.holds.time) return over(least, scale);
+    // The ends of a bracket that did not close are no times that are claimed.
+    for (const double t : {answer_.toi_lower, answer_.toi_upper}) {
+      if (t < kInfinity<double>) least = std::fmax(least, exact.backward_error(t).low);
+    }
+    return over(least, scale);
+  }
+
+  // What an engine promises to say of bodies that touch and go no deeper.
+  void touching(const CaseTruth& exact) {
+    const engine::Touching promised =
+        method_.guarantee == nullptr ? engine::Touching::either : method_.guarantee->touching;
+    if (promised == engine::Touching::either || is_undecided(exact) || exact.outcome() == Outcome::miss ||
+        exact.depth().high > 0 || answer_.outcome == Outcome::not_converged) {
+      return;
+    }
+    if (claims_contact(answer_) == (promised == engine::Touching::contact)) return;
+    convict(judgement_.wrong, fmt::format("says {} of bodies that touch and go no deeper, and promises {}",
+                                          label_of(answer_.outcome),
+                                          promised == engine::Touching::contact ? "contact" : "a miss"));
+  }
+
   // True if it leaves nothing open.
   bool proof() {
     if (!answer_.proof) return false;
@@ -108,6 +151,7 @@ class LinearJudge {
     const double wide = limits.wide_at(std::min(exact.toi_upper(), answer_.toi_upper));
     const double granted = over(wide, limits.scale);
     convict(judgement_.wrong, verdict_fault(exact, answer_, limits.limit));
+    touching(exact);
     const bool contact = exact.outcome() != Outcome::miss, undecided = is_undecided(exact);
     if (limits.strict && answer_.outcome == Outcome::initially_overlapping &&
         exact.outcome() == Outcome::hit) {
@@ -117,10 +161,14 @@ class LinearJudge {
     judgement_.excused = errs && !undecided && judgement_.wrong.empty();
     if (!judgement_.wrong.empty() || answer_.outcome == Outcome::miss) return granted;
 
-    convict(judgement_.late, late_fault(exact, answer_, limits.limit));
-    convict(judgement_.early, early_fault(exact, answer_, limits.limit));
-    convict(judgement_.off, time_fault(exact, answer_, wide));
-    if (limits.strict && answer_.outcome == Outcome::not_converged) {
+    if (method_.holds.time) {
+      convict(judgement_.late, late_fault(exact, answer_, limits.limit));
+      convict(judgement_.early, early_fault(exact, answer_, limits.limit + limits.early));
+      convict(judgement_.off, time_fault(exact, answer_, wide));
+    }
+    // Of tier certified, and of engines of others, what is decided by less than the limit may stay open.
+    if ((limits.strict || !method_.is_ours()) && answer_.outcome == Outcome::not_converged &&
+        wide < kInfinity<double>) {
       judgement_.undecided = undecided_fault(exact, answer_, wide);
       judgement_.stalled = !judgement_.undecided.empty();
       judgement_.excused = !judgement_.stalled;

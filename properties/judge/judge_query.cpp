@@ -27,13 +27,15 @@ using oracle::Enclosure;
 
 class QueryJudge {
  public:
-  QueryJudge(Truth& truth, const Method& method, const Answer& answer) : truth_(truth), answer_(answer) {
+  QueryJudge(Truth& truth, const Method& method, const Answer& answer)
+      : truth_(truth), answer_(answer), has_witnesses_(method.holds.witnesses) {
     const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
     scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
                                (moves ? truth.moving() : truth.at_rest()).scale().high);
     limits_ = limits_of(method, truth.problem(), scale_);
     limit_ = limits_.limit;
     judgement_.outcome = answer.outcome;
+    judgement_.errors.scale = scale_;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
   }
 
@@ -121,6 +123,7 @@ class QueryJudge {
     return 2 * limits_.unit_roundoff * point.norm();
   }
   void witnesses() {
+    if (!has_witnesses_) return;
     for (const char body : {'a', 'b'}) {
       const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
       if (!answer_.has_points) return convict(judgement_.bad_contact, "a witness is missing");
@@ -156,7 +159,7 @@ class QueryJudge {
     // h(n) = -distance for the axis of the closest points.
     if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high);
     witnesses();
-    if (!judgement_.bad_contact.empty()) return;
+    if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
     const double error = std::abs((answer_.point_a - answer_.point_b).norm() - exact.high) - pair_rounding();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
@@ -177,7 +180,7 @@ class QueryJudge {
     if (judgement_.stalled) return;
     if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low);
     witnesses();
-    if (!judgement_.bad_contact.empty()) return;
+    if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
     const double error =
         truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low - pair_rounding();
     if (!(error <= 3 * limit_)) {
@@ -234,6 +237,7 @@ class QueryJudge {
 
   Truth& truth_;
   const Answer& answer_;
+  bool has_witnesses_;
   Limits limits_;
   double scale_ = 0, limit_ = 0;
   Judgement judgement_;

@@ -78,7 +78,7 @@ class RotatingJudge {
   Judgement operator()(bool oracle) {
     if (is_settled_by_validity()) return judgement_;
     const corpus::Case& problem = truth_.problem();
-    if (std::string why = senseless(answer_, problem.t_max); !why.empty()) {
+    if (std::string why = senseless(answer_, problem.t_max); !why.empty() && method_.holds.time) {
       convict(judgement_.wrong, std::move(why));
       return judgement_;
     }
@@ -107,6 +107,7 @@ class RotatingJudge {
         break;
     }
     if (judgement_.open && stands_within(truth)) judgement_.open = false;
+    judgement_.errors.scale = limits_.scale;
     return judgement_;
   }
 
@@ -196,13 +197,17 @@ class RotatingJudge {
   // A hit, or a start in contact.
   void contact(const RotatingTruth& truth) {
     if (truth.outcome() == Outcome::miss) {
-      if (!take(&verdict_error, truth, judgement_.wrong).fault.empty()) return;
+      const RotatingError claimed = take(&verdict_error, truth, judgement_.wrong);
+      judgement_.errors.backward = in_scale(claimed.length);
+      if (!claimed.fault.empty()) return;
       judgement_.excused = true;
     }
-    late(truth);
-    take(&early_error, truth, judgement_.early);
-    width(truth);
-    take(&distance_error, truth, judgement_.off);
+    if (method_.holds.time) {
+      late(truth);
+      take(&early_error, truth, judgement_.early);
+      width(truth);
+      take(&distance_error, truth, judgement_.off);
+    }
     if (answer_.outcome != Outcome::hit) return;
     if (asks_for(request_, Request::normal))
       judgement_.errors.normal = in_scale(take(&normal_error, truth, judgement_.bad_contact).length);

@@ -25,6 +25,7 @@ struct Errors {
   double witness = kNone;   // the larger distance of the two from their bodies
   double passed = kNone;    // of casts of turning bodies: the depth of a contact that a miss denies or that
                             // toi_lower has passed
+  double scale = kNone;     // of the question, a length
   // Not over scale: `backward` over what the guarantee grants it, of an answer that converged.
   double over_limit = kNone;
 };
@@ -32,6 +33,8 @@ struct Errors {
 struct Judgement {
   Outcome outcome = Outcome::invalid_input;
   // Faults: why, or empty.
+  engine::Failure failure = engine::Failure::none;  // of `failed`: which
+  std::string failed;       // an engine of others crashed, hung, or wrote what is no answer
   std::string wrong;        // the verdict, by more than the limit; or an answer that says nothing sensible
   std::string late;         // toi_lower is past the contact, by more than the limit
   std::string early;        // contact is claimed at toi_upper, and there is none yet, by more than the limit
@@ -62,6 +65,7 @@ struct FaultKind {
   std::string Judgement::*why;
 };
 inline constexpr FaultKind kFaultKinds[] = {
+    {"failed", "without an answer", &Judgement::failed},
     {"wrong", "wrong", &Judgement::wrong},
     {"late", "late", &Judgement::late},
     {"early", "early", &Judgement::early},

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "corpus/support_value.hpp"
+#include "properties/judge/judgement.hpp"
 #include "properties/judge/own_frames.hpp"
 
 namespace graze::law {
@@ -56,18 +57,24 @@ Limits limits_of(const Method& method, const Case& seen, double scale, double to
   Limits out = promising_nothing(method);
   out.scale = scale;
   out.speed = turning ? top_speed_of(seen) : (seen.b.displacement - seen.a.displacement).stableNorm();
-  if (method.guarantee == nullptr) return out;
+  if (method.guarantee == nullptr || method.guarantee->is_open) return out;
 
   const engine::Guarantee& row = *method.guarantee;
+  const double declared = row.tolerance + row.relative_tolerance * scale;
   const double unseen = slack + unseen_of(method, seen, scale);
   const double width = std::max(row.width.value_or(0), turning ? tolerance : 0) * scale;
   out.strict = method.is_certified() && slack == 0;
-  out.limit = kappa(method, seen) * method.unit_roundoff * scale + (out.strict && !turning ? 0 : unseen);
-  out.wide = std::max(out.limit, width + unseen);
-  out.contact_u = contact_kappa(method, seen) * method.unit_roundoff;
+  out.limit =
+      kappa(method, seen) * method.unit_roundoff * scale + declared + (out.strict && !turning ? 0 : unseen);
+  out.early = row.early;
+  out.wide = std::max(out.limit + row.early, width + unseen);
+  out.contact_u = contact_kappa(method, seen) * method.unit_roundoff + over(declared, scale);
   // Of tier certified the contact of a linear cast is itself known to its width; that of turning bodies is
   // the one at toi_lower.
-  out.contact = out.contact_u * scale + (turning ? unseen : method.is_certified() ? out.wide : 0);
+  out.contact = contact_kappa(method, seen) * method.unit_roundoff * scale + declared +
+                (turning                 ? unseen
+                 : method.is_certified() ? out.wide
+                                         : 0);
   out.may_miss = row.may_miss;
   out.may_be_late = row.may_be_late;
   out.contact_rounds_times = !turning && method.is_certified() && method.in_float();

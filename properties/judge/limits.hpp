@@ -9,6 +9,9 @@
 //   wide                    limit             width scale                   0
 //   rounding of times       -                 of float                      both scalars
 //
+// An engine of others declares its limit as a sum of three lengths, kappa u scale, one over scale and one as it is; by a
+// further length its times may be early. One that declares none has no limit.
+//
 // To each of the first two is added what rounding does beyond what the scale says, of bodies that lie far out
 // in their local frames (properties/judge/own_frames.hpp). Of turning bodies the rounding of times counts in
 // every tier, and a row, or the question's tolerance, may grant the bracket a width of its own. A method
@@ -24,6 +27,7 @@ struct Limits {
   double limit =
       0;            // how deep a contact may be that goes unseen, how far apart bodies that are said to touch
   double wide = 0;  // how far from contact either end of a bracket may be
+  double early = 0;      // how much farther before contact a time may be
   double contact = 0;    // of normals and witnesses
   double contact_u = 0;  // the same for unit vectors, over 1
   engine::Unseen may_miss = engine::Unseen::nothing, may_be_late = engine::Unseen::nothing;

@@ -129,7 +129,7 @@ RotatingError undecided_error(const RotatingTruth& truth, const Answer& answer, 
 RotatingError normal_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
   if (answer.outcome != Outcome::hit) return {};
   const double length = answer.normal.norm();
-  if (!(std::abs(length - 1) <= 16 * limits.unit_roundoff))
+  if (!(std::abs(length - 1) <= std::max(16 * limits.unit_roundoff, limits.contact_u)))
     return {.fault = fmt::format("the normal has length {:.17g}", length)};
   if (truth.outcome() != Outcome::hit) return {};
   const double between = std::max(std::abs(answer.toi_lower - truth.toi_lower()),

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# clang-tidy on every source that includes neither CGAL nor RapidCheck, and on each public header by itself: without our
-# precompiled headers, so that what a file uses and does not include is an error. usage: tidy.sh SOURCE_DIR BUILD_DIR
+# clang-tidy on every source that includes neither CGAL nor RapidCheck, nor other people's engines (engines/zoo), and on
+# each public header by itself: without our precompiled headers, so that what a file uses and does not include is an error.
+# usage: tidy.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
 cd "$1"
 command -v clang-tidy-14 >/dev/null || { echo "clang-tidy-14 is missing: packages.txt lists it"; exit 1; }
@@ -21,8 +22,8 @@ for header in sys.argv[3:]:
     entries.append({"directory": library["directory"], "file": os.fspath(alone), "command": command})
 (folder / "compile_commands.json").write_text(json.dumps(entries))
 EOF
-mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find certify corpus draw engines fuzz properties report tools examples \
-  -name '*.cpp' | sort); ls "$plain"/headers/*.cpp)
+mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines fuzz properties report tools examples \
+  -path engines/zoo -prune -o -name '*.cpp' -print | sort); ls "$plain"/headers/*.cpp)
 ((${#files[@]} > 10)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
 said=$(printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P 2 clang-tidy-14 --quiet --extra-arg=-Wno-unknown-warning-option -p "$plain" 2>&1) && failed=0 || failed=1
 grep -vE 'warnings generated|^$' <<<"$said" || true

@@ -11,6 +11,8 @@
 
 #include "certify/built_in.hpp"
 #include "certify/certification.hpp"
+#include "certify/engine_findings.hpp"
+#include "certify/engine_report.hpp"
 #include "certify/intake.hpp"
 #include "certify/report.hpp"
 #include "certify/tolerance_study.hpp"
@@ -19,6 +21,7 @@
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
 #include "tools/commands/law.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/stability.hpp"
@@ -35,15 +38,24 @@ constexpr std::size_t kStudiedHits = 64;
 // curved shapes in tens of milliseconds.
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 
+// To make a finding of an engine of others small.
+constexpr int kSmallerAsks = 2000;
+constexpr double kSmallerSeconds = 20;
+
 struct Arguments {
-  std::vector<std::string> files, families, methods = {"all"}, law_names;
+  std::vector<std::string> files, families, methods, law_names;
+  EngineArguments engines;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
   std::size_t oracle_every = kOracleEvery;
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
-  std::string corpus, guarantees, save, plot;
+  std::string corpus, guarantees, save, plot, json, junit, findings;
 
+  // All of ours, unless engines of others are to be judged.
+  [[nodiscard]] std::vector<std::string> our_methods() const {
+    return methods.empty() && engines.commands.empty() ? std::vector<std::string>{"all"} : methods;
+  }
   [[nodiscard]] Counts counts() const {
     const Counts& usual = thorough ? kThorough : kUsual;
     return {count.value_or(usual.linear), rotating.value_or(usual.rotating), queries.value_or(usual.queries)};
@@ -56,13 +68,22 @@ class Selection {
  public:
   explicit Selection(const Arguments& arguments) {
     if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
-    for (const engine::Method* method : select_methods(arguments.methods)) {
-      methods_.push_back(*method);
-      if (!arguments.guarantees.empty()) {
-        methods_.back().guarantee = engine::find_guarantee(table_, *method);
+    if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
+      for (const engine::Method* method : select_methods(names)) {
+        methods_.push_back(*method);
+        if (!arguments.guarantees.empty()) {
+          methods_.back().guarantee = engine::find_guarantee(table_, *method);
+        }
       }
     }
+    engines_ = start_engines(arguments.engines);
+    for (const auto& engine : engines_) {
+      methods_.insert(methods_.end(), engine->methods().begin(), engine->methods().end());
+    }
   }
+  // Ends the engines of others, and says what they left behind.
+  [[nodiscard]] std::vector<std::string> finish() const { return finish_engines(engines_); }
+  [[nodiscard]] std::span<const std::unique_ptr<external::Engine>> engines() const { return engines_; }
   Selection(const Selection&) = delete;
   Selection& operator=(const Selection&) = delete;
 
@@ -70,6 +91,17 @@ class Selection {
     std::vector<const engine::Method*> out;
     for (const engine::Method& method : methods_) out.push_back(&method);
     return out;
+  }
+  [[nodiscard]] bool has_ours() const {
+    return std::any_of(methods_.begin(), methods_.end(),
+                       [](const engine::Method& method) { return method.is_ours(); });
+  }
+  // Is a cast one that some engine of others is asked, or asked queries about?
+  [[nodiscard]] bool takes(const corpus::Case& problem) const {
+    return std::any_of(methods_.begin(), methods_.end(), [&](const engine::Method& method) {
+      return (engine::turns(problem) ? method.kind == Kind::rotating : method.kind != Kind::rotating) &&
+             method.refuses(problem).empty();
+    });
   }
   [[nodiscard]] bool has(Kind kind) const {
     return std::any_of(methods_.begin(), methods_.end(),
@@ -89,6 +121,7 @@ class Selection {
   }
 
   std::vector<engine::Guarantee> table_;
+  std::vector<std::unique_ptr<external::Engine>> engines_;
   std::vector<engine::Method> methods_;
 };
 
@@ -151,7 +184,7 @@ int show_stability(const Arguments& arguments, const Settings& settings) {
 int show_laws(const Arguments& arguments) {
   return run_laws({.files = arguments.files,
                    .families = arguments.families,
-                   .methods = arguments.methods,
+                   .methods = arguments.our_methods(),
                    .laws = arguments.law_names,
                    .count = arguments.count,
                    .rotating = arguments.rotating,
@@ -162,7 +195,7 @@ int show_laws(const Arguments& arguments) {
 }
 
 // The curated corpus, the files and the families that are asked for. True if something could not be read.
-bool take_all(Intake& intake, const Arguments& arguments, bool asks_queries) {
+bool take_all(Intake& intake, const Arguments& arguments, const Selection& selection) {
   bool bad = false;
   if (arguments.takes_curated()) {
     const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
@@ -173,9 +206,21 @@ bool take_all(Intake& intake, const Arguments& arguments, bool asks_queries) {
   const CaseFiles files = read_case_files(arguments.files);
   for (const CaseFile& file : files.files) intake.take(file.name, file.cases, false);
   const Counts counts = arguments.counts();
-  take_families(intake, wanted_families(arguments.families, !arguments.files.empty()), counts, arguments.seed,
-                arguments.oracle_every);
-  if (asks_queries) take_queries(intake, counts);
+  const std::vector<const corpus::Family*> families =
+      wanted_families(arguments.families, !arguments.files.empty());
+  if (selection.has_ours()) {
+    take_families(intake, families, counts, arguments.seed, arguments.oracle_every);
+  } else {
+    for (const corpus::Family* family : families) {
+      const std::size_t count = family->rotating ? counts.rotating : counts.linear;
+      if (count == 0) continue;
+      Suite suite = sought_suite(*family, family->levels, count, arguments.seed,
+                                 [&](const corpus::Case& problem) { return selection.takes(problem); });
+      suite.oracle_every = arguments.oracle_every;
+      intake.suites.push_back(std::move(suite));
+    }
+  }
+  if (selection.has(Kind::query)) take_queries(intake, counts);
   return bad || files.bad;
 }
 
@@ -223,12 +268,17 @@ int run(const Arguments& arguments) {
     will_read({curated, known_failures().string()});
   }
   if (!arguments.plot.empty()) require_folder(arguments.plot);
+  if (!arguments.findings.empty()) require_folder(arguments.findings);
   if (arguments.stability) return show_stability(arguments, settings);
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
+  std::unique_ptr<OutputFile> json;
+  if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
+  std::unique_ptr<OutputFile> junit;
+  if (!arguments.junit.empty()) junit = std::make_unique<OutputFile>(arguments.junit);
 
   Intake intake;
-  const bool bad = take_all(intake, arguments, selection.has(Kind::query));
+  const bool bad = take_all(intake, arguments, selection);
   if (arguments.counts().rotating == 0) {
     std::erase_if(settings.methods,
                   [](const engine::Method* method) { return method->kind == Kind::rotating; });
@@ -247,23 +297,39 @@ int run(const Arguments& arguments) {
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
-  const Certification certification = certify(intake.suites, settings);
+  Certification certification = certify(intake.suites, settings);
   const bool studies = arguments.full || arguments.thorough || !arguments.plot.empty();
   const std::vector<ToleranceRow> tolerances =
       studies && !settings.stop() ? study(certification, settings) : std::vector<ToleranceRow>{};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  const std::vector<EngineFinding> findings =
+      arguments.findings.empty() ? std::vector<EngineFinding>{}
+                                 : engine_findings(certification, kSmallerAsks, kSmallerSeconds);
+  const std::vector<std::string> left_behind = selection.finish();
+  certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   fmt::print("{}", verdict_line(certification, took.count()));
   for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
   if (!certification.unfinished.empty()) {
     fmt::print("Not finished: {}\n", fmt::join(certification.unfinished, ", "));
   }
-  if (arguments.takes_curated() && !settings.stop())
+  // What is known of our own methods.
+  if (arguments.takes_curated() && !settings.stop() && arguments.engines.commands.empty())
     print_known_failures(settings, arguments.full || arguments.thorough);
   print_intake(intake);
   if (arguments.full || arguments.thorough) {
     print_full(certification, settings, tolerances);
   } else {
-    print_screen(certification, settings);
+    if (selection.has_ours()) print_screen(certification, settings);
+  }
+  if (!selection.engines().empty()) fmt::print("\n{}", certificates(certification, settings));
+  if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));
+  if (json) {
+    json->write_line(certification_json(certification, settings, took.count()));
+    json->close();
+  }
+  if (junit) {
+    junit->write_line(certification_junit(certification, settings, took.count()));
+    junit->close();
   }
   if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(tolerances, arguments.plot));
   if (save) {
@@ -350,6 +416,20 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->add_option("--save", arguments->save,
                    "Write the cases that a method got wrong or stalled on to this file")
       ->type_name("OUT.jsonl");
+  command
+      ->add_option(
+          "--json", arguments->json,
+          "Write what was counted, method by method and family by family, to this file, one JSON object")
+      ->type_name("OUT.json");
+  command
+      ->add_option("--junit", arguments->junit,
+                   "Write a test of each method and family to this file, as JUnit's XML, for build servers")
+      ->type_name("OUT.xml");
+  command
+      ->add_option("--findings", arguments->findings,
+                   "Of each engine and kind of fault write a case, made small, into this folder")
+      ->type_name("DIR");
+  add_engine_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "
                     "(docs/stability.md)");

@@ -1,0 +1,157 @@
+#include "certify/engine_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <tuple>
+
+#include "corpus/format/case_io.hpp"
+#include "properties/edit/case.hpp"
+#include "properties/generate/shrink.hpp"
+#include "properties/judge/judge.hpp"
+#include "report/outputs.hpp"
+#include "report/progress.hpp"
+
+namespace graze::tool {
+
+using corpus::Case;
+using engine::Method;
+using law::Judgement;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What is wrong with the answer to a case; nothing where it is no question for the method.
+std::optional<Judgement> judged(const Method& method, const Case& problem) {
+  if (!law::in_domain(problem) || engine::turns(problem) != (method.kind == engine::Kind::rotating) ||
+      !method.refuses(problem).empty()) {
+    return {};
+  }
+  law::Truth truth(method.seen(problem));
+  const engine::Answer answer = method.ask(problem, {.request = engine::kPlain});
+  try {
+    return law::judge(truth, method, answer, engine::kPlain, true);
+  } catch (const std::invalid_argument&) {  // no oracle takes the case
+    return {};
+  }
+}
+
+// A kind of fault; of answers that failed, a kind of failure.
+struct Sin {
+  std::size_t kind = 0;  // of law::kFaultKinds
+  engine::Failure failure = engine::Failure::none;
+  auto operator<=>(const Sin&) const = default;
+};
+
+std::string name_of(const Sin& sin) {
+  const std::string name = law::kFaultKinds[sin.kind].name;
+  return sin.failure == engine::Failure::none ? name : fmt::format("{}: {}", name, to_text(sin.failure));
+}
+
+// What of an answer is this sin, or nothing.
+std::string why_of(const Sin& sin, const Judgement& judgement) {
+  return judgement.failure == sin.failure ? judgement.*law::kFaultKinds[sin.kind].why : "";
+}
+
+// Of each method and sin the family in which it is most frequent.
+struct Met {
+  const Tally* tally = nullptr;
+  const Tally::Example* first = nullptr;
+  std::size_t times = 0;
+};
+using AllMet = std::map<std::pair<const Method*, Sin>, Met>;
+
+void note(AllMet& met, const Tally& tally, const Sin& sin, std::size_t times, const Tally::Example& first) {
+  Met& most = met[{tally.method, sin}];
+  if (times > most.times) most = {.tally = &tally, .first = &first, .times = times};
+}
+
+AllMet all_met(const Certification& certification) {
+  AllMet met;
+  for (const Tally& tally : certification.tallies) {
+    if (tally.method->is_ours()) continue;
+    for (std::size_t k = 0; k < law::kFaults; ++k) {
+      if (law::kFaultKinds[k].why == &Judgement::failed) {
+        for (std::size_t f = 1; f < engine::kFailures; ++f) {
+          const Tally::Failed& failed = tally.failures[f];
+          if (failed.count > 0)
+            note(met, tally, {k, static_cast<engine::Failure>(f)}, failed.count, failed.first);
+        }
+      } else if (tally.faults[k] > 0) {
+        note(met, tally, {.kind = k}, tally.faults[k], tally.first[k]);
+      }
+    }
+  }
+  return met;
+}
+
+void make_small(EngineFinding& finding, const Sin& sin, int budget, double seconds) {
+  const auto stop = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto why = [&](const Case& problem) -> std::string {
+    const std::optional<Judgement> judgement = judged(*finding.method, problem);
+    return judgement ? why_of(sin, *judgement) : "";
+  };
+  finding.problem = law::minimised(
+      finding.problem, [&](const Case& c) { return Clock::now() < stop && !why(c).empty(); }, budget);
+  if (std::string reason = why(finding.problem); !reason.empty()) finding.reason = std::move(reason);
+}
+
+std::string file_name(const EngineFinding& finding) {
+  std::string name = fmt::format("{}-{}", finding.method->question_name(), finding.fault);
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return std::isalnum(c) == 0 && c != '-' && c != '.' && c != '_'; }, '-');
+  return name;
+}
+
+}  // namespace
+
+std::vector<EngineFinding> engine_findings(const Certification& certification, int budget, double seconds) {
+  const AllMet met = all_met(certification);
+  std::vector<EngineFinding> findings;
+  Progress progress("making findings small", met.size());
+  for (const auto& [key, most] : met) {
+    const auto& [method, sin] = key;
+    EngineFinding& finding = findings.emplace_back(EngineFinding{.method = method,
+                                                                 .fault = name_of(sin),
+                                                                 .reason = most.first->reason,
+                                                                 .family = most.tally->family,
+                                                                 .first = most.first->id,
+                                                                 .times = most.times,
+                                                                 .problem = most.first->problem});
+    make_small(finding, sin, budget, seconds);
+    progress.step();
+  }
+  return findings;
+}
+
+std::string save_findings(const std::vector<EngineFinding>& findings,
+                          const std::filesystem::path& directory) {
+  require_folder(directory.string());
+  std::string text;
+  for (const EngineFinding& finding : findings) {
+    Case problem = finding.problem;
+    const std::string name = file_name(finding);
+    problem.id = "finding/" + name;
+    problem.family = finding.family;
+    problem.hardness.reset();
+    problem.comment = finding.reason;
+    problem.source = finding.first;
+    problem.expect.reset();
+    const std::filesystem::path path = directory / (name + ".json");
+    OutputFile file(path.string());
+    std::string lines = corpus::write_case_pretty(problem);
+    while (!lines.empty() && lines.back() == '\n') lines.pop_back();
+    file.write_line(lines);
+    file.close();
+    text +=
+        fmt::format("{}: {} {}, {} of its family {}: {}\n", path.string(), finding.method->question_name(),
+                    finding.fault, finding.times, finding.family, finding.reason);
+  }
+  return text;
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,304 @@
+#include "certify/engine_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "corpus/format/names.hpp"
+#include "report/statistics.hpp"
+#include "report/table.hpp"
+
+namespace graze::tool {
+namespace {
+
+using engine::Failure;
+using engine::Method;
+using Json = nlohmann::ordered_json;
+
+std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
+
+std::size_t faults_of(const Tally& tally, std::string_view name) {
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (law::kFaultKinds[k].name == name) return tally.faults[k];
+  }
+  return 0;
+}
+
+// "crashed 3, hung 1"
+std::string failures_text(const Tally& tally) {
+  std::string text;
+  for (std::size_t k = 0; k < tally.failures.size(); ++k) {
+    if (tally.failures[k].count == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", to_text(static_cast<Failure>(k)),
+                        tally.failures[k].count);
+  }
+  return text.empty() ? "-" : text;
+}
+
+// What the engine is held to, in words.
+std::string limit_text(const Method& method) {
+  const engine::Guarantee& row = *method.guarantee;
+  if (row.is_open) return "nothing";
+  std::string text;
+  const auto add = [&](double x, const char* unit) {
+    if (x > 0) text += fmt::format("{}{:g}{}", text.empty() ? "" : " + ", x, unit);
+  };
+  add(row.kappa_polytope, " u scale");
+  add(row.relative_tolerance, " scale");
+  add(row.tolerance, "");
+  return text.empty() ? "0" : text;
+}
+
+std::string id_of(const Tally::Worst& worst) { return worst.id.empty() ? "-" : worst.id; }
+
+Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(); }
+
+// The first of each kind, kept by method.
+Json faults_json(const Tally& tally) {
+  Json all = Json::object();
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (tally.faults[k] == 0) continue;
+    all[law::kFaultKinds[k].name] = {
+        {"count", tally.faults[k]}, {"first", tally.first[k].id}, {"because", tally.first[k].reason}};
+  }
+  return all;
+}
+
+Json tally_json(const Tally& tally) {
+  Json failures = Json::object();
+  for (std::size_t k = 0; k < tally.failures.size(); ++k) {
+    if (tally.failures[k].count > 0)
+      failures[std::string(to_text(static_cast<Failure>(k)))] = tally.failures[k].count;
+  }
+  return {{"family", tally.family},
+          {"cases", tally.cases},
+          {"not_asked", tally.not_asked},
+          {"faults", faults_json(tally)},
+          {"failures", failures},
+          {"stalled", tally.stalled},
+          {"excused", tally.excused},
+          {"by_oracle", tally.by_oracle},
+          {"backward",
+           {{"median", number_or_null(median(tally.backward))},
+            {"worst", number_or_null(worst(tally.backward))}}},
+          {"true_backward_worst", number_or_null(worst(tally.true_backward))},
+          {"normal_worst", number_or_null(worst(tally.normal))},
+          {"witness_worst", number_or_null(worst(tally.witness))},
+          {"least_kappa", number_or_null(tally.least_relative.value / tally.method->unit_roundoff)},
+          {"least_over_scale", number_or_null(tally.least_relative.value)},
+          {"least_tolerance", number_or_null(tally.least_length.value)},
+          {"least_by", tally.least_relative.id},
+          {"ns_median", number_or_null(median(tally.ns))}};
+}
+
+// Text within XML 1.0, also within quotes. Bytes that are none of its characters become U+FFFD.
+std::string xml_text(std::string_view text) {
+  constexpr std::string_view kNone = "\xEF\xBF\xBD";
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t length = c < 0x80                ? 1
+                               : c >= 0xC2 && c < 0xE0 ? 2
+                               : c >= 0xE0 && c < 0xF0 ? 3
+                               : c >= 0xF0 && c < 0xF5 ? 4
+                                                       : 0;
+    bool is_whole = length > 0 && i + length <= text.size();
+    for (std::size_t k = 1; is_whole && k < length; ++k)
+      is_whole = (static_cast<unsigned char>(text[i + k]) & 0xC0U) == 0x80U;
+    if (!is_whole) {
+      out += kNone;
+      ++i;
+      continue;
+    }
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+        out += "&#10;";
+        break;
+      default:
+        if (c < 0x20 && c != '\t') {
+          out += kNone;
+        } else {
+          out += text.substr(i, length);
+        }
+    }
+    i += length;
+  }
+  return out;
+}
+
+// What broke on a family: the lines of the verdict, then the first case of each fault.
+std::string why_failed(const Tally& tally, const std::vector<std::string>& lines) {
+  std::string text = fmt::format("{}\n", fmt::join(lines, "\n"));
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (tally.faults[k] > 0)
+      text += fmt::format("{} ({}): {}: {}\n", law::kFaultKinds[k].name, tally.faults[k], tally.first[k].id,
+                          tally.first[k].reason);
+  }
+  for (std::size_t k = 1; k < tally.failures.size(); ++k) {
+    const Tally::Failed& failed = tally.failures[k];
+    if (failed.count > 0)
+      text += fmt::format("{} ({}): {}: {}\n", to_text(static_cast<Failure>(k)), failed.count,
+                          failed.first.id, failed.first.reason);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string certificates(const Certification& certification, const Settings& settings) {
+  Table table({{"engine", Align::left},
+               {"asked"},
+               {"not\nasked"},
+               {"wrong"},
+               {"late"},
+               {"early\nor off"},
+               {"contact\noff"},
+               {"stalls"},
+               {"failed", Align::left},
+               {"held to", Align::left},
+               {"least\nkappa"},
+               {"least, over\nscale"},
+               {"least\nlength"},
+               {"needed by", Align::left}});
+  for (const Method* method : settings.methods) {
+    if (method->is_ours()) continue;
+    const Tally t = certification.total(*method);
+    table.add_row({method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
+                   count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
+                   count_text(faults_of(t, "early") + faults_of(t, "off")),
+                   count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
+                   limit_text(*method), short_number(t.least_relative.value / method->unit_roundoff),
+                   short_number(t.least_relative.value), short_number(t.least_length.value),
+                   id_of(t.least_relative)});
+  }
+  return table.text() +
+         "least: the limit with which every verdict and time would have passed, in units of u scale, over "
+         "scale, and "
+         "as a\nlength of the cases. held to: what it declares, or the command line says; of one that "
+         "declares nothing "
+         "only failures\ncount as faults. not asked: what it does not take (docs/engines.md).\n";
+}
+
+std::string comparison(const Certification& certification, const Settings& settings) {
+  std::vector<const Method*> methods;
+  for (const Method* method : settings.methods) {
+    if (std::any_of(certification.tallies.begin(), certification.tallies.end(),
+                    [&](const Tally& tally) { return tally.method == method && tally.cases > 0; }))
+      methods.push_back(method);
+  }
+  std::string text;
+  for (const engine::Kind kind : {engine::Kind::linear, engine::Kind::rotating, engine::Kind::query}) {
+    for (const Method* method : methods) {
+      if (method->kind != kind) continue;
+      if (text.empty())
+        text =
+            "| engine | family | asked | wrong | late | failed | least over scale "
+            "|\n|---|---|---|---|---|---|---|\n";
+      for (const Tally& t : certification.tallies) {
+        if (t.method != method || t.cases == 0) continue;
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", method->question_name(), t.family,
+                            t.cases, count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
+                            failures_text(t), short_number(t.least_relative.value));
+      }
+    }
+  }
+  return text;
+}
+
+std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
+  Json all = {{"schema", "graze.certification/1"},      {"seconds", seconds},
+              {"answers", certification.answers},       {"cases", certification.questions},
+              {"held", certification.breaches.empty()}, {"breaches", certification.breaches},
+              {"unfinished", certification.unfinished}, {"methods", Json::array()}};
+  for (const Method* method : settings.methods) {
+    Json families = Json::array();
+    for (const Tally& tally : certification.tallies) {
+      if (tally.method == method && (tally.cases > 0 || tally.not_asked > 0))
+        families.push_back(tally_json(tally));
+    }
+    Json total = tally_json(certification.total(*method));
+    total.erase("family");
+    all["methods"].push_back(
+        {{"name", method->name},
+         {"question",
+          method->kind == engine::Kind::rotating ? "rotating_cast" : corpus::name_of(method->query)},
+         {"scalar", method->scalar},
+         {"tier", method->tier},
+         {"ours", method->is_ours()},
+         {"held_to", method->guarantee == nullptr ? "nothing" : limit_text(*method)},
+         {"held", certification.has_kept(*method)},
+         {"total", std::move(total)},
+         {"families", std::move(families)}});
+  }
+  return all.dump();
+}
+
+std::string certification_junit(const Certification& certification, const Settings& settings,
+                                double seconds) {
+  std::string suites;
+  std::size_t all_tests = 0, all_failed = 0;
+  std::vector<std::string> told;  // breaches that a family has
+  for (const Method* method : settings.methods) {
+    std::string tests;
+    std::size_t count = 0, failed = 0, skipped = 0;
+    for (const Tally& tally : certification.tallies) {
+      if (tally.method != method || (tally.cases == 0 && tally.not_asked == 0)) continue;
+      ++count;
+      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(method->question_name()),
+                           xml_text(tally.family));
+      if (const std::vector<std::string> lines = breaches(tally); !lines.empty()) {
+        ++failed;
+        told.insert(told.end(), lines.begin(), lines.end());
+        tests += fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
+                             xml_text(lines.front()), xml_text(why_failed(tally, lines)));
+      } else if (tally.cases == 0) {
+        ++skipped;
+        tests +=
+            fmt::format(">\n      <skipped message=\"{} cases, none that it takes\"/>\n    </testcase>\n",
+                        tally.not_asked);
+      } else {
+        tests += "/>\n";
+      }
+    }
+    if (count == 0) continue;
+    all_tests += count;
+    all_failed += failed;
+    suites += fmt::format(
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
+        xml_text(method->question_name()), count, failed, skipped, tests);
+  }
+  std::vector<std::string> others;
+  for (const std::string& breach : certification.breaches) {
+    if (std::find(told.begin(), told.end(), breach) == told.end()) others.push_back(breach);
+  }
+  if (!others.empty()) {
+    ++all_tests;
+    ++all_failed;
+    suites += fmt::format(
+        "  <testsuite name=\"run\" tests=\"1\" failures=\"1\">\n    <testcase classname=\"run\" "
+        "name=\"ends\">\n      "
+        "<failure message=\"{}\">{}</failure>\n    </testcase>\n  </testsuite>\n",
+        xml_text(others.front()), xml_text(fmt::format("{}\n", fmt::join(others, "\n"))));
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"graze certify\" tests=\"{}\" "
+      "failures=\"{}\" "
+      "time=\"{:.3f}\">\n{}</testsuites>",
+      all_tests, all_failed, seconds, suites);
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,26 @@
+// What a certification says of engines of others: their certificates, and their comparison.
+#pragma once
+
+#include <string>
+
+#include "certify/certification.hpp"
+
+namespace graze::tool {
+
+// Of each method of others in a line: how many answers, what kept it from answering, faults, and the least limits with
+// which verdicts and times would have passed, kappa, over scale, and as a length, with the case that needs them.
+[[nodiscard]] std::string certificates(const Certification& certification, const Settings& settings);
+
+// Family by family, an engine a column: "wrong late failed least", the least limit over scale.
+[[nodiscard]] std::string comparison(const Certification& certification, const Settings& settings);
+
+// All that was counted, of every method, as one JSON object: graze.certification/1.
+[[nodiscard]] std::string certification_json(const Certification& certification, const Settings& settings,
+                                             double seconds);
+
+// The same for build servers, JUnit's XML: of each method a suite, of each family a test; a family on which the method
+// does not keep its row has failed, with the first case of each fault and the reason.
+[[nodiscard]] std::string certification_junit(const Certification& certification, const Settings& settings,
+                                              double seconds);
+
+}  // namespace graze::tool

@@ -1,0 +1,83 @@
+"""The findings of findings.json, each shown again: the engine is asked the case, and the judge must still convict it."""
+import json
+import subprocess
+import sys
+
+PAGE = "docs/bugs_found.md"
+KINDS = ("wrong", "late", "early", "off", "contact off", "failed")
+
+HEAD = """# What the judge found in other engines
+
+Made by `./run zoo --findings --write`, which asks every engine its case again: what is below was seen in that run.
+Each finding is one engine, one call, one mechanism; its case was made small under the engine itself, and stands in
+`corpus/found/` with the exact answer. An engine is called as its users call it, in the settings that its name says
+(`engines/zoo`); *tightest* means the smallest tolerances and the most iterations that it takes. Errors are measured
+against the question as the engine saw it, its numbers rounded to its scalar, and what it documents as a limit is
+granted. Where a mechanism is said *by its behaviour*, its source was not read.
+
+Any of them alone, with the engine's command from `engines/zoo/zoo.json` or `engines/zoo/node/zoo.json`:
+
+    graze certify --engine "COMMAND" --relative-tolerance 1e-3 corpus/found/ID.json
+    graze cast --tier exact --proof proof.jsonl corpus/found/ID.json && graze check proof.jsonl
+
+The second line gives the right answer with its proof, of casts of polytopes that do not turn (`--tier certified` of
+the others).
+
+"""
+
+
+def convicted(options, engines, finding):
+    """What certify says of a finding: (faults of the kind, version, the reason), or a word why it was not asked."""
+    command = engines.get(finding["engine"])
+    if command is None:
+        return None
+    path = options.results / "finding.json"
+    words = [options.graze, "certify", "--engine", command, "--relative-tolerance", finding["relative_tolerance"],
+             "--json", path, f"corpus/found/{finding['id']}.json"]
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
+        print(f"graze: {finding['id']}: {(done.stderr.strip().splitlines() or ['no answer'])[-1]}", file=sys.stderr)
+        return None
+    for method in json.loads(path.read_text())["methods"]:
+        for kind, fault in method["total"]["faults"].items():
+            if kind == finding["fault"]:
+                return fault["because"]
+    return ""
+
+
+def section(finding, reason, version):
+    because = " ".join(reason.split())
+    if len(because) > 330:
+        because = because[:327] + "..."
+    lines = [f"## {finding['id']}", "", f"**{finding['title'][0].upper()}{finding['title'][1:]}.** "
+             f"{finding['engine']} {version}; {finding['kind']}.", "",
+             f"- *True:* {finding['truth']}", f"- *The judge:* {finding['fault']}: {because}",
+             f"- *Mechanism:* {finding['mechanism']}"]
+    if finding["upstream"]:
+        lines.append(f"- *Upstream:* {finding['upstream']}.")
+    return "\n".join(lines) + "\n"
+
+
+def show(options, root, engines, versions):
+    """Shows each again. The ids of those that are not convicted any more."""
+    findings = json.loads((root / "engines/zoo/findings.json").read_text())["findings"]
+    gone, parts, rows = [], [], []
+    for finding in findings:
+        reason = convicted(options, engines, finding)
+        if reason is None:
+            print(f"{finding['id']}: not asked, its engine is not here")
+            continue
+        print(f"{finding['id']}: {finding['engine']} " + (f"{finding['fault']}: {reason[:100]}" if reason
+                                                          else "IS NOT CONVICTED ANY MORE"), flush=True)
+        if not reason:
+            gone.append(finding["id"])
+            continue
+        version = versions(finding["engine"])
+        rows.append(f"| [{finding['id']}](#{finding['id']}) | {finding['engine']} {version} | {finding['fault']} | "
+                    f"{finding['kind'].split(':')[0]} |")
+        parts.append(section(finding, reason, version))
+    if options.write and not gone:
+        table = "| finding | engine | fault | |\n|---|---|---|---|\n" + "\n".join(rows) + "\n\n"
+        (root / PAGE).write_text(HEAD + table + "\n".join(parts))
+        print(f"{PAGE} is written")
+    return gone

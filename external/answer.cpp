@@ -1,0 +1,319 @@
+#include "external/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "corpus/format/fields.hpp"
+#include "corpus/format/names.hpp"
+#include "corpus/format/proof_io.hpp"
+
+namespace graze::external {
+
+using corpus::Fields;
+using corpus::JsonValue;
+using corpus::Malformed;
+using engine::Answer;
+using engine::Failure;
+using engine::Interval;
+
+namespace {
+
+// A normal whose length is off by more is no unit vector in any scalar.
+constexpr double kUnitSlack = 1e-3;
+
+// What a line may be wrong in.
+struct Bad {
+  Failure kind;
+  std::string what;
+};
+
+// JSON has no NaN and no infinity, but printers of numbers do: NaN, nan, Infinity, inf, with a sign or
+// without, become the strings that the format has for them.
+std::string with_numbers_quoted(std::string_view line) {
+  static const std::map<std::string_view, std::string_view> kWords = {
+      {"NaN", "nan"}, {"nan", "nan"}, {"Infinity", "inf"}, {"inf", "inf"}, {"Inf", "inf"}};
+  std::string out;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size();) {
+    const char c = line[i];
+    if (quoted || (std::isalpha(static_cast<unsigned char>(c)) == 0 && c != '-')) {
+      if (c == '\\' && quoted && i + 1 < line.size()) out += line[i++];
+      if (c == '"') quoted = !quoted;
+      out += line[i++];
+      continue;
+    }
+    const bool negative = c == '-';
+    std::size_t end = i + (negative ? 1 : 0);
+    const std::size_t begin = end;
+    while (end < line.size() && std::isalpha(static_cast<unsigned char>(line[end])) != 0) ++end;
+    const auto word = kWords.find(line.substr(begin, end - begin));
+    if (word == kWords.end()) {
+      out += line.substr(i, std::max(end, i + 1) - i);
+    } else {
+      out += fmt::format("\"{}{}\"", negative && word->second == "inf" ? "-" : "", word->second);
+    }
+    i = std::max(end, i + 1);
+  }
+  return out;
+}
+
+// A number, or "nan", "inf", "-inf".
+double read_any_number(const JsonValue& value, const std::string& path) {
+  if (value.kind == JsonValue::Kind::string && (value.text == "nan" || value.text == "-nan"))
+    return std::nan("");
+  return corpus::read_extended(value, path);
+}
+
+double finite(double x, const std::string& path) {
+  if (std::isnan(x)) throw Bad{Failure::no_number, path + " is NaN"};
+  if (std::isinf(x)) throw Bad{Failure::no_number, path + " is infinite"};
+  return x;
+}
+
+Vec3<double> read_vector(const Fields& fields, std::string_view key) {
+  const std::string path = fields.path(key);
+  const std::string form = std::string(key) + " is an array of three numbers";
+  const std::vector<JsonValue>& items = corpus::read_array(fields.required(key, form), path, form);
+  if (items.size() != 3) throw Malformed{path, form};
+  Vec3<double> v;
+  for (int i = 0; i < 3; ++i) {
+    const std::string at = corpus::item_path(path, static_cast<std::size_t>(i));
+    v[i] = finite(read_any_number(items[static_cast<std::size_t>(i)], at), at);
+  }
+  return v;
+}
+
+// A number, or a bracket.
+Interval read_interval(const Fields& fields, std::string_view key) {
+  const std::string path = fields.path(key);
+  const std::string form = std::string(key) + " is a number, or an object with lower and upper";
+  const JsonValue& value = fields.required(key, form);
+  if (value.kind != JsonValue::Kind::object) {
+    const double x = finite(read_any_number(value, path), path);
+    return {x, x};
+  }
+  const Fields ends(value, path, {"lower", "upper"});
+  const auto end = [&](std::string_view name) {
+    const double x = read_any_number(ends.required(name, form), ends.path(name));
+    if (std::isnan(x)) throw Bad{Failure::no_number, ends.path(name) + " is NaN"};
+    return x;
+  };
+  const Interval both{end("lower"), end("upper")};
+  if (!(both.lower <= both.upper)) throw Bad{Failure::out_of_range, path + " is a bracket upside down"};
+  return both;
+}
+
+class Reading {
+ public:
+  Reading(const Offer& offer, const Terms& terms) : offer_(offer), terms_(terms) {}
+
+  Answer operator()(const JsonValue& value, std::string_view id) {
+    const Fields fields(value, "",
+                        {"schema", "id", "outcome", "time", "normal", "point_a", "point_b", "distance",
+                         "depth", "proof", "ns", "native", "message", "iterations", "supports"});
+    const std::string schema =
+        corpus::read_string(fields.required("schema", "the schema is \"graze.answer/1\""), "schema");
+    if (schema != "graze.answer/1")
+      throw Malformed{"schema", corpus::json_quote_short(schema) + "; it is \"graze.answer/1\""};
+    const std::string its = corpus::read_string(fields.required("id", "the id of the question"), "id");
+    if (its != id)
+      throw Bad{Failure::anothers_answer,
+                fmt::format("it answers {}, and was asked {}", corpus::json_quote_short(its),
+                            corpus::json_quote_short(id))};
+    if (const JsonValue* message = fields.optional("message"))
+      answer_.message = corpus::read_string(*message, "message");
+    outcome(fields);
+    if (answer_.declined) return answer_;
+    counters(fields);
+    switch (offer_.question) {
+      case Question::cast:
+      case Question::rotating_cast:
+      case Question::ray:
+        times(fields);
+        break;
+      case Question::overlap:
+        break;
+      case Question::distance:
+        distance(fields);
+        break;
+      case Question::penetration:
+        depth(fields);
+        break;
+    }
+    contact(fields);
+    if (offer_.holds_proof && offer_.question == Question::cast && terms_.exponent == 0) proof(fields);
+    in_terms_of_the_case();
+    return std::move(answer_);
+  }
+
+ private:
+  [[nodiscard]] bool casts() const { return is_cast(offer_.question); }
+
+  void outcome(const Fields& fields) {
+    static constexpr std::array<std::string_view, 5> kOutcomes = {"initially_overlapping", "hit", "miss",
+                                                                  "not_converged", "unsupported"};
+    const std::size_t k =
+        corpus::read_choice(fields.required("outcome", "an answer has an outcome"), "outcome", kOutcomes);
+    answer_.declined = k == 4;
+    if (!answer_.declined) answer_.outcome = static_cast<Outcome>(k);
+    // A contact of a query about t = 0, whatever it is called.
+    if (answer_.outcome == Outcome::hit && !casts()) answer_.outcome = Outcome::initially_overlapping;
+  }
+
+  void counters(const Fields& fields) {
+    if (const JsonValue* ns = fields.optional("ns")) answer_.ns = finite(read_any_number(*ns, "ns"), "ns");
+    if (const JsonValue* native = fields.optional("native")) {
+      if (native->kind != JsonValue::Kind::boolean) throw Malformed{"native", "true or false"};
+      answer_.native = native->boolean;
+    }
+    if (const JsonValue* n = fields.optional("iterations"))
+      answer_.counters.iterations =
+          static_cast<int>(std::min(corpus::read_index(*n, "iterations"), 1U << 30));
+    if (const JsonValue* n = fields.optional("supports"))
+      answer_.counters.supports = static_cast<int>(std::min(corpus::read_index(*n, "supports"), 1U << 30));
+  }
+
+  void times(const Fields& fields) {
+    const double t_max = terms_.asked.t_max;
+    switch (answer_.outcome) {
+      case Outcome::miss:
+        answer_.toi_lower = answer_.toi_upper = kInfinity<double>;
+        return;
+      case Outcome::hit: {
+        if (!offer_.holds.time) {
+          answer_.toi_upper = t_max;
+          return;
+        }
+        const Interval time = read_interval(fields, "time");
+        finite(time.lower, "time");
+        // A time that the scalar cannot hold lies between its largest number and infinity.
+        const bool is_beyond = time.lower == std::numeric_limits<float>::max() ||
+                               time.lower == std::numeric_limits<double>::max();
+        if (!is_beyond) finite(time.upper, "time");
+        if (!(time.lower >= 0 && time.lower <= t_max))
+          throw Bad{Failure::out_of_range,
+                    fmt::format("the time {} is not between 0 and t_max {}", time.lower, t_max)};
+        answer_.toi_lower = time.lower;
+        answer_.toi_upper = time.upper;
+        return;
+      }
+      case Outcome::not_converged: {
+        answer_.toi_upper = kInfinity<double>;
+        if (fields.optional("time") == nullptr || !offer_.holds.time) return;
+        const Interval time = read_interval(fields, "time");
+        answer_.toi_lower = std::clamp(time.lower, 0.0, std::numeric_limits<double>::max());
+        answer_.toi_upper = std::max(answer_.toi_lower, time.upper);
+        return;
+      }
+      default:
+        return;
+    }
+  }
+
+  void distance(const Fields& fields) {
+    if (answer_.outcome == Outcome::not_converged) {
+      answer_.stalled = true;
+      answer_.separation = Interval{0, kInfinity<double>};
+      return;
+    }
+    answer_.separation = Interval{};
+    if (answer_.outcome != Outcome::miss || !offer_.holds_distance) return;
+    answer_.separation = read_interval(fields, "distance");
+    if (!(answer_.separation->lower >= 0)) throw Bad{Failure::out_of_range, "the distance is negative"};
+  }
+
+  void depth(const Fields& fields) {
+    answer_.stalled = answer_.outcome == Outcome::not_converged;
+    if (answer_.outcome != Outcome::initially_overlapping || !offer_.holds_depth) return;
+    answer_.depth = read_interval(fields, "depth");
+    if (!(answer_.depth->lower >= 0)) throw Bad{Failure::out_of_range, "the depth is negative"};
+  }
+
+  // The outcomes that have a normal and witnesses.
+  [[nodiscard]] bool has_contact() const {
+    switch (offer_.question) {
+      case Question::distance:
+        return answer_.outcome == Outcome::miss;
+      case Question::penetration:
+        return answer_.outcome == Outcome::initially_overlapping;
+      case Question::overlap:
+        return false;
+      default:
+        return answer_.outcome == Outcome::hit;
+    }
+  }
+
+  void contact(const Fields& fields) {
+    if (!has_contact()) return;
+    if (offer_.holds.normal) {
+      answer_.normal = read_vector(fields, "normal");
+      const double length = answer_.normal.norm();
+      if (!(std::abs(length - 1) <= kUnitSlack))
+        throw Bad{Failure::out_of_range, fmt::format("the normal has length {:.9g}", length)};
+    }
+    if (!offer_.holds.witnesses) return;
+    answer_.point_a = read_vector(fields, "point_a");
+    answer_.point_b = read_vector(fields, "point_b");
+    answer_.has_points = true;
+  }
+
+  void proof(const Fields& fields) {
+    if (const JsonValue* value = fields.optional("proof"))
+      answer_.proof = corpus::read_proof(*value, "proof");
+  }
+
+  // Lengths in its unit, the bodies of the case.
+  void in_terms_of_the_case() {
+    const auto back = [&](double x) { return std::ldexp(x, -terms_.exponent); };
+    for (Vec3<double>* point : {&answer_.point_a, &answer_.point_b}) *point = point->unaryExpr(back);
+    for (std::optional<Interval>* length : {&answer_.separation, &answer_.depth}) {
+      if (*length) *length = Interval{back((*length)->lower), back((*length)->upper)};
+    }
+    // What a query calls a contact or none, and the engine's margin between.
+    answer_.distance = kInfinity<double>;
+    if (!terms_.swapped) return;
+    std::swap(answer_.point_a, answer_.point_b);
+    answer_.normal = -answer_.normal;
+  }
+
+  const Offer& offer_;
+  const Terms& terms_;
+  Answer answer_{.outcome = Outcome::not_converged};
+};
+
+Answer failed(Failure kind, std::string what, std::string_view line) {
+  Answer answer;
+  answer.failure = kind;
+  answer.message = fmt::format("{}: {}", what, corpus::json_quote_short(line));
+  return answer;
+}
+
+}  // namespace
+
+Answer read_answer(std::string_view line, std::string_view id, const Offer& offer, const Terms& terms) {
+  corpus::ParsedJson parsed = corpus::parse_json(line);
+  if (parsed.error) {
+    const corpus::ParsedJson again = corpus::parse_json(with_numbers_quoted(line));
+    if (!again.error) parsed = again;
+  }
+  try {
+    if (parsed.error) throw *parsed.error;
+    return Reading(offer, terms)(parsed.value, id);
+  } catch (const Malformed& bad) {
+    return failed(Failure::garbage, bad.path.empty() ? bad.what : bad.path + ": " + bad.what, line);
+  } catch (const Bad& bad) {
+    return failed(bad.kind, bad.what, line);
+  }
+}
+
+std::string id_of_answer(std::string_view line) {
+  const corpus::ParsedJson parsed = corpus::parse_json(line);
+  if (parsed.error) return {};
+  const JsonValue* id = parsed.value.find("id");
+  return id != nullptr && id->kind == JsonValue::Kind::string ? id->text : "";
+}
+
+}  // namespace graze::external

@@ -1,0 +1,65 @@
+// What an engine says of itself, graze.engine/1 (docs/engines.md has a sentence about each field).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engines/guarantees.hpp"
+#include "engines/method.hpp"
+
+namespace graze::external {
+
+enum class Question { cast, rotating_cast, ray, overlap, distance, penetration };
+[[nodiscard]] std::string_view to_text(Question question);
+// Of bodies that move; the others are about t = 0.
+[[nodiscard]] constexpr bool is_cast(Question question) {
+  return question == Question::cast || question == Question::rotating_cast || question == Question::ray;
+}
+
+// One thing that it can be asked: what its answers hold, and what it promises of them.
+struct Offer {
+  Question question = Question::cast;
+  engine::Holds holds = {.time = false, .normal = false, .witnesses = false};
+  bool holds_distance = false, holds_depth = false, holds_proof = false;
+  // Lengths: as it is, over scale, in units of u scale. None: nothing is promised about errors.
+  std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
+  engine::Touching touching = engine::Touching::either;
+  double early = 0;    // a length by which its times stop short by design
+  bool starts = true;  // it is asked about starts in contact
+  double stalls = 0;   // the fraction of a family in which it may say not_converged
+  bool takes_target_distance = false, takes_pass_over = false;
+
+  [[nodiscard]] bool promises_errors() const { return tolerance || relative_tolerance || kappa; }
+};
+
+struct Declaration {
+  std::string name, version, about, scalar;
+  std::vector<std::string> shapes;
+  std::vector<Offer> offers;
+  double margin = 0;  // a length: contact is where the distance of the bodies reaches it
+  struct Lengths {
+    double least = 0, most = kInfinity<double>;
+  };
+  std::optional<Lengths> lengths = {};  // the scales that its questions are brought to
+  bool infinite_t_max = false;
+  bool relative_motion = false;  // A is at rest in every question
+  bool pivots = true;
+  std::optional<double> most_turn = {};  // radians over the path
+  // Documented limits.
+  std::optional<double> most_aspect = {};
+  std::optional<std::size_t> most_vertices = {};
+  bool timed = false;
+
+  [[nodiscard]] bool in_float() const { return scalar == "float"; }
+  [[nodiscard]] double unit_roundoff() const {
+    return in_float() ? kUnitRoundoff<float> : kUnitRoundoff<double>;
+  }
+  [[nodiscard]] bool takes(std::string_view shape) const;
+};
+
+// Throws std::runtime_error: one line that says what was wrong, in which field, and what would be right.
+[[nodiscard]] Declaration parse_declaration(std::string_view line);
+
+}  // namespace graze::external

@@ -1,0 +1,232 @@
+#include "external/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "external/answer.hpp"
+#include "external/terms.hpp"
+
+namespace graze::external {
+
+using engine::Answer;
+using engine::Failure;
+using engine::Kind;
+using engine::Method;
+
+namespace {
+
+// One call's time is the median of so many.
+constexpr int kTimedCalls = 31;
+
+engine::Kind kind_of(Question question) {
+  switch (question) {
+    case Question::cast:
+    case Question::ray:
+      return Kind::linear;
+    case Question::rotating_cast:
+      return Kind::rotating;
+    default:
+      return Kind::query;
+  }
+}
+
+corpus::Query query_of(Question question) {
+  switch (question) {
+    case Question::overlap:
+      return corpus::Query::overlap;
+    case Question::distance:
+      return corpus::Query::distance;
+    case Question::penetration:
+      return corpus::Query::penetration;
+    default:
+      return corpus::Query::cast;
+  }
+}
+
+Answer failure(Failure kind, std::string what) {
+  Answer answer;
+  answer.failure = kind;
+  answer.message = std::move(what);
+  return answer;
+}
+
+bool is_library(const std::string& word) { return word.ends_with(".so"); }
+
+}  // namespace
+
+std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words;
+  std::string word;
+  bool in_word = false;
+  char quote = 0;
+  for (const char c : command) {
+    if (quote != 0 ? c == quote : c == '"' || c == '\'') {
+      quote = quote != 0 ? '\0' : c;
+      in_word = true;
+    } else if (quote == 0 && (c == ' ' || c == '\t')) {
+      if (in_word) words.push_back(std::move(word));
+      word.clear();
+      in_word = false;
+    } else {
+      word += c;
+      in_word = true;
+    }
+  }
+  if (quote != 0) throw std::runtime_error(fmt::format("{}: a quote has no end", command));
+  if (in_word) words.push_back(std::move(word));
+  if (words.empty()) throw std::runtime_error("an engine is a command: a program and its arguments");
+  return words;
+}
+
+Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(words_of(options_.command)) {
+  if (is_library(words_.front())) {
+    if (options_.library_host.empty())
+      throw std::runtime_error(words_.front() + ": nothing here loads shared libraries");
+    words_.insert(words_.begin(), options_.library_host.begin(), options_.library_host.end());
+  }
+  auto first = std::make_unique<Process>(words_, options_.limits);
+  ++starts_;
+  const Line line = first->read_line(options_.limits.start);
+  if (line.failure != Failure::none) {
+    throw std::runtime_error(
+        fmt::format("{}: says nothing of itself ({}: {}); its first line is a graze.engine/1",
+                    options_.command, to_text(line.failure), line.what));
+  }
+  try {
+    declaration_ = parse_declaration(line.text);
+  } catch (const std::runtime_error& bad) {
+    throw std::runtime_error(
+        fmt::format("{}: its first line is no graze.engine/1: {}", options_.command, bad.what()));
+  }
+  waiting_.push_back({.process = std::move(first), .has_spoken = true});
+  guarantees_.reserve(declaration_.offers.size());
+  methods_.reserve(declaration_.offers.size());
+  for (const Offer& offer : declaration_.offers) add_method(offer);
+}
+
+Engine::~Engine() = default;
+
+void Engine::add_method(const Offer& offer) {
+  const bool is_held = options_.tolerance || options_.relative_tolerance || options_.kappa;
+  const std::optional<double>& tolerance = is_held ? options_.tolerance : offer.tolerance;
+  const std::optional<double>& relative = is_held ? options_.relative_tolerance : offer.relative_tolerance;
+  const std::optional<double>& kappa = is_held ? options_.kappa : offer.kappa;
+  // A ray beside a cast has a name of its own.
+  const std::string name =
+      declaration_.name +
+      (offer.question == Question::ray ? fmt::format("-{}", to_text(offer.question)) : "");
+  const Kind kind = kind_of(offer.question);
+  engine::Guarantee& row = guarantees_.emplace_back();
+  row.query = kind == Kind::rotating ? "rotating"
+              : kind == Kind::query  ? std::string(to_text(offer.question))
+                                     : "cast";
+  row.method = name;
+  row.scalar = declaration_.scalar;
+  row.tier = "declared";
+  row.kappa_polytope = row.kappa_rounded = kappa.value_or(0);
+  row.tolerance = tolerance.value_or(0);
+  row.relative_tolerance = relative.value_or(0);
+  row.early = offer.early;
+  row.is_open = !is_held && !offer.promises_errors();
+  row.stall_cap = row.is_open ? 1 : offer.stalls;
+  row.touching = offer.touching;
+  Method method;
+  method.kind = kind;
+  method.query = query_of(offer.question);
+  method.name = name;
+  method.scalar = declaration_.scalar;
+  method.tier = "declared";
+  method.unit_roundoff = declaration_.unit_roundoff();
+  method.holds = offer.holds;
+  method.asks_starts = offer.starts;
+  method.guarantee = &row;
+  method.ask = [this, &offer](const corpus::Case& problem, const engine::Ask&) {
+    return ask(offer, problem);
+  };
+  method.seen = [this, &offer](const corpus::Case& problem) {
+    return in_terms_of(declaration_, offer, problem, true).seen;
+  };
+  method.refuses = [this, &offer](const corpus::Case& problem) {
+    return in_terms_of(declaration_, offer, problem, options_.beyond_limits).refused;
+  };
+  if (declaration_.timed) {
+    method.time_ns = [this, &offer](const corpus::Case& problem, const engine::Ask&, int) {
+      const Answer answer = ask(offer, problem, kTimedCalls);
+      return answer.failure == Failure::none && answer.native && answer.ns ? *answer.ns : std::nan("");
+    };
+  }
+  methods_.push_back(std::move(method));
+}
+
+// One whose first line is read, or, where none waits, a new one; of one that says nothing of itself, why.
+std::unique_ptr<Process> Engine::take(Line& first) {
+  Waiting next;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!waiting_.empty()) {
+      next = std::move(waiting_.front());
+      waiting_.erase(waiting_.begin());
+    }
+    while (waiting_.size() < options_.spares) {
+      waiting_.push_back({.process = std::make_unique<Process>(words_, options_.limits)});
+      ++starts_;
+    }
+    if (!next.process) {
+      next.process = std::make_unique<Process>(words_, options_.limits);
+      ++starts_;
+    }
+  }
+  if (!next.has_spoken) first = next.process->read_line(options_.limits.start);
+  return std::move(next.process);
+}
+
+// One that has spoken is asked before those that were only started.
+void Engine::give_back(std::unique_ptr<Process> process) {
+  const std::lock_guard lock(mutex_);
+  waiting_.insert(waiting_.begin(), {.process = std::move(process), .has_spoken = true});
+}
+
+Answer Engine::ask(const Offer& offer, const corpus::Case& problem, int repeat) {
+  const Terms terms = in_terms_of(declaration_, offer, problem, true);
+  if (!terms.refused.empty()) {
+    Answer answer = engine::not_taken();
+    answer.declined = true;
+    answer.message = terms.refused;
+    return answer;
+  }
+  std::string id;
+  {
+    const std::lock_guard lock(mutex_);
+    id = fmt::format("q{}", ++asked_);
+  }
+  Line first;
+  std::unique_ptr<Process> process = take(first);
+  if (first.failure != Failure::none) {
+    left_behind_ += process->stop();
+    return failure(first.failure, "it was started again, and said nothing of itself: " + first.what);
+  }
+  const Line line = process->ask(write_question(offer, terms, id, repeat));
+  Answer answer = line.failure != Failure::none ? failure(line.failure, line.what)
+                                                : read_answer(line.text, id, offer, terms);
+  // One that answers what it was not asked, or no JSON, is out of step with its questions.
+  if (line.failure != Failure::none || answer.failure == Failure::garbage ||
+      answer.failure == Failure::anothers_answer) {
+    left_behind_ += process->stop();
+  } else {
+    give_back(std::move(process));
+  }
+  return answer;
+}
+
+int Engine::finish() {
+  const std::lock_guard lock(mutex_);
+  int left = left_behind_;
+  for (Waiting& one : waiting_) left += one.process->finish();
+  waiting_.clear();
+  return left;
+}
+
+}  // namespace graze::external

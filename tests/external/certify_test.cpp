@@ -1,0 +1,120 @@
+// graze certify --engine on the bad engine: every sin is in the report, under its name, with its case saved; the run
+// goes on to its end, and nothing of it stays.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "balls.hpp"
+#include "corpus/format/case_io.hpp"
+#include "corpus/format/case_json.hpp"
+#include "processes.hpp"
+#include "tests/tools/commands/run_command.hpp"
+
+namespace graze::test {
+namespace {
+
+constexpr int kHits = 4, kMisses = 4;
+
+std::string cases() {
+  std::string lines;
+  const auto add = [&](corpus::Case problem, const std::string& id) {
+    problem.id = id;
+    problem.family = "balls";
+    lines += corpus::write_case(problem) + "\n";
+  };
+  for (int i = 0; i < kHits; ++i) add(balls(-5 - i), "hit/" + std::to_string(i));
+  for (int i = 0; i < kMisses; ++i) add(balls(-0.5 - 0.25 * i), "miss/" + std::to_string(i));
+  return lines;
+}
+
+struct Sin {
+  const char* name;
+  const char* fault;    // of law::kFaultKinds
+  const char* failure;  // of a fault "failed"
+};
+std::ostream& operator<<(std::ostream& out, const Sin& sin) { return out << sin.name; }
+
+class Certify : public testing::TestWithParam<Sin> {};
+
+TEST_P(Certify, NamesTheSin) {
+  const Sin& sin = GetParam();
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const CommandRun run =
+      // Memory takes its time to fill on a busy machine, and is to end before the time does.
+      folder.graze(std::string("certify --queries 0 --threads 2 --time-limit ") +
+                   (std::string_view(sin.name) == "leaks" ? "30" : "0.5") +
+                   std::string(" --memory-limit "
+                               "256 --json out.json --save bad.jsonl --junit out.xml "
+                               "--engine \"" BAD_ENGINE " ") +
+                   sin.name + " 2\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  EXPECT_EQ(bad_engines(), 0U);
+  const auto report = nlohmann::json::parse(folder.read("out.json"), nullptr, false);
+  ASSERT_FALSE(report.is_discarded()) << run.err;
+  const auto& total = report.at("methods").at(0).at("total");
+  EXPECT_EQ(total.at("cases"), kHits + kMisses);
+  ASSERT_TRUE(total.at("faults").contains(sin.fault)) << report.dump(1);
+  const std::size_t count = total.at("faults").at(sin.fault).at("count");
+  EXPECT_GT(count, 0U);
+  if (*sin.failure != '\0') {
+    EXPECT_EQ(total.at("failures").at(sin.failure), count) << report.dump(1);
+  }
+  // The cases are saved, and can be read again.
+  const corpus::ReadResult saved = corpus::read_file(folder.path() / "bad.jsonl");
+  EXPECT_TRUE(saved.ok());
+  EXPECT_GE(saved.cases.size(), count);
+  EXPECT_LE(saved.cases.size(), std::size_t{kHits + kMisses});
+  const std::string first = total.at("faults").at(sin.fault).at("first");
+  EXPECT_TRUE(std::any_of(saved.cases.begin(), saved.cases.end(), [&](const corpus::Case& problem) {
+    return problem.id == first;
+  })) << first;
+  // For a build server, too.
+  const std::string xml = folder.read("out.xml");
+  EXPECT_NE(xml.find("<failure"), std::string::npos) << xml;
+  EXPECT_NE(xml.find(first), std::string::npos) << xml;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sins, Certify,
+                         testing::Values(Sin{"segfault", "failed", "crashed"}, Sin{"hang", "failed", "hung"},
+                                         Sin{"nan_token", "failed", "no number"},
+                                         Sin{"before_0", "failed", "out of range"},
+                                         Sin{"leaks", "failed", "out of memory"},
+                                         Sin{"anothers_answer", "failed", "another's answer"},
+                                         Sin{"garbage", "failed", "garbage"},
+                                         Sin{"half_a_line", "failed", "half a line"},
+                                         Sin{"closes_output", "failed", "silent"}, Sin{"late", "late", ""},
+                                         Sin{"early", "early", ""}, Sin{"flips_normals", "contact off", ""},
+                                         Sin{"misses_hits", "wrong", ""}, Sin{"claims_hits", "wrong", ""}),
+                         [](const testing::TestParamInfo<Sin>& sin) { return std::string(sin.param.name); });
+
+TEST(Certify, AcquitsAGoodEngine) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const CommandRun run = folder.graze(
+      "certify --queries 0 --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE " none\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_EQ(folder.read("bad.jsonl"), "");
+  EXPECT_EQ(folder.read("out.xml").find("<failure"), std::string::npos);
+}
+
+TEST(Certify, SaysThatAProcessWasLeftBehind) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const CommandRun run =
+      folder.graze("certify --queries 0 --threads 1 --engine \"" BAD_ENGINE " forks_twice\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  EXPECT_NE(run.out.find("outlived it, left behind"), std::string::npos) << run.out;
+  EXPECT_EQ(bad_engines(), 0U);
+}
+
+TEST(Certify, RefusesAnEngineThatCannotBeAsked) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const CommandRun run = folder.graze("certify --engine \"" BAD_ENGINE " declares_nonsense\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.err.find("scalar"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace graze::test

@@ -1,0 +1,103 @@
+#include "tools/commands/engines.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "tools/commands/options.hpp"
+
+namespace graze::tool {
+namespace {
+
+// A length, or a multiple of one: finite, and not negative.
+CLI::Validator not_negative() {
+  return {[](const std::string& text) {
+            try {
+              std::size_t end = 0;
+              const double value = std::stod(text, &end);
+              if (end == text.size() && value >= 0 && std::isfinite(value)) return std::string();
+            } catch (const std::exception&) {
+            }
+            return fmt::format("{} is no number of 0 or more", text);
+          },
+          ""};
+}
+
+}  // namespace
+
+void add_engine_options(CLI::App& command, EngineArguments& arguments) {
+  constexpr const char* kGroup = "Engines of others";
+  command
+      .add_option("--engine", arguments.commands,
+                  "Judge this program, with its arguments, or this shared library (may be repeated); of ours "
+                  "then those "
+                  "that --method names")
+      ->type_name("COMMAND")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command.add_option("--time-limit", arguments.time_limit, "Seconds that an engine has for an answer (1)")
+      ->check(not_negative())
+      ->type_name("S")
+      ->group(kGroup);
+  command.add_option("--memory-limit", arguments.memory_limit, "MiB that a process of it may use (2048)")
+      ->check(whole_number(1, 1U << 20))
+      ->type_name("MIB")
+      ->group(kGroup);
+  command.add_option("--tolerance", arguments.tolerance, "Hold it to this length, whatever it promises")
+      ->check(not_negative())
+      ->type_name("X")
+      ->group(kGroup);
+  command
+      .add_option("--relative-tolerance", arguments.relative_tolerance,
+                  "The same, over the scale of each question")
+      ->check(not_negative())
+      ->type_name("X")
+      ->group(kGroup);
+  command.add_option("--kappa", arguments.kappa, "The same, in units of u scale")
+      ->check(not_negative())
+      ->type_name("K")
+      ->group(kGroup);
+  command
+      .add_flag("--beyond-limits", arguments.beyond_limits,
+                "Ask it also what lies beyond the limits that it documents")
+      ->group(kGroup);
+}
+
+std::vector<std::unique_ptr<external::Engine>> start_engines(const EngineArguments& arguments) {
+  std::vector<std::unique_ptr<external::Engine>> engines;
+  std::map<std::string, std::string> names;
+  for (const std::string& command : arguments.commands) {
+    external::EngineOptions options{.command = command,
+                                    .library_host = {"/proc/self/exe", "host"},
+                                    .tolerance = arguments.tolerance,
+                                    .relative_tolerance = arguments.relative_tolerance,
+                                    .kappa = arguments.kappa,
+                                    .beyond_limits = arguments.beyond_limits};
+    options.limits.time =
+        std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(arguments.time_limit * 1000)));
+    options.limits.memory = arguments.memory_limit << 20;
+    engines.push_back(std::make_unique<external::Engine>(std::move(options)));
+    const std::string& name = engines.back()->declaration().name;
+    if (const auto [known, is_new] = names.emplace(name, command); !is_new) {
+      throw std::runtime_error(
+          fmt::format("--engine: {} and {} both call themselves {}; an engine has a name of its own",
+                      known->second, command, name));
+    }
+  }
+  return engines;
+}
+
+std::vector<std::string> finish_engines(std::span<const std::unique_ptr<external::Engine>> engines) {
+  std::vector<std::string> lines;
+  for (const auto& engine : engines) {
+    if (const int left = engine->finish(); left > 0) {
+      lines.push_back(fmt::format("{}: {} process{} outlived it, left behind", engine->declaration().name,
+                                  left, left > 1 ? "es" : ""));
+    }
+  }
+  return lines;
+}
+
+}  // namespace graze::tool
