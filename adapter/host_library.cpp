@@ -1,5 +1,5 @@
-// graze_engine_host LIBRARY: opens a shared library behind graze_engine.h and speaks the protocol for it, so that a
-// library is just another program. Exit code 2 if it cannot be opened, or if its description is none.
+#include "host_library.hpp"
+
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -236,7 +236,9 @@ std::map<Query, std::vector<std::string>> answers_of(const std::string& descript
   return out;
 }
 
-int host(const std::string& file) {
+}  // namespace
+
+int host_library(const std::string& file) {
   Output output;  // before the library is opened, which may print
   const Library library = open(file.c_str());
   const std::string description = described(library, file);
@@ -256,13 +258,4 @@ int host(const std::string& file) {
   return serve_lines(description, function, std::cin, output);
 }
 
-}  // namespace
 }  // namespace graze::adapter
-
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: graze_engine_host LIBRARY\n");
-    return 2;
-  }
-  return graze::adapter::host(argv[1]);
-}

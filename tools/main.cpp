@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   graze::tool::add_laws_command(app, exit_code);
   graze::tool::add_serve_command(app, exit_code);
   graze::tool::add_corpus_command(app, exit_code);
+  graze::tool::add_host_command(app, exit_code);
   graze::tool::refuse_empty_values(app);
   const auto is_first_word = [&](const CLI::App* command) { return command->check_name(argv[1]); };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(is_first_word).empty()) {

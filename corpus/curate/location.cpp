@@ -5,8 +5,14 @@
 namespace graze::corpus {
 
 std::filesystem::path corpus_directory() {
-  const char* set = std::getenv("GRAZE_CORPUS");
-  return set != nullptr && *set != '\0' ? set : GRAZE_CORPUS_DIRECTORY;
+  if (const char* set = std::getenv("GRAZE_CORPUS"); set != nullptr && *set != '\0') return set;
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  if (!none) {
+    const std::filesystem::path beside = program.parent_path().parent_path() / "share" / "graze" / "corpus";
+    if (std::filesystem::is_directory(beside / "cases", none)) return beside;
+  }
+  return GRAZE_CORPUS_DIRECTORY;
 }
 
 }  // namespace graze::corpus

@@ -108,6 +108,26 @@ TEST(Certify, SaysThatAProcessWasLeftBehind) {
   EXPECT_EQ(bad_engines(), 0U);
 }
 
+TEST(Certify, JudgesASharedLibraryInAProcessOfItsOwn) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  EXPECT_EQ(folder.graze("certify --queries 0 --engine " BALL_LIBRARY " balls.jsonl").exit_code, 0);
+  corpus::Case fall = balls(-20);
+  fall.id = "fall";
+  fall.b.shape = Sphere<double>{13};
+  fall.b.position = {40, 0, 0};
+  folder.write("fall.jsonl", corpus::write_case(fall) + "\n");
+  const CommandRun run =
+      folder.graze("certify --queries 0 --json out.json --engine " BALL_LIBRARY " balls.jsonl fall.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  const auto report = nlohmann::json::parse(folder.read("out.json"), nullptr, false);
+  ASSERT_FALSE(report.is_discarded()) << run.err;
+  const auto& total = report.at("methods").at(0).at("total");
+  EXPECT_EQ(total.at("failures").at("crashed"), 1) << report.dump(1);
+  EXPECT_EQ(total.at("cases"), kHits + kMisses + 1);
+  EXPECT_EQ(folder.graze("host nowhere.so").exit_code, 2);
+}
+
 TEST(Certify, RefusesAnEngineThatCannotBeAsked) {
   const Folder folder;
   folder.write("balls.jsonl", cases());

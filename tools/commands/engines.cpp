@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -23,6 +24,24 @@ CLI::Validator not_negative() {
             return fmt::format("{} is no number of 0 or more", text);
           },
           ""};
+}
+
+// What an engine does not declare of what is needed; empty if there is nothing.
+std::string lacking(const external::Declaration& engine, const EngineArguments& arguments) {
+  for (const std::string& shape : arguments.needed_shapes) {
+    if (!engine.takes(shape)) return fmt::format("it does not take the shape {}", shape);
+  }
+  for (const std::string& answer : arguments.needed_answers) {
+    const auto holds = [&](const external::Offer& offer) {
+      return answer == "verdict" || (answer == "time" && offer.holds.time) ||
+             (answer == "normal" && offer.holds.normal) || (answer == "witnesses" && offer.holds.witnesses) ||
+             (answer == "distance" && offer.holds_distance) || (answer == "depth" && offer.holds_depth) ||
+             (answer == "proof" && offer.holds_proof);
+    };
+    if (std::none_of(engine.offers.begin(), engine.offers.end(), holds))
+      return fmt::format("none of its answers holds {}", answer);
+  }
+  return {};
 }
 
 }  // namespace
@@ -60,6 +79,19 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->type_name("K")
       ->group(kGroup);
   command
+      .add_option("--needs-shape", arguments.needed_shapes,
+                  "Refuse an engine that does not declare this shape (may be repeated)")
+      ->type_name("SHAPE")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command
+      .add_option("--needs-answer", arguments.needed_answers,
+                  "Refuse an engine none of whose queries declares this answer (may be repeated)")
+      ->check(CLI::IsMember({"verdict", "time", "normal", "witnesses", "distance", "depth", "proof"}))
+      ->type_name("ANSWER")
+      ->allow_extra_args(false)
+      ->group(kGroup);
+  command
       .add_flag("--beyond-limits", arguments.beyond_limits,
                 "Ask it also what lies beyond the limits that it documents")
       ->group(kGroup);
@@ -79,6 +111,8 @@ std::vector<std::unique_ptr<external::Engine>> start_engines(const EngineArgumen
         std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(arguments.time_limit * 1000)));
     options.limits.memory = arguments.memory_limit << 20;
     engines.push_back(std::make_unique<external::Engine>(std::move(options)));
+    if (const std::string what = lacking(engines.back()->declaration(), arguments); !what.empty())
+      throw std::runtime_error(fmt::format("--engine: {}: {}", command, what));
     const std::string& name = engines.back()->declaration().name;
     if (const auto [known, is_new] = names.emplace(name, command); !is_new) {
       throw std::runtime_error(

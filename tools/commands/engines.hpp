@@ -18,6 +18,7 @@ struct EngineArguments {
   std::uint64_t memory_limit = 2048;  // MiB
   std::optional<double> tolerance, relative_tolerance, kappa;
   bool beyond_limits = false;
+  std::vector<std::string> needed_shapes, needed_answers;  // what each must declare
 };
 
 void add_engine_options(CLI::App& command, EngineArguments& arguments);

@@ -1,0 +1,13 @@
+// Opens a shared library behind graze_engine.h and speaks the protocol of docs/engines.md for it on standard input and
+// output, so that a library is just another program.
+#pragma once
+
+#include <string>
+
+namespace graze::adapter {
+
+// Until its input ends: the exit code, 2 for a line that is no question. Ends the process with 2, and one line on
+// standard error, if the library cannot be opened, or if its description is none.
+int host_library(const std::string& file);
+
+}  // namespace graze::adapter

@@ -1,0 +1,53 @@
+# Installs the judge beside core: the command graze, its corpus, schemas and pages, the adapter, and what
+# find_package(graze COMPONENTS judge) reads. It can be moved as a whole: the command looks for its corpus beside itself.
+if(NOT GRAZE_INSTALL)
+  return()
+endif()
+include(GNUInstallDirs)
+set_target_properties(graze_command PROPERTIES EXPORT_NAME command)
+install(TARGETS graze_command graze_adapter EXPORT graze_judge_targets
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(
+  EXPORT graze_judge_targets
+  FILE graze-judge-targets.cmake
+  NAMESPACE graze::
+  DESTINATION ${package_directory})
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/graze-certify.cmake DESTINATION ${package_directory})
+install(FILES ${PROJECT_SOURCE_DIR}/adapter/graze_adapter.hpp ${PROJECT_SOURCE_DIR}/adapter/graze_engine.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(
+  DIRECTORY ${PROJECT_SOURCE_DIR}/corpus/cases
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/graze/corpus
+  FILES_MATCHING
+  PATTERN "*.json"
+  PATTERN "*.jsonl")
+install(FILES ${PROJECT_SOURCE_DIR}/corpus/flags.json ${PROJECT_SOURCE_DIR}/corpus/known_failures.jsonl
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/graze/corpus)
+if(EXISTS ${PROJECT_SOURCE_DIR}/schemas)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/docs/engines.md ${PROJECT_SOURCE_DIR}/docs/case-format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/copyright CONTENT [[
+graze's own files are MIT (LICENSE): the library, its headers, the adapter, the corpus.
+The program graze links CGAL, which is GPL-3+: it may be passed on under the GPL only
+(/usr/share/common-licenses/GPL-3 on Debian).
+]])
+install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_NAME graze)
+  set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+  set(CPACK_PACKAGE_CONTACT "the authors of graze")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev (>= 3.4), cmake")
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "certified casts for convex shapes, and a judge of casts")
+  set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+      "The library, its headers and the adapter for engines are MIT. The program graze links CGAL and is passed on under the GPL, version 3 or later."
+  )
+  include(CPack)
+endif()
