@@ -228,6 +228,7 @@ class Run {
       tallies[m]->add(tallies[m]->method->is_ours() ? one.problem : *judged.asked, judged.judgement,
                       judged.counters);
       tallies[m]->true_backward.push_back(judged.true_backward);
+      if (settings_.judged) settings_.judged(*tallies[m]->method, *judged.asked, judged.judgement);
       if (judged.judgement.not_asked && !tallies[m]->method->is_ours()) continue;
       result_.answers += tallies[m]->method->is_ours() ? requests_of(tallies[m]->method->kind).size() : 1;
       failed_ = failed_ || judged.judgement.faulty();

@@ -17,6 +17,8 @@ struct Settings {
   // Asked between cases: whether to stop. What is judged then is kept.
   std::function<bool()> stop = [] { return false; };
   bool fail_fast = false;  // stops at the first fault
+  // Told of every judged answer, in the order of the suites' cases.
+  std::function<void(const engine::Method&, const corpus::Case&, const law::Judgement&)> judged = {};
 };
 
 struct Certification {
