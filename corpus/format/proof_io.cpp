@@ -294,6 +294,7 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
     lines = {{lines[0].number, text}};
   }
   int cases = 0, first_case = 0;
+  std::string schema_of_first;
   for (const TextLine& line : lines) {
     const ParsedJson parsed = parse_json(line.text);
     if (parsed.error) {
@@ -301,7 +302,10 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
       continue;
     }
     if (is_case(parsed.value)) {
-      if (++cases == 1) first_case = line.number;
+      if (++cases == 1) {
+        first_case = line.number;
+        schema_of_first = parsed.value.find("schema")->text;
+      }
       continue;
     }
     try {
@@ -313,8 +317,9 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
   }
   if (cases > 0) {
     result.errors.push_back({name, first_case, "schema",
-                             "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") +
-                                 ", not proofs (graze.proof/1); `graze cast --proof PROOFS "
+                             "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") + " (" +
+                                 schema_of_first +
+                                 "), not proofs (graze.proof/1); `graze cast --proof PROOFS "
                                  "CASES` writes the proofs of a file of cases"});
   }
   if (result.proofs.empty() && result.errors.empty()) {
