@@ -5,7 +5,7 @@
                             stopped goes on; --write makes docs/engines_compared.md of it
   ./run zoo jolt rapier     only engines whose name begins so
   ./run zoo --findings      asks each engine the cases that it was convicted on, and says whether it still is;
-                            --write makes docs/bugs_found.md of it
+                            --write makes docs/bugs_shrunk.md of it
 
 Every engine is held to one length, --relative-tolerance R over the scale of each question (1e-3 unless given): a
 contact deeper than that must not be missed or passed, nor one claimed of bodies that stay farther apart. A list,
@@ -209,7 +209,7 @@ def arguments():
     parser.add_argument("--rotating", type=int, default=8, metavar="N", help="of one in which bodies turn (8)")
     parser.add_argument("--queries", type=int, default=6, metavar="N", help="whose bodies are asked queries (6)")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_found.md again")
+    parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_shrunk.md again")
     parser.add_argument("--write", action="store_true", help="write docs/engines_compared.md")
     return parser.parse_args()
 

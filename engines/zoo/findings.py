@@ -3,14 +3,15 @@ import json
 import subprocess
 import sys
 
-PAGE = "docs/bugs_found.md"
+PAGE = "docs/bugs_shrunk.md"
 KINDS = ("wrong", "late", "early", "off", "contact off", "failed")
 
-HEAD = """# What the judge found in other engines
+HEAD = """# More findings in other engines, made small
 
-Made by `./run zoo --findings --write`, which asks every engine its case again: what is below was seen in that run.
-Each finding is one engine, one call, one mechanism; its case was made small under the engine itself, and stands in
-`corpus/found/` with the exact answer. An engine is called as its users call it, in the settings that its name says
+[bugs_found.md](bugs_found.md) has the findings that were worked out by hand. These were made small under the engine
+itself, often down to bodies without extent, and are shown again by `./run zoo --findings --write`, which makes this page:
+what is below was seen in that run. Some may share their cause with one there. The cases stand in `corpus/found/`, with
+the answer by an oracle. An engine is called as its users call it, in the settings that its name says
 (`engines/zoo`); *tightest* means the smallest tolerances and the most iterations that it takes. Errors are measured
 against the question as the engine saw it, its numbers rounded to its scalar, and what it documents as a limit is
 granted. Where a mechanism is said *by its behaviour*, its source was not read.
