@@ -183,8 +183,9 @@ int run(const Arguments& arguments) {
   std::unique_ptr<OutputFile> json;
   if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
 
-  Settings settings{.threads = arguments.threads > 0 ? arguments.threads
-                                                     : std::max(1U, std::thread::hardware_concurrency())};
+  Settings settings;
+  settings.threads =
+      arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
   for (const engine::Method& method : engine.methods()) settings.methods.push_back(&method);
   std::size_t faulty = 0;
   settings.judged = [&](const engine::Method&, const Case& problem, const law::Judgement& judgement) {
