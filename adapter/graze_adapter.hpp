@@ -163,7 +163,7 @@ struct Answer {
 struct Promise {
   std::vector<std::string> answers;  // any of time, normal, witnesses, distance, depth
   std::optional<double> tolerance, relative_tolerance, kappa;
-  std::string touching = "contact";  // or miss, either
+  std::string touching = "either";  // or contact, miss
   double early = 0;
   bool starts = true;
   double stalls = 0;
@@ -800,7 +800,7 @@ inline std::string write_engine(const Engine& engine) {
         row.optional_number("tolerance", promise.tolerance);
         row.optional_number("relative_tolerance", promise.relative_tolerance);
         row.optional_number("kappa", promise.kappa);
-        if (promise.touching != "contact") row.string("touching", promise.touching);
+        if (promise.touching != "either") row.string("touching", promise.touching);
         if (promise.early != 0) row.number("early", promise.early);
         if (!promise.starts) row.boolean("starts", false);
         if (promise.stalls != 0) row.number("stalls", promise.stalls);

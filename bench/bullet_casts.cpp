@@ -1,9 +1,14 @@
 // btSubsimplexConvexCast as its users call it: shapes built once, margin 0, a Voronoi simplex solver,
-// transforms from and to. Compiled as one module for each of Bullet's scalars (BT_USE_DOUBLE_PRECISION).
+// transforms from and to; if that is wanted, btGjkPairDetector with EPA at the start where the cast answers nothing.
+// It hands out time, normal and point with every contact. Compiled as one module for each of Bullet's scalars
+// (BT_USE_DOUBLE_PRECISION).
 #include "bench/bullet_casts.hpp"
 
 #include <btBulletCollisionCommon.h>
 
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
@@ -40,7 +45,9 @@ struct Motion {
 
 class Casts final : public PreparedCasts {
  public:
-  Casts(const PlainShape* shapes, std::size_t shape_count, const PlainPair* pairs, std::size_t pair_count) {
+  Casts(const PlainShape* shapes, std::size_t shape_count, const PlainPair* pairs, std::size_t pair_count,
+        bool penetration)
+      : penetration_(penetration) {
     for (std::size_t i = 0; i < shape_count; ++i) shapes_.push_back(shape_of(shapes[i]));
     for (std::size_t i = 0; i < pair_count; ++i) pairs_.push_back({motion(pairs[i].a), motion(pairs[i].b)});
   }
@@ -51,8 +58,9 @@ class Casts final : public PreparedCasts {
       btVoronoiSimplexSolver solver;
       btSubsimplexConvexCast caster(pair.a.shape, pair.b.shape, &solver);
       btConvexCast::CastResult result;
-      const bool contact = caster.calcTimeOfImpact(pair.a.from, pair.a.to, pair.b.from, pair.b.to, result) &&
-                           result.m_fraction <= 1;
+      bool contact = caster.calcTimeOfImpact(pair.a.from, pair.a.to, pair.b.from, pair.b.to, result) &&
+                     result.m_fraction <= 1;
+      if (!contact && penetration_) contact = is_deep(pair);
       verdicts[order[k]] = contact ? Verdict::contact : Verdict::miss;
     }
   }
@@ -61,6 +69,18 @@ class Casts final : public PreparedCasts {
   struct Pair {
     Motion a, b;
   };
+
+  [[nodiscard]] static bool is_deep(const Pair& pair) {
+    btVoronoiSimplexSolver solver;
+    btGjkEpaPenetrationDepthSolver depth;
+    btGjkPairDetector detector(pair.a.shape, pair.b.shape, &solver, &depth);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = pair.a.from;
+    input.m_transformB = pair.b.from;
+    btPointCollector found;
+    detector.getClosestPoints(input, found, nullptr);
+    return found.m_hasResult && found.m_distance <= 0;
+  }
 
   [[nodiscard]] Motion motion(const PlainBody& body) const {
     const double(&q)[4] = body.orientation;
@@ -72,6 +92,7 @@ class Casts final : public PreparedCasts {
 
   std::vector<std::unique_ptr<btConvexShape>> shapes_;
   std::vector<Pair> pairs_;
+  bool penetration_;
 };
 
 }  // namespace
@@ -79,6 +100,6 @@ class Casts final : public PreparedCasts {
 
 extern "C" __attribute__((visibility("default"))) graze::bench::PreparedCasts* graze_make_bullet_casts(
     const graze::bench::PlainShape* shapes, std::size_t shape_count, const graze::bench::PlainPair* pairs,
-    std::size_t pair_count) {
-  return new graze::bench::Casts(shapes, shape_count, pairs, pair_count);
+    std::size_t pair_count, bool penetration) {
+  return new graze::bench::Casts(shapes, shape_count, pairs, pair_count, penetration);
 }

@@ -11,7 +11,7 @@ namespace graze::bench {
 enum class Verdict : std::uint8_t { miss, contact, none };
 
 struct PlainShape {
-  const double* xyz = nullptr;  // a hull's vertices; nullptr for a box
+  const double* xyz = nullptr;  // the vertices; nullptr for a box
   std::size_t vertices = 0;
   double half_extents[3] = {0, 0, 0};
 };
@@ -34,9 +34,10 @@ class PreparedCasts {
   virtual void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const = 0;
 };
 
-// What a module exports under kMakeBulletCasts; delete the result before closing the module.
+// What a module exports under kMakeBulletCasts; delete the result before closing the module. `penetration`: where a
+// cast answers nothing, its start is asked for the penetration, as who needs an answer there must.
 using MakeBulletCasts = PreparedCasts* (*)(const PlainShape* shapes, std::size_t shape_count,
-                                           const PlainPair* pairs, std::size_t pair_count);
+                                           const PlainPair* pairs, std::size_t pair_count, bool penetration);
 inline constexpr const char* kMakeBulletCasts = "graze_make_bullet_casts";
 
 }  // namespace graze::bench

@@ -1,17 +1,24 @@
 // What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast, side by side.
 //
-// One run; every contestant is asked the same cases, verdicts only, in rounds that take turns. Ours: bodies
-// built once, cast() with its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over
-// all cases of a family in a new random order, so that the processor learns no case's branches; its processor
-// time over the number of cases is the round's time, the median over the rounds is the number shown, and a
-// ratio is the median of the rounds' ratios. For the tail each case is timed by itself in five sweeps: the
-// least of the five, less the clock's own time; the 99th percentile of that over the cases, over its median.
+// One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, cast() with
+// its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of a family; its
+// processor time over the number of cases is the round's time, the median over the rounds is the number shown, and a
+// ratio is the median of the rounds' ratios. Two sets of families:
+//
+//   response   what an engine hands out, time, normal and contact points: ten families, bodies turned or not, in the
+//              same order each round (the processor learns branches) and in a new random one each. Wrong: where a
+//              verdict is not tier exact's. Starts in contact, of which Bullet's cast answers none: beside that, its
+//              cast followed by its penetration query.
+//   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
+//              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
+//              the 99th percentile of that over the cases, over its median.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <graze/cast.hpp>
@@ -78,16 +85,32 @@ MakeBulletCasts open_bullet(const char* path) {
   return reinterpret_cast<MakeBulletCasts>(dlsym(module, kMakeBulletCasts));
 }
 
-std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFamily& family) {
+// The vertices of what is neither a hull nor a box.
+std::vector<Vec3<double>> few_vertices(const Shape<double>& shape) {
+  if (const auto* segment = std::get_if<Segment<double>>(&shape)) return {segment->a, segment->b};
+  if (const auto* triangle = std::get_if<Triangle<double>>(&shape))
+    return {triangle->a, triangle->b, triangle->c};
+  return {Vec3<double>::Zero()};
+}
+
+std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFamily& family,
+                                            bool penetration) {
   std::vector<PlainShape> shapes;
+  std::vector<std::vector<Vec3<double>>> kept;  // until the module has copied them
   for (const Shape<double>& shape : family.shapes) {
     PlainShape& plain = shapes.emplace_back();
-    if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
-      plain.xyz = hull->vertices().data()->data();
-      plain.vertices = hull->size();
-    } else {
-      Eigen::Map<Vec3<double>>(plain.half_extents) = std::get<Box<double>>(shape).half_extents;
+    if (const auto* box = std::get_if<Box<double>>(&shape)) {
+      Eigen::Map<Vec3<double>>(plain.half_extents) = box->half_extents;
+      continue;
     }
+    std::span<const Vec3<double>> vertices;
+    if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
+      vertices = hull->vertices();
+    } else {
+      vertices = kept.emplace_back(few_vertices(shape));
+    }
+    plain.xyz = vertices.data()->data();
+    plain.vertices = vertices.size();
   }
   const auto plain_body = [](const Placed& placed) {
     PlainBody out;
@@ -100,44 +123,68 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
   };
   std::vector<PlainPair> pairs;
   for (const CastCase& c : family.cases) pairs.push_back({plain_body(c.a), plain_body(c.b)});
-  return std::unique_ptr<PreparedCasts>(make(shapes.data(), shapes.size(), pairs.data(), pairs.size()));
+  return std::unique_ptr<PreparedCasts>(
+      make(shapes.data(), shapes.size(), pairs.data(), pairs.size(), penetration));
 }
 
 struct Contestant {
   std::string name;
   std::function<std::unique_ptr<PreparedCasts>(const CastFamily&)> prepare;
+  bool only_in_contact = false;  // asked where every case starts in contact, and nowhere else
 };
 
 template <Scalar S>
-Contestant ours(std::string name, CastOptions<S> options) {
-  options.request = Request::verdict;
+Contestant ours(std::string name, Request request, CastOptions<S> options) {
+  options.request = request;
   return {std::move(name),
           [options](const CastFamily& family) { return std::make_unique<OurCasts<S>>(family, options); }};
 }
 
-std::vector<Contestant> contestants() {
-  std::vector<Contestant> out = {
-      ours<double>("gjk/double", {.method = Method::gjk_ray_cast}),
-      ours<double>("mpr/double", {.method = Method::mpr_sweep}),
-      ours<double>("ca/double", {.method = Method::conservative_advancement}),
-      ours<float>("gjk/float", {.method = Method::gjk_ray_cast}),
-      ours<float>("mpr/float", {.method = Method::mpr_sweep}),
-      ours<float>("ca/float", {.method = Method::conservative_advancement}),
-      ours<double>("exact/double", {.tier = Tier::exact}),
-      ours<float>("exact/float", {.tier = Tier::exact}),
-  };
-  [[maybe_unused]] const auto bullet = [&](std::string name, const char* path) {
-    if (const MakeBulletCasts make = open_bullet(path)) {
-      out.push_back(
-          {std::move(name), [make](const CastFamily& family) { return bullet_casts(make, family); }});
-    }
+void add_bullet(std::vector<Contestant>& out, bool penetration) {
+  [[maybe_unused]] const auto add = [&](const std::string& scalar, const char* path) {
+    const MakeBulletCasts make = open_bullet(path);
+    if (make == nullptr) return;
+    const auto prepare = [make](bool deep) {
+      return [make, deep](const CastFamily& family) { return bullet_casts(make, family, deep); };
+    };
+    out.push_back({"bullet/" + scalar, prepare(false)});
+    if (penetration) out.push_back({"bullet+depth/" + scalar, prepare(true), true});
   };
 #ifdef GRAZE_BULLET_FLOAT
-  bullet("bullet/float", GRAZE_BULLET_FLOAT);
+  add("float", GRAZE_BULLET_FLOAT);
 #endif
 #ifdef GRAZE_BULLET_DOUBLE
-  bullet("bullet/double", GRAZE_BULLET_DOUBLE);
+  add("double", GRAZE_BULLET_DOUBLE);
 #endif
+}
+
+std::vector<Contestant> verdict_contestants() {
+  constexpr Request kAsked = Request::verdict;
+  std::vector<Contestant> out = {
+      ours<double>("gjk/double", kAsked, {.method = Method::gjk_ray_cast}),
+      ours<double>("mpr/double", kAsked, {.method = Method::mpr_sweep}),
+      ours<double>("ca/double", kAsked, {.method = Method::conservative_advancement}),
+      ours<float>("gjk/float", kAsked, {.method = Method::gjk_ray_cast}),
+      ours<float>("mpr/float", kAsked, {.method = Method::mpr_sweep}),
+      ours<float>("ca/float", kAsked, {.method = Method::conservative_advancement}),
+      ours<double>("exact/double", kAsked, {.tier = Tier::exact}),
+      ours<float>("exact/float", kAsked, {.tier = Tier::exact}),
+  };
+  add_bullet(out, false);
+  return out;
+}
+
+std::vector<Contestant> response_contestants() {
+  constexpr Request kAsked = Request::normal | Request::witnesses;
+  std::vector<Contestant> out = {
+      ours<float>("standard/float", kAsked, {}),
+      ours<double>("standard/double", kAsked, {}),
+      ours<double>("exact/double", kAsked, {.tier = Tier::exact}),
+      ours<float>("exact/float", kAsked, {.tier = Tier::exact}),
+      ours<double>("certified/double", kAsked, {.tier = Tier::certified}),
+      ours<double>("gjk/double", kAsked, {.method = Method::gjk_ray_cast}),
+  };
+  add_bullet(out, true);
   return out;
 }
 
@@ -170,10 +217,21 @@ double clock_ns() {
 
 constexpr int kTailRepeats = 5;
 
-Report measure(const CastFamily& family, const std::vector<Contestant>& field, int rounds) {
+struct Manner {
+  bool shuffled = true;  // a new random order each round
+  bool tail = true;
+};
+
+Report measure(const CastFamily& family, const std::vector<Contestant>& given, int rounds,
+               const Manner& manner) {
   const std::size_t n = family.cases.size();
+  std::vector<Contestant> field;
   std::vector<std::unique_ptr<PreparedCasts>> prepared;
-  for (const Contestant& c : field) prepared.push_back(c.prepare(family));
+  for (const Contestant& c : given) {
+    if (c.only_in_contact && !family.in_contact) continue;
+    field.push_back(c);
+    prepared.push_back(c.prepare(family));
+  }
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0u);
   corpus::Random random(1);
@@ -184,7 +242,7 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& field, i
   Report report;
   std::vector<std::vector<Verdict>> verdicts(field.size(), std::vector<Verdict>(n, Verdict::none));
   for (int round = -1; round < rounds; ++round) {  // the first only warms up
-    shuffle();
+    if (manner.shuffled) shuffle();
     for (std::size_t i = 0; i < field.size(); ++i) {
       const double start = processor_ns();
       prepared[i]->cast_all(order.data(), n, verdicts[i].data());
@@ -196,7 +254,7 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& field, i
   for (std::size_t i = 0; i < field.size(); ++i) {
     Measured& m = report[field[i].name];
     m.case_ns.assign(n, kInfinity<double>);
-    for (int repeat = 0; repeat < kTailRepeats; ++repeat) {
+    for (int repeat = 0; manner.tail && repeat < kTailRepeats; ++repeat) {
       shuffle();
       for (const std::uint32_t k : order) {
         const auto start = Clock::now();
@@ -211,16 +269,17 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& field, i
   return report;
 }
 
-// The median over the rounds of top's time over bottom's; "-" where one is missing.
-std::string ratio(const Report& report, const std::string& top, const std::string& bottom) {
+// The median over the rounds of top's time over bottom's; NaN where one is missing.
+double ratio(const Report& report, const std::string& top, const std::string& bottom) {
   const auto t = report.find(top), b = report.find(bottom);
-  if (t == report.end() || b == report.end()) return "-";
+  if (t == report.end() || b == report.end()) return std::numeric_limits<double>::quiet_NaN();
   std::vector<double> ratios;
   for (std::size_t i = 0; i < t->second.round_ns.size(); ++i) {
     ratios.push_back(t->second.round_ns[i] / b->second.round_ns[i]);
   }
-  return fmt::format("{:.2f}", quantile(ratios, 0.5));
+  return quantile(ratios, 0.5);
 }
+std::string ratio_text(double x) { return x == x ? fmt::format("{:.2f}", x) : "-"; }
 
 struct Ratio {
   const char *heading, *top, *bottom;
@@ -253,7 +312,10 @@ void print_table(const std::string& title, const std::vector<Contestant>& field,
   print_row("\n" + title, cells);
   for (const Measurement& m : measurements) {
     cells.clear();
-    for (const Contestant& c : field) cells.push_back(cell(m.report.at(c.name)));
+    for (const Contestant& c : field) {
+      const auto one = m.report.find(c.name);
+      cells.push_back(one == m.report.end() ? "-" : cell(one->second));
+    }
     print_row(m.family.name, cells);
   }
 }
@@ -266,7 +328,7 @@ void print_tables(const std::vector<Contestant>& field, const std::vector<Measur
   print_row("\ntime : time", cells);
   for (const Measurement& m : measurements) {
     cells.clear();
-    for (const Ratio& r : kRatios) cells.push_back(ratio(m.report, r.top, r.bottom));
+    for (const Ratio& r : kRatios) cells.push_back(ratio_text(ratio(m.report, r.top, r.bottom)));
     print_row(m.family.name, cells);
   }
   print_table("99th percentile : median, over cases", field, measurements,
@@ -280,44 +342,120 @@ void print_tables(const std::vector<Contestant>& field, const std::vector<Measur
   }
 }
 
-void print_csv(const std::vector<Contestant>& field, const std::vector<Measurement>& measurements) {
-  fmt::print("family,cases,contacts,contestant,ns,p99_over_median,wrong\n");
+// Time over that of `rival`, its wrong verdicts beside; a last row of geometric means.
+void print_ratios(const std::string& rival, const std::vector<Contestant>& field,
+                  const std::vector<Measurement>& measurements) {
+  std::vector<std::string> cells;
+  std::vector<double> logs(field.size(), 0.0);
+  for (const Contestant& c : field) cells.push_back(c.name);
+  cells.push_back("rival's wrong");
+  print_row("\ntime over " + rival + "'s", cells);
+  for (const Measurement& m : measurements) {
+    cells.clear();
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double one = ratio(m.report, field[i].name, rival);
+      logs[i] += std::log(one);
+      cells.push_back(ratio_text(one));
+    }
+    const auto found = m.report.find(rival);
+    cells.push_back(
+        found == m.report.end() ? "-" : fmt::format("{} of {}", found->second.wrong, m.family.cases.size()));
+    print_row(m.family.name, cells);
+  }
+  cells.clear();
+  for (const double one : logs)
+    cells.push_back(ratio_text(std::exp(one / static_cast<double>(measurements.size()))));
+  print_row("geometric mean", cells);
+}
+
+void print_csv(const std::string& set, const std::vector<Contestant>& field,
+               const std::vector<Measurement>& measurements) {
   for (const Measurement& m : measurements) {
     for (const Contestant& c : field) {
-      const Measured& one = m.report.at(c.name);
-      fmt::print("\"{}\",{},{},{},{:.1f},{:.2f},{}\n", m.family.name, m.family.cases.size(),
-                 m.family.contacts(), c.name, one.ns(), one.tail(), one.wrong);
+      const auto found = m.report.find(c.name);
+      if (found == m.report.end()) continue;
+      fmt::print("\"{}\",\"{}\",{},{},{},{:.1f},{:.2f},{}\n", set, m.family.name, m.family.cases.size(),
+                 m.family.contacts(), c.name, found->second.ns(), found->second.tail(), found->second.wrong);
     }
   }
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("What a cast costs, beside Bullet's. Verdicts only.");
+struct Asked {
   FamilySize size;
   int rounds = 31;
   bool csv = false;
-  std::string family_part, contestant_part;
-  app.add_option("--cases", size.cases, "cases of each family, half of them hits where not all are one kind");
-  app.add_option("--shapes", size.shapes, "shapes in each family's pool")->check(CLI::Range(2, 1 << 20));
-  app.add_option("--rounds", rounds, "rounds that the median is taken over")->check(CLI::PositiveNumber);
-  app.add_option("--family", family_part, "only families whose name contains this");
-  app.add_option("--only", contestant_part, "only contestants whose name contains this");
-  app.add_flag("--csv", csv, "one line a family and contestant");
+  std::string set, family_part, contestant_part;
+};
+
+std::vector<Measurement> measure_all(std::vector<CastFamily> families, const std::vector<Contestant>& field,
+                                     const Asked& asked, const Manner& manner) {
+  std::vector<Measurement> out;
+  for (CastFamily& family : families) {
+    if (family.name.find(asked.family_part) == std::string::npos) continue;
+    Report report = measure(family, field, asked.rounds, manner);
+    out.push_back({std::move(family), std::move(report)});
+  }
+  return out;
+}
+
+std::vector<Contestant> chosen(std::vector<Contestant> field, const Asked& asked) {
+  std::erase_if(field,
+                [&](const Contestant& c) { return c.name.find(asked.contestant_part) == std::string::npos; });
+  return field;
+}
+
+void run_responses(const Asked& asked) {
+  const std::vector<Contestant> field = chosen(response_contestants(), asked);
+  for (const bool turned : {false, true}) {
+    for (const bool shuffled : {false, true}) {
+      const std::string manner =
+          fmt::format("{}, {}", turned ? "turned" : "plain", shuffled ? "shuffled" : "fixed order");
+      const std::vector<Measurement> measurements = measure_all(response_families(asked.size, turned), field,
+                                                                asked, {.shuffled = shuffled, .tail = false});
+      if (asked.csv) {
+        print_csv("response, " + manner, field, measurements);
+        continue;
+      }
+      fmt::print("\n---- time, normal, witnesses; {}\n", manner);
+      print_table("ns a cast", field, measurements,
+                  [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
+      print_ratios("bullet/float", field, measurements);
+      print_table("wrong verdicts", field, measurements,
+                  [](const Measured& m) { return fmt::format("{}", m.wrong); });
+    }
+  }
+}
+
+void run_verdicts(const Asked& asked) {
+  const std::vector<Contestant> field = chosen(verdict_contestants(), asked);
+  const std::vector<Measurement> measurements = measure_all(cast_families(asked.size), field, asked, {});
+  if (asked.csv) return print_csv("verdict", field, measurements);
+  fmt::print("\n---- verdicts; shuffled\n");
+  print_tables(field, measurements);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("What a cast costs, beside Bullet's.");
+  Asked asked;
+  app.add_option("--cases", asked.size.cases,
+                 "cases of each family, half of them hits where not all are one kind");
+  app.add_option("--shapes", asked.size.shapes, "shapes in each family's pool")
+      ->check(CLI::Range(2, 1 << 20));
+  app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--set", asked.set, "only this set of families: response or verdict")
+      ->check(CLI::IsMember({"response", "verdict"}));
+  app.add_option("--family", asked.family_part, "only families whose name contains this");
+  app.add_option("--only", asked.contestant_part, "only contestants whose name contains this");
+  app.add_flag("--csv", asked.csv, "one line a family and contestant");
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<Contestant> field = contestants();
-  if (field.back().name.find("bullet") == std::string::npos) {
-    fmt::print(stderr, "cast_bench: built without Bullet (Debian: libbullet-dev); only ours run\n");
-  }
-  std::erase_if(field,
-                [&](const Contestant& c) { return c.name.find(contestant_part) == std::string::npos; });
-  std::vector<Measurement> measurements;
-  for (CastFamily& family : cast_families(size)) {
-    if (family.name.find(family_part) == std::string::npos) continue;
-    Report report = measure(family, field, rounds);
-    measurements.push_back({std::move(family), std::move(report)});
-  }
-  csv ? print_csv(field, measurements) : print_tables(field, measurements);
+#ifndef GRAZE_BULLET_FLOAT
+  fmt::print(stderr, "cast_bench: built without Bullet (Debian: libbullet-dev); only ours run\n");
+#endif
+  if (asked.csv) fmt::print("set,family,cases,contacts,contestant,ns,p99_over_median,wrong\n");
+  if (asked.set != "verdict") run_responses(asked);
+  if (asked.set != "response") run_verdicts(asked);
   return 0;
 }
 

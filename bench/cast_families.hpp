@@ -21,12 +21,13 @@ struct Placed {
 
 struct CastCase {
   Placed a, b;
-  bool contact = false;  // in [0, 1], by judge()
+  bool contact = false;  // in [0, 1], by the family's judge
 };
 
 struct CastFamily {
   std::string name;
   bool rotated = false;
+  bool in_contact = false;  // every case starts so
   std::vector<Shape<double>> shapes;
   std::vector<CastCase> cases;
 
@@ -47,7 +48,9 @@ struct FamilySize {
   std::size_t shapes = 128;  // in its pool
 };
 
-// All of them, in the order of the report. Deterministic.
+// Asked for their verdicts, judged by tier standard in double; in the order of the report. Deterministic.
 [[nodiscard]] std::vector<CastFamily> cast_families(const FamilySize& size);
+// Asked for what an engine hands out, judged by tier exact: ten families, their bodies turned or not.
+[[nodiscard]] std::vector<CastFamily> response_families(const FamilySize& size, bool turned);
 
 }  // namespace graze::bench

@@ -21,14 +21,8 @@ using engine::Kind;
 using engine::Method;
 using law::Judgement;
 
-// What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the
-// proof, which may be found in another way.
 constexpr std::array<Request, 1> kEverything = {Request::everything}, kWithoutProof = {engine::kPlain};
 constexpr std::array<Request, 2> kBoth = {engine::kPlain, Request::everything};
-std::span<const Request> requests_of(Kind kind) {
-  if (kind == Kind::query) return kWithoutProof;
-  return kind == Kind::linear ? std::span<const Request>(kEverything) : kBoth;
-}
 
 // Judged at a time, and then forgotten: a suite may have more cases than fit into memory.
 std::size_t block_of(Kind kind) { return kind == Kind::linear ? 1024 : 64; }
@@ -205,20 +199,21 @@ class Run {
       std::vector<JudgedCase> judged(std::min(block, suite.size() - first));
       for_each_index(judged.size(), settings_.threads, [&](std::size_t i) {
         if (settings_.stop()) return;
-        judged[i] = judge_case(suite, first + i, methods);
+        const bool left_out = settings_.leaves_out && settings_.leaves_out(suite, first + i);
+        if (!left_out) judged[i] = judge_case(suite, first + i, methods);
         progress_.advance(cost_of(suite.kind), suite.family);
       });
-      for (JudgedCase& one : judged) count(one, tallies);
+      for (std::size_t i = 0; i < judged.size(); ++i) count(suite, first + i, judged[i], tallies);
     }
     if (stops()) {
       result_.unfinished.push_back(suite.family);
       return;
     }
-    if (suite.kind != Kind::query) time_suite(suite, tallies);
+    if (suite.kind != Kind::query && settings_.times_casts) time_suite(suite, tallies);
   }
 
-  void count(JudgedCase& one, std::span<Tally* const> tallies) {
-    if (one.by_method.empty()) return;  // left out by a stop
+  void count(const Suite& suite, std::size_t i, JudgedCase& one, std::span<Tally* const> tallies) {
+    if (one.by_method.empty()) return;  // left out, or by a stop
     bool convicted = false, asked = false;
     for (std::size_t m = 0; m < tallies.size(); ++m) {
       const Judged& judged = one.by_method[m];
@@ -227,6 +222,7 @@ class Run {
       // What an engine of others was asked is what a finding of it shows.
       tallies[m]->add(tallies[m]->method->is_ours() ? one.problem : *judged.asked, judged.judgement,
                       judged.counters);
+      if (settings_.judged) settings_.judged(suite, i, *tallies[m]->method, judged.judgement);
       tallies[m]->true_backward.push_back(judged.true_backward);
       if (judged.judgement.not_asked && !tallies[m]->method->is_ours()) continue;
       result_.answers += tallies[m]->method->is_ours() ? requests_of(tallies[m]->method->kind).size() : 1;
@@ -254,6 +250,11 @@ class Run {
 };
 
 }  // namespace
+
+std::span<const Request> requests_of(Kind kind) {
+  if (kind == Kind::query) return kWithoutProof;
+  return kind == Kind::linear ? std::span<const Request>(kEverything) : kBoth;
+}
 
 bool Certification::has_kept(const Method& method) const {
   return std::none_of(tallies.begin(), tallies.end(), [&](const Tally& tally) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,16 @@ struct Settings {
   // Asked between cases: whether to stop. What is judged then is kept.
   std::function<bool()> stop = [] { return false; };
   bool fail_fast = false;  // stops at the first fault
+  // Case i of a suite is neither asked nor judged, and in no tally; nothing: every one is judged.
+  std::function<bool(const Suite&, std::size_t i)> leaves_out = {};
+  // Told of each method's judgement of case i, in the order of cases; one thread at a time.
+  std::function<void(const Suite&, std::size_t i, const engine::Method&, const law::Judgement&)> judged = {};
+  bool times_casts = true;
 };
+
+// What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the
+// proof, which may be found in another way.
+[[nodiscard]] std::span<const Request> requests_of(engine::Kind kind);
 
 struct Certification {
   std::vector<Tally> tallies;                // by method, in the order of the settings, then by suite

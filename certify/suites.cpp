@@ -34,11 +34,16 @@ bool is_represented(const Case& problem) {
 std::optional<Case> question_for(const Suite& suite, std::size_t i, const Case& problem,
                                  const engine::Method& method) {
   if (method.kind != engine::Kind::query) return problem;
-  if (suite.asks_every_query) return law::question_for(problem, method.query, i);
-  if (method.query != problem.query) return std::nullopt;
-  Case asked = problem;
-  asked.expect.reset();
-  asked.start_policy = StartPolicy::report;
+  std::optional<Case> asked;
+  if (suite.asks_every_query) {
+    asked = law::question_for(problem, method.query, i);
+  } else if (method.query == problem.query) {
+    asked = problem;
+    asked->expect.reset();
+    asked->start_policy = StartPolicy::report;
+  }
+  // The scalar may make it another question.
+  if (asked && method.is_ours() && !law::in_domain(method.seen(*asked))) return std::nullopt;
   return asked;
 }
 

@@ -30,7 +30,8 @@ struct Suite {
   }
 };
 
-// Case i of a suite as a method is asked it; nothing where it is no question for the method's query.
+// Case i of a suite as a method is asked it; nothing where it is no question for the method's query, or, of a
+// query, where the method's scalar makes it one outside the domain.
 [[nodiscard]] std::optional<corpus::Case> question_for(const Suite& suite, std::size_t i,
                                                        const corpus::Case& problem,
                                                        const engine::Method& method);

@@ -4,6 +4,12 @@ if(NOT GRAZE_INSTALL)
   return()
 endif()
 include(GNUInstallDirs)
+# Beside core's package files (cmake/install.cmake).
+if(GRAZE_LIBRARY)
+  set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/graze)
+else()
+  set(package_directory ${CMAKE_INSTALL_DATADIR}/cmake/graze)
+endif()
 set_target_properties(graze_command PROPERTIES EXPORT_NAME command)
 install(TARGETS graze_command graze_adapter EXPORT graze_judge_targets
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}

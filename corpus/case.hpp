@@ -1,4 +1,4 @@
-// A case: two bodies, a question, and, where it is known, the answer. The schema is docs/case-format.md.
+// A case: two bodies, a question, and, where it is known, the answer. The schemas are those of docs/case-format.md.
 #pragma once
 
 #include <graze/body.hpp>
@@ -27,6 +27,12 @@ struct Expect {
   std::string toi_exact;  // "n/d" or "n" where the TOI is rational, else empty
   std::optional<double> t_in, t_out, distance, depth;
   std::optional<Vec3<double>> normal;
+  // Of linear casts, lengths by which a wrong verdict is told from a harmless one: the distance of the path
+  // of a miss from contact, and how deep the path of a contact goes, both rounded down; the scale of the
+  // question, rounded up.
+  std::optional<double> clearance, path_depth, scale;
+
+  [[nodiscard]] bool has_measures() const { return clearance || path_depth || scale; }
 };
 
 struct Case {

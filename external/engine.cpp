@@ -7,44 +7,19 @@
 #include <stdexcept>
 
 #include "external/answer.hpp"
+#include "external/methods.hpp"
 #include "external/terms.hpp"
 
 namespace graze::external {
 
 using engine::Answer;
 using engine::Failure;
-using engine::Kind;
 using engine::Method;
 
 namespace {
 
 // One call's time is the median of so many.
 constexpr int kTimedCalls = 31;
-
-engine::Kind kind_of(Question question) {
-  switch (question) {
-    case Question::cast:
-    case Question::ray:
-      return Kind::linear;
-    case Question::rotating_cast:
-      return Kind::rotating;
-    default:
-      return Kind::query;
-  }
-}
-
-corpus::Query query_of(Question question) {
-  switch (question) {
-    case Question::overlap:
-      return corpus::Query::overlap;
-    case Question::distance:
-      return corpus::Query::distance;
-    case Question::penetration:
-      return corpus::Query::penetration;
-    default:
-      return corpus::Query::cast;
-  }
-}
 
 Answer failure(Failure kind, std::string what) {
   Answer answer;
@@ -110,47 +85,11 @@ Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(wor
 Engine::~Engine() = default;
 
 void Engine::add_method(const Offer& offer) {
-  const bool is_held = options_.tolerance || options_.relative_tolerance || options_.kappa;
-  const std::optional<double>& tolerance = is_held ? options_.tolerance : offer.tolerance;
-  const std::optional<double>& relative = is_held ? options_.relative_tolerance : offer.relative_tolerance;
-  const std::optional<double>& kappa = is_held ? options_.kappa : offer.kappa;
-  // A ray beside a cast has a name of its own.
-  const std::string name =
-      declaration_.name +
-      (offer.question == Question::ray ? fmt::format("-{}", to_text(offer.question)) : "");
-  const Kind kind = kind_of(offer.question);
-  engine::Guarantee& row = guarantees_.emplace_back();
-  row.query = kind == Kind::rotating ? "rotating"
-              : kind == Kind::query  ? std::string(to_text(offer.question))
-                                     : "cast";
-  row.method = name;
-  row.scalar = declaration_.scalar;
-  row.tier = "declared";
-  row.kappa_polytope = row.kappa_rounded = kappa.value_or(0);
-  row.tolerance = tolerance.value_or(0);
-  row.relative_tolerance = relative.value_or(0);
-  row.early = offer.early;
-  row.is_open = !is_held && !offer.promises_errors();
-  row.stall_cap = row.is_open ? 1 : offer.stalls;
-  row.touching = offer.touching;
-  Method method;
-  method.kind = kind;
-  method.query = query_of(offer.question);
-  method.name = name;
-  method.scalar = declaration_.scalar;
-  method.tier = "declared";
-  method.unit_roundoff = declaration_.unit_roundoff();
-  method.holds = offer.holds;
-  method.asks_starts = offer.starts;
-  method.guarantee = &row;
+  const Held held{options_.tolerance, options_.relative_tolerance, options_.kappa};
+  const engine::Guarantee& row = guarantees_.emplace_back(guarantee_of(declaration_, offer, held));
+  Method method = method_of(declaration_, offer, row, options_.beyond_limits);
   method.ask = [this, &offer](const corpus::Case& problem, const engine::Ask&) {
     return ask(offer, problem);
-  };
-  method.seen = [this, &offer](const corpus::Case& problem) {
-    return in_terms_of(declaration_, offer, problem, true).seen;
-  };
-  method.refuses = [this, &offer](const corpus::Case& problem) {
-    return in_terms_of(declaration_, offer, problem, options_.beyond_limits).refused;
   };
   if (declaration_.timed) {
     method.time_ns = [this, &offer](const corpus::Case& problem, const engine::Ask&, int) {

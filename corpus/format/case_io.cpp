@@ -44,7 +44,9 @@ std::vector<Field> fields_of(const Case& problem) {
   const auto add = [&](const char* key, std::string value, bool starts_line) {
     fields.push_back({key, std::move(value), starts_line});
   };
-  add("schema", "\"graze.case/1\"", false);
+  // What the first schema can say is said in it.
+  const bool is_second = problem.expect && problem.expect->has_measures();
+  add("schema", json_quote(is_second ? kSecondCaseSchema : kCaseSchema), false);
   add("id", json_quote(problem.id), false);
   if (!problem.family.empty()) add("family", json_quote(problem.family), false);
   if (problem.hardness) add("hardness", json_number(*problem.hardness), false);
@@ -150,6 +152,7 @@ bool same(const Expect& l, const Expect& r) {
   return l.by == r.by && l.outcome == r.outcome && same(l.toi_lower, r.toi_lower) &&
          same(l.toi_upper, r.toi_upper) && l.toi_exact == r.toi_exact && same(l.t_in, r.t_in) &&
          same(l.t_out, r.t_out) && same(l.distance, r.distance) && same(l.depth, r.depth) &&
+         same(l.clearance, r.clearance) && same(l.path_depth, r.path_depth) && same(l.scale, r.scale) &&
          l.normal.has_value() == r.normal.has_value() && (!l.normal || same(*l.normal, *r.normal));
 }
 
@@ -243,6 +246,9 @@ std::string write_expect(const Expect& expect) {
   if (expect.distance) field("distance", json_number(*expect.distance));
   if (expect.depth) field("depth", json_number(*expect.depth));
   if (expect.normal) field("normal", write_vec3(*expect.normal));
+  if (expect.clearance) field("clearance", json_number(*expect.clearance));
+  if (expect.path_depth) field("path_depth", json_number(*expect.path_depth));
+  if (expect.scale) field("scale", json_number(*expect.scale));
   return text + "}";
 }
 

@@ -12,13 +12,16 @@
 namespace graze::corpus {
 namespace {
 
-constexpr std::string_view kSchema = "graze.case/1";
 constexpr std::string_view kNormalForm = "a normal is an array of three numbers";
 
-void check_schema(const JsonValue& value, const std::string& path) {
-  if (read_string(value, path) != kSchema) {
-    throw Malformed{path, describe(value) + "; this version reads " + json_quote(kSchema)};
-  }
+// The second has measures of the path beside what the first has.
+enum class Schema { first, second };
+Schema read_schema(const JsonValue& value, const std::string& path) {
+  const std::string schema = read_string(value, path);
+  if (schema == kCaseSchema) return Schema::first;
+  if (schema == kSecondCaseSchema) return Schema::second;
+  throw Malformed{path, describe(value) + "; this version reads " + json_quote(kCaseSchema) + " and " +
+                            json_quote(kSecondCaseSchema)};
 }
 
 // Ids appear in file names, command lines and reports: letters, digits and ._/- only.
@@ -69,8 +72,26 @@ void read_toi(const JsonValue& value, const std::string& path, Expect& expect) {
   }
 }
 
-Expect read_expect(const JsonValue& value, const std::string& path) {
-  const Fields fields(value, path, {"outcome", "by", "toi", "t_in", "t_out", "distance", "depth", "normal"});
+// The measures of the path are fields of the second schema alone.
+void read_measures(const Fields& fields, Schema schema, Expect& expect) {
+  const auto length = [&](std::string_view key, std::optional<double>& target) {
+    const JsonValue* value = fields.optional(key);
+    if (value == nullptr) return;
+    if (schema == Schema::first) {
+      throw Malformed{fields.path(key), "a field of " + json_quote(kSecondCaseSchema) +
+                                            "; the case says that it is a " + json_quote(kCaseSchema)};
+    }
+    target = read_not_negative(*value, fields.path(key));
+  };
+  length("clearance", expect.clearance);
+  length("path_depth", expect.path_depth);
+  length("scale", expect.scale);
+}
+
+Expect read_expect(const JsonValue& value, const std::string& path, Schema schema) {
+  const Fields fields(value, path,
+                      {"outcome", "by", "toi", "t_in", "t_out", "distance", "depth", "normal", "clearance",
+                       "path_depth", "scale"});
   Expect expect;
   const std::string by = fields.path("by");
   expect.by = read_string(fields.required("by", "the oracle that gave the answer"), by);
@@ -91,6 +112,7 @@ Expect read_expect(const JsonValue& value, const std::string& path) {
   if (const JsonValue* n = fields.optional("normal")) {
     expect.normal = read_vec3(*n, fields.path("normal"), kNormalForm);
   }
+  read_measures(fields, schema, expect);
   return expect;
 }
 
@@ -152,7 +174,8 @@ Case case_from_json(const JsonValue& value, const std::string& path) {
   const Fields fields(value, path,
                       {"schema", "id", "family", "hardness", "comment", "source", "flags", "a", "b", "t_max",
                        "target_distance", "start_policy", "query", "direction", "expect"});
-  check_schema(fields.required("schema", "\"graze.case/1\""), fields.path("schema"));
+  const Schema schema =
+      read_schema(fields.required("schema", json_quote(kCaseSchema)), fields.path("schema"));
   Case problem;
   read_labels(fields, problem);
   MovingBody a = read_body(fields.required("a", "a case has two bodies, a and b"), fields.path("a"));
@@ -163,7 +186,7 @@ Case case_from_json(const JsonValue& value, const std::string& path) {
   problem.spin_b = b.spin;
   read_question(fields, problem);
   if (const JsonValue* expect = fields.optional("expect")) {
-    problem.expect = read_expect(*expect, fields.path("expect"));
+    problem.expect = read_expect(*expect, fields.path("expect"), schema);
   }
   return problem;
 }

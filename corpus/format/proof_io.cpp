@@ -7,7 +7,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr std::string_view kSchema = "graze.proof/1", kCaseSchema = "graze.case/1";
+constexpr std::string_view kSchema = "graze.proof/1";
 constexpr std::string_view kCurvedForm =
     "curved is an array of at most two points, each of an ellipsoid, a cylinder or a cone";
 static_assert(kCurvedParts == 2);
@@ -280,7 +280,8 @@ namespace {
 
 bool is_case(const JsonValue& value) {
   const JsonValue* schema = value.kind == JsonValue::Kind::object ? value.find("schema") : nullptr;
-  return schema != nullptr && schema->kind == JsonValue::Kind::string && schema->text == kCaseSchema;
+  return schema != nullptr && schema->kind == JsonValue::Kind::string &&
+         (schema->text == kCaseSchema || schema->text == kSecondCaseSchema);
 }
 
 }  // namespace
@@ -293,6 +294,7 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
     lines = {{lines[0].number, text}};
   }
   int cases = 0, first_case = 0;
+  std::string schema_of_first;
   for (const TextLine& line : lines) {
     const ParsedJson parsed = parse_json(line.text);
     if (parsed.error) {
@@ -300,7 +302,10 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
       continue;
     }
     if (is_case(parsed.value)) {
-      if (++cases == 1) first_case = line.number;
+      if (++cases == 1) {
+        first_case = line.number;
+        schema_of_first = parsed.value.find("schema")->text;
+      }
       continue;
     }
     try {
@@ -312,8 +317,9 @@ ProofReadResult read_proofs_text(std::string_view text, const std::string& name)
   }
   if (cases > 0) {
     result.errors.push_back({name, first_case, "schema",
-                             "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") +
-                                 " (graze.case/1), not proofs (graze.proof/1); `graze cast --proof PROOFS "
+                             "holds " + (cases == 1 ? "a case" : std::to_string(cases) + " cases") + " (" +
+                                 schema_of_first +
+                                 "), not proofs (graze.proof/1); `graze cast --proof PROOFS "
                                  "CASES` writes the proofs of a file of cases"});
   }
   if (result.proofs.empty() && result.errors.empty()) {

@@ -33,6 +33,17 @@ corpus::Case at_rest(corpus::Case problem) {
   return problem;
 }
 
+// Lengths that are too small convict nobody: rounded down, over a scale that is rounded up.
+template <class Truth>
+void measure(const Truth& truth, Expect& expect) {
+  expect.scale = truth.scale().high;
+  if (truth.outcome() == Outcome::miss) {
+    expect.clearance = truth.clearance().low;
+  } else {
+    expect.path_depth = truth.depth().low;
+  }
+}
+
 Expect cast_expectation(const corpus::Case& problem) {
   const LinearTruth truth(problem);
   Expect expect;
@@ -41,7 +52,10 @@ Expect cast_expectation(const corpus::Case& problem) {
   expect.toi_lower = truth.toi_lower();
   expect.toi_upper = truth.toi_upper();
   expect.toi_exact = truth.toi_exact();
-  if (problem.query != Query::line) return expect;
+  if (problem.query != Query::line) {
+    measure(truth, expect);
+    return expect;
+  }
   if (const auto interval = truth.contact_interval()) {
     expect.t_in = interval->t_in;
     expect.t_out = interval->t_out;
@@ -66,6 +80,8 @@ Expect curved_cast_expectation(const corpus::Case& problem) {
       expect.toi_lower = closed->toi_lower();
       expect.toi_upper = closed->toi_upper();
       expect.toi_exact = closed->toi_exact();
+      const BracketTruth bracket(problem, kWidth);
+      if (bracket.outcome() == expect.outcome) measure(bracket, expect);
       return expect;
     }
   }
@@ -75,7 +91,10 @@ Expect curved_cast_expectation(const corpus::Case& problem) {
   expect.outcome = truth.outcome();
   expect.toi_lower = truth.toi_lower();
   expect.toi_upper = truth.toi_upper();
-  if (problem.query != Query::line) return expect;
+  if (problem.query != Query::line) {
+    measure(truth, expect);
+    return expect;
+  }
   const LineContact contact = truth.contact_interval();
   if (contact.outcome == Outcome::not_converged) undecided();
   if (contact.outcome == Outcome::hit) {
@@ -115,6 +134,9 @@ Expect curved_expectation(corpus::Case problem) {
       expect.toi_lower.reset();
       expect.toi_upper.reset();
       expect.toi_exact.clear();
+      expect.clearance.reset();
+      expect.path_depth.reset();
+      expect.scale.reset();
       return expect;
     }
     default:

@@ -13,7 +13,9 @@ struct Undecided : std::invalid_argument {
 };
 
 // Fills `by`, outcome and, by the query, numbers that are the nearest doubles unless it says otherwise:
-//   cast                toi_lower, toi_upper (the doubles on either side), toi_exact (empty if irrational)
+//   cast                toi_lower, toi_upper (the doubles on either side), toi_exact (empty if irrational);
+//                       of bodies that do not turn also scale, rounded up, and clearance of a miss or
+//                       path_depth of a contact, rounded down (linear_truth.hpp has their meaning)
 //   line                the same, and t_in, t_out where the line meets the CSO
 //   swept_overlap       no number; the outcome is hit, for contact at any t in [0, T], 0 included, or miss
 //   overlap, distance   distance at t = 0, the target distance not counted
@@ -24,7 +26,9 @@ struct Undecided : std::invalid_argument {
 //
 // Throws Undecided for what the oracles do not decide:
 //   curved shapes     a clearance or depth below 1e-30 of scale, and every penetration. The TOI is the exact
-//                     one's neighbours but at a graze, where it is a bracket as wide as 1e-30 of scale makes it
+//                     one's neighbours but at a graze, where it is a bracket as wide as 1e-30 of scale makes
+//                     it. Clearance and depth are lower bounds, of depths up to a sixteenth below; there is none
+//                     of a graze that a closed form decides and no bracket does
 //   bodies that turn  in casts and swept_overlap, a clearance or depth below 1e-14 of scale, a search beyond
 //                     the budget of rotating_truth.hpp, an infinite t_max, a cast with the policy pass_over;
 //                     a line. toi_lower and toi_upper are a bracket as wide as 1e-14 of scale makes it

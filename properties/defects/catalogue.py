@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants each defect of the catalogue in a copy of the sources, and lets the laws look for it.
 
-A patch begins with header lines, then a diff that `patch --strip=1 --fuzz=3` applies to the root:
+A patch begins with header lines, then a diff that `patch --strip=1 --fuzz=1` applies to the root:
   Defect: what is wrong, in one sentence
   Law: the law that has to notice; its kind says which methods are compiled with the defect
   Report: an id of the list of reported failures that the mechanism is known from, if there is one
@@ -23,9 +23,10 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from certified import RUNS, certify_all, faults_of_certify  # noqa: E402
 from planted import Config, Fault, Patch, kind_of, plant  # noqa: E402
 from report import faults_of_laws, faults_of_patches, how, matrix, page  # noqa: E402
-from tried import CASES_OF_ALL, outcome, read_laws, try_all  # noqa: E402
+from tried import CASES_OF_ALL, read_laws, try_all  # noqa: E402
 
 
 def spread(config, patches, count, seed):
@@ -76,20 +77,6 @@ def check_none(config):
     return faults
 
 
-def faults_of_certify(results):
-    """What could not be tried, and what a thorough run alone convicts."""
-    faults = []
-    for name, result in results.items():
-        print(f"{name}: {outcome(result)}")
-        if result["error"]:
-            faults.append(f"{name}: {result['error']}")
-        elif result["said"].get("thorough"):
-            faults.append(f"{name}: convicted by --thorough alone")
-    by_default = sum(1 for result in results.values() if not result["error"] and result["said"]["default"])
-    print(f"{by_default} of {len(results)} defects are convicted by default")
-    return faults
-
-
 def arguments():
     parser = argparse.ArgumentParser(prog="./run defects", description=__doc__.split("\n\n")[0])
     parser.add_argument("config", help="written by CMake: defects-Release.conf")
@@ -102,6 +89,8 @@ def arguments():
     parser.add_argument("--none", action="store_true", help="only check that without a defect every law holds")
     parser.add_argument("--certify", action="store_true",
                         help="ask `graze certify` instead of the laws: what convicts with --thorough must by default")
+    parser.add_argument("--counts", metavar="L,R,Q", help="--certify: of so many cases of a linear family, of a "
+                        "rotating one, and for queries, instead of the default and of --thorough")
     parser.add_argument("--write", action="store_true", help="write build/reports/defects.md and defects.csv")
     parser.add_argument("patch", nargs="*", help="patches, by name or path; all if none is given")
     return parser.parse_intermixed_args()
@@ -135,7 +124,8 @@ def main():
     if options.sample:
         patches = spread(config, patches, options.sample, options.seed)
     if options.certify:
-        return faults_of_certify(try_all(config, patches, options.jobs, False, certifies=True))
+        runs = (options.counts,) if options.counts else RUNS
+        return faults_of_certify(certify_all(config, patches, options.jobs, runs))
     own = bool(options.own or options.sample)
     results = try_all(config, patches, options.jobs, own)
     for patch in patches:

@@ -5,6 +5,8 @@ import shutil
 import subprocess
 
 METHODS = {"linear": "engines/linear.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
+# The functions by which the others know those methods.
+ADDED_BY = {"linear": "add_linear_methods", "query": "add_query_methods", "rotating": "add_rotating_methods"}
 # Entries of core in double, by the header that defines them. One whose header does not include, however deep,
 # what a patch changes is the same with the defect, and is taken from the library.
 ENTRIES = {
@@ -39,7 +41,8 @@ class Config:
         self.flags = fields["flags"].split(";")
         self.includes = fields["includes"].split(";")
         self.link = fields["link"].split(";")
-        self.command_link = fields.get("command_link", "").split(";")
+        self.linker, self.nm, self.objcopy = (fields.get(tool) for tool in ("linker", "nm", "objcopy"))
+        self.certify, self.certify_link = fields.get("certify"), fields.get("certify_link", "").split(";")
         self.work = pathlib.Path(work).resolve()
         self.defects = self.source / "properties/defects"
         self.law_kind, self.law_needs = {}, {}
@@ -137,13 +140,13 @@ def plant(config, patch, root):
             shutil.copytree(config.source / room, root / room)
     log = root / "log"
     log.write_text("")
-    if run(["patch", "--quiet", "--strip=1", "--fuzz=3", "--directory", root, "--input", patch.path], log):
+    if run(["patch", "--quiet", "--strip=1", "--fuzz=1", "--directory", root, "--input", patch.path], log):
         return "does not apply any more; make it again: " + " ".join(log.read_text().split())
     return ""
 
 
-def compile_defect(config, patch, kind, root, link=None):
-    """root/driver, whose methods, or whose oracle, carry the defect. An error, or nothing."""
+def compile_objects(config, patch, kind, root):
+    """The objects under root that carry the defect, and an error or nothing."""
     objects = []
     alone = [] if "float" in patch.text else ["-DGRAZE_DOUBLE_ALONE"]
     files = [str(root / name) for name in patch.compiled]
@@ -158,10 +161,39 @@ def compile_defect(config, patch, kind, root, link=None):
     for name in files:
         objects.append(str(root / (pathlib.Path(name).stem + ".o")))
         if run([*config.compiler, *config.flags, *alone, *include, "-c", name, "-o", objects[-1]], log):
-            return f"does not compile, see {log}"
-    if run([config.compiler[-1], *objects, *(link or config.link), "-o", root / "driver"], log):
-        return f"does not link, see {log}"
+            return objects, f"does not compile, see {log}"
+    return objects, ""
+
+
+def enclose(config, kind, name, log):
+    """Makes all that the methods' object defines its own, but the function that hands the methods out. Of a function
+    in a header the linker takes the first that it meets, for everybody: judges would get core's with the defect."""
+    listed = subprocess.run([config.nm, "--defined-only", "--format=posix", name], capture_output=True, text=True,
+                            check=True).stdout
+    symbols = [line.split()[:2] for line in listed.splitlines()]
+    kept = [symbol for symbol, _ in symbols if ADDED_BY[kind] in symbol]
+    if len(kept) != 1:
+        return f"{name} has {len(kept)} functions {ADDED_BY[kind]}"
+    # Symbols that are unique in a program have to be weak before they can be an object's own.
+    weak = [f"--weaken-symbol={symbol}" for symbol, what in symbols if what == "u"]
+    if run([config.linker, "-r", "--force-group-allocation", name, "-o", f"{name}.one"], log) or \
+            run([config.objcopy, *weak, f"{name}.one", f"{name}.weak"], log) or \
+            run([config.objcopy, f"--keep-global-symbol={kept[0]}", f"{name}.weak", name], log):
+        return f"cannot be enclosed, see {log}"
     return ""
+
+
+def link_defect(config, objects, root, link):
+    """root/driver. An error, or nothing."""
+    if run([config.compiler[-1], *objects, *link, "-o", root / "driver"], root / "log"):
+        return f"does not link, see {root / 'log'}"
+    return ""
+
+
+def compile_defect(config, patch, kind, root):
+    """root/driver, whose methods, or whose oracle, carry the defect. An error, or nothing."""
+    objects, error = compile_objects(config, patch, kind, root)
+    return error or link_defect(config, objects, root, config.link)
 
 
 def kind_of(config, patch):

@@ -15,48 +15,41 @@ CASES = {"linear": 2000, "query": 1000, "rotating": 600}
 CASES_OF_ALL = {"linear": 120, "query": 80, "rotating": 60}
 # Seconds for all laws on one defect: fifty times what they take.
 TIME_LIMIT = 3600
-# What `graze certify` judges by default, and what it judged before a verdict came in a minute.
-CERTIFICATIONS = {"default": [], "thorough": ["--thorough"]}
 
 
-# The rooms beside core that the driver of laws is built from, and those of the command.
-ROOMS = {"results": ("corpus", "oracles", "engines", "properties"),
-         "certified": ("corpus", "oracles", "engines", "properties", "certify", "report", "draw", "tools")}
-
-
-def state_of(config, rooms):
+def state_of(config, rooms, patterns=("*.?pp",)):
     """A hash of all that a result depends on beside its patch: the sources that a driver is built from."""
     state = hashlib.sha256(repr((CASES, CASES_OF_ALL, config.flags, config.includes)).encode())
     paths = list((config.source / "core").rglob("*.hpp"))
     for room in rooms:
-        paths += (config.source / room).rglob("*.?pp")
+        for pattern in patterns:
+            paths += (config.source / room).rglob(pattern)
     for path in sorted(paths):
         state.update(path.read_bytes())
     return state.hexdigest()
 
 
 class Results:
-    """What became of each defect, kept on disk."""
+    """What became of each defect, kept on disk. A key: what a result depends on beside the state and the patch."""
 
-    def __init__(self, config, name):
-        self.config = config
-        self.state = state_of(config, ROOMS[name])
-        self.folder = config.work / name
+    def __init__(self, folder, state, key):
+        self.state, self.key = state, key
+        self.folder = folder
         self.folder.mkdir(parents=True, exist_ok=True)
 
-    def key(self, patch, only_own_law):
-        return hashlib.sha256((self.state + patch.text + repr(only_own_law)).encode()).hexdigest()
+    def hash_of(self, patch):
+        return hashlib.sha256((self.state + patch.text + repr(self.key)).encode()).hexdigest()
 
-    def find(self, patch, only_own_law):
+    def find(self, patch):
         try:
             kept = json.loads((self.folder / f"{patch.name}.json").read_text())
-            return kept["result"] if kept["key"] == self.key(patch, only_own_law) else None
+            return kept["result"] if kept["key"] == self.hash_of(patch) else None
         except (OSError, ValueError, KeyError):
             return None
 
-    def keep(self, patch, only_own_law, result):
+    def keep(self, patch, result):
         path = self.folder / f"{patch.name}.json"
-        path.with_suffix(".new").write_text(json.dumps({"key": self.key(patch, only_own_law), "result": result}))
+        path.with_suffix(".new").write_text(json.dumps({"key": self.hash_of(patch), "result": result}))
         path.with_suffix(".new").replace(path)
 
 
@@ -102,38 +95,6 @@ def clear(root):
         shutil.rmtree(path, ignore_errors=True) if path.is_dir() else path.unlink(missing_ok=True)
 
 
-def certify_defect(config, patch):
-    """What `graze certify` says of one defect: by default, and, if that convicts nobody, with --thorough."""
-    kind = kind_of(config, patch)
-    root = config.work / f"certify_{patch.name}"
-    root.mkdir(parents=True, exist_ok=True)
-    error = plant(config, patch, root) or compile_defect(config, patch, kind, root, config.command_link)
-    said = {}
-    for name, options in CERTIFICATIONS.items():
-        if error or any(said.values()):
-            break
-        try:
-            done = subprocess.run([root / "driver", "certify", "--fail-fast", "--threads", "1", *options],
-                                  capture_output=True, text=True, check=False, timeout=TIME_LIMIT)
-        except subprocess.TimeoutExpired:  # a thorough run may take as long; by default it is the defect's doing
-            if name == "default":
-                said[name] = "hangs"
-            else:
-                error = f"no verdict in {TIME_LIMIT} s with {' '.join(options)}"
-            break
-        broken = [line for line in done.stdout.splitlines() if line.startswith("broken: ")]
-        if done.returncode < 0:
-            said[name] = f"killed by signal {-done.returncode}"
-        elif done.returncode == 1 and broken:
-            said[name] = broken[0].removeprefix("broken: ")
-        elif done.returncode == 0:
-            said[name] = ""
-        else:
-            error = f"certify failed, exit {done.returncode}: {done.stderr[-200:]}"
-    clear(root)
-    return {"kind": kind, "error": error, "said": said}
-
-
 class Progress:
     """One line on a terminal, a line a defect elsewhere."""
 
@@ -156,24 +117,20 @@ class Progress:
 
 
 def outcome(result):
-    if result["error"]:
-        return result["error"]
-    if "laws" in result:
-        return f"noticed by {sum(1 for how in result['laws'].values() if how)} laws"
-    return next((f"{name}: {how}" for name, how in result["said"].items() if how), "convicts nobody")
+    return result["error"] or f"noticed by {sum(1 for how in result['laws'].values() if how)} laws"
 
 
-def try_all(config, patches, jobs, only_own_law, certifies=False):
-    results = Results(config, "certified" if certifies else "results")
+def try_each(results, patches, jobs, try_one, outcome_of):
+    """try_one of each patch, unless its result is kept. What ends in an error is tried again the next time."""
     progress = Progress(len(patches))
 
     def one(patch):
-        result = results.find(patch, only_own_law)
+        result = results.find(patch)
         if result is None:
-            result = certify_defect(config, patch) if certifies else try_defect(config, patch, only_own_law)
+            result = try_one(patch)
             if not result["error"]:
-                results.keep(patch, only_own_law, result)
-        progress.step(f"{patch.name}: {outcome(result)}")
+                results.keep(patch, result)
+        progress.step(f"{patch.name}: {outcome_of(result)}")
         return patch.name, result
 
     pool = concurrent.futures.ThreadPoolExecutor(jobs)
@@ -184,3 +141,9 @@ def try_all(config, patches, jobs, only_own_law, certifies=False):
         raise
     finally:
         progress.end()
+
+
+def try_all(config, patches, jobs, only_own_law):
+    state = state_of(config, ("corpus", "oracles", "engines", "properties"))
+    results = Results(config.work / "results", state, only_own_law)
+    return try_each(results, patches, jobs, lambda patch: try_defect(config, patch, only_own_law), outcome)

@@ -53,7 +53,7 @@ TEST(Engines, SayWhatTheyAreAndNothingThatIsTheDefault) {
       R"({"schema": "graze.engine/1", "name": "mine", "scalar": "float", "shapes": ["sphere", "hull_of"], )"
       R"("queries": {"cast": {"answers": ["time"]}}})");
   engine.queries[Query::cast].kappa = 4;
-  engine.queries[Query::cast].touching = "either";
+  engine.queries[Query::cast].touching = "contact";
   engine.queries[Query::cast].starts = false;
   engine.lengths = {{0.05, 10}};
   engine.relative_motion = true;
@@ -63,7 +63,7 @@ TEST(Engines, SayWhatTheyAreAndNothingThatIsTheDefault) {
   EXPECT_EQ(
       write_engine(engine),
       R"({"schema": "graze.engine/1", "name": "mine", "scalar": "float", "shapes": ["sphere", "hull_of"], )"
-      R"("queries": {"cast": {"answers": ["time"], "kappa": 4, "touching": "either", "starts": false}}, )"
+      R"("queries": {"cast": {"answers": ["time"], "kappa": 4, "touching": "contact", "starts": false}}, )"
       R"("lengths": [0.05, 10], "motion": "relative", "pivots": false, "most_turn": 3.125, "timed": true})");
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants wrong bounds in a copy of core or of the oracles, and lets the tests of bounds look for them.
 
-A patch of tests/bounds/defects begins with header lines, then a diff that `patch --strip=1 --fuzz=3` applies to the
+A patch of tests/bounds/defects begins with header lines, then a diff that `patch --strip=1 --fuzz=1` applies to the
 root:
   Defect: what is wrong, in one sentence
   Test: a file of tests/ and the test in it that has to fail, "bounds/mobility_test.cpp MobilityBounds.Name"

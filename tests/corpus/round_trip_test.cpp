@@ -53,11 +53,25 @@ Case every_field() {
   expect.distance = 0;
   expect.depth = 5e-324;
   expect.normal = Vec3<double>(0, -1, 0);
+  expect.clearance = 0x1p-1074;
+  expect.path_depth = 0.1;
+  expect.scale = 1e23;
   problem.expect = expect;
   return problem;
 }
 
 TEST(RoundTrip, OfEveryField) { expect_round_trip(every_field()); }
+
+TEST(RoundTrip, OnlyWhatTheFirstSchemaCannotSayIsWrittenInTheSecond) {
+  Case problem = every_field();
+  EXPECT_NE(write_case(problem).find(R"("graze.case/2")"), std::string::npos);
+  problem.expect->clearance.reset();
+  problem.expect->path_depth.reset();
+  EXPECT_NE(write_case(problem).find(R"("graze.case/2")"), std::string::npos);
+  problem.expect->scale.reset();
+  EXPECT_NE(write_case(problem).find(R"("graze.case/1")"), std::string::npos);
+  expect_round_trip(problem);
+}
 
 TEST(RoundTrip, OfRandomBits) {
   Random random(1);
@@ -196,6 +210,9 @@ TEST(SameCase, NoticesEveryChange) {
       [](Case& c) { c.expect->distance = -0.0; },
       [](Case& c) { c.expect->depth = 0; },
       [](Case& c) { c.expect->normal.reset(); },
+      [](Case& c) { c.expect->clearance = 0; },
+      [](Case& c) { c.expect->path_depth.reset(); },
+      [](Case& c) { c.expect->scale = 1; },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Case changed = every_field();

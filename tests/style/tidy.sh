@@ -22,7 +22,7 @@ for header in sys.argv[3:]:
     entries.append({"directory": library["directory"], "file": os.fspath(alone), "command": command})
 (folder / "compile_commands.json").write_text(json.dumps(entries))
 EOF
-mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines fuzz properties report tools examples \
+mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines external fuzz properties report tools examples \
   -path engines/zoo -prune -o -name '*.cpp' -print | sort); ls "$plain"/headers/*.cpp)
 ((${#files[@]} > 10)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
 said=$(printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P 2 clang-tidy-14 --quiet --extra-arg=-Wno-unknown-warning-option -p "$plain" 2>&1) && failed=0 || failed=1

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "certify/built_in.hpp"
 #include "certify/certification.hpp"
 #include "certify/engine_findings.hpp"
 #include "certify/engine_report.hpp"
@@ -33,14 +34,6 @@ using engine::Kind;
 // How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
 constexpr std::size_t kStudiedHits = 64;
 
-// Generated cases of a family, of one in which bodies turn, and casts of a family whose bodies are asked the
-// other queries. A cast is judged by its proof, in microseconds; a query costs the exact oracle milliseconds,
-// and a turning cast the bracket oracle tens of them. A verdict in a minute; and --thorough.
-struct Counts {
-  std::size_t linear, rotating, queries;
-};
-constexpr Counts kUsual = {512, 12, 20}, kThorough = {4000, 60, 100};
-
 // Cases of each level of a family, for curves of error against hardness: the oracle measures every one, of
 // curved shapes in tens of milliseconds.
 constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
@@ -53,7 +46,7 @@ struct Arguments {
   std::vector<std::string> files, families, methods, law_names;
   EngineArguments engines;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
-  std::size_t oracle_every = 20;
+  std::size_t oracle_every = kOracleEvery;
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
@@ -213,25 +206,21 @@ bool take_all(Intake& intake, const Arguments& arguments, const Selection& selec
   const CaseFiles files = read_case_files(arguments.files);
   for (const CaseFile& file : files.files) intake.take(file.name, file.cases, false);
   const Counts counts = arguments.counts();
-  for (const corpus::Family* family : wanted_families(arguments.families, !arguments.files.empty())) {
-    const std::size_t count = family->rotating ? counts.rotating : counts.linear;
-    if (count == 0) continue;
-    Suite suite = selection.has_ours()
-                      ? drawn_suite(*family, family->levels, count, arguments.seed)
-                      : sought_suite(*family, family->levels, count, arguments.seed,
-                                     [&](const corpus::Case& problem) { return selection.takes(problem); });
-    suite.oracle_every = arguments.oracle_every;
-    intake.suites.push_back(std::move(suite));
-  }
-  if (counts.queries > 0 && selection.has(Kind::query)) {
-    std::vector<Suite> queried;
-    for (const Suite& suite : intake.suites) {
-      if (suite.kind == Kind::linear) queried.push_back(queried_suite(suite, counts.queries));
-    }
-    for (Suite& suite : queried) {
-      if (suite.size() > 0) intake.suites.push_back(std::move(suite));
+  const std::vector<const corpus::Family*> families =
+      wanted_families(arguments.families, !arguments.files.empty());
+  if (selection.has_ours()) {
+    take_families(intake, families, counts, arguments.seed, arguments.oracle_every);
+  } else {
+    for (const corpus::Family* family : families) {
+      const std::size_t count = family->rotating ? counts.rotating : counts.linear;
+      if (count == 0) continue;
+      Suite suite = sought_suite(*family, family->levels, count, arguments.seed,
+                                 [&](const corpus::Case& problem) { return selection.takes(problem); });
+      suite.oracle_every = arguments.oracle_every;
+      intake.suites.push_back(std::move(suite));
     }
   }
+  if (selection.has(Kind::query)) take_queries(intake, counts);
   return bad || files.bad;
 }
 

@@ -6,9 +6,9 @@
 // c_0. If none has, c_0 is a maximum, the proved one. Within a leaf, by the sign in doubles where that is
 // beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
 //
-// Ties by construction. Where two vertices of C in n's plane differ in one leaf only, their vertices of that
-// leaf tie. A box: x_0's three neighbours are enough, n being separable. A hull with adjacency: x_0's
-// neighbours are.
+// Ties by construction. A step across an axis that n is parallel to. Where two vertices of C in n's plane
+// differ in one leaf only, their vertices of that leaf tie. A box: x_0's three neighbours are enough, n being
+// separable. A hull with adjacency: x_0's neighbours are.
 #pragma once
 
 #include <graze/exact/scene.hpp>
@@ -23,6 +23,10 @@ struct Direction {
   Term f1, f2;
   int sign = 1;
   Vec3<double> approx = Vec3<double>::Zero(), error = Vec3<double>::Zero();
+  // The same of R^T n, in the axes of one body, or of both where they are turned alike: where f_1 and f_2 are
+  // differences of vertices of that body alone, no rotation is in it. of_body: whose axes.
+  std::array<bool, 2> of_body = {false, false};
+  Vec3<double> own = Vec3<double>::Zero(), own_error = Vec3<double>::Zero();
 };
 
 // Of which doubles know nothing; finite, so that no product with a 0 is NaN.
@@ -101,6 +105,9 @@ class BeyondSearch {
     // differences that round once.
     if (!leaf.turned) {
       s.error = s.n.error + 8 * kUnitRoundoff<double> * s.d.cwiseAbs();
+    } else if (s.n.of_body[leaf.of_b] && leaf.inner.empty()) {
+      s.d = s.n.own;
+      s.error = s.n.own_error + 8 * kUnitRoundoff<double> * s.d.cwiseAbs();
     } else {
       double turn = kGuideTurn * kUnitRoundoff<double>;
       if (leaf.inner.empty()) {
@@ -141,7 +148,7 @@ class BeyondSearch {
       accept(s, k, height);
       return;
     }
-    if (ties_by_index(s, k)) return;
+    if (ties_by_axes(s, step) || ties_by_index(s, k)) return;
     if (scene_.determinant_sign(Term::step(s.index, s.at, k), s.n.f1, s.n.f2) * s.n.sign > 0)
       accept(s, k, height);
   }
@@ -150,6 +157,11 @@ class BeyondSearch {
     s.found = true;
     s.best = k;
     s.height = height;
+  }
+  // A step that is 0 along every axis along which n is not known to be: of a face across an axis.
+  [[nodiscard]] static bool ties_by_axes(const Search& s, const Vec3<double>& step) {
+    return (s.error[0] == 0 || step[0] == 0) && (s.error[1] == 0 || step[1] == 0) &&
+           (s.error[2] == 0 || step[2] == 0);
   }
   // Do two vertices of C in the plane differ in this leaf only, as x_0 and k do?
   [[nodiscard]] bool ties_by_index(const Search& s, std::uint32_t k) const {

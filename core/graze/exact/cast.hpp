@@ -27,8 +27,8 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
   const exact::Term& v = cast.v();
-  const exact::Answer answer = cast.pass();
   const double t_max = static_cast<double>(options.t_max);
+  const exact::Answer answer = cast.pass(t_max);
   exact::TimeBracket toi{kInfinity<double>, kInfinity<double>};
   out.outcome = Outcome::miss;
   if (answer.passage == Passage::contact) {

@@ -10,12 +10,13 @@
 #pragma once
 
 #include <graze/exact/edge_on.hpp>
+#include <graze/portal/quick_walk.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 
 // What the line does, as far as the question needs it.
 enum class Passage : std::uint8_t {
-  beside,   // it misses C
+  beside,   // it misses C, or, where a path was asked about, the path does
   contact,  // t_in <= 0 <= t_out
   ahead,    // t_in > 0; the facet is the entry's
   behind,   // t_out < 0; the facet is the exit's
@@ -23,7 +24,8 @@ enum class Passage : std::uint8_t {
 
 struct Answer {
   Passage passage = Passage::beside;
-  Term miss_f1, miss_f2;  // beside: n = miss_sign (f1 x f2) has n.v = 0, h(n) < 0
+  // beside: n = miss_sign (f1 x f2) has n.v = 0 and h(n) < 0; or, for a path, h(n) < min(0, t_max n.v)
+  Term miss_f1, miss_f2;
   int miss_sign = 1;
   Facet facet;
   std::array<Vertex, 4> hull;  // contact: the origin is in the hull of these
@@ -37,10 +39,15 @@ class PassageSearch {
       : pair_(a, b),
         scene_(a, b, pair_.length_exponent(), pair_.speed_exponent()),
         line_(line_of(pair_)),
-        counters_(counters) {}
+        counters_(counters),
+        is_quick_(detail::is_quick(a.shape) && detail::is_quick(b.shape)) {}
 
-  [[nodiscard]] Answer pass() {
-    return with_walk(false, [&](auto& walk) {
+  // As far as t in [0, t_max] goes: a line that is met later only may come out as one that is beside C.
+  [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
+    Seeds seeds;
+    Answer miss;
+    if (seek(t_max, seeds, miss)) return miss;
+    return with_walk(false, seeds, [&](auto& walk) {
       Answer out;
       const int height = walk.height_sign();
       if (height == 0) {
@@ -61,7 +68,7 @@ class PassageSearch {
   }
   // t_in (toward -1) or t_out (+1) of the line.
   [[nodiscard]] Answer end(int toward) {
-    return with_walk(false, [&](auto& walk) {
+    return with_walk(false, {}, [&](auto& walk) {
       Answer out;
       walk.refine(toward, [](const auto&) { return false; });
       out.passage = toward < 0 ? Passage::ahead : Passage::behind;
@@ -77,7 +84,7 @@ class PassageSearch {
       const Answer in = end(-1);
       if (compare_time(scene_, in.facet, line_.v, 0.0) == 0) return true;
     }
-    return with_walk(true, [](auto&) {
+    return with_walk(true, {}, [](auto&) {
              Answer inside;
              inside.passage = Passage::contact;
              return inside;
@@ -102,9 +109,41 @@ class PassageSearch {
     out.hull_size = facet.size;
     for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) out.hull[i] = facet.corner[i];
   }
+  // The quick walk goes first (quick_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2 with
+  // f_1 = (n_z, 0, -n_x) and f_2 = (0, n_z, -n_y), z being the axis of n's largest component. Else where it
+  // ended is where the exact walk begins.
+  bool seek(double t_max, Seeds& seeds, Answer& miss) {
+    if (!pair_.moves() || !(t_max > 0) || !is_quick_) return false;
+    const double horizon = t_max * power_of_two(pair_.speed_exponent() - pair_.length_exponent());
+    QuickWalk<S, true> walk(pair_, horizon, 0, kQuickSteps, counters_);
+    const Seed seed = walk.seek();
+    if (seed == Seed::none) return false;
+    if (seed != Seed::miss) {
+      seeds.known = true;
+      seeds.last = seed == Seed::portal;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const QuickCorner& c = walk.corner(i);
+        seeds.vertex[i] = {c.vertex_a, c.vertex_b};
+      }
+      return false;
+    }
+    const Triple& n = walk.axis();
+    const Triple size = magnitude(n);
+    const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : size.y > size.z ? 1 : 2;
+    const int x = (z + 1) % 3, y = (z + 2) % 3;
+    Vec3<double> f1 = Vec3<double>::Zero(), f2 = Vec3<double>::Zero();
+    f1[z] = -n[x];
+    f1[x] = n[z];
+    f2[z] = -n[y];
+    f2[y] = n[z];
+    miss.miss_f1 = Term::given(f1);
+    miss.miss_f2 = Term::given(f2);
+    miss.miss_sign = n[z] > 0 ? 1 : -1;
+    return true;
+  }
   // `go(walk)` once the line is found to pass through C.
   template <class Go>
-  Answer with_walk(bool outward, const Go& go) {
+  Answer with_walk(bool outward, const Seeds& seeds, const Go& go) {
     const auto missed = [](const auto& walk) {
       Answer out;
       out.miss_f1 = walk.miss_f1();
@@ -113,7 +152,7 @@ class PassageSearch {
       return out;
     };
     PortalWalk<S> walk(pair_, scene_, line_, counters_);
-    const WalkState state = walk.find(outward);
+    const WalkState state = walk.find(outward, seeds);
     if (state == WalkState::beside) return missed(walk);
     if (state == WalkState::through) return go(walk);
     EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.first(), walk.second(), counters_);
@@ -125,6 +164,7 @@ class PassageSearch {
   Scene<S> scene_;
   Line line_;
   Counters& counters_;
+  bool is_quick_;
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::exact

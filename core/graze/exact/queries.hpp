@@ -71,9 +71,9 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   out.invalid = exact::refusal(a, b, as_cast);
   if (exact::refused(out, a, b, as_cast)) return out;
   exact::PassageSearch<S> cast(a, b, out.counters);
-  const exact::Answer answer = cast.pass();
-  const bool ahead = answer.passage == exact::Passage::ahead;
   const double t_max = static_cast<double>(options.t_max);
+  const exact::Answer answer = cast.pass(t_max);
+  const bool ahead = answer.passage == exact::Passage::ahead;
   const bool meets =
       answer.passage == exact::Passage::contact ||
       (ahead && cast.pair().moves() &&

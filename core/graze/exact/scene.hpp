@@ -29,6 +29,8 @@ class Scene {
       own_[1].init(b.shape, true, turn_b);
       leaves_ = own_;
       unturned_ = !own_[0].turned && !own_[1].turned;
+      const Quaternion<double>&p = own_[0].outer, &q = own_[1].outer;
+      alike_ = p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
       return;
     }
     add_body(a, false, turn_a);
@@ -42,34 +44,46 @@ class Scene {
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
 
-  [[nodiscard]] Fine fine(const Term& term) const {
-    return unturned_ ? fine_unturned(term) : evaluate<Fine>(term);
+  // `straight`: in the bodies' own axes, without their rotation; for terms that is_straight() is true of.
+  [[nodiscard]] Fine fine(const Term& term, bool straight = false) const {
+    return straight || unturned_ ? fine_unturned(term) : evaluate<Fine>(term);
   }
-  [[nodiscard]] Exact exact(const Term& term) const {
-    Exact out = evaluate<Exact>(term);
+  [[nodiscard]] Exact exact(const Term& term, bool straight = false) const {
+    Exact out = straight ? exact_unturned(term) : evaluate<Exact>(term);
     for (const Dyadic& x : out.x) valid_ = valid_ && x.valid();
     return out;
   }
 
-  // sign a.(b x c). |error of the fine determinant| <= 2^-87 of the product of the sizes: six products of
+  // No combinators: a body is a leaf.
+  [[nodiscard]] bool is_of_two_leaves() const { return leaves_.data() == own_.data(); }
+  // Two leaves by the same rotation.
+  [[nodiscard]] bool turned_alike() const { return alike_; }
+
+  // sign a.(b x c). Of steps and differences within one body, or within two that are turned alike, the rotation
+  // drops out: det(R x, R y, R z) = det(x, y, z).
+  //
+  // |error of the fine determinant| <= 2^-87 of the product of the sizes: six products of
   // three, each of whose factors is within 2^-92, and what pairs round. The product of the sizes must leave
   // room for low parts above the least normal number.
   [[nodiscard]] int determinant_sign(const Term& a, const Term& b, const Term& c) const {
+    const bool straight = unturned_ || is_straight(a, b, c);
     if (has_fine()) {
-      const Fine x = fine(a), y = fine(b), z = fine(c);
+      const Fine x = fine(a, straight), y = fine(b, straight), z = fine(c, straight);
       const double size = x.size * y.size * z.size;
       if (size > kLeastSize && size < kMostSize) {
         const double value = rounded(dot(x.x, cross(y.x, z.x))), error = kFineError * size;
         if (value > error) return 1;
         if (value < -error) return -1;
         if (!(x.weighted || y.weighted || z.weighted)) {
+          if (is_level(x, y, z)) return 0;
           const int grid = grid_of(a) + grid_of(b) + grid_of(c);
           if (grid > -900 && std::abs(value) + error < power_of_two(std::min(grid, 0))) return 0;
         }
       }
     }
     ++exact_decisions_;
-    const Exact p = exact(a), q = exact(b), r = exact(c);
+    const bool own = straight && !unturned_;
+    const Exact p = exact(a, own), q = exact(b, own), r = exact(c, own);
     const Dyadic value = dot(p.x, cross(q.x, r.x));
     valid_ = valid_ && value.valid();
     return value.sign();
@@ -183,6 +197,44 @@ class Scene {
         false);
     return out;
   }
+  // Whether each is a step or a difference that only bodies with one rotation take part in.
+  [[nodiscard]] bool is_straight(const Term& a, const Term& b, const Term& c) const {
+    if (!is_of_two_leaves()) return false;
+    std::array<bool, 2> takes_part = {false, false};
+    for (const Term* const term : {&a, &b, &c}) {
+      if (term->kind == Term::Kind::step) {
+        takes_part[leaves_[term->leaf].of_b] = true;
+      } else if (term->kind == Term::Kind::difference) {
+        takes_part[0] = takes_part[0] || term->from.a != term->to.a;
+        takes_part[1] = takes_part[1] || term->from.b != term->to.b;
+      } else {
+        return false;
+      }
+    }
+    return alike_ || !(takes_part[0] && takes_part[1]);
+  }
+  // All three in one plane across an axis: a row of the determinant is 0.
+  [[nodiscard]] static bool is_level(const Fine& x, const Fine& y, const Fine& z) {
+    const auto is_zero = [](const Pair& p) { return p.hi == 0 && p.lo == 0; };
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_zero(x.x[i]) && is_zero(y.x[i]) && is_zero(z.x[i])) return true;
+    }
+    return false;
+  }
+  // A step or a difference of two leaves, in their own axes.
+  [[nodiscard]] Exact exact_unturned(const Term& term) const {
+    Exact out;
+    const auto add = [&](const Leaf<S>& leaf, std::uint32_t from, std::uint32_t to) {
+      if (from != to) out.add(step_of<Exact>(leaf, from, to), leaf.of_b);
+    };
+    if (term.kind == Term::Kind::step) {
+      add(leaves_[term.leaf], term.k, term.l);
+    } else {
+      add(own_[0], term.from.a, term.to.a);
+      add(own_[1], term.from.b, term.to.b);
+    }
+    return out;
+  }
   // The same, straight: two leaves that do not turn.
   [[nodiscard]] Fine fine_unturned(const Term& term) const {
     const Leaf<S>&a = own_[0], &b = own_[1];
@@ -197,6 +249,11 @@ class Scene {
                             std::abs(x[2]) + std::abs(y[2])});
     };
     switch (term.kind) {
+      case Term::Kind::step: {
+        const Leaf<S>& leaf = leaves_[term.leaf];
+        if (term.k != term.l) add(at(leaf, term.l), at(leaf, term.k), leaf.of_b);
+        return out;
+      }
       case Term::Kind::difference:
         if (term.from.a != term.to.a) add(at(a, term.to.a), at(a, term.from.a), false);
         if (term.from.b != term.to.b) add(at(b, term.to.b), at(b, term.from.b), true);
@@ -306,8 +363,8 @@ class Scene {
 
   const Body<S>&a_, &b_;
   int k_, j_;
-  double unit_;  // 2^-k
-  bool unturned_ = false;
+  double unit_;                            // 2^-k
+  bool unturned_ = false, alike_ = false;  // of two leaves: none turns; both turn as one
   std::array<Leaf<S>, 2> own_;
   std::vector<Leaf<S>> more_;
   std::vector<Shift> shifts_;

@@ -87,6 +87,13 @@ struct Bounds {
   }
 };
 
+// Vertices of C that a walk may begin with.
+struct Seeds {
+  std::array<Vertex, 3> vertex;
+  bool known = false;
+  bool last = false;  // a portal that nothing is likely to lie beyond
+};
+
 enum class WalkState : std::uint8_t {
   undecided,
   through,  // `portal` holds o
@@ -110,11 +117,16 @@ class PortalWalk {
     turned_ = bounds_.body > 0;
   }
 
-  // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses.
-  WalkState find(bool outward = false) {
+  // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses. `seeds`:
+  // any three vertices to begin with, wherever they come from; a triangle of them is as good as another.
+  WalkState find(bool outward = false, const Seeds& seeds = {}) {
     outward_ = outward;
-    if (!start()) return state_;
-    if (!make_triangle()) return state_;
+    if (seeds.known && plant(seeds)) {
+      last_ = seeds.last;
+    } else {
+      if (!start()) return state_;
+      if (!make_triangle()) return state_;
+    }
     around_ = {at(0).id, at(1).id, at(2).id};
     walk_around();
     return state_;
@@ -256,6 +268,14 @@ class PortalWalk {
 
   // ---- 1 ----
 
+  // The seeds as a triangle that turns left, if they are one.
+  bool plant(const Seeds& seeds) {
+    for (std::size_t i = 0; i < 3; ++i) find_corner(seeds.vertex[i], slot_[i]);
+    const int s = turn(slot_[0], slot_[1], slot_[2]);
+    if (s < 0) std::swap(order_[1], order_[2]);
+    return s != 0;
+  }
+
   // Three vertices, in the hope that they are a triangle around o, or close to it.
   bool start() {
     Corner &first = slot_[0], &second = slot_[1], &third = slot_[2];
@@ -315,6 +335,7 @@ class PortalWalk {
 
   void walk_around() {
     int edge = outside_edge();
+    last_ = last_ && edge < 0;
     while (edge >= 0 && goes_on(scene_, counters_)) {
       // The edge first.
       if (edge == 1) order_ = {order_[1], order_[2], order_[0], order_[3]};
@@ -364,6 +385,10 @@ class PortalWalk {
     const Triple n = double(toward_) * cross(e, f);
     const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     Corner& w = next();
+    if (last_) {
+      last_ = false;
+      return surely_above(n, e, f, w);
+    }
     support(n, w);
     if (!is_corner(w.id)) {
       const Triple g = edge(c0, w);
@@ -371,17 +396,46 @@ class PortalWalk {
       const double error = 1.1 * bounds_.edge * (e_1 * f_1 + (e_1 + f_1) * g_1) + kUnderflow;
       if (dot(n, g) > error) return true;
     }
+    return surely_above(n, e, f, w);
+  }
+  // Of e x f in doubles, p and q what was added up to make e and f: they are differences of given numbers, each of two
+  // roundings; a product adds one, the sum another.
+  [[nodiscard]] static Vec3<double> normal_error(const Triple& p, const Triple& q) {
+    const auto error = [](double a, double b, double c, double d) {
+      const double size = a * b + c * d;
+      return size == 0 ? 0 : 8 * kU * size + kUnderflow;
+    };
+    return {error(p.y, q.z, p.z, q.y), error(p.z, q.x, p.x, q.z), error(p.x, q.y, p.y, q.x)};
+  }
+  // The normal in the axes of the one body whose vertices alone make the portal's edges, or of both, if they are
+  // turned alike. Of leaves: their vertices are known without rounding in their own axes.
+  void find_own_normal(Direction& out) const {
+    if (!scene_.is_of_two_leaves()) return;
+    const Vertex &v0 = at(0).id, &v1 = at(1).id, &v2 = at(2).id;
+    const bool alike = scene_.turned_alike(), of_a = v0.b == v1.b && v0.b == v2.b,
+               of_b = v0.a == v1.a && v0.a == v2.a;
+    if (!(alike || of_a || of_b)) return;
+    out.of_body = {alike || of_a, alike || of_b};
+    const auto step_a = [&](const Vertex& v) {
+      return of_b ? Triple{0, 0, 0} : pair_.a().own(v.a) - pair_.a().own(v0.a);
+    };
+    const auto step_b = [&](const Vertex& v) {
+      return of_a ? Triple{0, 0, 0} : pair_.b().own(v.b) - pair_.b().own(v0.b);
+    };
+    const Triple a_1 = step_a(v1), a_2 = step_a(v2), b_1 = step_b(v1), b_2 = step_b(v2);
+    out.own = (double(toward_) * cross(a_1 - b_1, a_2 - b_2)).vector();
+    out.own_error = normal_error(magnitude(a_1) + magnitude(b_1), magnitude(a_2) + magnitude(b_2));
+  }
+  // The same, decided for the exact plane. n = +-(e x f), the edges from the portal's first corner.
+  bool surely_above(const Triple& n, const Triple& e, const Triple& f, Corner& w) {
+    const Corner &c0 = at(0), &c1 = at(1), &c2 = at(2);
+    const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     Direction direction{Term::difference(c0.id, c1.id), Term::difference(c0.id, c2.id), toward_, n.vector()};
     if (turned_) {
       direction.error.setConstant(1.2 * bounds_.edge * (e_1 + f_1));
+      find_own_normal(direction);
     } else {
-      // e and f are differences of given numbers, each of two roundings; a product adds one, the sum another.
-      const Triple p = edge_size(c0, c1), q = edge_size(c0, c2);
-      const auto error = [](double a, double b, double c, double d) {
-        const double size = a * b + c * d;
-        return size == 0 ? 0 : 8 * kU * size + kUnderflow;
-      };
-      direction.error = {error(p.y, q.z, p.z, q.y), error(p.z, q.x, p.x, q.z), error(p.x, q.y, p.y, q.x)};
+      direction.error = normal_error(edge_size(c0, c1), edge_size(c0, c2));
     }
     Vertex id;
     if (!beyond_.find(direction, c0.id, std::array{c1.id, c2.id}, id)) return false;
@@ -419,6 +473,7 @@ class PortalWalk {
   std::array<Vertex, 3> around_, previous_;
   Vertex newest_;
   bool outward_ = false, turned_ = false;
+  bool last_ = false;  // the portal came as the last one of another walk
   int toward_ = -1;
   Term miss_f1_, miss_f2_;
   int miss_sign_ = 1;

@@ -14,6 +14,9 @@
 // Where that fails, near the start, near the end of the path or after kQuickSteps, it gives up, and the
 // search of portal.hpp answers.
 //
+// For a stricter walk it seeks instead: a miss is proved as above; of anything else only the portal that it
+// ended with is handed on, unverified (exact/walk.hpp begins there).
+//
 // Rounding, internal length, over |n|_1; e = err(a) + err(b) of prepared_pair.hpp, M the extent, u in double:
 //   a vertex c of C     e + the offset's error + 4 u M per component (two sums)
 //   n.c                 3 u M
@@ -47,6 +50,10 @@ struct QuickCorner {
   }
 };
 
+// What a walk that seeks found: nothing, a proof that the path misses, or three vertices that are about the line.
+// `passed`: the next portal lies on the other side of the origin; else it was the last.
+enum class Seed : std::uint8_t { none, miss, portal, passed };
+
 // outcome not_converged: it gave up.
 struct QuickSweep {
   Outcome outcome = Outcome::not_converged;
@@ -55,7 +62,8 @@ struct QuickSweep {
   std::array<double, 3> lambda{};
 };
 
-template <Scalar S>
+// kSeeks: it seeks a seed, for seek(); else it answers, for run().
+template <Scalar S, bool kSeeks = false>
 class QuickWalk {
  public:
   // `horizon` may be infinite. `tolerance` over scale, 0 for the noise.
@@ -75,9 +83,20 @@ class QuickWalk {
   }
 
   [[nodiscard]] const QuickSweep& run() {
+    static_assert(!kSeeks);
     if (find()) refine();
     return out_;
   }
+  // A portal for another walk to begin with: in double's noise whatever S is, and nothing is made sure of.
+  [[nodiscard]] Seed seek() {
+    static_assert(kSeeks);
+    target_ = kContact * kUnitRoundoff<double> * pair_.size();
+    if (find()) refine();
+    if (out_.outcome == Outcome::miss) return Seed::miss;
+    return at_[0] == nullptr ? Seed::none : passed_ ? Seed::passed : Seed::portal;
+  }
+  // Of the miss.
+  [[nodiscard]] const Triple& axis() const { return out_.n; }
   // Of the portal.
   [[nodiscard]] const QuickCorner& corner(std::size_t i) const { return *at_[i]; }
 
@@ -192,13 +211,21 @@ class QuickWalk {
       const double face = dot(n, c0->w), size = sum(magnitude(n));
       if (!(size > kQuickLeast)) return;
       if (face >= 0) {
-        at_ = {c0, c1, c2};
-        touch();
+        // The portal before: one step from the one that shows contact.
+        if constexpr (kSeeks) {
+          passed_ = before_[0] != nullptr;
+          if (passed_) at_ = before_;
+        } else {
+          at_ = {c0, c1, c2};
+          touch();
+        }
         return;
       }
+      if constexpr (kSeeks) at_ = {c0, c1, c2};
       QuickCorner& w = support(n, free);
       if (separates(n, w)) return;
       if (!(dot(n, w.w) - face > target_ / 4 * size)) {
+        if constexpr (kSeeks) return;
         if constexpr (std::same_as<S, double>) {
           sure_support(n, w);
           if (separates(n, w)) return;
@@ -263,6 +290,7 @@ class QuickWalk {
   Triple r_, end_;  // end_: of the path, as far as C reaches
   Counters& counters_;
   int budget_;
+  bool passed_ = false;
   double ball_ = 1, r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   // Three of the portal, the one that is new, the one that the last step took out.
   std::array<QuickCorner, 5> slot_;

@@ -11,13 +11,6 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-template <Scalar S>
-[[nodiscard]] bool is_quick(const Shape<S>& shape) {
-  return std::holds_alternative<Hull<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
-         std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Segment<S>>(shape) ||
-         std::holds_alternative<Triangle<S>>(shape);
-}
-
 // The largest S not above x > 0 (`up`: the least not below), by the next number of a positive one.
 template <Scalar S>
 [[nodiscard]] S rounded_toward(double x, bool up) {

@@ -43,6 +43,18 @@ inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y),
 inline double sum(const Triple& a) { return a.x + a.y + a.z; }
 inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
 
+namespace detail {
+
+// A shape whose vertices a quick walk takes as they are.
+template <Scalar S>
+[[nodiscard]] bool is_quick(const Shape<S>& shape) {
+  return std::holds_alternative<Hull<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
+         std::holds_alternative<Point<S>>(shape) || std::holds_alternative<Segment<S>>(shape) ||
+         std::holds_alternative<Triangle<S>>(shape);
+}
+
+}  // namespace detail
+
 inline constexpr int kGuideTurn = 21;
 
 // One body. Valid while it lives.

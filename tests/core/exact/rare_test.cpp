@@ -261,5 +261,67 @@ TEST(ExactRare, APointOfTheInsideIsOfItsOwnVertices) {
   EXPECT_EQ(scene.exact_decisions(), 0);
 }
 
+// --- many vertices of one face, in bodies that are turned
+
+// Level faces of 24 vertices each at z = -1/2 and 1/2, whose x and y are no short numbers.
+Hull<double> level_prism(Draw& draw) {
+  std::vector<V> corners;
+  for (const double z : {-0.5, 0.5}) {
+    for (int i = 0; i < 24; ++i) {
+      const double angle = i * 0.26 + draw.between(0, 0.02);
+      corners.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  return Hull<double>(std::span<const V>(corners));
+}
+
+// The rotation drops out of what is asked about one body's face, or about two that are turned alike: every tie on
+// the face is settled without exact numbers. Turned as a part of a combinator, which takes the long way, the same
+// bits.
+TEST(ExactRare, TheFaceOfATurnedBodyIsSettledInItsOwnAxes) {
+  Draw draw{239};
+  int hits = 0;
+  for (int round = 0; round < 60; ++round) {
+    const Hull<double> prism = level_prism(draw);
+    const Quaternion<double> q = draw.turn<double>();
+    const Mat3<double> r = detail::rotation_matrix(q);
+    Body<double> a{.shape = prism, .orientation = q}, b;
+    const bool both = round % 2 == 0;
+    if (both) b = a;
+    // Onto the upper face, or past it.
+    b.position = r * V(draw.between(-0.9, 0.9), draw.between(-0.9, 0.9), draw.between(2, 3));
+    b.displacement = r * V(draw.between(-0.2, 0.2), draw.between(-0.2, 0.2), -4);
+    const auto straight = exactly(a, b);
+    a.shape = posed<double>(prism, V::Zero(), q);
+    if (both) b.shape = a.shape;
+    a.orientation = b.orientation = {};
+    const auto nested = exactly(a, b);
+    ASSERT_EQ(straight.outcome, nested.outcome) << round;
+    EXPECT_EQ(straight.toi_lower, nested.toi_lower) << round;
+    EXPECT_EQ(straight.toi_upper, nested.toi_upper) << round;
+    EXPECT_EQ(straight.counters.exact_decisions, 0) << round;
+    if (straight.outcome != Outcome::hit) continue;
+    ++hits;
+    EXPECT_GT(nested.counters.exact_decisions, 10) << round;
+  }
+  EXPECT_GT(hits, 20);
+}
+
+// A combinator's vertices are rounded in its own axes: of them nothing is taken for level that is not.
+TEST(ExactRare, ThePartsOfACombinatorAreNotTakenForLeaves) {
+  Draw draw{241};
+  for (int round = 0; round < 60; ++round) {
+    const Quaternion<double> q = draw.turn<double>(), p = draw.turn<double>();
+    const double thin = std::ldexp(1.0, -round);
+    const Box<double> box{{1, 1, thin}};
+    Body<double> a{.shape = posed<double>(box, {draw.between(-1, 1), 0, 0}, p), .orientation = q}, b;
+    b.position = {draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), 4};
+    b.displacement = {0, 0, -8};
+    const auto r = exactly(a, b);
+    EXPECT_EQ(r.invalid, Invalid::none) << round;
+    EXPECT_NE(r.outcome, Outcome::invalid_input) << round;
+  }
+}
+
 }  // namespace
 }  // namespace graze

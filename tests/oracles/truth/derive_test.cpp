@@ -25,6 +25,41 @@ TEST(DeriveExpectation, CastOfAPolytopeIsTheExactCso) {
   EXPECT_FALSE(expect.t_in.has_value());
 }
 
+// Rounded so that what exceeds a tolerance by them does so in truth: lengths down, the scale up.
+TEST(DeriveExpectation, CastSaysHowFarItsPathIsFromAnotherAnswer) {
+  corpus::Case problem;
+  problem.a.shape = Box<double>{Vec(1, 1, 1)};
+  problem.b.shape = Point<double>{};
+  problem.b.position = Vec(-4, 0.75, 0);
+  problem.b.displacement = Vec(8, 0, 0);
+  corpus::Expect expect = derive_expectation(problem);
+  EXPECT_EQ(expect.outcome, Outcome::hit);
+  EXPECT_EQ(expect.path_depth.value(), 0.25);
+  EXPECT_FALSE(expect.clearance.has_value());
+  EXPECT_NEAR(expect.scale.value(), std::sqrt(16.5625), 1e-15);  // between the centres
+  EXPECT_GE(expect.scale.value() * expect.scale.value(), 16.5625 * (1 - 0x1p-52));
+  problem.b.position = Vec(-4, 2, 2);  // passes the edge by the root of 2
+  expect = derive_expectation(problem);
+  EXPECT_EQ(expect.outcome, Outcome::miss);
+  EXPECT_FALSE(expect.path_depth.has_value());
+  EXPECT_GT(std::sqrt(2.0) * std::sqrt(2.0), 2) << "the nearest double is above the root";
+  EXPECT_EQ(expect.clearance.value(), std::nextafter(std::sqrt(2.0), 0.0));
+  problem.query = corpus::Query::swept_overlap;
+  EXPECT_FALSE(derive_expectation(problem).has_measures());
+}
+
+TEST(DeriveExpectation, CurvedCastHasALowerBoundOfItsClearance) {
+  corpus::Case problem;
+  problem.a.shape = Ellipsoid<double>{Vec(1, 2, 3)};
+  problem.b.shape = Ellipsoid<double>{Vec(1, 1, 2)};
+  problem.b.position = Vec(-4, 0, 5.5);  // passes the poles by a half
+  problem.b.displacement = Vec(8, 0, 0);
+  const corpus::Expect expect = derive_expectation(problem);
+  EXPECT_EQ(expect.outcome, Outcome::miss);
+  EXPECT_LE(expect.clearance.value(), 0.5);
+  EXPECT_NEAR(expect.clearance.value(), 0.5, 1e-12);
+}
+
 TEST(DeriveExpectation, LineHasItsSignedInterval) {
   corpus::Case problem = point_and_box();
   problem.query = corpus::Query::line;

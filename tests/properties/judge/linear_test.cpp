@@ -181,6 +181,18 @@ TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
   EXPECT_FALSE(judged(answer).early.empty());
 }
 
+// No width is promised of it: its errors are measured, and held against nothing.
+TEST(Judge, what_has_not_converged_is_over_no_limit) {
+  engine::Answer answer = right_answer();
+  answer.toi_lower = 0.2;
+  const Judgement hit = judged(answer);
+  EXPECT_GT(hit.errors.over_limit, 1);
+  answer.outcome = Outcome::not_converged;
+  const Judgement open = judged(answer);
+  EXPECT_EQ(open.errors.backward, hit.errors.backward);
+  EXPECT_TRUE(std::isnan(open.errors.over_limit));
+}
+
 TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
   engine::Answer answer = right_answer();
   answer.normal = {0, 0, -1};

@@ -69,6 +69,18 @@ TEST(QueryJudge, overlap) {
   falls(apart, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::invalid_input; });
 }
 
+// A bracket that says of itself that it is wide is held to no width.
+TEST(QueryJudge, what_has_not_converged_is_over_no_limit) {
+  const Case apart = cubes(Query::distance, {2, 0.25, 0});
+  Answer answer = ours(apart);
+  answer.separation->lower /= 2;
+  EXPECT_GT(judged(apart, answer).errors.over_limit, 1);
+  answer.stalled = true;
+  const Judgement open = judged(apart, answer);
+  EXPECT_TRUE(open.stalled);
+  EXPECT_TRUE(std::isnan(open.errors.over_limit));
+}
+
 TEST(QueryJudge, distance) {
   const Case apart = cubes(Query::distance, {2, 0.25, 0});
   falls(apart, &Judgement::off, [](Answer& a) { a.separation->lower -= kOff; });

@@ -89,6 +89,16 @@ TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_anot
   EXPECT_NE(judged(turning_bar(), "ca", stall).early, "");
 }
 
+TEST(RotatingJudge, what_has_not_converged_is_over_no_limit) {
+  Answer answer = method("ca").ask(turning_bar(), {});
+  answer.toi_lower -= kOff;
+  EXPECT_GT(judged(turning_bar(), "ca", answer).errors.over_limit, 1);
+  answer.outcome = Outcome::not_converged;
+  const Judgement open = judged(turning_bar(), "ca", answer);
+  EXPECT_TRUE(open.by_oracle);
+  EXPECT_TRUE(std::isnan(open.errors.over_limit));
+}
+
 TEST(RotatingJudge, convicts_normals_and_witnesses) {
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= 1 + 1e-12; });

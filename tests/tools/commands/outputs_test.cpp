@@ -53,6 +53,8 @@ const std::vector<Output> kOutputs = {
     {"certify", "--save", "certify --family random --count 1 --guarantees IN --save OUT"},
     {"certify", "--save", "certify --family random --count 1 --guarantees IN --stability --save OUT"},
     {"certify", "--save", "certify IN --laws --law swapping --save OUT"},
+    {"certify", "--json", "certify IN --json OUT"},
+    {"certify", "--junit", "certify IN --junit OUT"},
     {"draw", "--out", "draw IN --out OUT"},
     {"merge", "--json", "merge IN --json OUT"},
     {"merge", "--save", "merge IN --save OUT"},

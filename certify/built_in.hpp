@@ -1,0 +1,28 @@
+// How much `graze certify` judges when it is given no number of its own, and the suites that are drawn for it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "certify/intake.hpp"
+
+namespace graze::tool {
+
+// Generated cases of a family, of one in which bodies turn, and casts of a family whose bodies are asked the
+// other queries. A cast is judged by its proof, in microseconds; a query costs the exact oracle milliseconds,
+// and a turning cast the bracket oracle tens of them. A verdict in a minute; and --thorough.
+struct Counts {
+  std::size_t linear, rotating, queries;
+};
+inline constexpr Counts kUsual = {512, 12, 20}, kThorough = {4000, 60, 100};
+
+// The exact oracle measures every so many generated linear casts, beside what it must decide.
+inline constexpr std::size_t kOracleEvery = 20;
+
+// A suite of each family, after those that are there.
+void take_families(Intake& intake, std::span<const corpus::Family* const> families, const Counts& counts,
+                   std::uint64_t seed, std::size_t oracle_every);
+// Of each suite of linear casts one more, whose bodies are asked the other queries.
+void take_queries(Intake& intake, const Counts& counts);
+
+}  // namespace graze::tool

@@ -1,0 +1,87 @@
+#include "external/methods.hpp"
+
+#include <fmt/format.h>
+
+#include "external/terms.hpp"
+
+namespace graze::external {
+
+using engine::Kind;
+
+namespace {
+
+engine::Kind kind_of(Question question) {
+  switch (question) {
+    case Question::cast:
+    case Question::ray:
+      return Kind::linear;
+    case Question::rotating_cast:
+      return Kind::rotating;
+    default:
+      return Kind::query;
+  }
+}
+
+corpus::Query query_of(Question question) {
+  switch (question) {
+    case Question::overlap:
+      return corpus::Query::overlap;
+    case Question::distance:
+      return corpus::Query::distance;
+    case Question::penetration:
+      return corpus::Query::penetration;
+    default:
+      return corpus::Query::cast;
+  }
+}
+
+}  // namespace
+
+engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, const Held& held) {
+  const bool is_held = held.tolerance || held.relative_tolerance || held.kappa;
+  const std::optional<double>& tolerance = is_held ? held.tolerance : offer.tolerance;
+  const std::optional<double>& relative = is_held ? held.relative_tolerance : offer.relative_tolerance;
+  const std::optional<double>& kappa = is_held ? held.kappa : offer.kappa;
+  // A ray beside a cast has a name of its own.
+  const std::string name =
+      engine.name + (offer.question == Question::ray ? fmt::format("-{}", to_text(offer.question)) : "");
+  const Kind kind = kind_of(offer.question);
+  engine::Guarantee row;
+  row.query = kind == Kind::rotating ? "rotating"
+              : kind == Kind::query  ? std::string(to_text(offer.question))
+                                     : "cast";
+  row.method = name;
+  row.scalar = engine.scalar;
+  row.tier = "declared";
+  row.kappa_polytope = row.kappa_rounded = kappa.value_or(0);
+  row.tolerance = tolerance.value_or(0);
+  row.relative_tolerance = relative.value_or(0);
+  row.early = offer.early;
+  row.is_open = !is_held && !offer.promises_errors();
+  row.stall_cap = row.is_open ? 1 : offer.stalls;
+  row.touching = offer.touching;
+  return row;
+}
+
+engine::Method method_of(const Declaration& engine, const Offer& offer, const engine::Guarantee& row,
+                         bool beyond) {
+  engine::Method method;
+  method.kind = kind_of(offer.question);
+  method.query = query_of(offer.question);
+  method.name = row.method;
+  method.scalar = engine.scalar;
+  method.tier = row.tier;
+  method.unit_roundoff = engine.unit_roundoff();
+  method.holds = offer.holds;
+  method.asks_starts = offer.starts;
+  method.guarantee = &row;
+  method.seen = [&engine, &offer](const corpus::Case& problem) {
+    return in_terms_of(engine, offer, problem, true).seen;
+  };
+  method.refuses = [&engine, &offer, beyond](const corpus::Case& problem) {
+    return in_terms_of(engine, offer, problem, beyond).refused;
+  };
+  return method;
+}
+
+}  // namespace graze::external

@@ -1,0 +1,114 @@
+// graze judge holds answers that were made elsewhere against the judge of certify, each by its id.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "corpus/format/case_io.hpp"
+#include "run_command.hpp"
+
+namespace graze {
+namespace {
+
+using Json = nlohmann::json;
+using test::CommandRun;
+using test::Folder;
+
+// Meets the cube's face at t = 0.375; lifted by 2.5 it passes it by one.
+corpus::Case flying_ball(const std::string& id, double height) {
+  corpus::Case problem;
+  problem.id = id;
+  problem.family = "test";
+  problem.a.shape = Box<double>{{1, 1, 1}};
+  problem.b.shape = Sphere<double>{0.5};
+  problem.b.position = {-4.5, height, 0};
+  problem.b.displacement = {8, 0, 0};
+  return problem;
+}
+
+Json hit(const std::string& id, double time) {
+  return {
+      {"schema", "graze.answer/1"}, {"id", id}, {"outcome", "hit"}, {"time", time}, {"normal", {-1, 0, 0}}};
+}
+Json miss(const std::string& id) { return {{"schema", "graze.answer/1"}, {"id", id}, {"outcome", "miss"}}; }
+
+class Judge : public testing::Test {
+ protected:
+  Folder folder;
+
+  Judge() {
+    folder.write("cases.jsonl", corpus::write_case(flying_ball("t/hit", 0)) + "\n" +
+                                    corpus::write_case(flying_ball("t/miss", 2.5)) + "\n");
+  }
+  CommandRun judge(const std::vector<Json>& answers, const std::string& arguments = "") {
+    std::string text;
+    for (const Json& answer : answers) text += answer.dump() + "\n";
+    folder.write("answers.jsonl", text);
+    return folder.graze("judge answers.jsonl --cases cases.jsonl " + arguments);
+  }
+};
+
+TEST_F(Judge, finds_no_fault_with_right_answers) {
+  const CommandRun run = judge({hit("t/hit", 0.375), miss("t/miss")}, "--tolerance 1e-9");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("0 of 2 answers at fault"), std::string::npos) << run.out;
+}
+
+TEST_F(Judge, names_each_answer_at_fault_and_its_fault) {
+  const CommandRun late = judge({hit("t/hit", 0.4), miss("t/miss")}, "--tolerance 0.01");
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_NE(late.out.find("t/hit  late  "), std::string::npos) << late.out;
+  EXPECT_EQ(late.out.find("t/miss  "), std::string::npos) << late.out;
+  const CommandRun wrong = judge({miss("t/hit"), hit("t/miss", 0.375)}, "--tolerance 0.01");
+  EXPECT_NE(wrong.out.find("t/hit  wrong  "), std::string::npos) << wrong.out;
+  EXPECT_NE(wrong.out.find("t/miss  wrong  "), std::string::npos) << wrong.out;
+  EXPECT_NE(wrong.out.find("2 of 2 answers at fault"), std::string::npos) << wrong.out;
+}
+
+TEST_F(Judge, says_with_which_limit_an_engine_without_a_promise_would_have_passed) {
+  const CommandRun run = judge({hit("t/hit", 0.4), miss("t/miss")}, "--json out.json");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  const Json total = Json::parse(folder.read("out.json"))["methods"][0]["total"];
+  EXPECT_NEAR(total["least_tolerance"].get<double>(), 0.2, 1e-6);  // 0.025 of 8
+}
+
+TEST_F(Judge, holds_an_engine_to_what_its_file_promises) {
+  Json engine = {{"schema", "graze.engine/1"},
+                 {"name", "mine"},
+                 {"scalar", "float"},
+                 {"shapes", {"box", "sphere"}},
+                 {"queries", {{"cast", {{"answers", {"time"}}, {"tolerance", 0.3}}}}}};
+  folder.write("engine.json", engine.dump(1));
+  EXPECT_EQ(judge({hit("t/hit", 0.4), miss("t/miss")}, "--engine-file engine.json").exit_code, 0);
+  engine["queries"]["cast"]["tolerance"] = 0.1;
+  folder.write("engine.json", engine.dump(1));
+  const CommandRun run = judge({hit("t/hit", 0.4), miss("t/miss")}, "--engine-file engine.json");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("mine/float"), std::string::npos) << run.out;
+  engine["scalar"] = "half";
+  folder.write("engine.json", engine.dump(1));
+  EXPECT_EQ(judge({miss("t/hit"), miss("t/miss")}, "--engine-file engine.json").exit_code, 2);
+}
+
+TEST_F(Judge, names_the_line_and_the_id_of_what_does_not_fit) {
+  const CommandRun run = judge({hit("t/hit", 0.375), miss("t/other"), miss("t/hit")});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("answers.jsonl:2: id t/other: no case has it"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("answers.jsonl:3: id t/hit: line 1 answers it, too"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("id t/miss: is not answered"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("0 of 1 answers at fault"), std::string::npos) << run.out;
+}
+
+TEST_F(Judge, takes_nan_and_garbage_for_faults_of_the_answer) {
+  folder.write("answers.jsonl",
+               R"({"schema": "graze.answer/1", "id": "t/hit", "outcome": "hit", "time": "nan"})"
+               "\n"
+               R"({"schema": "graze.answer/1", "id": "t/miss", "outcome": "perhaps"})"
+               "\n");
+  const CommandRun run = folder.graze("judge answers.jsonl --cases cases.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_NE(run.out.find("t/hit  failed  "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("t/miss  failed  "), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace graze
