@@ -17,6 +17,7 @@ import os
 import pathlib
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -91,12 +92,19 @@ def judge(options, name, command):
     words = [options.graze, "certify", "--engine", command, "--relative-tolerance", options.relative_tolerance,
              "--count", options.count, "--rotating", options.rotating, "--queries", options.queries, "--seed",
              options.seed, "--time-limit", TIME_LIMIT, "--json", counted]
-    done = subprocess.run([str(word) for word in words], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                          text=True, check=False)
-    if done.returncode not in (0, 1):
-        lines = done.stderr.strip().splitlines() or [f"exit {done.returncode}"]
+    with subprocess.Popen([str(word) for word in words], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          text=True, start_new_session=True) as process:
+        try:
+            said = process.communicate(timeout=options.seconds)[1]
+        except subprocess.TimeoutExpired:  # what is judged by then is written
+            process.send_signal(signal.SIGINT)
+            said = process.communicate()[1]
+    if process.returncode not in (0, 1, 130) or not counted.exists():
+        lines = said.strip().splitlines() or [f"exit {process.returncode}"]
         print(f"graze: {name} is left out: {lines[-1]}", file=sys.stderr)
         return None
+    if process.returncode == 130:
+        print(f"graze: {name} was stopped after {options.seconds} s; what was judged by then counts", file=sys.stderr)
     result = json.loads(counted.read_text())
     path.write_text(json.dumps({"key": key_of(options, command), "result": result}))
     counted.unlink()
@@ -209,6 +217,8 @@ def arguments():
     parser.add_argument("--rotating", type=int, default=8, metavar="N", help="of one in which bodies turn (8)")
     parser.add_argument("--queries", type=int, default=6, metavar="N", help="whose bodies are asked queries (6)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=int, default=600, metavar="S",
+                        help="for one engine; what is judged by then counts (600)")
     parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_shrunk.md again")
     parser.add_argument("--write", action="store_true", help="write docs/engines_compared.md")
     return parser.parse_args()

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <dirent.h>
+#include <unistd.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -19,7 +21,14 @@ inline std::size_t entries_of(const char* directory) {
   return count;
 }
 
-// Processes, zombies aside, whose command line names the bad engine.
+// Said of whatever this process starts, and what that starts: other tests run beside this one.
+inline const std::string kOurs = [] {
+  const std::string value = std::to_string(getpid());
+  setenv("GRAZE_TEST_OF_ENGINES", value.c_str(), 1);
+  return "GRAZE_TEST_OF_ENGINES=" + value;
+}();
+
+// Processes, zombies aside, that run the bad engine and were started by this test.
 inline std::size_t bad_engines() {
   std::size_t count = 0;
   DIR* const all = opendir("/proc");
@@ -29,7 +38,10 @@ inline std::size_t bad_engines() {
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
     std::ifstream file("/proc/" + name + "/cmdline", std::ios::binary);
     const std::string line((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (line.starts_with(BAD_ENGINE)) ++count;
+    if (!line.starts_with(BAD_ENGINE)) continue;
+    std::ifstream around("/proc/" + name + "/environ", std::ios::binary);
+    const std::string environment((std::istreambuf_iterator<char>(around)), std::istreambuf_iterator<char>());
+    if (environment.find(kOurs + '\0') != std::string::npos) ++count;
   }
   closedir(all);
   return count;
