@@ -9,7 +9,7 @@ std::filesystem::path corpus_directory() {
   std::error_code none;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
   if (!none) {
-    const std::filesystem::path beside = program.parent_path().parent_path() / "share" / "graze" / "corpus";
+    std::filesystem::path beside = program.parent_path().parent_path() / "share" / "graze" / "corpus";
     if (std::filesystem::is_directory(beside / "cases", none)) return beside;
   }
   return GRAZE_CORPUS_DIRECTORY;
