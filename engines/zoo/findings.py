@@ -1,5 +1,6 @@
 """The findings of findings.json, each shown again: the engine is asked the case, and the judge must still convict it."""
 import json
+import re
 import subprocess
 import sys
 
@@ -47,7 +48,7 @@ def convicted(options, engines, finding):
 
 
 def section(finding, reason, version):
-    because = " ".join(reason.split())
+    because = re.sub(r"(file://)?/\S*?/engines/zoo", "engines/zoo", " ".join(reason.split()))  # of no machine
     if len(because) > 330:
         because = because[:327] + "..."
     lines = [f"## {finding['id']}", "", f"**{finding['title'][0].upper()}{finding['title'][1:]}.** "
