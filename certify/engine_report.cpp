@@ -193,32 +193,6 @@ std::string certificates(const Certification& certification, const Settings& set
          "only failures\ncount as faults. not asked: what it does not take (docs/engines.md).\n";
 }
 
-std::string comparison(const Certification& certification, const Settings& settings) {
-  std::vector<const Method*> methods;
-  for (const Method* method : settings.methods) {
-    if (std::any_of(certification.tallies.begin(), certification.tallies.end(),
-                    [&](const Tally& tally) { return tally.method == method && tally.cases > 0; }))
-      methods.push_back(method);
-  }
-  std::string text;
-  for (const engine::Kind kind : {engine::Kind::linear, engine::Kind::rotating, engine::Kind::query}) {
-    for (const Method* method : methods) {
-      if (method->kind != kind) continue;
-      if (text.empty())
-        text =
-            "| engine | family | asked | wrong | late | failed | least over scale "
-            "|\n|---|---|---|---|---|---|---|\n";
-      for (const Tally& t : certification.tallies) {
-        if (t.method != method || t.cases == 0) continue;
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", method->question_name(), t.family,
-                            t.cases, count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
-                            failures_text(t), short_number(t.least_relative.value));
-      }
-    }
-  }
-  return text;
-}
-
 std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
   Json all = {{"schema", "graze.certification/1"},      {"seconds", seconds},
               {"answers", certification.answers},       {"cases", certification.questions},

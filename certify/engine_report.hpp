@@ -1,4 +1,4 @@
-// What a certification says of engines of others: their certificates, and their comparison.
+// What a certification says of engines of others: their certificates, and all that was counted.
 #pragma once
 
 #include <string>
@@ -10,9 +10,6 @@ namespace graze::tool {
 // Of each method of others in a line: how many answers, what kept it from answering, faults, and the least limits with
 // which verdicts and times would have passed, kappa, over scale, and as a length, with the case that needs them.
 [[nodiscard]] std::string certificates(const Certification& certification, const Settings& settings);
-
-// Family by family, an engine a column: "wrong late failed least", the least limit over scale.
-[[nodiscard]] std::string comparison(const Certification& certification, const Settings& settings);
 
 // All that was counted, of every method, as one JSON object: graze.certification/1.
 [[nodiscard]] std::string certification_json(const Certification& certification, const Settings& settings,
