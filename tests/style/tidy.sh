@@ -20,6 +20,10 @@ for header in sys.argv[3:]:
     alone.write_text(f"#include <graze/{pathlib.Path(header).name}>\n")
     command = re.sub(r" -o \S+ -c \S+$", f" -o {alone}.o -c {alone}", library["command"])
     entries.append({"directory": library["directory"], "file": os.fspath(alone), "command": command})
+for template in pathlib.Path("adapter/templates").glob("*.cpp"):  # Built by its users, and by a test, not by our build.
+    file = template.resolve()
+    entries.append({"directory": library["directory"], "file": os.fspath(file),
+                    "command": f"c++ -std=c++17 -Wall -Wextra -I {file.parent.parent} -o {folder}/template.o -c {file}"})
 (folder / "compile_commands.json").write_text(json.dumps(entries))
 EOF
 mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines external fuzz properties report tools examples \

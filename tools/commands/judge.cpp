@@ -154,6 +154,7 @@ std::vector<Suite> suites_of(const std::vector<Case>& cases, const external::Rec
     sorted[{kind, problem.family}].push_back(problem);
   }
   std::vector<Suite> suites;
+  suites.reserve(sorted.size());
   for (auto& [key, problems] : sorted) {
     suites.push_back({.kind = key.first,
                       .family = key.second.empty() ? "without a family" : key.second,
