@@ -88,12 +88,13 @@ class Digest {
   }
   void add(const Answer& x) {
     // What it cost, in counters and in ns, is not judged.
-    const auto& [outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, distance, passed_over,
-                 proof, counters, plan, hidden_motion, rotating_proof, separation, depth, t_in, t_out,
-                 normal_out, has_points, stalled, failure, message, declined, ns, native] = x;
-    all(outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, distance, passed_over, proof,
-        plan, hidden_motion, rotating_proof, separation, depth, t_in, t_out, normal_out, has_points, stalled,
-        failure, message, declined, native);
+    const auto& [outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, reach_a, reach_b,
+                 distance, passed_over, proof, counters, plan, hidden_motion, rotating_proof, separation,
+                 depth, t_in, t_out, normal_out, has_points, stalled, failure, message, declined, ns,
+                 native] = x;
+    all(outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, reach_a, reach_b, distance,
+        passed_over, proof, plan, hidden_motion, rotating_proof, separation, depth, t_in, t_out, normal_out,
+        has_points, stalled, failure, message, declined, native);
   }
 
  private:

@@ -38,6 +38,7 @@ struct Judged {
   Judgement judgement = {};
   Counters counters = {};
   double true_backward = std::numeric_limits<double>::quiet_NaN();
+  bool beyond_limits = false;  // of an engine of others: what it documents that it may not get right
 };
 struct JudgedCase {
   Case problem;
@@ -79,12 +80,22 @@ law::Truth& truth_of(std::vector<std::unique_ptr<law::Truth>>& truths, Case seen
 Judged judge_one(const Method& method, const Case& asked, std::vector<std::unique_ptr<law::Truth>>& truths,
                  bool measure) {
   Judged judged;
-  if (!method.is_ours() && (!law::in_domain(asked) || !method.refuses(asked).empty())) {
+  engine::OwnTerms own;
+  if (method.is_ours()) {
+    own.seen = method.seen(asked);
+    own.ask = [&](const engine::Ask& how) { return method.ask(asked, how); };
+  } else if (law::in_domain(asked)) {
+    own = method.own_terms(asked);
+  } else {
+    own.refused = "it is no case";
+  }
+  if (!own.refused.empty()) {
     judged.asked = asked;
     judged.judgement.not_asked = true;
     return judged;
   }
-  const Case seen = method.seen(asked);
+  judged.beyond_limits = own.beyond_limits;
+  const Case& seen = own.seen;
   // The scalar has made it another question.
   if (method.kind == Kind::query && !law::in_domain(seen)) return judged;
   judged.asked = asked;
@@ -92,7 +103,7 @@ Judged judge_one(const Method& method, const Case& asked, std::vector<std::uniqu
   bool is_first = true;
   const std::span<const Request> requests = method.is_ours() ? requests_of(method.kind) : kWithoutProof;
   for (const Request request : requests) {
-    const engine::Answer answer = method.ask(asked, {.request = request});
+    const engine::Answer answer = own.ask({.request = request});
     Judgement judgement = law::judge(truth, method, answer, request, measure);
     judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
     if (is_first) judged.counters = answer.counters;
@@ -151,6 +162,8 @@ class Run {
       for (const Suite& suite : suites) {
         if (suite.kind == method->kind) result_.tallies.push_back({.method = method, .family = suite.family});
       }
+      if (!method->is_ours())
+        result_.beyond_limits.push_back({.method = method, .family = "beyond its documented limits"});
     }
   }
 
@@ -186,6 +199,11 @@ class Run {
     return found;
   }
 
+  Tally& beyond_limits_of(const Method& method) {
+    return *std::find_if(result_.beyond_limits.begin(), result_.beyond_limits.end(),
+                         [&](const Tally& tally) { return tally.method == &method; });
+  }
+
   [[nodiscard]] bool stops() const { return settings_.stop() || (settings_.fail_fast && failed_); }
 
   void judge_suite(const Suite& suite, std::size_t nth) {
@@ -219,14 +237,14 @@ class Run {
       const Judged& judged = one.by_method[m];
       if (!judged.asked) continue;
       asked = true;
+      Tally& tally = judged.beyond_limits ? beyond_limits_of(*tallies[m]->method) : *tallies[m];
       // What an engine of others was asked is what a finding of it shows.
-      tallies[m]->add(tallies[m]->method->is_ours() ? one.problem : *judged.asked, judged.judgement,
-                      judged.counters);
-      if (settings_.judged) settings_.judged(suite, i, *tallies[m]->method, judged.judgement);
-      tallies[m]->true_backward.push_back(judged.true_backward);
+      tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement, judged.counters);
+      if (settings_.judged) settings_.judged(suite, i, *tally.method, judged.judgement);
+      tally.true_backward.push_back(judged.true_backward);
       if (judged.judgement.not_asked && !tallies[m]->method->is_ours()) continue;
       result_.answers += tallies[m]->method->is_ours() ? requests_of(tallies[m]->method->kind).size() : 1;
-      failed_ = failed_ || judged.judgement.faulty();
+      failed_ = failed_ || (judged.judgement.faulty() && !judged.beyond_limits);
       if (!judged.judgement.faulty() && !judged.judgement.stalled) continue;
       const bool is_query = tallies[m]->method->kind == Kind::query;
       if (is_query || !convicted) result_.convicted.push_back(*judged.asked);

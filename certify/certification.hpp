@@ -30,7 +30,10 @@ struct Settings {
 [[nodiscard]] std::span<const Request> requests_of(engine::Kind kind);
 
 struct Certification {
-  std::vector<Tally> tallies;                // by method, in the order of the settings, then by suite
+  std::vector<Tally> tallies;  // by method, in the order of the settings, then by suite
+  // Of engines of others, by method, in the order of the settings: answers to what lies beyond the limits that they
+  // document. No part of the tallies by suite, and held against no row.
+  std::vector<Tally> beyond_limits = {};
   std::vector<std::string> breaches = {};    // empty: every method keeps its row
   std::vector<corpus::Case> convicted = {};  // as asked, each once, where some method is at fault or stalls
   std::vector<corpus::Case> hits = {};     // some of the measured casts that hit, for the study of tolerances

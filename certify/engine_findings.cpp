@@ -9,6 +9,7 @@
 
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
+#include "properties/edit/solid.hpp"
 #include "properties/generate/shrink.hpp"
 #include "properties/judge/judge.hpp"
 #include "report/outputs.hpp"
@@ -26,12 +27,13 @@ using Clock = std::chrono::steady_clock;
 
 // What is wrong with the answer to a case; nothing where it is no question for the method.
 std::optional<Judgement> judged(const Method& method, const Case& problem) {
-  if (!law::in_domain(problem) || engine::turns(problem) != (method.kind == engine::Kind::rotating) ||
-      !method.refuses(problem).empty()) {
+  if (!law::in_domain(problem) || engine::turns(problem) != (method.kind == engine::Kind::rotating))
     return {};
-  }
-  law::Truth truth(method.seen(problem));
-  const engine::Answer answer = method.ask(problem, {.request = engine::kPlain});
+  engine::OwnTerms own = method.own_terms(problem);
+  // A finding within the documented limits stays within them.
+  if (!own.refused.empty() || own.beyond_limits) return {};
+  law::Truth truth(std::move(own.seen));
+  const engine::Answer answer = own.ask({.request = engine::kPlain});
   try {
     return law::judge(truth, method, answer, engine::kPlain, true);
   } catch (const std::invalid_argument&) {  // no oracle takes the case
@@ -94,8 +96,15 @@ void make_small(EngineFinding& finding, const Sin& sin, int budget, double secon
     const std::optional<Judgement> judgement = judged(*finding.method, problem);
     return judgement ? why_of(sin, *judgement) : "";
   };
+  // A body with an inside keeps one: what is found between solids is shown between solids.
+  const bool solid_a = law::is_solid(finding.problem.a.shape),
+             solid_b = law::is_solid(finding.problem.b.shape);
+  const auto keeps_solids = [&](const Case& c) {
+    return (!solid_a || law::is_solid(c.a.shape)) && (!solid_b || law::is_solid(c.b.shape));
+  };
   finding.problem = law::minimised(
-      finding.problem, [&](const Case& c) { return Clock::now() < stop && !why(c).empty(); }, budget);
+      finding.problem,
+      [&](const Case& c) { return Clock::now() < stop && keeps_solids(c) && !why(c).empty(); }, budget);
   if (std::string reason = why(finding.problem); !reason.empty()) finding.reason = std::move(reason);
 }
 

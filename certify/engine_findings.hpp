@@ -20,7 +20,7 @@ struct EngineFinding {
   corpus::Case problem;   // small
 };
 
-// A fault stays the fault that it was, while the case is made small. At most `budget` questions, and `seconds`, each.
+// A fault stays the fault that it was, while the case is made small, and a body that has an inside keeps one. At most `budget` questions, and `seconds`, each.
 [[nodiscard]] std::vector<EngineFinding> engine_findings(const Certification& certification, int budget,
                                                          double seconds);
 

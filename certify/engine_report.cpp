@@ -157,9 +157,8 @@ std::string why_failed(const Tally& tally, const std::vector<std::string>& lines
   return text;
 }
 
-}  // namespace
-
-std::string certificates(const Certification& certification, const Settings& settings) {
+// Of each total a line.
+std::string table_of(const std::vector<Tally>& totals) {
   Table table({{"engine", Align::left},
                {"asked"},
                {"not\nasked"},
@@ -174,9 +173,8 @@ std::string certificates(const Certification& certification, const Settings& set
                {"least, over\nscale"},
                {"least\nlength"},
                {"needed by", Align::left}});
-  for (const Method* method : settings.methods) {
-    if (method->is_ours()) continue;
-    const Tally t = certification.total(*method);
+  for (const Tally& t : totals) {
+    const Method* method = t.method;
     table.add_row({method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
                    count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
                    count_text(faults_of(t, "early") + faults_of(t, "off")),
@@ -185,12 +183,30 @@ std::string certificates(const Certification& certification, const Settings& set
                    short_number(t.least_relative.value), short_number(t.least_length.value),
                    id_of(t.least_relative)});
   }
-  return table.text() +
-         "least: the limit with which every verdict and time would have passed, in units of u scale, over "
-         "scale, and "
-         "as a\nlength of the cases. held to: what it declares, or the command line says; of one that "
-         "declares nothing "
-         "only failures\ncount as faults. not asked: what it does not take (docs/engines.md).\n";
+  return table.text();
+}
+
+}  // namespace
+
+std::string certificates(const Certification& certification, const Settings& settings) {
+  std::vector<Tally> totals, beyond;
+  for (const Method* method : settings.methods) {
+    if (!method->is_ours()) totals.push_back(certification.total(*method));
+  }
+  for (const Tally& tally : certification.beyond_limits) {
+    if (tally.cases > 0) beyond.push_back(tally);
+  }
+  std::string out =
+      table_of(totals) +
+      "least: the limit with which every verdict and time would have passed, in units of u scale, over "
+      "scale, and "
+      "as a\nlength of the cases. held to: what it declares, or the command line says; of one that "
+      "declares nothing "
+      "only failures\ncount as faults. not asked: what it does not take (docs/engines.md).\n";
+  if (!beyond.empty())
+    out += "\nBeyond the limits that they document, no part of the above, and held against no engine:\n" +
+           table_of(beyond);
+  return out;
 }
 
 std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
@@ -206,6 +222,12 @@ std::string certification_json(const Certification& certification, const Setting
     }
     Json total = tally_json(certification.total(*method));
     total.erase("family");
+    Json beyond;
+    for (const Tally& tally : certification.beyond_limits) {
+      if (tally.method != method || tally.cases == 0) continue;
+      beyond = tally_json(tally);
+      beyond.erase("family");
+    }
     all["methods"].push_back(
         {{"name", method->name},
          {"question",
@@ -216,6 +238,7 @@ std::string certification_json(const Certification& certification, const Setting
          {"held_to", method->guarantee == nullptr ? "nothing" : limit_text(*method)},
          {"held", certification.has_kept(*method)},
          {"total", std::move(total)},
+         {"beyond_limits", std::move(beyond)},
          {"families", std::move(families)}});
   }
   return all.dump();

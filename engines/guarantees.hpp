@@ -25,6 +25,16 @@ inline constexpr double kPlainStallCap = 0.001;
 // What an engine of others promises to say of bodies that touch and go no deeper.
 enum class Touching { either, contact, miss };
 
+// What it promises of the normal of a start in contact.
+enum class StartNormal {
+  any,                // nothing but that it is a unit vector, if there is one
+  least_penetration,  // B moved along it by the least distance that parts the bodies parts them
+};
+
+// The own_frames of tier certified: it sees no more than this of the lengths that two shapes are given by, for each number
+// of theirs (properties/judge/own_frames.hpp has the derivation).
+inline constexpr double kOwnFramesOfCertified = 0x1p-84;
+
 struct Guarantee {
   std::string query = "cast";  // or a query beside the cast, or "rotating"
   std::string method, scalar, tier;
@@ -46,9 +56,13 @@ struct Guarantee {
   // Engines of others may promise lengths beside kappa: one as it is, one over scale; and lengths by which
   // their times may be early.
   double tolerance = 0, relative_tolerance = 0, early = 0;
+  // And one that grows with the bodies' own frames: for each number that the shapes are given by, over the sum of the
+  // lengths among these numbers. How a scalar's last bits limit bodies that lie far out in their own frames.
+  double own_frames = 0;
   // Nothing is declared about errors: every limit is infinite.
   bool is_open = false;
   Touching touching = Touching::either;
+  StartNormal start_normal = StartNormal::any;
 
   [[nodiscard]] double kappa(const corpus::Case& problem) const;
   [[nodiscard]] double contact_kappa(const corpus::Case& problem) const {

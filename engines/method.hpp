@@ -51,6 +51,9 @@ struct Answer {
   InvalidAt invalid_at = {};            // of an input that the library refused: where
   double toi_lower = 0, toi_upper = 0;  // of casts
   Vec3<double> normal = Vec3<double>::Zero(), point_a = Vec3<double>::Zero(), point_b = Vec3<double>::Zero();
+  // Of engines of others with a margin: by how much their bodies, on which the witnesses lie, may reach beyond those of
+  // the case as it is seen (lengths).
+  double reach_a = 0, reach_b = 0;
   double distance = 0;       // of casts: of the bodies at toi_lower, at most, beyond the target distance
   bool passed_over = false;  // a miss by the start policy
   std::optional<Proof> proof = {};
@@ -99,6 +102,14 @@ struct Holds {
 // What a caller gets by default.
 inline constexpr Request kPlain = Request::normal | Request::witnesses;
 
+// A case in the terms of an engine of others, formed once for all that is done with it.
+struct OwnTerms {
+  std::string refused = {};    // why it is not asked; empty if it is, and then the rest holds
+  bool beyond_limits = false;  // it lies beyond a limit that the engine documents
+  corpus::Case seen = {};
+  std::function<Answer(const Ask&)> ask = nullptr;  // while the engine lives
+};
+
 struct Method {
   Kind kind = Kind::linear;
   corpus::Query query = corpus::Query::cast;  // what it is asked
@@ -114,6 +125,8 @@ struct Method {
   std::function<corpus::Case(const corpus::Case&)> seen = nullptr;
   // Of engines of others: why a case is not asked; empty if it is. nullptr: every case is.
   std::function<std::string(const corpus::Case&)> refuses = nullptr;
+  // Of engines of others: that, `seen` and `ask` at once.
+  std::function<OwnTerms(const corpus::Case&)> own_terms = nullptr;
   // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one call
   // takes, the median over `repeats` timed batches. nullptr: of the queries, whose time nobody asks for.
   std::function<double(const corpus::Case&, const Ask&, int repeats)> time_ns = nullptr;

@@ -232,7 +232,7 @@ class Reading {
     if (!(answer_.depth->lower >= 0)) throw Bad{Failure::out_of_range, "the depth is negative"};
   }
 
-  // The outcomes that have a normal and witnesses.
+  // The outcomes of which every answer has a normal and witnesses, if the engine's answers hold any.
   [[nodiscard]] bool has_contact() const {
     switch (offer_.question) {
       case Question::distance:
@@ -246,15 +246,37 @@ class Reading {
     }
   }
 
+  // A cast's start in contact: it may have them.
+  [[nodiscard]] bool is_start() const { return casts() && answer_.outcome == Outcome::initially_overlapping; }
+
   void contact(const Fields& fields) {
+    if (is_start()) return start(fields);
     if (!has_contact()) return;
     if (offer_.holds.normal) {
       answer_.normal = read_vector(fields, "normal");
-      const double length = answer_.normal.norm();
-      if (!(std::abs(length - 1) <= kUnitSlack))
-        throw Bad{Failure::out_of_range, fmt::format("the normal has length {:.9g}", length)};
+      require_unit("the normal");
     }
-    if (!offer_.holds.witnesses) return;
+    if (offer_.holds.witnesses) points(fields);
+  }
+
+  // Of a start in contact engines say what they have: no normal, or one of zeros, which says the same.
+  void start(const Fields& fields) {
+    if (offer_.holds.normal && fields.optional("normal") != nullptr) {
+      answer_.normal = read_vector(fields, "normal");
+      if (answer_.has_normal()) require_unit("the normal of a start in contact");
+    }
+    if (offer_.holds.witnesses &&
+        (fields.optional("point_a") != nullptr || fields.optional("point_b") != nullptr))
+      points(fields);
+  }
+
+  void require_unit(const char* what) const {
+    const double length = answer_.normal.norm();
+    if (!(std::abs(length - 1) <= kUnitSlack))
+      throw Bad{Failure::out_of_range, fmt::format("{} has length {:.9g}", what, length)};
+  }
+
+  void points(const Fields& fields) {
     answer_.point_a = read_vector(fields, "point_a");
     answer_.point_b = read_vector(fields, "point_b");
     answer_.has_points = true;
@@ -272,6 +294,8 @@ class Reading {
     for (std::optional<Interval>* length : {&answer_.separation, &answer_.depth}) {
       if (*length) *length = Interval{back((*length)->lower), back((*length)->upper)};
     }
+    answer_.reach_a = terms_.reach_a;
+    answer_.reach_b = terms_.reach_b;
     // What a query calls a contact or none, and the engine's margin between.
     answer_.distance = kInfinity<double>;
     if (!terms_.swapped) return;

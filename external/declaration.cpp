@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 14> kShapes = {"point", "segment",   "tri
 constexpr std::array<std::string_view, 6> kHeld = {"time",     "normal", "witnesses",
                                                    "distance", "depth",  "proof"};
 constexpr std::array<std::string_view, 3> kTouching = {"either", "contact", "miss"};
+constexpr std::array<std::string_view, 2> kStartNormals = {"any", "least_penetration"};
 constexpr std::array<std::string_view, 2> kScalars = {"float", "double"};
 constexpr std::array<std::string_view, 2> kMotions = {"both", "relative"};
 
@@ -56,7 +57,7 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
   offer.question = static_cast<Question>(known - kQuestions.begin());
   const Fields fields(value, path,
                       {"answers", "tolerance", "relative_tolerance", "kappa", "touching", "early", "starts",
-                       "stalls", "target_distance", "pass_over"});
+                       "stalls", "target_distance", "pass_over", "start_normal", "own_frames"});
   constexpr std::string_view kForm = "answers is an array of what an answer holds beside its outcome";
   const std::string where = fields.path("answers");
   const std::vector<JsonValue>& held = corpus::read_array(fields.required("answers", kForm), where, kForm);
@@ -94,6 +95,13 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
     offer.touching =
         static_cast<engine::Touching>(corpus::read_choice(*touching, fields.path("touching"), kTouching));
   }
+  if (const JsonValue* normal = fields.optional("start_normal")) {
+    const std::string at = fields.path("start_normal");
+    offer.start_normal = static_cast<engine::StartNormal>(corpus::read_choice(*normal, at, kStartNormals));
+    if (!is_cast(offer.question) || !offer.holds.normal)
+      throw Malformed{at, "is about casts and rays whose answers hold \"normal\""};
+  }
+  offer.own_frames = length(fields, "own_frames").value_or(0);
   offer.early = length(fields, "early").value_or(0);
   offer.starts = flag_or(fields, "starts", true);
   offer.stalls = length(fields, "stalls").value_or(0);

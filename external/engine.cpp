@@ -8,7 +8,6 @@
 
 #include "external/answer.hpp"
 #include "external/methods.hpp"
-#include "external/terms.hpp"
 
 namespace graze::external {
 
@@ -87,10 +86,9 @@ Engine::~Engine() = default;
 void Engine::add_method(const Offer& offer) {
   const Held held{options_.tolerance, options_.relative_tolerance, options_.kappa};
   const engine::Guarantee& row = guarantees_.emplace_back(guarantee_of(declaration_, offer, held));
-  Method method = method_of(declaration_, offer, row, options_.beyond_limits);
-  method.ask = [this, &offer](const corpus::Case& problem, const engine::Ask&) {
-    return ask(offer, problem);
-  };
+  Method method = method_of(
+      declaration_, offer, row, options_.beyond_limits,
+      [this](const Offer& asked, const Terms& terms, const corpus::Case&) { return ask(asked, terms); });
   if (declaration_.timed) {
     method.time_ns = [this, &offer](const corpus::Case& problem, const engine::Ask&, int) {
       const Answer answer = ask(offer, problem, kTimedCalls);
@@ -130,12 +128,10 @@ void Engine::give_back(std::unique_ptr<Process> process) {
 
 Answer Engine::ask(const Offer& offer, const corpus::Case& problem, int repeat) {
   const Terms terms = in_terms_of(declaration_, offer, problem, true);
-  if (!terms.refused.empty()) {
-    Answer answer = engine::not_taken();
-    answer.declined = true;
-    answer.message = terms.refused;
-    return answer;
-  }
+  return terms.refused.empty() ? ask(offer, terms, repeat) : declined(terms);
+}
+
+Answer Engine::ask(const Offer& offer, const Terms& terms, int repeat) {
   std::string id;
   {
     const std::lock_guard lock(mutex_);

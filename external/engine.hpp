@@ -12,6 +12,7 @@
 
 #include "external/declaration.hpp"
 #include "external/process.hpp"
+#include "external/terms.hpp"
 
 namespace graze::external {
 
@@ -44,6 +45,8 @@ class Engine {
 
   // Asks one question, from any thread; `repeat` > 0 asks for the time of a call.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const corpus::Case& problem, int repeat = 0);
+  // The same of terms that are not refused.
+  [[nodiscard]] engine::Answer ask(const Offer& offer, const Terms& terms, int repeat = 0);
 
   // Every process is asked to end. How many processes they left behind, those that were ended before
   // included; to be asked once, at the end.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "external/terms.hpp"
+#include <memory>
 
 namespace graze::external {
 
@@ -57,14 +57,16 @@ engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, co
   row.tolerance = tolerance.value_or(0);
   row.relative_tolerance = relative.value_or(0);
   row.early = offer.early;
+  row.own_frames = offer.own_frames;
   row.is_open = !is_held && !offer.promises_errors();
   row.stall_cap = row.is_open ? 1 : offer.stalls;
   row.touching = offer.touching;
+  row.start_normal = offer.start_normal;
   return row;
 }
 
 engine::Method method_of(const Declaration& engine, const Offer& offer, const engine::Guarantee& row,
-                         bool beyond) {
+                         bool beyond, Answering answering) {
   engine::Method method;
   method.kind = kind_of(offer.question);
   method.query = query_of(offer.question);
@@ -81,7 +83,28 @@ engine::Method method_of(const Declaration& engine, const Offer& offer, const en
   method.refuses = [&engine, &offer, beyond](const corpus::Case& problem) {
     return in_terms_of(engine, offer, problem, beyond).refused;
   };
+  method.ask = [&engine, &offer, answering](const corpus::Case& problem, const engine::Ask&) {
+    const Terms terms = in_terms_of(engine, offer, problem, true);
+    return terms.refused.empty() ? answering(offer, terms, problem) : declined(terms);
+  };
+  method.own_terms = [&engine, &offer, beyond, answering = std::move(answering)](const corpus::Case& problem) {
+    const auto terms = std::make_shared<const Terms>(in_terms_of(engine, offer, problem, beyond));
+    engine::OwnTerms own{.refused = terms->refused, .beyond_limits = terms->beyond_limits};
+    if (!own.refused.empty()) return own;
+    own.seen = terms->seen;
+    own.ask = [&offer, terms, answering, problem](const engine::Ask&) {
+      return answering(offer, *terms, problem);
+    };
+    return own;
+  };
   return method;
+}
+
+engine::Answer declined(const Terms& terms) {
+  engine::Answer none = engine::not_taken();
+  none.declined = true;
+  none.message = terms.refused;
+  return none;
 }
 
 }  // namespace graze::external

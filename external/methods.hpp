@@ -1,10 +1,12 @@
 // What an engine of others says it can be asked, as a method that can be judged: all of it but the asking.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "engines/guarantees.hpp"
 #include "external/declaration.hpp"
+#include "external/terms.hpp"
 
 namespace graze::external {
 
@@ -15,8 +17,14 @@ struct Held {
 
 [[nodiscard]] engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, const Held& held);
 
-// Without `ask` and `time_ns`. What is given outlives it. `beyond`: asked beyond documented limits, too.
+// The answer to a case in the engine's terms, which are not refused.
+using Answering = std::function<engine::Answer(const Offer&, const Terms&, const corpus::Case&)>;
+
+// Without `time_ns`. What is given outlives it. `beyond`: asked beyond documented limits, too.
 [[nodiscard]] engine::Method method_of(const Declaration& engine, const Offer& offer,
-                                       const engine::Guarantee& row, bool beyond);
+                                       const engine::Guarantee& row, bool beyond, Answering answering);
+
+// The answer to a case that is not asked.
+[[nodiscard]] engine::Answer declined(const Terms& terms);
 
 }  // namespace graze::external

@@ -69,21 +69,16 @@ Recorded::Recorded(Declaration declaration, RecordedLines lines, const Held& hel
   for (const Offer& offer : declaration_.offers) {
     if (offer.question == Question::ray) continue;
     const engine::Guarantee& row = guarantees_.emplace_back(guarantee_of(declaration_, offer, held));
-    engine::Method& method = methods_.emplace_back(method_of(declaration_, offer, row, true));
-    method.ask = [this, &offer](const Case& problem, const engine::Ask&) { return answer(offer, problem); };
+    methods_.push_back(method_of(declaration_, offer, row, true,
+                                 [this](const Offer& asked, const Terms& terms, const Case& problem) {
+                                   return answer(asked, terms, problem);
+                                 }));
   }
 }
 
-engine::Answer Recorded::answer(const Offer& offer, const Case& problem) const {
-  const Terms terms = in_terms_of(declaration_, offer, problem, true);
+engine::Answer Recorded::answer(const Offer& offer, const Terms& terms, const Case& problem) const {
   const auto line = lines_.find(problem.id);
-  if (!terms.refused.empty() || line == lines_.end()) {
-    engine::Answer none = engine::not_taken();
-    none.declined = true;
-    none.message = terms.refused;
-    return none;
-  }
-  return read_answer(line->second, problem.id, offer, terms);
+  return line == lines_.end() ? declined(terms) : read_answer(line->second, problem.id, offer, terms);
 }
 
 }  // namespace graze::external

@@ -37,7 +37,8 @@ class Recorded {
   [[nodiscard]] std::span<const engine::Method> methods() const { return methods_; }
 
  private:
-  [[nodiscard]] engine::Answer answer(const Offer& offer, const corpus::Case& problem) const;
+  [[nodiscard]] engine::Answer answer(const Offer& offer, const Terms& terms,
+                                      const corpus::Case& problem) const;
 
   Declaration declaration_;
   RecordedLines lines_;

@@ -134,9 +134,9 @@ class Translation {
     if (out_.refused.empty()) out_.refused = std::move(why);
   }
   void beyond(std::string why) {
-    if (beyond_ || !out_.refused.empty()) return;
+    if (!out_.refused.empty()) return;
     out_.beyond_limits = true;
-    out_.refused = std::move(why);
+    if (!beyond_) out_.refused = std::move(why);
   }
 
   // What is asked, and in which words.
@@ -236,9 +236,11 @@ class Translation {
     if (out_.swapped) std::swap(out_.seen.a, out_.seen.b);
     if (engine_.margin == 0) return;
     const double margin = std::ldexp(engine_.margin, -out_.exponent);
+    out_.reach_b = margin;
     // Queries about t = 0 know no target distance.
     if (is_cast(offer_.question)) {
       out_.seen.target_distance += margin;
+      out_.reach_a = margin;
     } else {
       out_.seen.a.shape = rounded<double>(std::move(out_.seen.a.shape), margin);
     }

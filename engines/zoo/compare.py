@@ -185,9 +185,8 @@ than that denied, or one claimed of bodies that stay farther apart; *late*, a ti
 other; *early, off*, one at which they are farther apart; *no answer*, what came in its place. *Least over scale* and
 *least kappa* (in units of u · scale) are the limits with which every verdict and time would have passed: they are the
 engine's certificate. An error of a float engine is one against the numbers that its floats held. What an engine does
-not take was not asked. Of engines with a margin, witnesses are held to the bodies without it, so *contact off* counts
-the margin there. Scenes of every size are among the cases; an engine that says for which lengths it is made is
-asked in those.
+not take was not asked. Of engines with a margin, witnesses are held to the bodies as the margin rounds them. Scenes of
+every size are among the cases; an engine that says for which lengths it is made is asked in those.
 
 Findings, each with its case: [bugs_found.md](bugs_found.md).
 """]

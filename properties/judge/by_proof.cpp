@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corpus/support_value.hpp"
+#include "oracles/checker/check_within.hpp"
 #include "properties/judge/limits.hpp"
 
 namespace graze::law {
@@ -11,32 +11,6 @@ namespace graze::law {
 using engine::Answer;
 
 namespace {
-
-struct Box3 {
-  Vec3<double> low, high;
-  [[nodiscard]] Vec3<double> center() const { return low / 2 + high / 2; }
-  [[nodiscard]] double diagonal() const { return (high - low).norm(); }
-};
-
-// Of the rotated shape, relative to the body's position.
-Box3 bounds_of(const Body<double>& body) {
-  const corpus::Bounds box = corpus::bounds(body.shape, body.orientation);
-  return {box.low, box.high};
-}
-
-// Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
-// origin); then the error of the coordinates is subtracted.
-double scale_from_below(const corpus::Case& problem) {
-  const Box3 a = bounds_of(problem.a), b = bounds_of(problem.b);
-  const double centers = (problem.b.position - problem.a.position + b.center() - a.center()).norm();
-  const auto magnitude = [](const Box3& box) {
-    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  };
-  const double coordinates =
-      magnitude(a) + magnitude(b) + problem.a.position.norm() + problem.b.position.norm();
-  const double scale = std::max({a.diagonal(), b.diagonal(), centers});
-  return std::max(0.0, 0.99 * scale - 64 * kUnitRoundoff<double> * coordinates);
-}
 
 // An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
 //   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
@@ -73,7 +47,7 @@ bool is_settled_by(const Proof& proof, const engine::Method& method, const corpu
   const Vec3<double> v = seen.b.displacement - seen.a.displacement;
   const double error = std::max(proved_backward_error(proof, v, answer.toi_lower),
                                 proved_backward_error(proof, v, answer.toi_upper));
-  const double scale = scale_from_below(seen);
+  const double scale = oracle::scale_from_below(seen);
   if (method.is_certified()) {
     const Limits limits = limits_of(method, seen, scale);
     const double width = method.guarantee != nullptr ? method.guarantee->width.value_or(0) * scale : 0;

@@ -30,8 +30,9 @@ double witness_error(const CaseTruth& exact, const Answer& answer, double unit_r
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
     // The coordinates are rounded too, allowed beside the limit: a witness is the sum of position, motion and
     // offset, and both additions round each coordinate by u of its size.
-    const double rounding = 2 * unit_roundoff * point.norm();
-    worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding);
+    const double rounding = 2 * unit_roundoff * point.norm(),
+                 reach = body == 'a' ? answer.reach_a : answer.reach_b;
+    worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding - reach);
   }
   return worst;
 }
@@ -93,9 +94,10 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
       errors.normal = over(std::max(0.0, normal_error(exact, answer, v)), scale);
     }
     if (asks_for(request, Request::witnesses) && answer.point_a.allFinite() && answer.point_b.allFinite()) {
-      errors.witness = over(std::max(exact.distance_from_body('a', answer.toi_lower, answer.point_a).high,
-                                     exact.distance_from_body('b', answer.toi_lower, answer.point_b).high),
-                            scale);
+      const double t = answer.toi_lower,
+                   a = exact.distance_from_body('a', t, answer.point_a).high - answer.reach_a,
+                   b = exact.distance_from_body('b', t, answer.point_b).high - answer.reach_b;
+      errors.witness = over(std::max({a, b, 0.0}), scale);
     }
   }
   return errors;

@@ -159,7 +159,8 @@ class CurvedJudge {
         convict(judgement_.bad_contact, "a witness is missing");
         return false;
       }
-      const double error = rest_.distance_from_body(body, 0, point).low - rounding(point);
+      const double error = rest_.distance_from_body(body, 0, point).low - rounding(point) -
+                           (body == 'a' ? answer_.reach_a : answer_.reach_b);
       judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
         convict(judgement_.bad_contact,
@@ -177,7 +178,9 @@ class CurvedJudge {
     holds("the distance", *answer_.separation, true_distance);
     if (answer_.outcome != Outcome::miss || judgement_.stalled || !witnesses()) return;
     const double between = (answer_.point_a - answer_.point_b).norm();
-    const double error = std::max(true_distance.low - between, between - true_distance.high) -
+    // A pair of points on bodies that reach less far than those that are seen is farther apart by as much.
+    const double reach = std::max(answer_.reach_a, answer_.reach_b);
+    const double error = std::max(true_distance.low - between, between - reach - true_distance.high) -
                          rounding(answer_.point_a) - rounding(answer_.point_b);
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,

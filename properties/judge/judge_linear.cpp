@@ -9,6 +9,7 @@
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/linear.hpp"
+#include "properties/judge/start.hpp"
 
 namespace graze::law {
 namespace {
@@ -43,6 +44,7 @@ class LinearJudge {
     const double granted = by_oracle();
     judgement_.errors = errors_of(truth_, answer_, request_);
     judgement_.errors.scale = truth_.cast().scale().high;
+    start();
     if (!method_.is_ours()) judgement_.errors.backward = least_limit();
     // Of what did not converge the guarantee says nothing but that it is not late or early.
     if (answer_.outcome != Outcome::not_converged) {
@@ -93,6 +95,12 @@ class LinearJudge {
     judgement_.not_asked = true;
     judgement_.stalled = false;
     return true;
+  }
+
+  // Of a start in contact, by the oracle.
+  void start() {
+    judge_start(judgement_, truth_, answer_, method_,
+                limits_of(method_, problem(), truth_.cast().scale().high), request_);
   }
 
   // Over scale: the least limit with which verdict and times would pass, by what is proved of each.
@@ -205,6 +213,7 @@ class LinearJudge {
     const Limits limits = limits_of(method_, problem(), truth.scale().high);
     judge_contact(judgement_, truth, answer_, method_, problem(), limits, request_);
     judgement_.errors = errors_of(truth_, answer_, request_);
+    start();
   }
 
   Truth& truth_;

@@ -127,7 +127,8 @@ class QueryJudge {
     for (const char body : {'a', 'b'}) {
       const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
       if (!answer_.has_points) return convict(judgement_.bad_contact, "a witness is missing");
-      const double error = truth_.at_rest().distance_from_body(body, 0, point).low - rounding(point);
+      const double error = truth_.at_rest().distance_from_body(body, 0, point).low - rounding(point) -
+                           (body == 'a' ? answer_.reach_a : answer_.reach_b);
       judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
         convict(judgement_.bad_contact,
@@ -136,6 +137,8 @@ class QueryJudge {
     }
   }
   [[nodiscard]] double pair_rounding() const { return rounding(answer_.point_a) + rounding(answer_.point_b); }
+  // A pair of points on bodies that reach less far than those that are seen is farther apart by as much.
+  [[nodiscard]] double pair_reach() const { return std::max(answer_.reach_a, answer_.reach_b); }
 
   void verdict_at_rest() {
     const bool contact = truth_.at_rest().outcome() != Outcome::miss;
@@ -160,7 +163,8 @@ class QueryJudge {
     if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high);
     witnesses();
     if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
-    const double error = std::abs((answer_.point_a - answer_.point_b).norm() - exact.high) - pair_rounding();
+    const double beyond = (answer_.point_a - answer_.point_b).norm() - exact.high,
+                 error = std::max(-beyond, beyond - pair_reach()) - pair_rounding();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
@@ -181,8 +185,8 @@ class QueryJudge {
     if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low);
     witnesses();
     if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
-    const double error =
-        truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low - pair_rounding();
+    const double error = truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low -
+                         pair_rounding() - pair_reach();
     if (!(error <= 3 * limit_)) {
       convict(judgement_.bad_contact,
               fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));

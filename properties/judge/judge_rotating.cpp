@@ -11,6 +11,7 @@
 #include "properties/judge/by_proof.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/rotating.hpp"
+#include "properties/judge/start.hpp"
 
 namespace graze::law {
 namespace {
@@ -208,7 +209,8 @@ class RotatingJudge {
       width(truth);
       take(&distance_error, truth, judgement_.off);
     }
-    if (answer_.outcome != Outcome::hit) return;
+    if (answer_.outcome != Outcome::hit)
+      return judge_start(judgement_, truth_, answer_, method_, limits_, request_);
     if (asks_for(request_, Request::normal))
       judgement_.errors.normal = in_scale(take(&normal_error, truth, judgement_.bad_contact).length);
     if (asks_for(request_, Request::witnesses))

@@ -60,7 +60,8 @@ Limits limits_of(const Method& method, const Case& seen, double scale, double to
   if (method.guarantee == nullptr || method.guarantee->is_open) return out;
 
   const engine::Guarantee& row = *method.guarantee;
-  const double declared = row.tolerance + row.relative_tolerance * scale;
+  const double declared = row.tolerance + row.relative_tolerance * scale +
+                          (row.own_frames > 0 ? row.own_frames * weight_of_own_frames(seen) : 0);
   const double unseen = slack + unseen_of(method, seen, scale);
   const double width = std::max(row.width.value_or(0), turning ? tolerance : 0) * scale;
   out.strict = method.is_certified() && slack == 0;

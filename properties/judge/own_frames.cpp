@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "corpus/support_value.hpp"
+#include "engines/guarantees.hpp"
 #include "properties/edit/shape.hpp"
 
 namespace graze::law {
@@ -53,7 +54,7 @@ double unseen_of_turns(const corpus::Case& problem) {
   return 0x1p-87 * (lengths(problem.a, problem.spin_a) + lengths(problem.b, problem.spin_b));
 }
 
-double unseen_of_own_frames(const corpus::Case& problem) {
+double weight_of_own_frames(const corpus::Case& problem) {
   double lengths = 0, nodes = 0;
   const auto add = [&](Slot slot, double x) {
     if (is_length(slot)) lengths += std::abs(x);
@@ -62,7 +63,11 @@ double unseen_of_own_frames(const corpus::Case& problem) {
   };
   static_cast<void>(map_shape(problem.a.shape, add));
   static_cast<void>(map_shape(problem.b.shape, add));
-  return 0x1p-84 * (nodes + 2) * lengths;
+  return (nodes + 2) * lengths;
+}
+
+double unseen_of_own_frames(const corpus::Case& problem) {
+  return engine::kOwnFramesOfCertified * weight_of_own_frames(problem);
 }
 
 }  // namespace graze::law

@@ -149,7 +149,8 @@ RotatingError witness_error(const RotatingTruth& truth, const Answer& answer, co
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
     // Its coordinates round by 2 u of its distance from the origin (docs/guarantees.md).
     const double error = std::max(0.0, truth.distance_from_body(body, answer.toi_lower, point).low -
-                                           2 * limits.unit_roundoff * point.norm());
+                                           2 * limits.unit_roundoff * point.norm() -
+                                           (body == 'a' ? answer.reach_a : answer.reach_b));
     out.length = std::max(out.length, error);
     if (error > limits.contact && out.fault.empty())
       out.fault = fmt::format("witness {} is {} off its body", body, text_of(error, limits));

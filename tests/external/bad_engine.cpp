@@ -1,7 +1,10 @@
 // bad_engine SIN [N]: an engine that casts balls, rightly, and sins on purpose: at its N-th question (the first by
-// default), and where the sin needs a hit or a miss, at the first such from there on.
+// default), and where the sin needs a hit, a miss, or a start in contact, at the first such from there on.
 //
-// bad_engine none   sins not.
+// bad_engine none         sins not.
+// bad_engine has_margin   sins not, either: its balls are rounded by the margin that it declares, half of it each.
+// bad_engine misses_all_hits     says miss of every hit.
+// bad_engine documents_misses    does so, too, and declares a limit that every body is beyond.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,19 +25,34 @@ using namespace graze::adapter;
 
 namespace {
 
+constexpr double kMargin = 0.25;
+bool has_margin = false;
+
+// Witnesses of a contact in which B is `gap` from A.
+void touch(Answer& answer, const Question& q, const Vector& gap, const Vector& center_a) {
+  const double rounding = has_margin ? kMargin / 2 : 0;
+  answer.normal = normalized(gap);
+  answer.point_a = center_a + (q.a.shape.radius + rounding) * *answer.normal;
+  answer.point_b = center_a + gap - (q.b.shape.radius + rounding) * *answer.normal;
+}
+
 Answer cast(const Question& q) {
-  const double reach = q.a.shape.radius + q.b.shape.radius;
+  const double reach = q.a.shape.radius + q.b.shape.radius + (has_margin ? kMargin : 0);
   const Vector gap = q.b.position - q.a.position;
   const Vector v = q.b.displacement - q.a.displacement;
   const double c = dot(gap, gap) - reach * reach;
   const double b = dot(gap, v);
-  if (c <= 0) return Answer::overlapping();
+  if (c <= 0) {
+    Answer answer = Answer::overlapping();
+    touch(answer, q, gap, q.a.position);
+    return answer;
+  }
   const double discriminant = b * b - dot(v, v) * c;
   if (b >= 0 || discriminant < 0) return Answer::miss();
   const double time = c / (-b + std::sqrt(discriminant));
   if (time > q.t_max) return Answer::miss();
   Answer answer = Answer::hit(time);
-  answer.normal = normalized(gap + time * v);
+  touch(answer, q, gap + time * v, q.a.position + time * q.a.displacement);
   return answer;
 }
 
@@ -51,8 +69,11 @@ void say(const std::string& text) {
 std::string description(const std::string& sin) {
   if (sin == "declares_nonsense") return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "quad"})";
   if (sin == "declares_no_json") return "Bad Engine 1.0, ready";
-  return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "double", "shapes": ["sphere"], "queries": )"
-         R"({"cast": {"answers": ["time", "normal"], "relative_tolerance": 1e-9}}})";
+  return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "double", "shapes": ["sphere"], )" +
+         (has_margin ? "\"margin\": " + std::to_string(kMargin) + ", " : "") +
+         (sin == "documents_misses" ? R"("most_aspect": 0.5, )" : "") +
+         R"("queries": {"cast": {"answers": ["time", "normal", "witnesses"], "relative_tolerance": 1e-9, )"
+         R"("start_normal": "least_penetration"}}})";
 }
 
 // The answer to a question that is written with `text` in the place of one of its values.
@@ -80,7 +101,7 @@ void fork_child(bool own_session, bool twice, bool holds_output) {
 
 // Sins that change an answer, and of which answers: nullptr leaves the line to be written by somebody else.
 struct Sin {
-  enum class Needs { anything, hit, miss } needs;
+  enum class Needs { anything, hit, miss, start } needs;
   std::string (*line)(const Question& q, const Answer& right);
 };
 std::string right_line(const Question& q, const Answer& right) { return write_answer(q.id, right); }
@@ -154,6 +175,34 @@ const std::map<std::string, Sin>& sins() {
         [](const Question& q, const Answer& right) {
           Answer bad = right;
           bad.normal = -*right.normal;
+          return write_answer(q.id, bad);
+        }}},
+      {"shrinks_start_normals",
+       {Needs::start,
+        [](const Question& q, const Answer& right) {
+          Answer bad = right;
+          bad.normal = 0.83 * *right.normal;
+          return write_answer(q.id, bad);
+        }}},
+      {"flips_start_normals",
+       {Needs::start,
+        [](const Question& q, const Answer& right) {
+          Answer bad = right;
+          bad.normal = -*right.normal;
+          return write_answer(q.id, bad);
+        }}},
+      {"loses_start_witnesses",
+       {Needs::start,
+        [](const Question& q, const Answer& right) {
+          Answer bad = right;
+          bad.point_b = q.b.position + 2 * q.b.shape.radius * *right.normal;
+          return write_answer(q.id, bad);
+        }}},
+      {"beyond_its_margin",
+       {Needs::hit,
+        [](const Question& q, const Answer& right) {
+          Answer bad = right;
+          bad.point_a = *right.point_a + kMargin * *right.normal;
           return write_answer(q.id, bad);
         }}},
       {"misses_hits",
@@ -242,6 +291,7 @@ const std::map<std::string, Sin>& sins() {
 bool suits(Sin::Needs needs, const Answer& right) {
   if (needs == Sin::Needs::hit) return right.outcome == Outcome::hit;
   if (needs == Sin::Needs::miss) return right.outcome == Outcome::miss;
+  if (needs == Sin::Needs::start) return right.outcome == Outcome::initially_overlapping;
   return true;
 }
 
@@ -250,6 +300,7 @@ bool suits(Sin::Needs needs, const Answer& right) {
 int main(int argc, char** argv) {
   const std::string sin = argc > 1 ? argv[1] : "none";
   int left = argc > 2 ? std::atoi(argv[2]) : 1;
+  has_margin = sin == "has_margin" || sin == "beyond_its_margin";
   const auto known = sins().find(sin);
   if (sin == "silent_start") sleep_for_ever();
   if (sin == "ends_at_start") return 0;
@@ -260,6 +311,11 @@ int main(int argc, char** argv) {
   while (std::getline(std::cin, line)) {
     const Question q = read_question(line);
     const Answer right = cast(q);
+    // Always, whatever N: what is made small is asked of many processes.
+    if ((sin == "misses_all_hits" || sin == "documents_misses") && right.outcome == Outcome::hit) {
+      say(write_answer(q.id, Answer::miss()) + "\n");
+      continue;
+    }
     const bool is_time = --left <= 0 && known != sins().end() && suits(known->second.needs, right);
     say((is_time ? known->second.line(q, right) : right_line(q, right)) + "\n");
   }

@@ -13,7 +13,8 @@
 namespace graze::test {
 namespace {
 
-constexpr int kHits = 4, kMisses = 4;
+constexpr int kHits = 4, kMisses = 4, kStarts = 2;
+constexpr std::size_t kCases = kHits + kMisses + kStarts;
 
 std::string cases() {
   std::string lines;
@@ -24,6 +25,11 @@ std::string cases() {
   };
   for (int i = 0; i < kHits; ++i) add(balls(-5 - i), "hit/" + std::to_string(i));
   for (int i = 0; i < kMisses; ++i) add(balls(-0.5 - 0.25 * i), "miss/" + std::to_string(i));
+  for (int i = 0; i < kStarts; ++i) {
+    corpus::Case start = balls(-1);
+    start.b.position = {1.5 - 0.5 * i, 0, 0};  // touching, and overlapping
+    add(start, "start/" + std::to_string(i));
+  }
   return lines;
 }
 
@@ -53,7 +59,7 @@ TEST_P(Certify, NamesTheSin) {
   const auto report = nlohmann::json::parse(folder.read("out.json"), nullptr, false);
   ASSERT_FALSE(report.is_discarded()) << run.err;
   const auto& total = report.at("methods").at(0).at("total");
-  EXPECT_EQ(total.at("cases"), kHits + kMisses);
+  EXPECT_EQ(total.at("cases"), kCases);
   ASSERT_TRUE(total.at("faults").contains(sin.fault)) << report.dump(1);
   const std::size_t count = total.at("faults").at(sin.fault).at("count");
   EXPECT_GT(count, 0U);
@@ -64,7 +70,7 @@ TEST_P(Certify, NamesTheSin) {
   const corpus::ReadResult saved = corpus::read_file(folder.path() / "bad.jsonl");
   EXPECT_TRUE(saved.ok());
   EXPECT_GE(saved.cases.size(), count);
-  EXPECT_LE(saved.cases.size(), std::size_t{kHits + kMisses});
+  EXPECT_LE(saved.cases.size(), kCases);
   const std::string first = total.at("faults").at(sin.fault).at("first");
   EXPECT_TRUE(std::any_of(saved.cases.begin(), saved.cases.end(), [&](const corpus::Case& problem) {
     return problem.id == first;
@@ -85,17 +91,61 @@ INSTANTIATE_TEST_SUITE_P(Sins, Certify,
                                          Sin{"half_a_line", "failed", "half a line"},
                                          Sin{"closes_output", "failed", "silent"}, Sin{"late", "late", ""},
                                          Sin{"early", "early", ""}, Sin{"flips_normals", "contact off", ""},
+                                         Sin{"shrinks_start_normals", "failed", "out of range"},
+                                         Sin{"flips_start_normals", "contact off", ""},
+                                         Sin{"loses_start_witnesses", "contact off", ""},
+                                         Sin{"beyond_its_margin", "contact off", ""},
                                          Sin{"misses_hits", "wrong", ""}, Sin{"claims_hits", "wrong", ""}),
                          [](const testing::TestParamInfo<Sin>& sin) { return std::string(sin.param.name); });
 
 TEST(Certify, AcquitsAGoodEngine) {
+  for (const std::string good : {"none", "has_margin"}) {
+    const Folder folder;
+    folder.write("balls.jsonl", cases());
+    const CommandRun run =
+        folder.graze("certify --queries 0 --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE " " +
+                     good + "\" balls.jsonl");
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+    EXPECT_EQ(folder.read("bad.jsonl"), "");
+    EXPECT_EQ(folder.read("out.xml").find("<failure"), std::string::npos);
+  }
+}
+
+TEST(Certify, MakesOfAFindingASmallCaseOfSolids) {
   const Folder folder;
   folder.write("balls.jsonl", cases());
-  const CommandRun run = folder.graze(
-      "certify --queries 0 --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE " none\" balls.jsonl");
+  const CommandRun run = folder.graze("certify --queries 0 --findings found --engine \"" BAD_ENGINE
+                                      " misses_all_hits\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  const corpus::ReadResult found = corpus::read_directory(folder.path() / "found");
+  ASSERT_EQ(found.cases.size(), 1U) << run.out;
+  for (const auto* body : {&found.cases[0].a, &found.cases[0].b}) {
+    const auto* ball = std::get_if<Sphere<double>>(&body->shape);
+    ASSERT_NE(ball, nullptr);
+    EXPECT_GT(ball->radius, 0);
+  }
+}
+
+TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const std::string command =
+      "certify --queries 0 --json out.json --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE
+      " documents_misses\" balls.jsonl";
+  EXPECT_EQ(folder.graze(command).exit_code, 0);
+  auto method = nlohmann::json::parse(folder.read("out.json")).at("methods").at(0);
+  EXPECT_TRUE(method.at("beyond_limits").is_null());
+  EXPECT_EQ(method.at("total").at("not_asked"), kCases);
+  const CommandRun run = folder.graze(command + " --beyond-limits");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_EQ(folder.read("bad.jsonl"), "");
+  EXPECT_NE(run.out.find("Beyond the limits that they document"), std::string::npos) << run.out;
+  method = nlohmann::json::parse(folder.read("out.json")).at("methods").at(0);
+  EXPECT_EQ(method.at("total").at("cases"), 0);
+  EXPECT_TRUE(method.at("total").at("faults").empty());
+  EXPECT_EQ(method.at("beyond_limits").at("cases"), kCases);
+  EXPECT_EQ(method.at("beyond_limits").at("faults").at("wrong").at("count"), kHits);
   EXPECT_EQ(folder.read("out.xml").find("<failure"), std::string::npos);
+  EXPECT_EQ(corpus::read_file(folder.path() / "bad.jsonl").cases.size(), std::size_t{kHits});
 }
 
 TEST(Certify, SaysThatAProcessWasLeftBehind) {
@@ -124,7 +174,7 @@ TEST(Certify, JudgesASharedLibraryInAProcessOfItsOwn) {
   ASSERT_FALSE(report.is_discarded()) << run.err;
   const auto& total = report.at("methods").at(0).at("total");
   EXPECT_EQ(total.at("failures").at("crashed"), 1) << report.dump(1);
-  EXPECT_EQ(total.at("cases"), kHits + kMisses + 1);
+  EXPECT_EQ(total.at("cases"), kCases + 1);
   EXPECT_EQ(folder.graze("host nowhere.so").exit_code, 2);
 }
 

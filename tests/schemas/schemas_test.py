@@ -154,7 +154,8 @@ CROSSING = {**ROTATING, "contact_from": 0.375, "contact": [PAIR]}
 RECORD = {"schema": "graze.proof/1", "case": CASE, "method": "mpr", "scalar": "double", "tier": "exact",
           "outcome": "hit", "toi": {"lower": 0.25, "upper": 0.5}, "proof": LINEAR}
 OFFER = {"answers": ["time", "normal"], "tolerance": 1e-4, "relative_tolerance": 0, "kappa": 8, "touching": "miss",
-         "early": 0.01, "starts": False, "stalls": 0.1, "target_distance": True, "pass_over": True}
+         "early": 0.01, "starts": False, "stalls": 0.1, "target_distance": True, "pass_over": True,
+         "start_normal": "least_penetration", "own_frames": 1e-20}
 ENGINE = {"schema": "graze.engine/1", "name": "mine", "version": "1", "about": "a cast", "scalar": "float",
           "shapes": ["box", "hull"], "margin": 0.04, "lengths": [0.1, 100], "infinite_t_max": True,
           "motion": "relative", "pivots": False, "most_turn": 3.1, "most_vertices": 64, "most_aspect": 100,
@@ -168,7 +169,8 @@ SOUND = {
             + [{"schema": "graze.case/1", "id": "s", "a": {"shape": shape}, "b": {"shape": SHAPES[0]}} for shape in SHAPES],
     "proof": [RECORD, {**RECORD, "proof": SYMBOLIC}, {**RECORD, "proof": ROTATING}, {**RECORD, "proof": CROSSING}],
     "engine": [ENGINE],
-    "cast": [HIT, {**HIT, "time": {"lower": 0.25, "upper": 0.5}}, {**HEAD, "outcome": "miss"}],
+    "cast": [HIT, {**HIT, "time": {"lower": 0.25, "upper": 0.5}}, {**HEAD, "outcome": "miss"},
+             {**HEAD, "outcome": "initially_overlapping", "normal": [0, 1, 0], "point_a": [0, 0, 0], "point_b": [0, 0, 0]}],
     "distance": [{**HEAD, "outcome": "miss", "distance": 2, "normal": [1, 0, 0], "point_a": [0, 0, 0],
                   "point_b": [2, 0, 0]}],
     "penetration": [{**HEAD, "outcome": "initially_overlapping", "depth": {"lower": 1, "upper": 2}, "normal": [1, 0, 0],
@@ -228,7 +230,8 @@ def looked_at(kind, what, document):
     """Whether the reader of answers looks at what was changed: at nothing of a miss of a cast, nor at what other queries hold."""
     outcome = document.get("outcome")
     fields = {"cast": {"hit": ("time", "normal", "point_a", "point_b", "proof"), "not_converged": ("time", "proof"),
-                       "miss": ("proof",), "initially_overlapping": ("proof",)},
+                       "miss": ("proof",),
+                       "initially_overlapping": ("normal", "point_a", "point_b", "proof")},
               "distance": {"miss": ("distance", "normal", "point_a", "point_b")},
               "penetration": {"initially_overlapping": ("depth", "normal", "point_a", "point_b"),
                               "hit": ("depth", "normal", "point_a", "point_b")}}

@@ -73,8 +73,10 @@ std::string answers_of(Question question) {
 std::string promise_of(const Method& method) {
   const engine::Guarantee& row = *method.guarantee;
   const double kappa = std::max({row.kappa_polytope, row.kappa_rounded, row.kappa_contact.value_or(0)});
-  return fmt::format(R"("kappa": {}, "relative_tolerance": {}, "stalls": {})", corpus::json_number(kappa),
-                     corpus::json_number(row.width.value_or(0)), corpus::json_number(row.stall_cap));
+  const double own_frames = method.is_certified() ? engine::kOwnFramesOfCertified : 0;
+  return fmt::format(R"("kappa": {}, "relative_tolerance": {}, "own_frames": {}, "stalls": {})",
+                     corpus::json_number(kappa), corpus::json_number(row.width.value_or(0)),
+                     corpus::json_number(own_frames), corpus::json_number(row.stall_cap));
 }
 
 // graze.engine/1

@@ -7,6 +7,7 @@
 
 #include "corpus/support_value.hpp"
 #include "properties/edit/case.hpp"
+#include "properties/edit/solid.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/shrink.hpp"
 #include "properties/judge/linear.hpp"
@@ -195,6 +196,27 @@ TEST(HasTruth, none_for_what_the_door_refuses) {
   const std::optional<LawResult> open = without_truth(problem);
   ASSERT_TRUE(open.has_value());
   EXPECT_EQ(open->reason, "no oracle takes the case");
+}
+
+TEST(Solid, has_an_inside) {
+  const auto hull = [](std::vector<Vec3<double>> vertices) {
+    return Hull<double>(std::span<const Vec3<double>>(vertices));
+  };
+  const Hull<double> flat = hull({{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {1, 1, 5}}),
+                     tetrahedron = hull({{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {1, 1, 5.25}});
+  for (const Shape<double>& solid : std::vector<Shape<double>>{
+           kBall, kBox, tetrahedron, Ellipsoid<double>{{1, 2, 3}}, Capsule<double>{1, 0},
+           Cylinder<double>{1, 1}, Cone<double>{1, 1}, rounded<double>(Point<double>{}, 1),
+           sum<double>(flat, kBall), posed<double>(kBox, {1, 2, 3}, {})}) {
+    EXPECT_TRUE(is_solid(solid)) << solid.index();
+  }
+  for (const Shape<double>& none : std::vector<Shape<double>>{
+           Point<double>{}, flat, Sphere<double>{0}, Box<double>{{1, 0, 1}}, Ellipsoid<double>{{1, 2, 0}},
+           Capsule<double>{0, 1}, Cylinder<double>{1, 0}, Cone<double>{0, 1},
+           Segment<double>{{0, 0, 0}, {1, 0, 0}}, rounded<double>(flat, 0),
+           posed<double>(flat, {1, 2, 3}, {}), hull({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}})}) {
+    EXPECT_FALSE(is_solid(none)) << none.index();
+  }
 }
 
 TEST(Simpler, a_combinator_shrinks_to_the_part_that_matters) {
