@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "oracles/checker/check_record.hpp"
+#include "oracles/checker/check_within.hpp"
 #include "properties/attack/claim_judge.hpp"
 #include "properties/attack/meaning.hpp"
 #include "properties/edit/case.hpp"
@@ -142,7 +142,8 @@ class Attack {
   Judgement judged(const ProofRecord& record, const Accepted& believed) {
     if (believed.stands && !has_a_time(record))
       return {Judgement::Kind::contradicted, "what it states beside a proof that rules it out"};
-    return judge_->judge(claim_of(record, believed.statement));
+    const Claim claim = claim_of(record, believed.statement);
+    return believed.within > 0 ? judge_->judge_within(claim, believed.within) : judge_->judge(claim);
   }
 
   void weigh(Mutant mutant) {
@@ -150,7 +151,7 @@ class Attack {
     for (const Edit kind : {Edit::axis, Edit::index, Edit::weights})
       if (!is_claimed(mutant.record, kind)) mutant.edits.reset(static_cast<std::size_t>(kind));
     const Accepted believed = accepted(mutant.record, settings_);
-    const auto [proof, statement, stands] = believed;
+    const auto [proof, statement, stands, within] = believed;
     const bool differs = !same(meanings_[statement], meaning_of(mutant.record, statement || !proof));
     const auto count_in = [&](const Edits& classes, std::uint64_t Count::*kind) {
       for (std::size_t k = 0; k < kEdits; ++k)
@@ -227,11 +228,13 @@ std::string text_of(const Finding& finding) {
 
 Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const Flushing flushing(settings.flush_subnormals);
-  const oracle::RecordVerdict verdict = oracle::check_record(record);
+  bool exactly = true;
+  const oracle::RecordVerdict verdict = oracle::check_record_within(record, settings.kappa, &exactly);
+  const double within = exactly ? 0 : oracle::rounding_granted(record, settings.kappa);
   if (verdict.finding != oracle::RecordFinding::refused)
-    return {true, verdict.finding == oracle::RecordFinding::accepted, true};
+    return {true, verdict.finding == oracle::RecordFinding::accepted, true, within};
   // These two it says of a proof that is true.
-  return {verdict.reason == "contradicted" || verdict.reason == "unproved", false, false};
+  return {verdict.reason == "contradicted" || verdict.reason == "unproved", false, false, within};
 }
 
 std::vector<Finding> attack(const Case& problem, Random& random, const Settings& settings, Tally& tally) {

@@ -18,6 +18,9 @@ namespace graze::attack {
 struct Settings {
   // The checker runs with subnormal numbers flushed to zero, as a program linked with -ffast-math has it.
   bool flush_subnormals = false;
+  // Linear proofs are accepted to within kappa u scale, too (check_within.hpp), and those that are so by no less are
+  // judged by as much.
+  double kappa = 0;
   // Of one base: cases that are made of its case, and mutants of the proof on each of these; of the proof on
   // the case itself, twice as many.
   int edited_cases = 6, mutants_each = 8;
@@ -51,6 +54,7 @@ struct Finding {
 // does it at least let that stand, as proved in part?
 struct Accepted {
   bool proof = false, statement = false, stands = false;
+  double within = 0;  // the proof is true of shapes so near, a length, and not exactly
 };
 [[nodiscard]] Accepted accepted(const corpus::ProofRecord& record, const Settings& settings);
 

@@ -152,6 +152,33 @@ struct ClaimJudge::Impl {
     return late || early ? contradicted(claim, "the linear program") : Judgement{Kind::agreed, {}};
   }
 
+  Judgement judge_within(const Claim& claim, double length) {
+    ask();
+    const auto* said = std::get_if<oracle::CaseTruth>(&truth);
+    if (said == nullptr || said->outcome() == Outcome::not_converged) return {};
+    const bool contact = said->outcome() != Outcome::miss;
+    if (claim.lower > 0 && contact) {
+      // S is convex, and apart from the path up to there: some translation of C by `length` is, too.
+      const bool miss = claim.lower > problem.t_max;
+      const double depth = miss ? said->depth().low : said->lateness(claim.lower).low;
+      if (depth > length)
+        return contradicted(claim, known->by + fmt::format(", {:g} deep of {:g}", depth, length));
+    }
+    if (claim.upper < kInfinity<double>) {
+      // Between the bounds the distance of the path from C, convex in t, is no less than at an end, but for the way
+      // from there; before contact it falls.
+      const double from = claim.lower, to = std::min(claim.upper, problem.t_max);
+      const double way =
+          (problem.b.displacement - problem.a.displacement).norm() * (to - from) * (1 + 0x1p-40);
+      double apart = std::max(said->distance_at(from).low, said->distance_at(to).low) - way;
+      if (!contact) apart = std::max(apart, said->clearance().low);
+      if (contact && said->compare(to) < 0) apart = std::max(apart, said->distance_at(to).low);
+      if (!(from <= to) || apart > length)
+        return contradicted(claim, known->by + fmt::format(", {:g} apart of {:g}", apart, length));
+    }
+    return {Kind::agreed, {}};
+  }
+
   Judgement judge(const Claim& claim) {
     if (seen_before(claim.lower)) return contradicted(claim, "a look at one time");
     ask();
@@ -190,5 +217,8 @@ ClaimJudge::ClaimJudge(ClaimJudge&&) noexcept = default;
 ClaimJudge& ClaimJudge::operator=(ClaimJudge&&) noexcept = default;
 
 Judgement ClaimJudge::judge(const Claim& claim) { return impl_->judge(claim); }
+Judgement ClaimJudge::judge_within(const Claim& claim, double length) {
+  return impl_->judge_within(claim, length);
+}
 
 }  // namespace graze::attack

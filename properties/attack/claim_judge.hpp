@@ -35,6 +35,10 @@ class ClaimJudge {
   ClaimJudge& operator=(ClaimJudge&&) noexcept;
 
   [[nodiscard]] Judgement judge(const Claim& claim);
+  // Is the claim true of some convex set within `length` of C = A - B + ball(m)? Of bodies that do not turn. What must
+  // hold then is judged: the path up to the lower bound is no deeper in C, and somewhere between the bounds it
+  // is no farther from C. The outcome is not looked at.
+  [[nodiscard]] Judgement judge_within(const Claim& claim, double length);
 
  private:
   struct Impl;

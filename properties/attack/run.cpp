@@ -107,6 +107,9 @@ int main(int argc, char** argv) {
   app.add_flag("--first", goal.first, "no more rounds after one that finds something");
   app.add_flag("--flush-subnormals", wanted.settings.flush_subnormals,
                "the checker runs with subnormal numbers flushed to zero");
+  app.add_option("--kappa", wanted.settings.kappa,
+                 "accept linear proofs to within K u of scale, and judge them by as much")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--table", tables, "no run: the table of these states together");
   CLI11_PARSE(app, argc, argv);
 

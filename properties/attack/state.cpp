@@ -39,12 +39,13 @@ State read_state(const std::filesystem::path& path) {
   try {
     const Json json = Json::parse(in);
     if (json.at("schema") != kSchema) throw std::runtime_error("");
-    State state{.seed = json.at("seed"),
-                .share = {json.at("share"), json.at("of")},
-                .settings = {.flush_subnormals = json.at("flush_subnormals")},
-                .rounds = json.at("rounds"),
-                .seconds = json.at("seconds"),
-                .tally = {}};
+    State state{
+        .seed = json.at("seed"),
+        .share = {json.at("share"), json.at("of")},
+        .settings = {.flush_subnormals = json.at("flush_subnormals"), .kappa = json.value("kappa", 0.0)},
+        .rounds = json.at("rounds"),
+        .seconds = json.at("seconds"),
+        .tally = {}};
     state.tally.bases = json.at("bases");
     state.tally.refused_bases = json.at("refused_bases");
     state.tally.same = json.at("same_meaning");
@@ -63,6 +64,7 @@ void write_state(const std::filesystem::path& path, const State& state) {
                {"share", state.share.share},
                {"of", state.share.of},
                {"flush_subnormals", state.settings.flush_subnormals},
+               {"kappa", state.settings.kappa},
                {"rounds", state.rounds},
                {"seconds", state.seconds},
                {"bases", state.tally.bases},
@@ -93,6 +95,7 @@ std::string difference(const State& wanted, const State& found) {
   }
   if (wanted.settings.flush_subnormals != found.settings.flush_subnormals)
     return "one flushes subnormal numbers, the other does not";
+  if (wanted.settings.kappa != found.settings.kappa) return "another kappa";
   return {};
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "oracles/arithmetic/default_environment.hpp"
-#include "oracles/checker/check_record.hpp"
+#include "oracles/checker/check_within.hpp"
 #include "report/inputs.hpp"
 #include "report/outputs.hpp"
 #include "tools/commands/commands.hpp"
@@ -15,19 +15,26 @@ namespace {
 // Exit codes, the gravest that applies.
 constexpr int kAllAccepted = 0, kRefused = 1, kUnreadable = 2, kInPart = 3;
 
-int run(const std::vector<std::string>& files) {
-  will_read(files);
+struct Arguments {
+  std::vector<std::string> files;
+  double kappa = 0;
+};
+
+int run(const Arguments& arguments) {
+  will_read(arguments.files);
   const oracle::DefaultEnvironment environment;  // for what reads numbers, too
-  std::size_t accepted = 0, in_part = 0, refused = 0;
+  std::size_t accepted = 0, within = 0, in_part = 0, refused = 0;
   bool bad = false;
-  for (const std::string& name : files) {
+  for (const std::string& name : arguments.files) {
     const corpus::ProofReadResult read = name == "-"
                                              ? corpus::read_proofs_text(read_stdin(), "standard input")
                                              : corpus::read_proofs_file(name);
     for (const corpus::ReadError& error : read.errors) complain(error.text());
     bad = bad || !read.ok();
     for (const corpus::ProofRecord& record : read.proofs) {
-      const oracle::RecordVerdict verdict = oracle::check_record(record);
+      bool exactly = true;
+      const oracle::RecordVerdict verdict = oracle::check_record_within(record, arguments.kappa, &exactly);
+      within += exactly ? 0 : 1;
       if (verdict.finding == oracle::RecordFinding::accepted) {
         ++accepted;
         continue;
@@ -40,22 +47,31 @@ int run(const std::vector<std::string>& files) {
   }
   fmt::print("{} accepted, {}{} refused\n", accepted,
              in_part > 0 ? fmt::format("{} proved in part, ", in_part) : "", refused);
+  if (within > 0)
+    fmt::print("{} of the proofs true within {:g} u of scale, and not exactly\n", within, arguments.kappa);
   return bad ? kUnreadable : refused > 0 ? kRefused : in_part > 0 ? kInPart : kAllAccepted;
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_code) {
-  const auto files = std::make_shared<std::vector<std::string>>();
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "check",
       "Is each proof of the files true, and does it prove what its record says? Exact, in balls where bodies "
       "turn; independent of who wrote it.");
   command
-      ->add_option("files", *files,
+      ->add_option("files", arguments->files,
                    "Files of proofs, one a line, as `graze cast --proof` writes them; - is standard input")
       ->required()
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--kappa", arguments->kappa,
+          "Also accept a linear proof that is true of shapes within K u of scale of the given ones, u the "
+          "unit roundoff of its record's scalar (0: none)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("K");
   command->footer(
       "A proof holds its case, an axis that bounds the time of impact from below, and a portal of support "
       "pairs that\n"
@@ -74,12 +90,14 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "Each that is not accepted is a line: the case, the method, what is claimed, what is proved, or why "
       "not.\n\n"
       "  graze cast cases.jsonl --proof proofs.jsonl\n"
-      "  graze check proofs.jsonl\n\n"
+      "  graze check proofs.jsonl\n"
+      "  graze check --kappa 16 proofs_of_another_library.jsonl   (docs/checker.md says what is accepted "
+      "then)\n\n"
       "Exit code: 0 if every record is accepted; 1 if one is refused; 2 if a file could not be read; 3 if "
       "none "
       "is\n"
       "refused and some are proved in part.");
-  command->callback([files, &exit_code] { exit_code = run(*files); });
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace graze::tool

@@ -1,0 +1,49 @@
+// A proof that is true but for the rounding of whoever wrote it: is it true of shapes near the given ones?
+//
+// Notation   as in graze/proof.hpp: C = A - B + ball(m), v, h(n);   lower, upper: the proof's bounds;
+//   r   a length, how near;   a convex set S is within r of C if every point of either lies within r of the other.
+//
+// The claim that is decided: there is one convex set S within r of C of which all holds that the proof claims,
+//   S has no t v with 0 <= t < lower (none in [0, T], of a miss), and some s v with 0 <= s <= min(T, upper).
+// It is accepted if either of these is shown, exactly, by the checker (check_proof.hpp) on a case made for it:
+//
+//   1  the proof is accepted as it is. S = C.
+//   2  each half that it claims is, of its own set,
+//        lower   by the same axis of C + d, d a vector no longer than r: against the axis; against the time, along v, where
+//                the axis is symbolic and claims a bound of t. S = S0 = C + d.
+//        upper   by the same portal of C + ball(r): a combination of its pairs lies within m + r of s v, with
+//                lower <= s <= min(T, upper). Points of it that lie outside of their ball or their curved part are
+//                pulled inwards first, by at most r/16 each, and lie inside then.   S = S1 = C + ball(r).
+//
+// Both halves together are claims about one set. Let H be the half-space {c : n.c <= lower (n.v)}: the axis shows
+// S0 within H, and n.v < 0. Let p = s v, the portal's point of S1, with s >= lower: n.p = s (n.v) <= lower (n.v), so p
+// lies in H as well. Take S = conv(S0 and p). It lies in H, where no t v with t < lower lies; it has p = s v. It is within r
+// of C: S0 <= S <= S1, each point of S1 lies within r of C, and each point of C within r of S0. (Without lower <= s the two
+// halves may be claims about sets that no set stands between: a path that grazes C, is said to meet it later.)
+// A miss has one half, and so has a start in contact.
+//
+// Every number that is made here is exact, or rounded so that less is granted: what is accepted is so without rounding.
+// No slack is given to the axis of a miss that is symbolic, nor to rotating proofs.
+#pragma once
+
+#include "corpus/format/proof_io.hpp"
+#include "oracles/checker/check_proof.hpp"
+#include "oracles/checker/check_record.hpp"
+
+namespace graze::oracle {
+
+// `length`: r, not negative. What is refused is refused for the reason that the exact checker has.
+[[nodiscard]] Verdict check_proof_within(const corpus::Case& problem, const Proof& proof, double length);
+
+// kappa u scale, u the unit roundoff of the scalar that the record names, rounded down.
+[[nodiscard]] double rounding_granted(const corpus::ProofRecord& record, double kappa);
+
+// check_record with that granted to the record's proof. `exactly`: whether nothing of it was needed.
+[[nodiscard]] RecordVerdict check_record_within(const corpus::ProofRecord& record, double kappa,
+                                                bool* exactly = nullptr);
+
+// The scale of docs/guarantees.md from below, in doubles: by no more than a hundredth, unless the bodies' coordinates are
+// 1e13 times as large.
+[[nodiscard]] double scale_from_below(const corpus::Case& problem);
+
+}  // namespace graze::oracle

@@ -1,0 +1,179 @@
+// Proofs that are true but for rounding: refused as they are, accepted of shapes within kappa u of scale; and not
+// accepted where they are false by more, or where each half is true of a set nearby and both are of none.
+#include "oracles/checker/check_within.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace graze::oracle {
+namespace {
+
+using corpus::Case;
+using corpus::ProofRecord;
+
+constexpr double kU = kUnitRoundoff<double>, kNever = kInfinity<double>;
+
+// A point falls on the inner of a triangle in the plane x = 1 from x = 4, by 4 in a unit of t: contact at 3/4.
+ProofRecord triangle_and_point() {
+  ProofRecord record;
+  record.problem.a.shape = Triangle<double>{{1, -1, -1}, {1, 2, -1}, {1, -1, 2}};
+  record.problem.b.position = {4, 0, 0};
+  record.problem.b.displacement = {-4, 0, 0};
+  record.scalar = "double";
+  record.tier = Tier::exact;
+  record.outcome = Outcome::hit;
+  Proof& proof = record.proof;
+  proof.has_axis = true;
+  proof.axis = {1, 0, 0};
+  proof.toi_lower = proof.toi_upper = 0.75;
+  proof.portal_size = 3;
+  for (unsigned i = 0; i < 3; ++i) proof.portal[i].a.vertex = i;
+  return record;
+}
+// A ball of radius 1 and a point that meet at 3/4, by the ball's point in front.
+ProofRecord ball_and_point() {
+  ProofRecord record = triangle_and_point();
+  record.problem.a.shape = Sphere<double>{1};
+  record.proof.portal_size = 1;
+  record.proof.portal[0] = {};
+  record.proof.portal[0].a.offset = {1, 0, 0};
+  return record;
+}
+
+bool holds(const ProofRecord& record, double kappa) {
+  return check_record_within(record, kappa).finding == RecordFinding::accepted;
+}
+// By kappa u of scale, but not by half of that, nor exactly.
+void expect_needs(const ProofRecord& record, double kappa, const char* what) {
+  EXPECT_FALSE(holds(record, 0)) << what;
+  EXPECT_FALSE(holds(record, kappa / 2)) << what;
+  EXPECT_TRUE(holds(record, kappa)) << what << ": " << check_record_within(record, kappa).detail;
+}
+
+TEST(CheckWithin, grants_nothing_that_is_not_needed) {
+  bool exactly = false;
+  EXPECT_EQ(check_record_within(triangle_and_point(), 16, &exactly).finding, RecordFinding::accepted);
+  EXPECT_TRUE(exactly);
+  ProofRecord late = triangle_and_point();
+  late.proof.toi_lower = late.proof.toi_upper = std::nextafter(0.75, 1);
+  EXPECT_EQ(check_record_within(late, 16, &exactly).finding, RecordFinding::accepted);
+  EXPECT_FALSE(exactly);
+  EXPECT_EQ(check_record_within(late, 0, &exactly).finding, RecordFinding::refused);
+  EXPECT_TRUE(exactly);
+}
+
+// Lengths of which u scale of triangle and point, whose scale is sqrt(18), is one to within a hundredth.
+const double kGranted = kU * std::sqrt(18.0);
+
+TEST(CheckWithin, grants_a_time_its_way) {
+  // By 2^-30 of t the point goes 2^-28.
+  const double kappa = 1.0625 * 0x1p-28 / kGranted;
+  ProofRecord late = triangle_and_point(), early = late;
+  late.proof.toi_lower = late.proof.toi_upper = 0.75 + 0x1p-30;
+  early.proof.toi_lower = early.proof.toi_upper = 0.75 - 0x1p-30;
+  expect_needs(late, kappa, "late");
+  expect_needs(early, kappa, "early");
+  // The same by a symbolic axis.
+  late.proof.symbolic = true;
+  late.proof.factor[0] = {.kind = AxisFactor::Kind::given, .given = {0, 1, 0}};
+  late.proof.factor[1] = {.kind = AxisFactor::Kind::given, .given = {0, 0, 1}};
+  expect_needs(late, kappa, "late by a symbolic axis");
+}
+
+TEST(CheckWithin, grants_an_axis_that_is_tilted) {
+  ProofRecord record = triangle_and_point();
+  record.proof.axis = {1, 0x1p-30, 0};
+  // The corner at y = 2 stands out by 2^-29 then.
+  expect_needs(record, 1.0625 * 0x1p-29 / kGranted, "tilted");
+}
+
+TEST(CheckWithin, grants_a_miss_that_touches) {
+  ProofRecord record = triangle_and_point();
+  record.problem.b.position = {4, -1, 0};  // along the edge y = -1
+  record.outcome = Outcome::miss;
+  record.proof.axis = {0, -1, 0};
+  record.proof.toi_lower = kNever;
+  record.proof.toi_upper = kNever;
+  record.proof.portal_size = 0;
+  EXPECT_FALSE(holds(record, 0));
+  EXPECT_TRUE(holds(record, 1));
+  // And one that is 2^-30 deep by as much.
+  record.problem.b.position[1] = -1 + 0x1p-30;
+  expect_needs(record, 1.0625 * 0x1p-30 / kGranted, "a miss");
+}
+
+TEST(CheckWithin, grants_points_that_lie_just_outside) {
+  ProofRecord record = ball_and_point();
+  EXPECT_TRUE(holds(record, 0));
+  record.proof.portal[0].a.offset = {1 + 0x1p-40, 0, 0};
+  record.proof.toi_lower = 0.75 - 0x1p-42;
+  // 2^-40 outside is drawn in by a sixteenth of what is granted; the scale is 4.
+  expect_needs(record, 1.0625 * 16 * 0x1p-40 / (4 * kU), "an offset");
+  record = ball_and_point();
+  record.problem.a.shape = Ellipsoid<double>{{1, 2, 3}};
+  record.proof.portal[0].a = {};
+  record.proof.portal[0].a.curved[0] = {1, 0, 0};
+  EXPECT_TRUE(holds(record, 0));
+  record.proof.portal[0].a.curved[0] = {1 + 0x1p-40, 0, 0};
+  const double scale = std::sqrt(4.0 + 16 + 36);
+  expect_needs(record, 1.0625 * 16 * 0x1p-40 / (scale * kU), "a point of an ellipsoid");
+}
+
+TEST(CheckWithin, takes_the_unit_roundoff_of_the_scalar) {
+  ProofRecord record = triangle_and_point();
+  record.proof.axis = {1, static_cast<double>(0x1p-24F), 0};
+  EXPECT_FALSE(holds(record, 8));
+  record.scalar = "float";
+  EXPECT_TRUE(holds(record, 8));
+}
+
+// A point passes another by `apart`, where t is 1/2. An axis along the path proves that there is no contact before 0.9;
+// a portal of the two points themselves lies on the path to within `apart`. No set within that has its first
+// contact at 0.9: the points are 3.2 apart then.
+TEST(CheckWithin, wants_one_set_for_both_halves) {
+  constexpr double kApart = 0x1p-20;
+  ProofRecord record;
+  record.problem.b.position = {4, kApart, 0};
+  record.problem.b.displacement = {-8, 0, 0};
+  record.scalar = "double";
+  record.outcome = Outcome::hit;
+  record.proof.has_axis = true;
+  record.proof.axis = {kApart / 4, 1, 0};
+  record.proof.toi_lower = record.proof.toi_upper = 0.9;
+  record.proof.portal_size = 1;
+  const double kappa = 2 * kApart / (4 * kU);
+  EXPECT_FALSE(holds(record, kappa));
+  ProofRecord half = record;
+  half.proof.toi_lower = 0;
+  half.proof.has_axis = false;
+  EXPECT_TRUE(check_proof_within(half.problem, half.proof, 2 * kApart).accepted());
+  half = record;
+  half.proof.toi_upper = kNever;
+  half.proof.portal_size = 0;
+  EXPECT_TRUE(check_proof(half.problem, half.proof).accepted());
+  // What is true of one: contact at 1/2.
+  record.proof.toi_lower = record.proof.toi_upper = 0.5;
+  record.proof.axis = {1, 0, 0};
+  EXPECT_FALSE(holds(record, 0));
+  EXPECT_TRUE(holds(record, kappa));
+  // And a bracket upside down never is.
+  record.proof.toi_upper = std::nextafter(0.5, 0);
+  EXPECT_FALSE(holds(record, kappa));
+}
+
+TEST(CheckWithin, grants_no_form_and_no_contradiction) {
+  ProofRecord record = triangle_and_point();
+  record.proof.portal[0].a.vertex = 3;
+  EXPECT_FALSE(holds(record, 1e6));
+  record = triangle_and_point();
+  record.proof.toi_lower = record.proof.toi_upper = std::nextafter(0.75, 1);
+  record.outcome = Outcome::miss;
+  EXPECT_EQ(check_record_within(record, 16).reason, "contradicted");
+  record.outcome = Outcome::hit;
+  record.toi = {0.25, 0.5};
+  EXPECT_EQ(check_record_within(record, 16).reason, "contradicted");
+}
+
+}  // namespace
+}  // namespace graze::oracle
