@@ -48,7 +48,8 @@ int run(const Arguments& arguments) {
   fmt::print("{} accepted, {}{} refused\n", accepted,
              in_part > 0 ? fmt::format("{} proved in part, ", in_part) : "", refused);
   if (within > 0)
-    fmt::print("{} of the proofs true within {:g} u of scale, and not exactly\n", within, arguments.kappa);
+    fmt::print("{} of the proofs {} true within {:g} u of scale, and not exactly\n", within,
+               within == 1 ? "is" : "are", arguments.kappa);
   return bad ? kUnreadable : refused > 0 ? kRefused : in_part > 0 ? kInPart : kAllAccepted;
 }
 

@@ -65,6 +65,19 @@ TEST_F(CheckRecords, cast_writes_the_tier_and_the_bracket_of_its_answer) {
   }
 }
 
+TEST_F(CheckRecords, accepts_within_kappa_what_is_false_by_rounding) {
+  Json late = cast("--tier exact");
+  // The cube goes 4 in a unit of t, and the scale is 4: by 2^-50 of t it goes 8 u of scale.
+  late["proof"]["toi_lower"] = late["proof"]["toi_upper"] = 0.625 + 0x1p-50;
+  late.erase("toi");
+  EXPECT_EQ(check({late}).exit_code, 1);
+  EXPECT_EQ(folder.graze("check made.jsonl --kappa 4").exit_code, 1);
+  const CommandRun run = folder.graze("check made.jsonl --kappa 16");
+  EXPECT_EQ(run.exit_code, 0) << run.out;
+  EXPECT_EQ(run.out, "1 accepted, 0 refused\n1 of the proofs is true within 16 u of scale, and not exactly\n");
+  EXPECT_EQ(folder.graze("check made.jsonl --kappa -1").exit_code, 2);
+}
+
 TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
   const Json sound = cast("--tier exact");
   Json miss = sound, start = sound, late = sound;
