@@ -212,6 +212,7 @@ const std::map<std::string, Sin>& sins() {
         [](const Question& q, const Answer&) {
           Answer bad = Answer::hit(q.t_max / 2);
           bad.normal = Vector{1, 0, 0};
+          bad.point_a = bad.point_b = q.a.position;
           return write_answer(q.id, bad);
         }}},
       {"leaks",

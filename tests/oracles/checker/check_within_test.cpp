@@ -76,8 +76,8 @@ TEST(CheckWithin, grants_a_time_its_way) {
   expect_needs(early, kappa, "early");
   // The same by a symbolic axis.
   late.proof.symbolic = true;
-  late.proof.factor[0] = {.kind = AxisFactor::Kind::given, .given = {0, 1, 0}};
-  late.proof.factor[1] = {.kind = AxisFactor::Kind::given, .given = {0, 0, 1}};
+  late.proof.factor[0].given = {0, 1, 0};
+  late.proof.factor[1].given = {0, 0, 1};
   expect_needs(late, kappa, "late by a symbolic axis");
 }
 
