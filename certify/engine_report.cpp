@@ -48,6 +48,7 @@ std::string limit_text(const Method& method) {
   add(row.kappa_polytope, " u scale");
   add(row.relative_tolerance, " scale");
   add(row.tolerance, "");
+  add(row.own_frames, " of own frames");
   return text.empty() ? "0" : text;
 }
 

@@ -79,6 +79,21 @@ TEST(ClaimJudge, tells_one_unit_in_the_last_place_of_a_linear_time) {
   EXPECT_EQ(judged(problem, kNever, kNever), kContradicted);
 }
 
+// The cube goes 4 in a unit of t.
+TEST(ClaimJudge, grants_as_much_as_it_is_told) {
+  ClaimJudge judge(cube_and_cube());
+  constexpr double kOff = 0x1p-20;
+  EXPECT_EQ(judge.judge_within({0.625, 0.625, {}}, 0x1p-40).kind, kAgreed);
+  for (const double t : {0.625 + kOff, 0.625 - kOff}) {
+    EXPECT_EQ(judge.judge_within({t, t, {}}, 4.25 * kOff).kind, kAgreed);
+    EXPECT_EQ(judge.judge_within({t, t, {}}, 3.75 * kOff).kind, kContradicted);
+  }
+  EXPECT_EQ(judge.judge_within({kNever, kNever, {}}, 0.5).kind, kContradicted);
+  // A bracket that reaches from well before contact to contact holds one.
+  EXPECT_EQ(judge.judge_within({0.25, 0.625, {}}, 0x1p-40).kind, kAgreed);
+  EXPECT_EQ(judge.judge_within({0.25, 0.375, {}}, 0.5).kind, kContradicted);
+}
+
 TEST(ClaimJudge, hears_the_outcome_where_it_is_claimed) {
   const Case problem = cube_and_cube();
   EXPECT_EQ(judged(problem, 0.625, 0.625, Outcome::hit), kAgreed);
@@ -218,6 +233,19 @@ TEST(ProofAttack, none_is_with_subnormal_numbers_flushed) {
         << "round " << number << ", seed " << kSeed;
   }
   EXPECT_GE(tally.all.agreed, 600u);
+}
+
+TEST(ProofAttack, none_is_within_kappa) {
+  constexpr std::uint64_t kRounds = 120, kSeed = 3;
+  Tally exactly, tally;
+  for (std::uint64_t number = 0; number < kRounds; ++number) {
+    ASSERT_EQ(first_of(attack_round(kSeed, number, {.kappa = 1e6}, tally)), "")
+        << "round " << number << ", seed " << kSeed;
+    (void)attack_round(kSeed, number, {}, exactly);
+  }
+  EXPECT_GE(tally.all.agreed, 1200u);
+  // Some are accepted that are refused exactly.
+  EXPECT_LT(tally.all.refused, exactly.all.refused);
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ TEST_F(CheckRecords, accepts_within_kappa_what_is_false_by_rounding) {
   EXPECT_EQ(folder.graze("check made.jsonl --kappa 4").exit_code, 1);
   const CommandRun run = folder.graze("check made.jsonl --kappa 16");
   EXPECT_EQ(run.exit_code, 0) << run.out;
-  EXPECT_EQ(run.out, "1 accepted, 0 refused\n1 of the proofs is true within 16 u of scale, and not exactly\n");
+  EXPECT_EQ(run.out,
+            "1 accepted, 0 refused\n1 of the proofs is true within 16 u of scale, and not exactly\n");
   EXPECT_EQ(folder.graze("check made.jsonl --kappa -1").exit_code, 2);
 }
 
