@@ -107,7 +107,7 @@ void pull_inwards(Proof& proof, double most) {
   proof.toi_upper = at_most_difference(proof.toi_upper, from);
   proof.toi_lower = 0;
   proof.has_axis = false;
-  const Verdict verdict = check_proof(problem, proof);
+  Verdict verdict = check_proof(problem, proof);
   if (!is_outside(verdict.refusal)) return verdict;
   pull_inwards(proof, length / 16);
   return check_proof(problem, proof);

@@ -14,7 +14,7 @@ constexpr double kLeastHeight = 1e-6;
 // Of a hull: from a vertex to the farthest, from that edge to the farthest, from that plane to the farthest.
 bool has_height(const Hull<double>& hull) {
   if (hull.size() < 4) return false;
-  const Vec3<double> first = hull.vertex(0);
+  const Vec3<double>& first = hull.vertex(0);
   Vec3<double> edge = Vec3<double>::Zero(), normal = Vec3<double>::Zero();
   for (const Vec3<double>& x : hull.vertices()) {
     if ((x - first).norm() > edge.norm()) edge = x - first;
