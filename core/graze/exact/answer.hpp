@@ -13,13 +13,13 @@
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 
-// n over its length, which is rounded once. Its components are in range.
+// n over its length, which is rounded once; 0 where a number outgrew its room.
 inline Vec3<double> over_length(Vec3<double> n) {
-  n /= n.cwiseAbs().maxCoeff();
-  // |n|^2 in pairs.
-  detail::TwoDoubles square;
-  for (int i = 0; i < 3; ++i) square = square + detail::two_product(n[i], n[i]);
-  return n / std::sqrt(square.hi);
+  const double most = n.cwiseAbs().maxCoeff();
+  if (!(most > 0)) return Vec3<double>::Zero();
+  n *= power_of_two(-exponent_of(most));
+  const Pair square = (product(n[0], n[0]) + product(n[1], n[1])) + product(n[2], n[2]);
+  return n / std::sqrt(rounded(square));
 }
 
 // f_1 x f_2 over its length.

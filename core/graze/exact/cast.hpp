@@ -56,14 +56,9 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
     if (asks_for(options.request, Request::normal))
       out.normal = Vec3<double>(-meeting->normal()).template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
-      const std::array<double, 3> weight = meeting->weights();
-      const auto point = [&](const Body<S>& body, const Guide<S>& guide, bool of_a) -> Vec3<S> {
-        return exact::facet_point(body, guide, scene.length_exponent(), answer.facet, weight, of_a,
-                                  double(out.toi_lower))
-            .template cast<S>();
-      };
-      out.point_a = point(a, cast.pair().a(), true);
-      out.point_b = point(b, cast.pair().b(), false);
+      const double t = double(out.toi_lower);
+      out.point_a = meeting->witness(a, true, t).template cast<S>();
+      out.point_b = meeting->witness(b, false, t).template cast<S>();
     }
   }
   if (asks_for(options.request, Request::proof) && !out.passed_over)

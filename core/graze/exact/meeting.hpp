@@ -1,6 +1,6 @@
 // Where a moving origin meets a facet of C: time, normal and weights from one set of corners, each formed once.
 //
-//   c(lambda) = c_0 + lambda_1 e + lambda_2 f     is in the facet's plane, whatever lambda_1 and lambda_2 are;
+//   c(lambda) = c_0 + at_.lambda1 e + at_.lambda2 f     is in the facet's plane, whatever at_.lambda1 and at_.lambda2 are;
 //   t - s     = N.(c(lambda) - s v) / N.v         for every s, N = e x f exactly.
 //
 // Plain doubles find s and lambda, so that g = c(lambda) - s v is nearly 0; they need not be right. Only g is formed in
@@ -29,13 +29,13 @@ inline Pair times(const Pair& x, double s) {
   return {p.hi, p.lo + x.lo * s};
 }
 // x / w, w > 0; within 2^-97 of x's size over w, as its first guess, with the reciprocal rounded, is within 2^-48.
-inline Pair quotient(const Pair& x, const Pair& w, double reciprocal) {
+inline Pair over(const Pair& x, const Pair& w, double reciprocal) {
   const double q = x.hi * reciprocal;
   const Pair p = product(q, w.hi);
   return {q, (((x.hi - p.hi) - p.lo) + (x.lo - q * w.lo)) * reciprocal};
 }
-inline Pair3 operator-(const Pair3& x, const Pair3& y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
-inline Pair3 turned_by(const FineTurn& turn, const Pair3& x) {
+// Flat, so that a number is split once for all its products.
+[[gnu::flatten]] inline Pair3 turned_by(const FineTurn& turn, const Pair3& x) {
   return {dot(turn.row[0], x), dot(turn.row[1], x), dot(turn.row[2], x)};
 }
 inline Vec3<double> rounded(const Pair3& x) { return {rounded(x[0]), rounded(x[1]), rounded(x[2])}; }
@@ -62,49 +62,98 @@ class Meeting {
     return known_ && find_normal(n) ? over_length(n) : unit_normal(scene_, facet_);
   }
 
-  // The weights of the corners where the origin is: of doubles if the bodies' points are then within 8 u of their
-  // reaches of each other.
-  [[nodiscard]] std::array<double, 3> weights() const {
-    const double most = 8 * kUnitRoundoff<double> * (pair_.a().reach() + pair_.b().reach());
-    const Triple apart = g_ - delta_ * pair_.direction();
-    if (known_ && largest(apart) <= most)
-      return {std::max(1 - lambda_[0] - lambda_[1], 0.0), lambda_[0], lambda_[1]};
-    return facet_weights(scene_, facet_, v_);
+  // Of one body, the point where the origin is at time t, caller's unit of it; world coordinates.
+  [[nodiscard]] Vec3<double> witness(const Body<S>& body, bool of_a, double t) {
+    const Guide<S>& guide = of_a ? pair_.a() : pair_.b();
+    if (!has_weights_) find_weights();
+    if (!known_) return facet_point(body, guide, scene_.length_exponent(), facet_, weight_, of_a, t);
+    const Part& part = part_[!of_a];
+    Triple own = guide.own(of_a ? facet_.corner[0].a : facet_.corner[0].b);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (part.moves[i]) own = own + weight_[i + 1] * part.rounded_step(i);
+    }
+    const Triple shift = guide.placed_center() + t * triple(body.displacement);
+    return (shift + power_of_two(scene_.length_exponent()) * guide.to_world(own)).vector();
   }
 
-  // What tests hold to the truth: t, internal unit, is within error of s + delta.
-  [[nodiscard]] bool known() const { return known_; }
-  [[nodiscard]] double s() const { return s_; }
-  [[nodiscard]] double delta() const { return delta_; }
-  [[nodiscard]] double error() const { return error_; }
+  // What tests hold to the truth. Internal units; t is within `error` of s + delta, each component of g within g_error.
+  struct Quotient {
+    double s = 0, delta = 0, error = 0;
+    std::array<double, 2> lambda{};
+    Triple g{0, 0, 0};
+    double g_error = 0;
+  };
+  // Where plain doubles know that the plane is not along the path.
+  [[nodiscard]] const Quotient* quotient() const { return known_ ? &at_ : nullptr; }
 
  private:
   static constexpr double kU = kUnitRoundoff<double>;
 
+  // What one body has in the corners: its vertex in c_0 and the steps from there, exactly, in its own axes.
+  struct Part {
+    Vec3<double> x0;  // as given
+    std::array<Pair3, 2> step;
+    std::array<bool, 2> moves;
+    double size;  // of the coordinates
+
+    [[nodiscard]] bool is_still() const { return !moves[0] && !moves[1]; }
+    [[nodiscard]] Triple rounded_step(std::size_t i) const {
+      return {step[i][0].hi, step[i][1].hi, step[i][2].hi};
+    }
+  };
+  void gather(bool of_b) {
+    const Leaf<S>& leaf = scene_.leaves()[of_b];
+    Part& out = part_[of_b];
+    const auto vertex = [&](std::size_t i) { return of_b ? facet_.corner[i].b : facet_.corner[i].a; };
+    const std::uint32_t first = vertex(0);
+    out.x0 = scene_.at(leaf, first);
+    out.size = out.x0.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < 2; ++i) {
+      out.moves[i] = vertex(i + 1) != first;
+      if (!out.moves[i]) continue;
+      const Vec3<double> x = scene_.at(leaf, vertex(i + 1));
+      out.size = std::max(out.size, x.cwiseAbs().maxCoeff());
+      out.step[i] = {difference(x[0], out.x0[0]), difference(x[1], out.x0[1]), difference(x[2], out.x0[2])};
+    }
+  }
+
+  // Of doubles if the bodies' points are then within 8 u of their reaches of each other.
+  void find_weights() {
+    has_weights_ = true;
+    if (known_) {
+      const double most = 8 * kU * (pair_.a().reach() + pair_.b().reach());
+      if (largest(at_.g - at_.delta * pair_.direction()) <= most) {
+        weight_ = {1 - at_.lambda[0] - at_.lambda[1], at_.lambda[0], at_.lambda[1]};
+        return;
+      }
+    }
+    weight_ = facet_weights(scene_, facet_, v_);
+  }
+
   // s, lambda, n and n.r in doubles.
   bool guess() {
+    gather(false);
+    gather(true);
     const Guide<S>&a = pair_.a(), &b = pair_.b();
-    const auto& c = facet_.corner;
-    const Triple x = a.own(c[0].a), y = b.own(c[0].b);
     const auto edge = [&](std::size_t i, double& size) {
-      // Nothing to turn where a body has one corner.
       Triple out{0, 0, 0};
       size = 0;
-      if (c[i].a != c[0].a) {
-        const Triple step = a.own(c[i].a) - x;
+      if (part_[0].moves[i]) {
+        const Triple step = part_[0].rounded_step(i);
         size += sum(magnitude(step));
         out = a.to_world(step);
       }
-      if (c[i].b != c[0].b) {
-        const Triple step = b.own(c[i].b) - y;
+      if (part_[1].moves[i]) {
+        const Triple step = part_[1].rounded_step(i);
         size += sum(magnitude(step));
         out = out - b.to_world(step);
       }
       return out;
     };
     double size_e = 0, size_f = 0;
-    const Triple e = edge(1, size_e), f = edge(2, size_f),
-                 c0 = a.to_world(x) - (b.to_world(y) + pair_.offset());
+    const Vertex& first = facet_.corner[0];
+    const Triple e = edge(0, size_e), f = edge(1, size_f),
+                 c0 = a.at(first.a) - (b.at(first.b) + pair_.offset());
     const Triple& r = pair_.direction();
     n_ = cross(e, f);
     along_ = dot(n_, r);
@@ -112,69 +161,62 @@ class Meeting {
     // r is within u of v, and three products and sums round.
     along_error_ = (n_error_ + 6 * kU * largest(n_)) * sum(magnitude(r));
     if (!(along_ > 4 * along_error_)) return false;
-    s_ = dot(n_, c0) / along_;
+    const double one = 1 / along_;
+    at_.s = dot(n_, c0) * one;
     const auto weight = [](double l) { return std::clamp(l, 0.0, 1.0); };
-    lambda_ = {weight(dot(c0, cross(r, f)) / along_), weight(dot(c0, cross(e, r)) / along_)};
-    return std::abs(s_) > 0x1p-500 && std::abs(s_) < 0x1p500;
+    at_.lambda = {weight(dot(c0, cross(r, f)) * one), weight(dot(c0, cross(e, r)) * one)};
+    return std::abs(at_.s) > 0x1p-500 && std::abs(at_.s) < 0x1p500;
   }
 
-  // The corners' point of a body at those weights, in world axes about the body's position; its size.
-  Pair3 point(bool of_b, double& size) const {
-    const Leaf<S>& leaf = scene_.leaves()[of_b];
-    std::array<std::uint32_t, 3> k;
-    for (std::size_t i = 0; i < 3; ++i) k[i] = of_b ? facet_.corner[i].b : facet_.corner[i].a;
-    const Vec3<double> x0 = scene_.at(leaf, k[0]);
-    size = x0.cwiseAbs().maxCoeff();
-    Pair3 x = {Pair{x0[0], 0}, Pair{x0[1], 0}, Pair{x0[2], 0}};
-    for (std::size_t i = 1; i < 3; ++i) {
-      if (k[i] == k[0]) continue;
-      const Vec3<double> xi = scene_.at(leaf, k[i]);
-      size = std::max(size, xi.cwiseAbs().maxCoeff());
-      for (std::size_t j = 0; j < 3; ++j) {
-        const int axis = static_cast<int>(j);
-        x[j] = x[j] + times(difference(xi[axis], x0[axis]), lambda_[i - 1]);
-      }
+  // The corners' point of a body at those weights, in world axes about the body's position.
+  [[gnu::flatten]] Pair3 point(bool of_b) const {
+    const Part& part = part_[of_b];
+    Pair3 x = {Pair{part.x0[0], 0}, Pair{part.x0[1], 0}, Pair{part.x0[2], 0}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!part.moves[i]) continue;
+      for (std::size_t j = 0; j < 3; ++j) x[j] = x[j] + times(part.step[i][j], at_.lambda[i]);
     }
-    if (!leaf.turned) return x;
+    if (!scene_.leaves()[of_b].turned) return x;
     const FineTurn& turn = scene_.turn(of_b);
     const Pair3 out = turned_by(turn, x);
     const double reciprocal = 1 / rounded(turn.weight);
-    return {quotient(out[0], turn.weight, reciprocal), quotient(out[1], turn.weight, reciprocal),
-            quotient(out[2], turn.weight, reciprocal)};
+    return {over(out[0], turn.weight, reciprocal), over(out[1], turn.weight, reciprocal),
+            over(out[2], turn.weight, reciprocal)};
   }
 
   // g, and with it delta and its error.
-  bool correct() {
-    double size_a = 0, size_b = 0;
-    const Pair3 a = point(false, size_a), b = point(true, size_b), apart = scene_.apart(),
-                v = scene_.motion();
+  [[gnu::flatten]] bool correct() {
+    const Pair3 a = point(false), b = point(true), apart = scene_.apart(), v = scene_.motion();
     const auto difference = [&](std::size_t i) {
-      return rounded(((a[i] - b[i]) + apart[i]) - times(v[i], s_));
+      return rounded(((a[i] - b[i]) + apart[i]) - times(v[i], at_.s));
     };
-    g_ = {difference(0), difference(1), difference(2)};
+    at_.g = {difference(0), difference(1), difference(2)};
     const Triple shift{apart[0].hi, apart[1].hi, apart[2].hi}, path{v[0].hi, v[1].hi, v[2].hi};
-    const double size = size_a + size_b + largest(shift) + std::abs(s_) * largest(path);
-    const double g_error = 0x1p-90 * size, n = largest(n_);
-    delta_ = dot(n_, g_) / along_;
+    const double size = part_[0].size + part_[1].size + largest(shift) + std::abs(at_.s) * largest(path);
+    const double n = largest(n_);
+    at_.g_error = 0x1p-90 * size;
+    at_.delta = dot(n_, at_.g) / along_;
     // Of n.g: n's error, the sum's rounding and g's, of three components each.
-    const double error = (n_error_ + 6 * kU * n) * sum(magnitude(g_)) + 3.1 * (n + n_error_) * g_error;
-    error_ =
-        1.1 * (error + std::abs(delta_) * along_error_) / (along_ - along_error_) + 2 * kU * std::abs(delta_);
-    return error_ < kInfinity<double>;
+    const double error = (n_error_ + 6 * kU * n) * sum(magnitude(at_.g)) + 3.1 * (n + n_error_) * at_.g_error;
+    at_.error = 1.1 * (error + std::abs(at_.delta) * along_error_) / (along_ - along_error_) +
+                2 * kU * std::abs(at_.delta);
+    return at_.error < kInfinity<double>;
   }
 
   // False where s + delta does not tell.
   bool round(TimeBracket& out) const {
     const int exponent = scene_.length_exponent() - scene_.speed_exponent();
-    if (std::abs(exponent) >= 500 || !(std::abs(delta_) < 0x1p-10 * std::abs(s_))) return false;
+    if (std::abs(exponent) >= 500 || !(std::abs(at_.delta) < 0x1p-10 * std::abs(at_.s))) return false;
     // s and near are within a factor of 2: their difference is exact, and what remains of delta rounds once.
-    const double near = s_ + delta_, rest = delta_ - (near - s_), error = error_ + 2 * kU * std::abs(rest);
+    const double near = at_.s + at_.delta, rest = at_.delta - (near - at_.s),
+                 error = at_.error + 2 * kU * std::abs(rest);
     const double t = near * power_of_two(exponent);  // exact
     if (std::abs(rest) > error) {
-      const double other = rest > 0 ? next_up(near) : next_down(near);
+      const bool up = rest > 0;
+      const double other = up ? next_up(near) : next_down(near);
       if (!(std::abs(rest) + error < std::abs(other - near))) return false;
       const double t_other = other * power_of_two(exponent);
-      out = rest > 0 ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
+      out = up ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
       return true;
     }
     // A multiple of 2^grid, so 0 if it is below that.
@@ -188,31 +230,30 @@ class Meeting {
 
   // e x f up to a factor > 0, each component within 2^-57 of the largest before it is rounded; false where it is not
   // that easily had.
-  bool find_normal(Vec3<double>& n) const {
-    const auto& c = facet_.corner;
-    const bool a1 = c[1].a != c[0].a, a2 = c[2].a != c[0].a, b1 = c[1].b != c[0].b, b2 = c[2].b != c[0].b;
+  [[gnu::flatten]] bool find_normal(Vec3<double>& n) const {
+    const Part &a = part_[0], &b = part_[1];
     double size = 0;
     Pair3 fine;
-    if (const bool of_a = !b1 && !b2, of_b = !a1 && !a2; of_a || of_b || scene_.turned_alike()) {
+    if (const bool of_b = a.is_still(); of_b || b.is_still() || scene_.turned_alike()) {
       // In the bodies' own axes, and turned once.
       double size_e = 0, size_f = 0;
-      const Pair3 e = step(c[0], c[1], size_e), f = step(c[0], c[2], size_f);
+      const Pair3 e = edge(0, size_e), f = edge(1, size_f);
       fine = cross(e, f);
       size = size_e * size_f;
-      const Leaf<S>& leaf = scene_.leaves()[of_b];
-      if (leaf.turned) {
-        fine = turned_by(scene_.turn(of_b), fine);
-        size *= 2 * scene_.turn(of_b).weight.hi;
+      if (scene_.leaves()[of_b].turned) {
+        const FineTurn& turn = scene_.turn(of_b);
+        fine = turned_by(turn, fine);
+        size *= 2 * turn.weight.hi;
       }
     } else {
       // An edge of either: the multiples of them in e and f are 0 or 1.
-      const bool edge_a = !(a1 && a2) || c[1].a == c[2].a, edge_b = !(b1 && b2) || c[1].b == c[2].b;
-      const int sign = int(b1 && a2) - int(a1 && b2);
+      const auto& c = facet_.corner;
+      const bool edge_a = !(a.moves[0] && a.moves[1]) || c[1].a == c[2].a,
+                 edge_b = !(b.moves[0] && b.moves[1]) || c[1].b == c[2].b;
+      const int sign = int(b.moves[0] && a.moves[1]) - int(a.moves[0] && b.moves[1]);
       if (!edge_a || !edge_b || sign == 0) return false;
       double size_a = 0, size_b = 0;
-      const std::size_t i = a1 ? 1 : 2, j = b1 ? 1 : 2;
-      const Pair3 along_a = turned_step(false, c[0].a, c[i].a, size_a),
-                  along_b = turned_step(true, c[0].b, c[j].b, size_b);
+      const Pair3 along_a = turned_step(false, size_a), along_b = turned_step(true, size_b);
       fine = sign > 0 ? cross(along_a, along_b) : cross(along_b, along_a);
       size = size_a * size_b;
     }
@@ -220,43 +261,38 @@ class Meeting {
     return size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize &&
            n.cwiseAbs().maxCoeff() > 0x1p-30 * size;
   }
-  // From one corner of C to another, nothing turned.
-  Pair3 step(const Vertex& from, const Vertex& to, double& size) const {
-    double size_a = 0, size_b = 0;
-    if (from.b == to.b) return own_step(false, from.a, to.a, size);
-    const Pair3 a = own_step(false, from.a, to.a, size_a), b = own_step(true, from.b, to.b, size_b);
-    size = size_a + size_b;
-    return a - b;
+  static double size_of(const Pair3& x) {
+    return std::max({std::abs(x[0].hi), std::abs(x[1].hi), std::abs(x[2].hi)});
   }
-  Pair3 own_step(bool of_b, std::uint32_t from, std::uint32_t to, double& size) const {
-    const Leaf<S>& leaf = scene_.leaves()[of_b];
-    Pair3 out = {Pair{0, 0}, Pair{0, 0}, Pair{0, 0}};
-    size = 0;
-    if (from == to) return out;
-    const Vec3<double> x = scene_.at(leaf, from), y = scene_.at(leaf, to);
-    for (int i = 0; i < 3; ++i) {
-      Pair& d = out[static_cast<std::size_t>(i)];
-      d = difference(y[i], x[i]);
-      size = std::max(size, std::abs(d.hi));
-    }
-    return out;
+  // e or f where nothing turns, or all as one.
+  Pair3 edge(std::size_t i, double& size) const {
+    const Part &a = part_[0], &b = part_[1];
+    size = (a.moves[i] ? size_of(a.step[i]) : 0) + (b.moves[i] ? size_of(b.step[i]) : 0);
+    if (!b.moves[i]) return a.step[i];
+    const Pair3 back = {-b.step[i][0], -b.step[i][1], -b.step[i][2]};
+    if (!a.moves[i]) return back;
+    return {a.step[i][0] + back[0], a.step[i][1] + back[1], a.step[i][2] + back[2]};
   }
-  Pair3 turned_step(bool of_b, std::uint32_t from, std::uint32_t to, double& size) const {
-    const Pair3 out = own_step(of_b, from, to, size);
-    if (!scene_.leaves()[of_b].turned) return out;
+  // The first step that there is.
+  Pair3 turned_step(bool of_b, double& size) const {
+    const Pair3& step = part_[of_b].step[part_[of_b].moves[0] ? 0 : 1];
+    size = size_of(step);
+    if (!scene_.leaves()[of_b].turned) return step;
     const FineTurn& turn = scene_.turn(of_b);
     size *= 2 * turn.weight.hi;
-    return turned_by(turn, out);
+    return turned_by(turn, step);
   }
 
   const GuidedPair<S>& pair_;
   const Scene<S>& scene_;
   const Facet& facet_;
   const Term& v_;
-  bool known_ = false;
-  Triple n_{}, g_{};
-  double s_ = 0, along_ = 0, n_error_ = 0, along_error_ = 0, delta_ = 0, error_ = 0;
-  std::array<double, 2> lambda_{};
+  bool known_ = false, has_weights_ = false;
+  Quotient at_;
+  Triple n_{};
+  double along_ = 0, n_error_ = 0, along_error_ = 0;
+  std::array<double, 3> weight_{};
+  std::array<Part, 2> part_;  // where known_
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::exact

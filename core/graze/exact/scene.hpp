@@ -89,6 +89,15 @@ class Scene {
     return value.sign();
   }
 
+  // Is a vertex of C exactly 0 along an axis? Only told of two leaves that do not turn.
+  [[nodiscard]] bool is_zero_along(int axis, const Vertex& v) const {
+    if (!unturned_) return false;
+    const Pair c = difference(at(own_[0], v.a)[axis], at(own_[1], v.b)[axis]),
+               apart = difference(unit_ * double(b_.position[axis]), unit_ * double(a_.position[axis]));
+    // Rounded sums and what they dropped: equal sums have equal parts.
+    return c.hi == apart.hi && c.lo == apart.lo;
+  }
+
   // ---- of two leaves: the numbers themselves, for meeting.hpp ----
 
   // Internal length, own axes.
