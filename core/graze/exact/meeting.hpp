@@ -117,11 +117,12 @@ class Meeting {
     }
   }
 
-  // Of doubles if the bodies' points are then within 8 u of their reaches of each other.
+  // Of doubles if the bodies' points are then within 8 u of the pair's extent of each other, as what they are added up
+  // from rounds.
   void find_weights() {
     has_weights_ = true;
     if (known_) {
-      const double most = 8 * kU * (pair_.a().reach() + pair_.b().reach());
+      const double most = 8 * kU * pair_.extent();
       if (largest(at_.g - at_.delta * pair_.direction()) <= most) {
         weight_ = {1 - at_.lambda[0] - at_.lambda[1], at_.lambda[0], at_.lambda[1]};
         return;
