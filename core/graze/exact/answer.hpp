@@ -13,6 +13,15 @@
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 
+// n over its length, which is rounded once; 0 where a number outgrew its room.
+inline Vec3<double> over_length(Vec3<double> n) {
+  const double most = n.cwiseAbs().maxCoeff();
+  if (!(most > 0)) return Vec3<double>::Zero();
+  n *= power_of_two(-exponent_of(most));
+  const Pair square = (product(n[0], n[0]) + product(n[1], n[1])) + product(n[2], n[2]);
+  return n / std::sqrt(rounded(square));
+}
+
 // f_1 x f_2 over its length.
 template <Scalar S>
 Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
@@ -37,11 +46,7 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
           x.sign() == 0 ? 0 : std::ldexp(x.leading(), std::max(x.order() - order, -1100));
     }
   }
-  n /= n.cwiseAbs().maxCoeff();
-  // |n|^2 in pairs, so that the length is rounded once.
-  detail::TwoDoubles square;
-  for (int i = 0; i < 3; ++i) square = square + detail::two_product(n[i], n[i]);
-  return n / std::sqrt(square.hi);
+  return over_length(n);
 }
 
 // Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, c_2 is the

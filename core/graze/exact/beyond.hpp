@@ -60,6 +60,25 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
 // More than what products lose below the range of doubles, flushed or not.
 inline constexpr double kUnderflow = 0x1p-960;
 
+// One edge of C in doubles: the steps of A and of B that it is the difference of, each of two given numbers.
+struct Steps {
+  Triple a, b;
+
+  [[nodiscard]] Triple edge() const { return a - b; }
+  // What was added up: 0 where the edge's component is 0 exactly.
+  [[nodiscard]] Triple size() const { return magnitude(a) + magnitude(b); }
+};
+// How far e x f in doubles is off: an edge is of two roundings, a product adds one, their difference another. 0 where
+// the component is 0 exactly.
+inline Vec3<double> normal_error(const Steps& e, const Steps& f) {
+  const auto error = [](double a, double b, double c, double d) {
+    const double size = a * b + c * d;
+    return size == 0 ? 0 : 8 * kUnitRoundoff<double> * size + kUnderflow;
+  };
+  const Triple p = e.size(), q = f.size();
+  return {error(p.y, q.z, p.z, q.y), error(p.z, q.x, p.x, q.z), error(p.x, q.y, p.y, q.x)};
+}
+
 template <Scalar S>
 class BeyondSearch {
  public:

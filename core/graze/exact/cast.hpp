@@ -9,8 +9,8 @@
 #pragma once
 
 #include <graze/cast.hpp>
-#include <graze/exact/answer.hpp>
 #include <graze/exact/ends.hpp>
+#include <graze/exact/meeting.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/support/validate.hpp>
 
@@ -26,10 +26,10 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
 
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
-  const exact::Term& v = cast.v();
   const double t_max = static_cast<double>(options.t_max);
   const exact::Answer answer = cast.pass(t_max);
   exact::TimeBracket toi{kInfinity<double>, kInfinity<double>};
+  std::optional<exact::Meeting<S>> meeting;
   out.outcome = Outcome::miss;
   if (answer.passage == Passage::contact) {
     out.passed_over = options.start_policy == StartPolicy::pass_over && cast.leaves_or_slides();
@@ -39,7 +39,8 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
     }
   } else if (answer.passage == Passage::ahead && cast.pair().moves()) {
     // t_max is a double: t_in <= t_max iff the least double not below t_in is.
-    const exact::TimeBracket t_in = exact::round_time(scene, answer.facet, v);
+    meeting.emplace(cast.pair(), scene, answer.facet, cast.v());
+    const exact::TimeBracket t_in = meeting->time();
     if (t_in.upper <= t_max) {
       out.outcome = Outcome::hit;
       toi = t_in;
@@ -53,16 +54,11 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
     const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
     out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
     if (asks_for(options.request, Request::normal))
-      out.normal = exact::outward_normal(scene, answer.facet, true);
+      out.normal = Vec3<double>(-meeting->normal()).template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
-      const std::array<double, 3> weight = exact::facet_weights(scene, answer.facet, v);
-      const auto point = [&](const Body<S>& body, const Guide<S>& guide, bool of_a) -> Vec3<S> {
-        return exact::facet_point(body, guide, scene.length_exponent(), answer.facet, weight, of_a,
-                                  double(out.toi_lower))
-            .template cast<S>();
-      };
-      out.point_a = point(a, cast.pair().a(), true);
-      out.point_b = point(b, cast.pair().b(), false);
+      const double t = double(out.toi_lower);
+      out.point_a = meeting->witness(a, true, t).template cast<S>();
+      out.point_b = meeting->witness(b, false, t).template cast<S>();
     }
   }
   if (asks_for(options.request, Request::proof) && !out.passed_over)

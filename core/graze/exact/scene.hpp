@@ -89,6 +89,32 @@ class Scene {
     return value.sign();
   }
 
+  // Is a vertex of C exactly 0 along an axis? Only told of two leaves that do not turn.
+  [[nodiscard]] bool is_zero_along(int axis, const Vertex& v) const {
+    if (!unturned_) return false;
+    const Pair c = difference(at(own_[0], v.a)[axis], at(own_[1], v.b)[axis]),
+               apart = difference(unit_ * double(b_.position[axis]), unit_ * double(a_.position[axis]));
+    // Rounded sums and what they dropped: equal sums have equal parts.
+    return c.hi == apart.hi && c.lo == apart.lo;
+  }
+
+  // ---- of two leaves: the numbers themselves, for meeting.hpp ----
+
+  // Internal length, own axes.
+  [[nodiscard]] Vec3<double> at(const Leaf<S>& leaf, std::uint32_t k) const { return unit_ * leaf.point(k); }
+  // p_A - p_B and v, exactly.
+  [[nodiscard]] Pair3 apart() const { return scaled_difference(unit_, a_.position, b_.position); }
+  [[nodiscard]] Pair3 motion() const {
+    return scaled_difference(power_of_two(-j_), b_.displacement, a_.displacement);
+  }
+  // Of one that turns.
+  [[nodiscard]] const FineTurn& turn(bool of_b) const { return turn(of_b, own_[of_b].outer); }
+  // det(a, b, c) - s det(a, b, d) is a multiple of 2^grid; far below the range of doubles where that is not known.
+  [[nodiscard]] int grid_of_rest(const Term& a, const Term& b, const Term& c, const Term& d, double s) const {
+    if (!unturned_) return -kAnyGrid;
+    return grid_of(a) + grid_of(b) + std::min(grid_of(c), grid_of(d) + trailing_exponent(s));
+  }
+
   static constexpr double kLeastSize = 0x1p-700, kMostSize = 0x1p700, kFineError = 0x1p-87;
   // What is added up for a point: a part of each leaf, each shift, and the bodies' positions.
   static constexpr std::size_t kFineParts = 16;
@@ -267,7 +293,10 @@ class Scene {
     }
   }
   [[nodiscard]] static Vec3<double> triple_of(const Vec3<S>& x) { return x.template cast<double>(); }
-  [[nodiscard]] Vec3<double> at(const Leaf<S>& leaf, std::uint32_t k) const { return unit_ * leaf.point(k); }
+  [[nodiscard]] static Pair3 scaled_difference(double unit, const Vec3<S>& x, const Vec3<S>& y) {
+    const auto at = [&](int i) { return difference(unit * double(x[i]), unit * double(y[i])); };
+    return {at(0), at(1), at(2)};
+  }
   // Zero, exactly and of size 0, where it does not move.
   template <class V>
   [[nodiscard]] V step_of(const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
@@ -316,12 +345,15 @@ class Scene {
     if (!q.is_identity()) ExactTurn{q}(v);
   }
   void turn_outside(Fine& v, const Quaternion<double>& q, bool of_b) const {
-    if (q.is_identity()) return;
+    if (!q.is_identity()) turn(of_b, q)(v);
+  }
+
+  const FineTurn& turn(bool of_b, const Quaternion<double>& q) const {
     if (!has_turn_[of_b]) {
       turn_[of_b] = FineTurn(q);
       has_turn_[of_b] = true;
     }
-    turn_[of_b](v);
+    return turn_[of_b];
   }
 
   // Every coordinate of an unturned term is a multiple of 2^grid.

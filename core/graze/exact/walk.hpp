@@ -87,6 +87,21 @@ struct Bounds {
   }
 };
 
+// A number in doubles, and how far off it may be.
+struct Measured {
+  double value = 0, error = 0;
+
+  [[nodiscard]] int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
+};
+// det(d - c, x, v) / v_z with x = the sum of three vertices less 3 c, the sum as seen; q within `seen`. Of d - c 2.5 of
+// that (twice, and u of its length, below 2.9 extent); of x 9 of it (6, and 12 u of what is below twice the extent each);
+// and 3 u of the product, |x| below 12 extent: 5 of it, over d - c.
+inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, double sum_y, double seen) {
+  const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - 3 * c.qx, y = sum_y - 3 * c.qy;
+  return {ex * y - ey * x, 15 * seen * (std::abs(ex) + std::abs(ey)) +
+                               3 * seen * (std::abs(x) + std::abs(y)) + 50 * seen * seen};
+}
+
 // Vertices of C that a walk may begin with.
 struct Seeds {
   std::array<Vertex, 3> vertex;
@@ -128,6 +143,8 @@ class PortalWalk {
       if (!make_triangle()) return state_;
     }
     around_ = {at(0).id, at(1).id, at(2).id};
+    around_x_ = at(0).qx + at(1).qx + at(2).qx;
+    around_y_ = at(0).qy + at(1).qy + at(2).qy;
     walk_around();
     return state_;
   }
@@ -238,20 +255,33 @@ class PortalWalk {
   // Of the moved o; 0 only for vertices that are seen at one point.
   [[nodiscard]] int side(const Corner& c, const Corner& d) const {
     const int sign = side_in_doubles(c, d);
-    return sign != 0 ? sign : side_exactly(c.id, d.id);
+    return sign != 0 ? sign : side_exactly(c, d);
   }
-  [[nodiscard, gnu::noinline]] int side_exactly(const Vertex& c, const Vertex& d) const {
-    if (const int s = scene_.determinant_sign(Term::point(c), Term::point(d), line_.v); s != 0) return s;
-    if (c == d) return 0;
+  [[nodiscard, gnu::noinline]] int side_exactly(const Corner& c, const Corner& d) const {
+    if (!is_level(c.id, d.id)) {
+      if (const int s = scene_.determinant_sign(Term::point(c.id), Term::point(d.id), line_.v); s != 0)
+        return s;
+    }
+    if (c.id == d.id) return 0;
     // d/de det(c - e x, d - e x, v) = det(d - c, x, v)
-    const Term e = Term::difference(c, d);
-    if (const int s = scene_.determinant_sign(e, Term::inside(around_, c), line_.v); s != 0)
+    const Measured middle = side_of_middle(c, d, around_x_, around_y_, bounds_.seen);
+    if (const int s = middle.sign(); s != 0) return outward_ ? -s * line_.sign : s * line_.sign;
+    const Term e = Term::difference(c.id, d.id);
+    if (const int s = scene_.determinant_sign(e, Term::inside(around_, c.id), line_.v); s != 0)
       return outward_ ? -s : s;
     for (const std::size_t i : {1u, 2u}) {
       const Term along = Term::difference(around_[0], around_[i]);
       if (const int s = scene_.determinant_sign(e, along, line_.v); s != 0) return s;
     }
     return 0;
+  }
+  // c, d and v in one plane across an axis: as of faces that slide along each other.
+  [[nodiscard]] bool is_level(const Vertex& c, const Vertex& d) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      // r is 0 only where v is.
+      if (line_.r[axis] == 0 && scene_.is_zero_along(axis, c) && scene_.is_zero_along(axis, d)) return true;
+    }
+    return false;
   }
   // Of det(d - c, e - c, v): do the three turn left?
   [[nodiscard]] int turn(const Corner& c, const Corner& d, const Corner& e) const {
@@ -371,12 +401,9 @@ class PortalWalk {
 
   // ---- 3 ----
 
-  [[nodiscard]] static Triple edge(const Corner& from, const Corner& to) {
-    return (to.a - from.a) - (to.b - from.b);
-  }
-  // What was added up to make an edge: 0 where its component is 0 exactly.
-  [[nodiscard]] static Triple edge_size(const Corner& from, const Corner& to) {
-    return magnitude(to.a - from.a) + magnitude(to.b - from.b);
+  [[nodiscard]] static Triple edge(const Corner& from, const Corner& to) { return steps(from, to).edge(); }
+  [[nodiscard]] static Steps steps(const Corner& from, const Corner& to) {
+    return {to.a - from.a, to.b - from.b};
   }
   // A vertex strictly beyond the portal's plane as the next, or a proof that there is none.
   bool above_portal() {
@@ -398,15 +425,6 @@ class PortalWalk {
     }
     return surely_above(n, e, f, w);
   }
-  // Of e x f in doubles, p and q what was added up to make e and f: they are differences of given numbers, each of two
-  // roundings; a product adds one, the sum another.
-  [[nodiscard]] static Vec3<double> normal_error(const Triple& p, const Triple& q) {
-    const auto error = [](double a, double b, double c, double d) {
-      const double size = a * b + c * d;
-      return size == 0 ? 0 : 8 * kU * size + kUnderflow;
-    };
-    return {error(p.y, q.z, p.z, q.y), error(p.z, q.x, p.x, q.z), error(p.x, q.y, p.y, q.x)};
-  }
   // The normal in the axes of the one body whose vertices alone make the portal's edges, or of both, if they are
   // turned alike. Of leaves: their vertices are known without rounding in their own axes.
   void find_own_normal(Direction& out) const {
@@ -422,9 +440,9 @@ class PortalWalk {
     const auto step_b = [&](const Vertex& v) {
       return of_a ? Triple{0, 0, 0} : pair_.b().own(v.b) - pair_.b().own(v0.b);
     };
-    const Triple a_1 = step_a(v1), a_2 = step_a(v2), b_1 = step_b(v1), b_2 = step_b(v2);
-    out.own = (double(toward_) * cross(a_1 - b_1, a_2 - b_2)).vector();
-    out.own_error = normal_error(magnitude(a_1) + magnitude(b_1), magnitude(a_2) + magnitude(b_2));
+    const Steps e{step_a(v1), step_b(v1)}, f{step_a(v2), step_b(v2)};
+    out.own = (double(toward_) * cross(e.edge(), f.edge())).vector();
+    out.own_error = normal_error(e, f);
   }
   // The same, decided for the exact plane. n = +-(e x f), the edges from the portal's first corner.
   bool surely_above(const Triple& n, const Triple& e, const Triple& f, Corner& w) {
@@ -435,7 +453,7 @@ class PortalWalk {
       direction.error.setConstant(1.2 * bounds_.edge * (e_1 + f_1));
       find_own_normal(direction);
     } else {
-      direction.error = normal_error(edge_size(c0, c1), edge_size(c0, c2));
+      direction.error = normal_error(steps(c0, c1), steps(c0, c2));
     }
     Vertex id;
     if (!beyond_.find(direction, c0.id, std::array{c1.id, c2.id}, id)) return false;
@@ -471,6 +489,7 @@ class PortalWalk {
   std::array<Corner, 4> slot_;
   std::array<std::uint8_t, 4> order_ = {0, 1, 2, 3};
   std::array<Vertex, 3> around_, previous_;
+  double around_x_ = 0, around_y_ = 0;  // their sum
   Vertex newest_;
   bool outward_ = false, turned_ = false;
   bool last_ = false;  // the portal came as the last one of another walk

@@ -60,15 +60,15 @@ struct FineTurn {
   Pair weight;
 
   FineTurn() = default;
-  explicit FineTurn(const Quaternion<double>& q) {
+  // Flat, so that a number is split once for all its products.
+  [[gnu::flatten]] explicit FineTurn(const Quaternion<double>& q) {
     const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z);
-    const auto twice = [](double a, double b, double c, double d) {
-      const Pair sum = product(a, b) + product(c, d);
-      return Pair{2 * sum.hi, 2 * sum.lo};
-    };
-    row[0] = {(ww + xx) - (yy + zz), twice(q.x, q.y, -q.w, q.z), twice(q.x, q.z, q.w, q.y)};
-    row[1] = {twice(q.x, q.y, q.w, q.z), (ww + yy) - (xx + zz), twice(q.y, q.z, -q.w, q.x)};
-    row[2] = {twice(q.x, q.z, -q.w, q.y), twice(q.y, q.z, q.w, q.x), (ww + zz) - (xx + yy)};
+    const Pair xy = product(q.x, q.y), xz = product(q.x, q.z), yz = product(q.y, q.z), wx = product(q.w, q.x),
+               wy = product(q.w, q.y), wz = product(q.w, q.z);
+    const auto twice = [](const Pair& x) { return Pair{2 * x.hi, 2 * x.lo}; };
+    row[0] = {(ww + xx) - (yy + zz), twice(xy - wz), twice(xz + wy)};
+    row[1] = {twice(xy + wz), (ww + yy) - (xx + zz), twice(yz - wx)};
+    row[2] = {twice(xz - wy), twice(yz + wx), (ww + zz) - (xx + yy)};
     weight = (ww + xx) + (yy + zz);
   }
   void operator()(Fine& v) const {

@@ -95,6 +95,9 @@ class QuickWalk {
     if (out_.outcome == Outcome::miss) return Seed::miss;
     return at_[0] == nullptr ? Seed::none : passed_ ? Seed::passed : Seed::portal;
   }
+  // What n.w may be off by, over |n|_1, w the farthest vertex; and the path's end, as far as C reaches.
+  [[nodiscard]] double margin() const { return margin_; }
+  [[nodiscard]] const Triple& end() const { return end_; }
   // Of the miss.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
   // Of the portal.
