@@ -39,7 +39,7 @@ Answers ask_all(const Topic& topic, const std::vector<Case>& cases, const std::v
   out.measured.resize(cases.size());
   out.shown.resize(cases.size());
   out.by.assign(cases.size(), TruthBy::open);
-  for_each_index(cases.size(), settings.threads, [&](std::size_t i) {
+  tool::for_each_index(cases.size(), settings.threads, [&](std::size_t i) {
     if (settings.stop()) return;
     std::unique_ptr<Judge> judge;
     if (topic.measures) judge = std::make_unique<Judge>(cases[i], topic.kind);
@@ -55,7 +55,7 @@ Answers ask_all(const Topic& topic, const std::vector<Case>& cases, const std::v
       }
       out.measured[i].push_back(measured);
     }
-    out.shown[i] = judge ? judge->shown() : Shown{.id = cases[i].id};
+    out.shown[i] = judge ? judge->shown() : Shown{.id = cases[i].id, .outcome = {}};
     if (judge) out.by[i] = judge->by();
   });
   return out;
@@ -261,7 +261,7 @@ Document run(const RunSettings& settings, Document document) {
   std::vector<Topic> wanted = topics(settings.thorough);
   std::erase_if(wanted, [&](const Topic& topic) { return !is_wanted(topic.head, settings.only); });
   {
-    Progress progress("price", wanted.size(), document.tables.size());
+    tool::Progress progress("price", wanted.size(), document.tables.size());
     for (const Topic& topic : wanted) {
       if (document.find(topic.head.name) != nullptr) continue;
       if (settings.stop()) return document;

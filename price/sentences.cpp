@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "price/statistics.hpp"
 
@@ -27,12 +26,6 @@ std::string ns_text(double ns) {
   return ns >= 9'995 ? fmt::format("{:.0f} us", ns / 1e3) : fmt::format("{:.0f} ns", ns);
 }
 std::string error_text(double error) { return error == 0 ? "0" : fmt::format("{:.0e}", error); }
-
-// One label or name, or several: "a, b and c".
-std::string listed(const std::vector<std::string>& names) {
-  if (names.size() < 2) return names.empty() ? "" : names.front();
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
 
 // A ratio that many tables give: the geometric mean, and its ends with where they are.
 class Range {
@@ -187,31 +180,35 @@ class Words {
   void digits() {
     for (const PriceTable& table : document_.tables) {
       std::map<std::string, std::vector<Point>> points;
-      std::map<std::string, Range> spent;
       for (const Row& row : table.rows) {
         if (table.part != Part::family && table.part != Part::query) continue;
         if (row.tier != "standard" || row.scalar != "double" || !row.ratio) continue;
         if (row.method == "steps" || row.method == "spheres") continue;
         points[row.method].push_back({.cost = row.ratio->median, .error = row.backward.median});
-        spent[row.method].add(row.ratio->median, row.label);
       }
       std::vector<std::string> parts;
       for (const auto& [method, of_method] : points) {
         if (of_method.size() < 2) continue;
         const std::optional<DigitPrice> price = price_of_a_digit(of_method);
-        if (price) {
-          parts.push_back(fmt::format("{} {:+.0f} % a digit ({} digits for {} times the time)", method,
-                                      100 * (price->factor - 1), std::lround(price->digits),
-                                      times_text(price->to / price->from)));
-        } else {
-          const auto [low, high] =
-              std::minmax_element(of_method.begin(), of_method.end(),
-                                  [](const Point& l, const Point& r) { return l.cost < r.cost; });
-          parts.push_back(
-              fmt::format("{} nothing: its median error is {} at every tolerance, its time the same "
-                          "within {:.0f} %",
-                          method, error_text(of_method.back().error), 100 * (high->cost / low->cost - 1)));
+        // The least tolerance is the last row of a sweep.
+        const Point& least = of_method.back();
+        const Point& dearest =
+            *std::max_element(of_method.begin(), of_method.end(),
+                              [](const Point& l, const Point& r) { return l.cost < r.cost; });
+        std::string text =
+            price ? fmt::format("{} {:+.0f} % ({:.0f} digits for {} times the time)", method,
+                                100 * (price->factor - 1), price->digits, times_text(price->to / price->from))
+                  : fmt::format(
+                        "{} nothing (its least tolerance, a median error of {}, takes no longer than any "
+                        "coarser one)",
+                        method, error_text(least.error));
+        // Looser and dearer: what a tolerance asks for has to be shown, at both ends of the bracket.
+        if (dearest.cost > 1.2 * least.cost && dearest.error > least.error) {
+          text += fmt::format(
+              ", though with a tolerance that leaves {} it takes {} times its least tolerance's time",
+              error_text(dearest.error), times_text(dearest.cost / least.cost));
         }
+        parts.push_back(std::move(text));
       }
       if (!parts.empty())
         say("digit", fmt::format("One more digit costs, on {}: {}.", table.name, fmt::join(parts, "; ")));

@@ -93,10 +93,12 @@ std::vector<bool> pareto_front(std::span<const Point> points) {
 }
 
 std::optional<DigitPrice> price_of_a_digit(std::span<const Point> points) {
+  std::vector<Point> counted(points.begin(), points.end());
+  for (Point& p : counted) p.error = p.error < kFinest ? kFinest : p.error;  // a NaN stays one
+  const std::vector<bool> front = pareto_front(counted);
   std::vector<std::pair<double, double>> known;  // digits, log cost
-  for (const Point& p : points) {
-    if (std::isnan(p.cost) || std::isnan(p.error)) continue;
-    known.emplace_back(-std::log10(std::max(p.error, kFinest)), std::log(p.cost));
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    if (front[i]) known.emplace_back(-std::log10(counted[i].error), std::log(counted[i].cost));
   }
   if (known.size() < 2) return {};
   std::sort(known.begin(), known.end());

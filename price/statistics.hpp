@@ -27,14 +27,15 @@ struct Point {
 };
 [[nodiscard]] std::vector<bool> pareto_front(std::span<const Point> points);
 
-// What one more digit costs: log(cost) against digits = -log10(error), a line of least squares.
+// What one more digit costs, on the front of the points (nobody pays more for a coarser answer): log(cost)
+// against digits = -log10(error), a line of least squares.
 struct DigitPrice {
   double digits = 0;        // from the coarsest point to the finest
   double factor = 1;        // what one digit multiplies the cost by
   double from = 0, to = 0;  // cost of the coarsest point and of the finest
 };
-// Errors below kFinest count as that: what rounding leaves. Nothing of fewer than two points, or of less than
-// one digit between them.
+// Errors below kFinest count as that: what rounding leaves. Nothing where the front has
+// fewer than two points, or less than one digit between them: the finest answer costs no more than a coarse one.
 inline constexpr double kFinest = 1e-17;
 [[nodiscard]] std::optional<DigitPrice> price_of_a_digit(std::span<const Point> points);
 
