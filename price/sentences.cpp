@@ -94,7 +94,7 @@ class Words {
   struct Overall {
     std::string label;
     double cost = kNone;  // geometric mean of the ratios
-    double worst = 0, late_by = 0;
+    double worst = 0, late_by = 0, denied = 0;
     std::size_t wrong = 0, late = 0, unsettled = 0;
   };
   [[nodiscard]] static std::vector<Overall> overall(const Tables& tables) {
@@ -112,6 +112,7 @@ class Words {
         sum.unsettled += row->failures.no_time + row->failures.refused;
         sum.worst = std::fmax(sum.worst, std::fmax(row->backward.worst, row->denied));
         sum.late_by = std::fmax(sum.late_by, row->late_by);
+        sum.denied = std::fmax(sum.denied, row->denied);
       }
       if (costs.size() < tables.size()) continue;
       sum.cost = geometric_mean(costs);
@@ -133,12 +134,17 @@ class Words {
         return;
       }
       say(topic,
-          fmt::format("The cheapest method that is {} on {}: {}, at {} times the time of {}.", what,
-                      families_text(tables, turning), found->label, times_text(found->cost), baseline));
+          fmt::format(
+              "The cheapest method that is {} on {}: {}, at {} times the time of {}; its worst error is {} "
+              "of scale.",
+              what, families_text(tables, turning), found->label, times_text(found->cost), baseline,
+              error_text(found->worst)));
     };
-    first("never_late", "never late, not by a bit,", [](const Overall& one) { return one.late == 0; });
-    first("never_late", "never late by more than 1e-12 of scale",
-          [](const Overall& one) { return one.late_by <= 1e-12; });
+    // A contact that is missed is as late as can be.
+    first("never_late", "never late, not by a bit, and misses no contact",
+          [](const Overall& one) { return one.late == 0 && one.wrong == 0; });
+    first("never_late", "never late by more than 1e-12 of scale, and misses no contact that deep,",
+          [](const Overall& one) { return one.late_by <= 1e-12 && one.denied <= 1e-12; });
     first("never_wrong", "never wrong of the verdict, however near the tie,",
           [](const Overall& one) { return one.wrong == 0; });
     if (turning) return;
@@ -180,11 +186,13 @@ class Words {
   void digits() {
     for (const PriceTable& table : document_.tables) {
       std::map<std::string, std::vector<Point>> points;
+      std::map<std::string, std::vector<double>> tolerances;
       for (const Row& row : table.rows) {
         if (table.part != Part::family && table.part != Part::query) continue;
         if (row.tier != "standard" || row.scalar != "double" || !row.ratio) continue;
         if (row.method == "steps" || row.method == "spheres") continue;
         points[row.method].push_back({.cost = row.ratio->median, .error = row.backward.median});
+        tolerances[row.method].push_back(row.tolerance);
       }
       std::vector<std::string> parts;
       for (const auto& [method, of_method] : points) {
@@ -202,6 +210,13 @@ class Words {
                         "{} nothing (its least tolerance, a median error of {}, takes no longer than any "
                         "coarser one)",
                         method, error_text(least.error));
+        // Of a polytope the last step is exact: from some tolerance on nothing is left to buy.
+        for (std::size_t k = 0; price && k + 1 < of_method.size(); ++k) {
+          const double tolerance = tolerances[method][k];
+          if (!(tolerance > 1e-10) || !(of_method[k].error <= std::max(4 * least.error, kFinest))) continue;
+          text += fmt::format(", all of them there from a tolerance of {:.0e} on", tolerance);
+          break;
+        }
         // Looser and dearer: what a tolerance asks for has to be shown, at both ends of the bracket.
         if (dearest.cost > 1.2 * least.cost && dearest.error > least.error) {
           text += fmt::format(

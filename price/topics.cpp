@@ -168,7 +168,8 @@ void add_polytopes(std::vector<Topic>& out, const Effort& effort) {
   out.push_back(
       family("polytopes", "polytopes", "Boxes, and hulls of 8, 16, 32 and 64 vertices",
              "A polytope has finitely many facets: a method walks to the facet that the path enters, and its "
-             "plane gives the time to the last bit, whatever was asked for. Accuracy has no price.",
+             "plane gives the time to the last bit. It is there or a step or two short of it, with nothing "
+             "between: below 1e-2 or so accuracy has no price.",
              effort.polytopes, [](Random& random, std::size_t place) {
                if (place % 5 < 4) return hulls(random, 8 << (place % 5), false);
                Case problem;

@@ -108,7 +108,7 @@ TEST(PriceCompare, other_last_bits_are_no_loss) {
   const Document before = planted_document();
   Document after = before;
   for (Row& row : after.tables[0].rows) {
-    if (row.tier != "standard") continue;
+    if (row.tier != "standard" || row.backward.worst > 1e-14) continue;
     row.backward.worst *= 1.5;
     row.backward.median *= 4;  // still rounding
     row.late = 3;

@@ -21,11 +21,14 @@ std::vector<std::string> said(const Document& document, const std::string& topic
 TEST(PriceSentences, the_cheapest_that_is_never_late_is_found_by_both_measures) {
   const std::vector<std::string> texts = said(planted_document(), "never_late");
   ASSERT_EQ(texts.size(), 2U);
-  EXPECT_EQ(texts[0],
-            "The cheapest method that is never late, not by a bit, on 1 family of linear casts: "
-            "certified/double, at "
-            "4.00 times the time of gjk/double; its worst error is 2e-15 of scale.");
-  EXPECT_NE(texts[1].find("by more than 1e-12 of scale on 1 family of linear casts: mpr/double, at 0.25"),
+  EXPECT_EQ(
+      texts[0],
+      "The cheapest method that is never late, not by a bit, and misses no contact on 1 family of linear "
+      "casts: certified/double, at 4.00 times the time of gjk/double; its worst error is 2e-15 of scale.");
+  // mpr is cheaper, and denies a contact.
+  EXPECT_NE(texts[1].find(
+                "by more than 1e-12 of scale, and misses no contact that deep, on 1 family of linear casts: "
+                "gjk/double 1e-03, at 0.50"),
             std::string::npos)
       << texts[1];
 }
@@ -61,7 +64,8 @@ TEST(PriceSentences, an_engine_of_others_and_one_that_leaves_cases_out_are_not_c
   }
   const std::vector<std::string> texts = said(document, "never_late");
   ASSERT_EQ(texts.size(), 2U);
-  EXPECT_EQ(texts[0], "No method is never late, not by a bit, on all 1 family of linear casts.");
+  EXPECT_EQ(texts[0],
+            "No method is never late, not by a bit, and misses no contact on all 1 family of linear casts.");
 }
 
 TEST(PriceSentences, who_is_right_to_within_so_much_is_chosen_by_the_worst_answer) {
