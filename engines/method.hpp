@@ -115,7 +115,7 @@ struct Method {
   // Of engines of others: why a case is not asked; empty if it is. nullptr: every case is.
   std::function<std::string(const corpus::Case&)> refuses = nullptr;
   // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one call
-  // takes, the median over `repeats` timed batches. nullptr: of the queries, whose time nobody asks for.
+  // takes, the median over `repeats` timed batches; NaN: not known. nullptr: of engines that time nothing.
   std::function<double(const corpus::Case&, const Ask&, int repeats)> time_ns = nullptr;
   // Of casts of turning bodies: what they would simulate.
   std::function<Plan(const corpus::Case&, const Ask&)> plan = nullptr;

@@ -312,16 +312,6 @@ TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
   EXPECT_EQ(without_times(one.out), without_times(three.out));
 }
 
-TEST(Certify, draws_error_against_time) {
-  const Folder folder;
-  folder.write("generous.json", guarantees_with(1e15));
-  const CommandRun run = folder.graze(
-      "certify --family random --count 40 --method gjk/double --plot p --guarantees generous.json");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(folder.read("p/error_against_time.dat").find("gjk/double"), std::string::npos);
-  EXPECT_NE(folder.read("p/error_against_time.gp").find("plot"), std::string::npos);
-}
-
 TEST(Generate, repeats_itself_and_refuses_what_the_family_has_not) {
   const Folder folder;
   const CommandRun once = folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9");
