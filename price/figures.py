@@ -115,7 +115,8 @@ def requests(axes, table):
         axes.bar(places, heights, width=0.11, color=colour, label=request)
     axes.axhline(1, color="#444444", linewidth=0.8)
     axes.set_xticks(range(len(methods)), methods)
-    axes.set(ylabel="time over that of the time alone", title=table["name"])
+    axes.set(ylabel="time over that of the time alone", title=table["name"], yscale="log")
+    axes.grid(True, which="major", axis="y", linewidth=0.4, color="#cccccc")
 
 
 def save(figure, folder, name, kind):

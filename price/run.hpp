@@ -2,8 +2,8 @@
 //
 // Times are interleaved. In every round every case is put to every contender, in an order that is drawn anew,
 // so that what else the machine does falls on all alike; a ratio is of two times of one round, the geometric
-// mean over the cases that both answer, and its spread is that of the rounds. What is timed is one call,
-// repeated over and over for 20 microseconds at least: caches are warm, and branches are learnt.
+// mean over the cases that both answer, and its spread is that of the rounds. What is timed is the
+// processor time of one call, repeated over and over for 50 microseconds at least: caches are warm, and branches are learnt.
 #pragma once
 
 #include <functional>

@@ -211,12 +211,10 @@ class Words {
                         "coarser one)",
                         method, error_text(least.error));
         // Of a polytope the last step is exact: from some tolerance on nothing is left to buy.
-        for (std::size_t k = 0; price && k + 1 < of_method.size(); ++k) {
-          const double tolerance = tolerances[method][k];
-          if (!(tolerance > 1e-10) || !(of_method[k].error <= std::max(4 * least.error, kFinest))) continue;
-          text += fmt::format(", all of them there from a tolerance of {:.0e} on", tolerance);
-          break;
-        }
+        std::size_t first = of_method.size();
+        while (first > 0 && of_method[first - 1].error <= std::max(4 * least.error, kFinest)) --first;
+        if (price && first < of_method.size() && tolerances[method][first] > 1e-10)
+          text += fmt::format(", all of them there from a tolerance of {:.0e} on", tolerances[method][first]);
         // Looser and dearer: what a tolerance asks for has to be shown, at both ends of the bracket.
         if (dearest.cost > 1.2 * least.cost && dearest.error > least.error) {
           text += fmt::format(
@@ -259,6 +257,16 @@ class Words {
                                        ? ""
                                        : fmt::format(" ({} of {} proofs are accepted and prove the verdict)",
                                                      proved->proved, proved->asked)));
+      }
+      // Who proves all answers, and what that takes in all.
+      const Row* cheapest = nullptr;
+      for (const Row& row : table.rows) {
+        if (row.request != "proof" || row.proved < row.asked || !row.ratio) continue;
+        if (cheapest == nullptr || row.ratio->median < cheapest->ratio->median) cheapest = &row;
+      }
+      if (cheapest != nullptr) {
+        say("proof", fmt::format("The cheapest proof on {}: {}, at {} times the time of {}.", table.name,
+                                 cheapest->label, times_text(cheapest->ratio->median), table.baseline));
       }
     }
   }

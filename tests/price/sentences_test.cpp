@@ -115,6 +115,34 @@ TEST(PriceSentences, certainty_and_exactness_are_ratios_of_the_same_run) {
   EXPECT_NE(exactness[0].find("1.25 times that of certified/double"), std::string::npos) << exactness[0];
 }
 
+TEST(PriceSentences, the_cheapest_proof_is_of_who_proves_every_answer) {
+  Document document = planted_document();
+  PriceTable& table = document.tables[0];
+  table.part = Part::request;
+  for (Row& row : table.rows) {
+    row.label += " proof";
+    row.request = "proof";
+    row.proved = row.method == "certified" || row.method == "exact" ? 10 : 9;
+  }
+  const std::vector<std::string> texts = said(document, "proof");
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_EQ(texts[0],
+            "The cheapest proof on round: certified/double proof, at 4.00 times the time of gjk/double.");
+}
+
+TEST(PriceSentences, a_digit_that_is_there_early_is_said_to_be) {
+  Document document = planted_document();
+  std::vector<Row>& rows = document.tables[0].rows;
+  rows = {planted_row("gjk", 1e-3, 0.5, 1e-3), planted_row("gjk", 1e-3, 0.9, 2e-15),
+          planted_row("gjk", 0, 1, 1e-15)};
+  const std::vector<std::string> early = said(document, "digit");
+  ASSERT_EQ(early.size(), 1U);
+  EXPECT_NE(early[0].find("all of them there from a tolerance of 1e-03 on"), std::string::npos) << early[0];
+  // Not where a finer one is worse again.
+  rows.insert(rows.begin() + 2, planted_row("gjk", 1e-3, 0.95, 1e-9));
+  EXPECT_EQ(said(document, "digit")[0].find("all of them"), std::string::npos) << said(document, "digit")[0];
+}
+
 TEST(PriceSentences, of_what_was_not_measured_nothing_is_said) {
   EXPECT_TRUE(sentences_of(Document{}).empty());
   for (const char* topic : {"epa_mpr", "swept", "growth", "request", "scalar"})
