@@ -166,6 +166,7 @@ def main():
         sys.exit(f"figures.py: {wanted.file}: schema: is not graze.price/1; graze price --json writes one")
     wanted.folder.mkdir(parents=True, exist_ok=True)
     matplotlib.rcParams["svg.hashsalt"] = "graze"  # the same figure is the same file
+    matplotlib.rcParams["svg.fonttype"] = "none"  # text stays text
     tables = document["tables"]
 
     families = [table for table in tables if table["part"] == "family"]

@@ -231,19 +231,6 @@ PriceTable measure_table(const Topic& topic, const std::vector<Contender>& conte
   return table;
 }
 
-std::vector<std::string> known_names(bool thorough) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name) {
-    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  for (const Topic& topic : topics(thorough)) {
-    add(topic.head.group);
-    // Of a curve the series stands for its points.
-    add(topic.head.series.empty() ? topic.head.name : topic.head.series);
-  }
-  return names;
-}
-
 bool is_known(const std::string& name, bool thorough) {
   const std::vector<Topic> all = topics(thorough);
   return std::any_of(all.begin(), all.end(),

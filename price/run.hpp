@@ -26,8 +26,7 @@ struct RunSettings {
 // Goes on with what `begun` has: tables that are there are not measured again.
 [[nodiscard]] Document run(const RunSettings& settings, Document begun = {});
 
-// The names, groups and series of all tables, each once; and whether a name is one of them.
-[[nodiscard]] std::vector<std::string> known_names(bool thorough);
+// Whether it is the name, the group or the series of a table.
 [[nodiscard]] bool is_known(const std::string& name, bool thorough);
 
 // One table, for tests as well.

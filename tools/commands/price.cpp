@@ -82,16 +82,24 @@ int run(const Arguments& arguments) {
     for (const engine::Method& method : engine->methods()) settings.others.push_back(&method);
   }
   for (const std::string& name : arguments.only) {
-    if (!price::is_known(name, arguments.thorough))
-      throw std::runtime_error(fmt::format("--only: {} is no table, group or series; there are {}", name,
-                                           fmt::join(price::known_names(arguments.thorough), ", ")));
+    if (!price::is_known(name, arguments.thorough)) {
+      throw std::runtime_error(
+          fmt::format("--only: {} is no table, group or series; groups are smooth, rotation, sums, large, "
+                      "ties and polytopes, "
+                      "docs/price.md has the others",
+                      name));
+    }
   }
   document.version = GRAZE_VERSION;
   document.machine = price::this_machine();
-  // What is measured is kept table by table, so that a run that is stopped, or ends otherwise, can go on.
+  // Both files are written before anything is measured, so that one that cannot be is said at once; what is
+  // measured is kept table by table, so that a run that is stopped, or ends otherwise, can go on.
   settings.keep = [&](const price::Document& so_far) {
     if (arguments.json != "-") write_json(arguments, so_far);
   };
+  document.finished = false;
+  settings.keep(document);
+  if (!arguments.csv.empty() && arguments.csv != "-") write_whole(arguments.csv, price::csv_of(document));
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   document = price::run(settings, std::move(document));

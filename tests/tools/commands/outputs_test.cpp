@@ -183,7 +183,10 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("strict.json", kStrict);
-  const std::vector<std::string> lines = {"cast x.json --proof OUT", "draw x.json --out OUT",
+  const std::vector<std::string> lines = {"cast x.json --proof OUT",
+                                          "draw x.json --out OUT",
+                                          "price --only 'face gap 2' --rounds 1 --json OUT",
+                                          "price --only 'face gap 2' --rounds 1 --csv OUT",
                                           "certify --family random --count 40 --queries 0 --method "
                                           "mpr/double --guarantees strict.json --save OUT",
                                           "certify --family random --count 10 --method mpr/double "
@@ -196,7 +199,8 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
       expect_one_complaint(folder.graze(with(line, "OUT", name)), name);
     }
   }
-  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/folder"), "x.json/folder");
+  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/folder"),
+                       "x.json/folder");
 }
 
 }  // namespace
