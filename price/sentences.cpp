@@ -50,6 +50,12 @@ class Range {
   std::string low_at_, high_at_;
 };
 
+// What is not compared by its tolerance: steps have a number of steps, and what was published for bilateral
+// advancement may pass a contact, by whatever depth.
+bool has_other_measure(const Row& row) {
+  return row.method == "steps" || row.method == "spheres" || row.method == "bilateral_published";
+}
+
 class Words {
  public:
   explicit Words(const Document& document) : document_(document) {}
@@ -95,7 +101,7 @@ class Words {
     std::string label;
     double cost = kNone;  // geometric mean of the ratios
     double worst = 0, late_by = 0, denied = 0;
-    std::size_t wrong = 0, late = 0, unsettled = 0;
+    std::size_t asked = 0, wrong = 0, late = 0, open = 0, unsettled = 0;
   };
   [[nodiscard]] static std::vector<Overall> overall(const Tables& tables) {
     std::vector<Overall> found;
@@ -109,6 +115,8 @@ class Words {
         costs.push_back(row->ratio->median);
         sum.wrong += row->wrong;
         sum.late += row->late;
+        sum.asked += row->asked;
+        sum.open += row->failures.not_converged;
         sum.unsettled += row->failures.no_time + row->failures.refused;
         sum.worst = std::fmax(sum.worst, std::fmax(row->backward.worst, row->denied));
         sum.late_by = std::fmax(sum.late_by, row->late_by);
@@ -172,7 +180,7 @@ class Words {
     const std::vector<Overall> all = overall(tables);
     for (const double error : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
       const auto found = std::find_if(all.begin(), all.end(), [&](const Overall& one) {
-        return one.worst <= error && one.unsettled == 0;
+        return one.worst <= error && one.unsettled == 0 && one.open == 0;
       });
       if (found != all.end())
         parts.push_back(fmt::format("{:.0e}: {} ({} times)", error, found->label, times_text(found->cost)));
@@ -190,7 +198,7 @@ class Words {
       for (const Row& row : table.rows) {
         if (table.part != Part::family && table.part != Part::query) continue;
         if (row.tier != "standard" || row.scalar != "double" || !row.ratio) continue;
-        if (row.method == "steps" || row.method == "spheres") continue;
+        if (has_other_measure(row)) continue;
         points[row.method].push_back({.cost = row.ratio->median, .error = row.backward.median});
         tolerances[row.method].push_back(row.tolerance);
       }
@@ -276,7 +284,7 @@ class Words {
     const Row* best = nullptr;
     for (const Row& row : table.rows) {
       if (row.tier != "standard" || row.scalar != "double" || row.tolerance > 0 || !row.ratio) continue;
-      if (row.method == "steps" || row.method == "spheres") continue;
+      if (has_other_measure(row)) continue;
       if (best == nullptr || row.ratio->median < best->ratio->median) best = &row;
     }
     return best;

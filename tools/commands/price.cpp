@@ -32,6 +32,11 @@ struct Arguments {
   std::string json, csv;
 };
 
+int rounds_of(const Arguments& arguments) {
+  const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kQuickRounds;
+  return static_cast<int>(arguments.rounds > 0 ? arguments.rounds : usual);
+}
+
 // What a stopped run left in the file that this one writes.
 price::Document begun(const Arguments& arguments) {
   if (!arguments.goes_on) return {};
@@ -46,6 +51,10 @@ price::Document begun(const Arguments& arguments) {
     throw std::runtime_error(fmt::format("{}: is of a {} run with seed {}, and this is a {} one with seed {}",
                                          arguments.json, document.effort, document.seed, effort,
                                          arguments.seed));
+  }
+  if (document.rounds != rounds_of(arguments)) {
+    throw std::runtime_error(fmt::format("{}: is of {} rounds, and this run is of {}", arguments.json,
+                                         document.rounds, rounds_of(arguments)));
   }
   const price::Machine here = price::this_machine();
   if (document.machine.processor != here.processor || document.machine.build != here.build)
@@ -74,9 +83,7 @@ int run(const Arguments& arguments) {
                               .threads = arguments.threads > 0
                                              ? arguments.threads
                                              : std::max(1U, std::thread::hardware_concurrency()),
-                              .rounds = static_cast<int>(arguments.rounds > 0 ? arguments.rounds
-                                                         : arguments.thorough ? kThoroughRounds
-                                                                              : kQuickRounds),
+                              .rounds = rounds_of(arguments),
                               .only = arguments.only};
   for (const auto& engine : engines) {
     for (const engine::Method& method : engine->methods()) settings.others.push_back(&method);
