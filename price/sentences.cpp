@@ -141,12 +141,15 @@ class Words {
         say(topic, fmt::format("No method is {} on all {}.", what, families_text(tables, turning)));
         return;
       }
+      const std::string open =
+          found->open == 0 ? ""
+                           : fmt::format(", and it leaves {} of {} verdicts open", found->open, found->asked);
       say(topic,
           fmt::format(
-              "The cheapest method that is {} on {}: {}, at {} times the time of {}; its worst error is {} "
-              "of scale.",
+              "The cheapest method that is {} on {}: {}, at {} times the time of {}; its worst error is "
+              "{} of scale{}.",
               what, families_text(tables, turning), found->label, times_text(found->cost), baseline,
-              error_text(found->worst)));
+              error_text(found->worst), open));
     };
     // A contact that is missed is as late as can be.
     first("never_late", "never late, not by a bit, and misses no contact",
@@ -186,9 +189,9 @@ class Words {
         parts.push_back(fmt::format("{:.0e}: {} ({} times)", error, found->label, times_text(found->cost)));
     }
     if (parts.empty()) return;
-    say("choose",
-        fmt::format("The cheapest whose worst answer, verdicts too, is within so much of scale on {}: {}.",
-                    families_text(tables, turning), fmt::join(parts, "; ")));
+    say("choose", fmt::format("The cheapest that leaves no verdict open and whose worst answer is within so "
+                              "much of scale on {}: {}.",
+                              families_text(tables, turning), fmt::join(parts, "; ")));
   }
 
   void digits() {

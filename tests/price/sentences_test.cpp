@@ -78,6 +78,17 @@ TEST(PriceSentences, who_is_right_to_within_so_much_is_chosen_by_the_worst_answe
       << texts[0];
 }
 
+TEST(PriceSentences, a_verdict_that_is_left_open_is_neither_wrong_nor_right) {
+  Document document = planted_document();
+  for (Row& row : document.tables[0].rows) {
+    if (row.label == "gjk/double 1e-03") row.failures.not_converged = 3;
+  }
+  const std::string wrong = said(document, "never_wrong")[0], chosen = said(document, "choose")[0];
+  EXPECT_NE(wrong.find("gjk/double 1e-03"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("and it leaves 3 of 10 verdicts open"), std::string::npos) << wrong;
+  EXPECT_NE(chosen.find("1e-04: gjk/double (1.00 times)"), std::string::npos) << chosen;
+}
+
 TEST(PriceSentences, a_digit_has_the_price_that_was_planted) {
   const std::vector<std::string> texts = said(planted_document(), "digit");
   ASSERT_EQ(texts.size(), 1U);
