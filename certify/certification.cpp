@@ -26,8 +26,8 @@ constexpr std::array<Request, 2> kBoth = {engine::kPlain, Request::everything};
 
 // Judged at a time, and then forgotten: a suite may have more cases than fit into memory.
 std::size_t block_of(Kind kind) { return kind == Kind::linear ? 1024 : 64; }
-// Of a suite: cases whose casts are timed, batches of each, and hits that are kept for the study.
-constexpr std::size_t kTimedLinear = 24, kTimedRotating = 8, kKeptHits = 16;
+// Of a suite: cases whose casts are timed, and batches of each.
+constexpr std::size_t kTimedLinear = 24, kTimedRotating = 8;
 constexpr int kBatchesLinear = 5, kBatchesRotating = 3;
 // What a case of a kind costs in processor time, over that of a linear cast: for the time that is left.
 std::uint64_t cost_of(Kind kind) { return kind == Kind::linear ? 1 : kind == Kind::query ? 12 : 60; }
@@ -43,7 +43,7 @@ struct Judged {
 struct JudgedCase {
   Case problem;
   std::vector<Judged> by_method = {};
-  bool oracle_made = false, hits = false;
+  bool oracle_made = false;
 };
 
 // Every fault, every excuse and the larger length of two answers to one question.
@@ -130,8 +130,6 @@ JudgedCase judge_case(const Suite& suite, std::size_t i, std::span<const Method*
   for (const std::unique_ptr<law::Truth>& truth : truths) {
     if (!truth->has_cast()) continue;
     all.oracle_made = true;
-    all.hits = all.hits || (measure && same_question(all.problem, truth->problem()) &&
-                            truth->cast().outcome() == Outcome::hit);
   }
   return all;
 }
@@ -252,19 +250,12 @@ class Run {
     }
     result_.questions += asked ? 1 : 0;
     result_.oracle_cases += one.oracle_made ? 1 : 0;
-    if (one.hits && hits_of_ != &tallies.front()->family) {
-      hits_of_ = &tallies.front()->family;
-      hits_kept_ = 0;
-    }
-    if (one.hits && hits_kept_++ < kKeptHits) result_.hits.push_back(std::move(one.problem));
   }
 
   const Settings& settings_;
   Progress progress_;
   Certification result_;
-  bool failed_ = false;                   // some answer is at fault
-  const std::string* hits_of_ = nullptr;  // the suite whose hits are being kept
-  std::size_t hits_kept_ = 0;
+  bool failed_ = false;  // some answer is at fault
 };
 
 }  // namespace

@@ -128,7 +128,7 @@ struct Method {
   // Of engines of others: that, `seen` and `ask` at once.
   std::function<OwnTerms(const corpus::Case&)> own_terms = nullptr;
   // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one call
-  // takes, the median over `repeats` timed batches. nullptr: of the queries, whose time nobody asks for.
+  // takes, the median over `repeats` timed batches; NaN: not known. nullptr: of engines that time nothing.
   std::function<double(const corpus::Case&, const Ask&, int repeats)> time_ns = nullptr;
   // Of casts of turning bodies: what they would simulate.
   std::function<Plan(const corpus::Case&, const Ask&)> plan = nullptr;

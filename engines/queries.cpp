@@ -8,6 +8,7 @@
 
 #include "engines/convert.hpp"
 #include "engines/ours.hpp"
+#include "engines/timing.hpp"
 
 namespace graze::engine {
 namespace {
@@ -41,25 +42,14 @@ void add_points(Answer& answer, const Result& result, Request request) {
 }
 
 template <Scalar S>
-Answer of_overlap(const OverlapResult<S>& result) {
+Answer of_overlap(const OverlapResult<S>& result, const Ask&) {
   Answer answer = begun(result, result.outcome);
   answer.normal = widened(result.normal);
   return answer;
 }
-template <Scalar S>
-Answer overlap_by_gjk(const Case& c, const Ask&) {
-  return of_overlap(overlap_gjk(round_to<S>(c.a), round_to<S>(c.b)));
-}
-template <Scalar S>
-Answer overlap_by_mpr(const Case& c, const Ask&) {
-  return of_overlap(overlap_mpr(round_to<S>(c.a), round_to<S>(c.b)));
-}
 
 template <Scalar S>
-Answer distance_by_gjk(const Case& c, const Ask& ask) {
-  const DistanceResult<S> result =
-      distance(round_to<S>(c.a), round_to<S>(c.b),
-               DistanceOptions<S>{.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)});
+Answer of_distance(const DistanceResult<S>& result, const Ask& ask) {
   const bool apart = result.lower > 0;
   Answer answer = begun(result, apart               ? Outcome::miss
                                 : result.upper == 0 ? Outcome::initially_overlapping
@@ -75,36 +65,20 @@ Answer distance_by_gjk(const Case& c, const Ask& ask) {
 }
 
 template <Scalar S>
-Answer of_penetration(const PenetrationResult<S>& result, Request request) {
+Answer of_penetration(const PenetrationResult<S>& result, const Ask& ask) {
   Answer answer = begun(result, result.outcome);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.normal = widened(result.normal);
   answer.stalled = result.stalled;
   if (answer.outcome == Outcome::initially_overlapping) {
     answer.depth = Interval{result.lower, result.upper};
-    add_points(answer, result, request);
+    add_points(answer, result, ask.request);
   }
   return answer;
 }
 template <Scalar S>
 PenetrationOptions<S> penetration_options(const Ask& ask) {
   return {.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)};
-}
-template <Scalar S>
-Answer penetration_by_epa(const Case& c, const Ask& ask) {
-  return of_penetration(penetration(round_to<S>(c.a), round_to<S>(c.b), penetration_options<S>(ask)),
-                        ask.request);
-}
-template <Scalar S>
-Answer penetration_along_by_mpr(const Case& c, const Ask& ask) {
-  return of_penetration(penetration_along(round_to<S>(c.a), round_to<S>(c.b), round_to<S>(c.direction),
-                                          penetration_options<S>(ask)),
-                        ask.request);
-}
-
-template <Scalar S>
-Answer overlap_exactly(const Case& c, const Ask&) {
-  return of_overlap(overlap_exact(round_to<S>(c.a), round_to<S>(c.b)));
 }
 
 template <Scalar S>
@@ -116,7 +90,7 @@ LineOptions<S> line_options(const Case& c, const Ask& ask) {
   return options;
 }
 template <Scalar S>
-Answer of_line(const LineResult<S>& result) {
+Answer of_line(const LineResult<S>& result, const Ask&) {
   Answer answer = begun(result, result.outcome);
   if (answer.outcome == Outcome::invalid_input) return answer;
   answer.normal = widened(result.normal_in);
@@ -129,66 +103,103 @@ Answer of_line(const LineResult<S>& result) {
 }
 
 template <Scalar S>
-Answer line_by_mpr(const Case& c, const Ask& ask) {
-  return of_line(line(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, ask)));
-}
-template <Scalar S>
-Answer line_exactly(const Case& c, const Ask& ask) {
-  return of_line(line_exact(round_to<S>(c.a), round_to<S>(c.b), line_options<S>(c, ask)));
-}
-
-template <Scalar S>
-SweptOverlapOptions<S> swept_options(const Case& c) {
+SweptOverlapOptions<S> swept_options(const Case& c, SweptMethod method = {}) {
   SweptOverlapOptions<S> options;
+  options.method = method;
   options.t_max = static_cast<S>(c.t_max);
   options.target_distance = static_cast<S>(c.target_distance);
   return options;
 }
 template <Scalar S>
-Answer of_swept(const SweptOverlapResult<S>& result) {
+Answer of_swept(const SweptOverlapResult<S>& result, const Ask&) {
   Answer answer = begun(result, result.outcome);
   answer.normal = widened(result.normal);
   return answer;
 }
 
-template <Scalar S, SweptMethod kMethod>
-Answer swept_overlap_by(const Case& c, const Ask&) {
-  SweptOverlapOptions<S> options = swept_options<S>(c);
-  options.method = kMethod;
-  return of_swept(swept_overlap(round_to<S>(c.a), round_to<S>(c.b), options));
-}
-template <Scalar S>
-Answer swept_overlap_exactly(const Case& c, const Ask&) {
-  return of_swept(swept_overlap_exact(round_to<S>(c.a), round_to<S>(c.b), swept_options<S>(c)));
+// A method of a call, with bodies of its scalar, and of what makes an answer of the call's result. The call
+// alone is timed.
+template <Scalar S, class Call, class Widen>
+Method method_of(Query query, const char* name, const char* tier, const Call& call, const Widen& widen) {
+  return {.kind = Kind::query,
+          .query = query,
+          .name = name,
+          .scalar = std::same_as<S, float> ? "float" : "double",
+          .tier = tier,
+          .unit_roundoff = kUnitRoundoff<S>,
+          .ask = [=](const Case& c,
+                     const Ask& ask) { return widen(call(round_to<S>(c.a), round_to<S>(c.b), c, ask), ask); },
+          .seen = &rounded_case<S>,
+          .time_ns =
+              [=](const Case& c, const Ask& ask, int repeats) {
+                const Body<S> a = round_to<S>(c.a), b = round_to<S>(c.b);
+                return median_ns([&] { return call(a, b, c, ask); }, repeats);
+              }};
 }
 
 // An overlap and a swept overlap have nothing to ask for: their axis comes with the verdict. They have no
 // tolerance, either, and tier exact needs none.
 template <Scalar S>
 void add_methods(std::vector<Method>& out) {
-  const auto add = [&](Query query, const char* name, const char* tier, auto ask) {
-    out.push_back({.kind = Kind::query,
-                   .query = query,
-                   .name = name,
-                   .scalar = std::same_as<S, float> ? "float" : "double",
-                   .tier = tier,
-                   .unit_roundoff = kUnitRoundoff<S>,
-                   .ask = ask,
-                   .seen = &rounded_case<S>});
+  using B = Body<S>;
+  const auto add = [&](Query query, const char* name, const char* tier, auto call, auto widen) {
+    out.push_back(method_of<S>(query, name, tier, call, widen));
+  };
+  const auto swept_by = [](SweptMethod method) {
+    return [method](const B& a, const B& b, const Case& c, const Ask&) {
+      return swept_overlap(a, b, swept_options<S>(c, method));
+    };
   };
   // The first of a query, in double, is its default.
-  add(Query::overlap, "gjk", "standard", &overlap_by_gjk<S>);
-  add(Query::overlap, "mpr", "standard", &overlap_by_mpr<S>);
-  add(Query::distance, "gjk", "standard", &distance_by_gjk<S>);
-  add(Query::penetration, "epa", "standard", &penetration_by_epa<S>);
-  add(Query::penetration_along, "mpr", "standard", &penetration_along_by_mpr<S>);
-  add(Query::line, "mpr", "standard", &line_by_mpr<S>);
-  add(Query::swept_overlap, "gjk", "standard", &swept_overlap_by<S, SweptMethod::gjk>);
-  add(Query::swept_overlap, "mpr", "standard", &swept_overlap_by<S, SweptMethod::mpr>);
-  add(Query::swept_overlap, "before_after", "standard", &swept_overlap_by<S, SweptMethod::before_after>);
-  add(Query::overlap, "exact", "exact", &overlap_exactly<S>);
-  add(Query::line, "exact", "exact", &line_exactly<S>);
-  add(Query::swept_overlap, "exact", "exact", &swept_overlap_exactly<S>);
+  add(
+      Query::overlap, "gjk", "standard",
+      [](const B& a, const B& b, const Case&, const Ask&) { return overlap_gjk(a, b); }, &of_overlap<S>);
+  add(
+      Query::overlap, "mpr", "standard",
+      [](const B& a, const B& b, const Case&, const Ask&) { return overlap_mpr(a, b); }, &of_overlap<S>);
+  add(
+      Query::distance, "gjk", "standard",
+      [](const B& a, const B& b, const Case&, const Ask& ask) {
+        return distance(
+            a, b, DistanceOptions<S>{.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)});
+      },
+      &of_distance<S>);
+  add(
+      Query::penetration, "epa", "standard",
+      [](const B& a, const B& b, const Case&, const Ask& ask) {
+        return penetration(a, b, penetration_options<S>(ask));
+      },
+      &of_penetration<S>);
+  add(
+      Query::penetration_along, "mpr", "standard",
+      [](const B& a, const B& b, const Case& c, const Ask& ask) {
+        return penetration_along(a, b, round_to<S>(c.direction), penetration_options<S>(ask));
+      },
+      &of_penetration<S>);
+  add(
+      Query::line, "mpr", "standard",
+      [](const B& a, const B& b, const Case& c, const Ask& ask) {
+        return line(a, b, line_options<S>(c, ask));
+      },
+      &of_line<S>);
+  add(Query::swept_overlap, "gjk", "standard", swept_by(SweptMethod::gjk), &of_swept<S>);
+  add(Query::swept_overlap, "mpr", "standard", swept_by(SweptMethod::mpr), &of_swept<S>);
+  add(Query::swept_overlap, "before_after", "standard", swept_by(SweptMethod::before_after), &of_swept<S>);
+  add(
+      Query::overlap, "exact", "exact",
+      [](const B& a, const B& b, const Case&, const Ask&) { return overlap_exact(a, b); }, &of_overlap<S>);
+  add(
+      Query::line, "exact", "exact",
+      [](const B& a, const B& b, const Case& c, const Ask& ask) {
+        return line_exact(a, b, line_options<S>(c, ask));
+      },
+      &of_line<S>);
+  add(
+      Query::swept_overlap, "exact", "exact",
+      [](const B& a, const B& b, const Case& c, const Ask&) {
+        return swept_overlap_exact(a, b, swept_options<S>(c));
+      },
+      &of_swept<S>);
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   graze::tool::add_check_command(app, exit_code);
   graze::tool::add_certify_command(app, exit_code);
   graze::tool::add_judge_command(app, exit_code);
+  graze::tool::add_price_command(app, exit_code);
+  graze::tool::add_compare_command(app, exit_code);
   graze::tool::add_campaign_command(app, exit_code);
   graze::tool::add_merge_command(app, exit_code);
   graze::tool::add_generate_command(app, exit_code);

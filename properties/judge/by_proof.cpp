@@ -59,4 +59,19 @@ bool is_settled_by(const Proof& proof, const engine::Method& method, const corpu
   return error + rounding <= kappa(method, seen) * method.unit_roundoff * scale;
 }
 
+bool proves(const RotatingProof& proof, const Answer& answer) {
+  switch (answer.outcome) {
+    case Outcome::miss:
+      return proof.toi_lower == kInfinity<double>;
+    case Outcome::initially_overlapping:
+      return proof.toi_upper == 0;
+    case Outcome::hit:
+    case Outcome::not_converged:
+      return proof.toi_lower >= answer.toi_lower && proof.toi_upper <= answer.toi_upper;
+    case Outcome::invalid_input:
+      break;
+  }
+  return false;
+}
+
 }  // namespace graze::law

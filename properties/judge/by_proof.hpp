@@ -10,6 +10,8 @@ inline constexpr double kSlack = 1 + 1e-6;
 
 // The proof says as much as the outcome claims.
 [[nodiscard]] bool proves_verdict(const Proof& proof, Outcome outcome);
+// Of turning bodies: and the bracket that the answer states.
+[[nodiscard]] bool proves(const RotatingProof& proof, const engine::Answer& answer);
 
 // Nothing about the answer is left open. Of tier standard: its errors are within kappa u scale; of tier
 // certified: the verdict is shown, the bracket holds, and it is narrow. `seen`: the case as the method saw

@@ -19,22 +19,6 @@ namespace {
 using engine::Answer;
 using oracle::RotatingTruth;
 
-// Does an accepted proof say all that the answer says?
-bool proves(const RotatingProof& proof, const Answer& answer) {
-  switch (answer.outcome) {
-    case Outcome::miss:
-      return proof.toi_lower == kInfinity<double>;
-    case Outcome::initially_overlapping:
-      return proof.toi_upper == 0;
-    case Outcome::hit:
-    case Outcome::not_converged:
-      return proof.toi_lower >= answer.toi_lower && proof.toi_upper <= answer.toi_upper;
-    case Outcome::invalid_input:
-      break;
-  }
-  return false;
-}
-
 // What accepted proofs leave open of an answer.
 enum class Open { nothing, width, anything };
 

@@ -17,7 +17,7 @@ import jsonschema
 
 warnings.simplefilter("ignore", DeprecationWarning)
 
-KINDS = ("case", "engine", "question", "answer", "proof", "certification")
+KINDS = ("case", "engine", "question", "answer", "proof", "certification", "price")
 
 
 def no_number(word):
@@ -125,6 +125,35 @@ def questions(check, graze, here):
         check.expect(wanted <= asked, f"the host asked {asked} alone")
         if report.exists() and report.stat().st_size > 0:
             check.expect_valid("certification", load(report.read_text()), "certification")
+
+
+def price_list(check, graze):
+    """A run of a few tables, one of each part, is valid; without any field, with one more, it is not, and the command that
+    reads it says so, too."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "price.json"
+        command = [graze, "price", "--rounds", "1", "--threads", "1", "--json", str(file)]
+        for name in ("smooth_sphere", "face gap 2", "requests smooth", "swept 8"):
+            command += ["--only", name]
+        ran = subprocess.run(command, capture_output=True, text=True)
+        check.expect(ran.returncode == 0, f"graze price ends with {ran.returncode}: {ran.stderr}")
+        if not file.exists():
+            return
+        document = load(file.read_text())
+        check.expect_valid("price", document, "price list")
+        check.expect({table["part"] for table in document["tables"]} == {"family", "growth", "request", "query"},
+                     "a price list lacks a part")
+        table, row = document["tables"][0], document["tables"][0]["rows"][0]
+        for where, fields in (("", document), ("table", table), ("row", row)):
+            for field in list(fields):
+                kept = fields.pop(field)
+                check.expect(not check.valid("price", document), f"a price list is valid without {where} {field}")
+                file.write_text(json.dumps(document))
+                read = subprocess.run([graze, "compare", str(file), str(file)], capture_output=True, text=True)
+                check.expect(read.returncode == 2 and field in read.stderr,
+                             f"graze compare, without {where} {field}: {read.returncode}, {read.stderr!r}")
+                fields[field] = kept
+            check.expect(not check.valid("price", {**document, "more": 1}), "a price list is valid with more")
 
 
 POSE = {"position": [1, 2, 3], "orientation": [1, 0, "0x1p-3", 0]}
@@ -281,6 +310,7 @@ def main():
     examples(check, source / "docs" / "case-format.md", {"case"})
     refused, unsaid = agreement(check, reader)
     questions(check, graze, pathlib.Path(__file__).resolve().parent)
+    price_list(check, graze)
     for fault in check.faults[:40]:
         print(fault)
     print(f"{check.count} sound documents, {refused} refused by the readers ({unsaid} of them for what no schema says), "

@@ -15,7 +15,6 @@
 #include "certify/engine_report.hpp"
 #include "certify/intake.hpp"
 #include "certify/report.hpp"
-#include "certify/tolerance_study.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
 #include "report/inputs.hpp"
@@ -30,9 +29,6 @@ namespace graze::tool {
 namespace {
 
 using engine::Kind;
-
-// How many hits the study of tolerances measures: 7 tolerances a method, 2 exact errors each.
-constexpr std::size_t kStudiedHits = 64;
 
 // Cases of each level of a family, for curves of error against hardness: the oracle measures every one, of
 // curved shapes in tens of milliseconds.
@@ -131,13 +127,6 @@ std::filesystem::path curated_directory(const Arguments& arguments) {
 }
 std::filesystem::path known_failures() { return corpus::corpus_directory() / "known_failures.jsonl"; }
 
-std::vector<corpus::Case> studied_hits(const std::vector<corpus::Case>& hits) {
-  std::vector<corpus::Case> chosen;
-  const std::size_t stride = std::max<std::size_t>(1, (hits.size() + kStudiedHits - 1) / kStudiedHits);
-  for (std::size_t i = 0; i < hits.size(); i += stride) chosen.push_back(hits[i]);
-  return chosen;
-}
-
 // What is known to be wrong and not mended yet: judged and shown in every run, and held against no row. A
 // case leaves this file for corpus/cases when its mechanism is mended.
 void print_known_failures(const Settings& settings, bool in_full) {
@@ -224,25 +213,6 @@ bool take_all(Intake& intake, const Arguments& arguments, const Selection& selec
   return bad || files.bad;
 }
 
-// Float cannot follow a tolerance below its own u, and the proved tiers know none: the study is of double.
-std::vector<ToleranceRow> study(const Certification& certification, const Settings& settings) {
-  std::vector<const engine::Method*> studied = settings.methods;
-  std::erase_if(studied, [](const engine::Method* method) {
-    return method->kind != Kind::linear || method->in_float() || method->tier != "standard";
-  });
-  if (certification.hits.empty() || studied.empty()) return {};
-  return study_tolerances(studied, studied_hits(certification.hits), settings.threads);
-}
-
-void print_full(const Certification& certification, const Settings& settings,
-                const std::vector<ToleranceRow>& tolerances) {
-  fmt::print("\n{}", full_tables(certification, settings));
-  if (tolerances.empty()) return;
-  fmt::print(
-      "Error against time: backward error of the bracket's ends over scale, on {} measured hits.\n\n{}\n",
-      tolerances.front().cases, tolerance_table(tolerances));
-}
-
 void print_screen(const Certification& certification, const Settings& settings) {
   fmt::print("\n{}", summary_table(certification, settings));
   fmt::print(
@@ -267,7 +237,12 @@ int run(const Arguments& arguments) {
       throw std::runtime_error(curated + ": is no folder of cases");
     will_read({curated, known_failures().string()});
   }
-  if (!arguments.plot.empty()) require_folder(arguments.plot);
+  if (!arguments.plot.empty()) {
+    if (!arguments.stability)
+      throw std::runtime_error(
+          "--plot: draws error against hardness, of --stability; of error against time graze price");
+    require_folder(arguments.plot);
+  }
   if (!arguments.findings.empty()) require_folder(arguments.findings);
   if (arguments.stability) return show_stability(arguments, settings);
   std::unique_ptr<OutputFile> save;
@@ -298,9 +273,6 @@ int run(const Arguments& arguments) {
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
   Certification certification = certify(intake.suites, settings);
-  const bool studies = arguments.full || arguments.thorough || !arguments.plot.empty();
-  const std::vector<ToleranceRow> tolerances =
-      studies && !settings.stop() ? study(certification, settings) : std::vector<ToleranceRow>{};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const std::vector<EngineFinding> findings =
       arguments.findings.empty() ? std::vector<EngineFinding>{}
@@ -317,7 +289,7 @@ int run(const Arguments& arguments) {
     print_known_failures(settings, arguments.full || arguments.thorough);
   print_intake(intake);
   if (arguments.full || arguments.thorough) {
-    print_full(certification, settings, tolerances);
+    fmt::print("\n{}", full_tables(certification, settings));
   } else {
     if (selection.has_ours()) print_screen(certification, settings);
   }
@@ -331,7 +303,6 @@ int run(const Arguments& arguments) {
     junit->write_line(certification_junit(certification, settings, took.count()));
     junit->close();
   }
-  if (!arguments.plot.empty()) fmt::print("{}\n", draw_tolerances(tolerances, arguments.plot));
   if (save) {
     for (const corpus::Case& problem : with_own_ids(certification.convicted))
       save->write_line(corpus::write_case(problem));
@@ -395,7 +366,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->check(whole_number())
       ->type_name("N");
   command->add_flag("--full", arguments->full,
-                    "Print everything: each method on each family, the study of tolerances, every row");
+                    "Print everything: each method on each family, every row of the guarantees");
   command->add_flag(
       "--thorough", arguments->thorough,
       fmt::format("Judge more: {} cases a family, {} of a rotating one, {} for queries; and print "
@@ -409,8 +380,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--plot", arguments->plot,
-          "Write the data and the picture of error against time into this folder; with --stability, of "
-          "error against hardness")
+          "With --stability: write the data and the pictures of error against hardness into this folder")
       ->type_name("DIR");
   command
       ->add_option("--save", arguments->save,

@@ -17,5 +17,7 @@ void add_draw_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app, int& exit_code);
 void add_host_command(CLI::App& app, int& exit_code);
 void add_laws_command(CLI::App& app, int& exit_code);
+void add_price_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
 
 }  // namespace graze::tool

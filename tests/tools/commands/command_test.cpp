@@ -312,14 +312,42 @@ TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
   EXPECT_EQ(without_times(one.out), without_times(three.out));
 }
 
-TEST(Certify, draws_error_against_time) {
+// Two runs of the same cases do the same work, whatever the clock says; a planted change of it is found.
+TEST(Price, a_run_is_compared_with_another_and_a_planted_change_is_found) {
   const Folder folder;
-  folder.write("generous.json", guarantees_with(1e15));
-  const CommandRun run = folder.graze(
-      "certify --family random --count 40 --method gjk/double --plot p --guarantees generous.json");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(folder.read("p/error_against_time.dat").find("gjk/double"), std::string::npos);
-  EXPECT_NE(folder.read("p/error_against_time.gp").find("plot"), std::string::npos);
+  const std::string few = "price --only polytopes --only 'face gap 2' --rounds 2 --json ";
+  const CommandRun first = folder.graze(few + "old.json --csv old.csv");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("One more digit costs, on polytopes"), std::string::npos) << first.out;
+  EXPECT_NE(folder.read("old.csv").find("exact/double"), std::string::npos);
+  // Work and errors are the same: a threshold above all noise of the clock.
+  ASSERT_EQ(folder.graze(few + "new.json").exit_code, 0);
+  const CommandRun same = folder.graze("compare old.json new.json --threshold 20");
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+  std::string text = folder.read("new.json");
+  const std::string before = R"("late_by":null,"proved":0,"iterations":)";
+  const std::size_t at = text.find(before);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 14, R"("late_by":0.25)");
+  folder.write("new.json", text);
+  const CommandRun worse = folder.graze("compare old.json new.json --threshold 20");
+  EXPECT_EQ(worse.exit_code, 1) << worse.out;
+  EXPECT_NE(worse.out.find("greatest lateness 0.0e+00 -> 2.5e-01 of scale"), std::string::npos) << worse.out;
+}
+
+TEST(Price, what_was_measured_before_a_stop_is_gone_on_with) {
+  const Folder folder;
+  ASSERT_EQ(folder.graze("price --only 'face gap 2' --rounds 1 --json p.json").exit_code, 0);
+  const std::string before = folder.read("p.json");
+  const std::size_t from = before.find(R"("time":{)");
+  const std::string first_time = before.substr(from, before.find('}', from) - from);
+  ASSERT_EQ(folder.graze("price --only 'face gap' --rounds 1 --json p.json --continue").exit_code, 0);
+  const std::string after = folder.read("p.json");
+  EXPECT_NE(after.find(first_time), std::string::npos) << "measured again";
+  EXPECT_NE(after.find("face gap 12"), std::string::npos);
+  const CommandRun other = folder.graze("price --only 'face gap' --seed 2 --json p.json --continue");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("p.json: is of a quick run with seed 1"), std::string::npos) << other.err;
 }
 
 TEST(Generate, repeats_itself_and_refuses_what_the_family_has_not) {

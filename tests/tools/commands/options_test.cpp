@@ -35,6 +35,9 @@ TEST(Options, an_empty_value_is_none_and_is_not_passed_over) {
   for (const std::string option : {"--save", "--plot", "--guarantees", "--corpus", "--family", "--method"}) {
     expect_one_complaint(folder.graze("certify x.json " + option + " ''"), option);
   }
+  expect_one_complaint(folder.graze("price --only nothing"), "--only: nothing is no table");
+  expect_one_complaint(folder.graze("price --continue"), "--continue: needs --json");
+  expect_one_complaint(folder.graze("price --quick --thorough"), "a run is one of the two");
   expect_one_complaint(folder.graze("draw x.json --out ''"), "--out");
   expect_one_complaint(folder.graze("draw --families ''"), "--families");
   expect_one_complaint(folder.graze("cast ''"), "files");
@@ -63,6 +66,8 @@ TEST(Options, a_folder_is_no_file_and_a_file_no_folder) {
   folder.write("folder/y.json", kHit);
   expect_one_complaint(folder.graze("certify x.json --guarantees folder"), "folder: a directory");
   expect_one_complaint(folder.graze("merge folder"), "folder: a directory");
+  expect_one_complaint(folder.graze("compare folder folder"), "folder: a directory");
+  expect_one_complaint(folder.graze("compare x.json x.json"), "x.json: schema: is graze.case/1");
   expect_one_complaint(folder.graze("cast folder"), "folder: a directory");
   expect_one_complaint(folder.shell("graze cast - <folder"), "standard input: cannot be read");
   // At once, and not after everything else was judged.
@@ -70,7 +75,10 @@ TEST(Options, a_folder_is_no_file_and_a_file_no_folder) {
     expect_one_complaint(folder.graze("certify --corpus " + corpus), corpus + ": is no folder");
     expect_one_complaint(folder.graze("certify --laws --corpus " + corpus), corpus + ": is no folder");
   }
-  expect_one_complaint(folder.graze("certify x.json --plot x.json"), "x.json: is no folder");
+  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json"),
+                       "x.json: is no folder");
+  // What it drew once, graze price measures.
+  expect_one_complaint(folder.graze("certify x.json --plot p"), "graze price");
   expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/p"), "x.json/p");
 }
 

@@ -123,11 +123,6 @@ TEST(Outputs, a_file_of_a_folder_that_is_written_or_read_is_no_exception) {
   folder.write("pictures/test-hit.svg", kHit);
   expect_one_complaint(folder.graze("draw pictures/test-hit.svg --out pictures"), "test-hit.svg");
   EXPECT_EQ(folder.read("pictures/test-hit.svg"), kHit);
-  folder.write("plot/error_against_time.dat", kHit);
-  expect_one_complaint(
-      folder.graze("certify plot/error_against_time.dat --method gjk/double --queries 0 --plot plot"),
-      "error_against_time.dat");
-  EXPECT_EQ(folder.read("plot/error_against_time.dat"), kHit);
   // A folder of cases is read whole, what is written into it first as well.
   folder.write("cases/x.json", kHit);
   for (const std::string name : {"cases/x.json", "cases/new.jsonl"}) {
@@ -188,7 +183,10 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("strict.json", kStrict);
-  const std::vector<std::string> lines = {"cast x.json --proof OUT", "draw x.json --out OUT",
+  const std::vector<std::string> lines = {"cast x.json --proof OUT",
+                                          "draw x.json --out OUT",
+                                          "price --only 'face gap 2' --rounds 1 --json OUT",
+                                          "price --only 'face gap 2' --rounds 1 --csv OUT",
                                           "certify --family random --count 40 --queries 0 --method "
                                           "mpr/double --guarantees strict.json --save OUT",
                                           "certify --family random --count 10 --method mpr/double "
@@ -201,7 +199,7 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
       expect_one_complaint(folder.graze(with(line, "OUT", name)), name);
     }
   }
-  expect_one_complaint(folder.graze("certify x.json --method gjk/double --queries 0 --plot x.json/folder"),
+  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/folder"),
                        "x.json/folder");
 }
 

@@ -1,0 +1,190 @@
+// graze price: what does accuracy cost in time?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "corpus/format/case_json.hpp"
+#include "price/run.hpp"
+#include "price/screen.hpp"
+#include "price/sentences.hpp"
+#include "report/inputs.hpp"
+#include "report/stop.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
+#include "tools/commands/options.hpp"
+
+namespace graze::tool {
+namespace {
+
+constexpr std::uint64_t kQuickRounds = 5, kThoroughRounds = 9, kMostRounds = 999;
+
+struct Arguments {
+  std::vector<std::string> only;
+  EngineArguments engines;
+  bool quick = false, thorough = false, full = false, goes_on = false;
+  std::uint64_t seed = 1, rounds = 0;
+  unsigned threads = 0;
+  std::string json, csv;
+};
+
+int rounds_of(const Arguments& arguments) {
+  const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kQuickRounds;
+  return static_cast<int>(arguments.rounds > 0 ? arguments.rounds : usual);
+}
+
+// What a stopped run left in the file that this one writes.
+price::Document begun(const Arguments& arguments) {
+  if (!arguments.goes_on) return {};
+  if (arguments.json.empty() || arguments.json == "-")
+    throw std::runtime_error("--continue: needs --json FILE, the file of the run that was stopped");
+  if (!std::filesystem::exists(arguments.json)) return {};
+  const corpus::FileText file = corpus::read_whole_file(arguments.json);
+  if (!file.error.empty()) throw std::runtime_error(arguments.json + ": " + file.error);
+  price::Document document = price::read_document(file.text, arguments.json);
+  const std::string effort = arguments.thorough ? "thorough" : "quick";
+  if (document.effort != effort || document.seed != arguments.seed) {
+    throw std::runtime_error(fmt::format("{}: is of a {} run with seed {}, and this is a {} one with seed {}",
+                                         arguments.json, document.effort, document.seed, effort,
+                                         arguments.seed));
+  }
+  if (document.rounds != rounds_of(arguments)) {
+    throw std::runtime_error(fmt::format("{}: is of {} rounds, and this run is of {}", arguments.json,
+                                         document.rounds, rounds_of(arguments)));
+  }
+  const price::Machine here = price::this_machine();
+  if (document.machine.processor != here.processor || document.machine.build != here.build)
+    throw std::runtime_error(arguments.json + ": machine: is another one, or another build");
+  return document;
+}
+
+void write_whole(const std::string& name, const std::string& text) {
+  OutputFile file(name);
+  file.write_line(text);
+  file.close();
+}
+
+void write_json(const Arguments& arguments, const price::Document& document) {
+  if (!arguments.json.empty()) write_whole(arguments.json, price::write_document(document));
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.quick && arguments.thorough)
+    throw std::runtime_error("--quick and --thorough: a run is one of the two");
+  require_own_files({arguments.json, arguments.csv});
+  price::Document document = begun(arguments);
+  const auto engines = start_engines(arguments.engines);
+  price::RunSettings settings{.thorough = arguments.thorough,
+                              .seed = arguments.seed,
+                              .threads = arguments.threads > 0
+                                             ? arguments.threads
+                                             : std::max(1U, std::thread::hardware_concurrency()),
+                              .rounds = rounds_of(arguments),
+                              .only = arguments.only};
+  for (const auto& engine : engines) {
+    for (const engine::Method& method : engine->methods()) settings.others.push_back(&method);
+  }
+  for (const std::string& name : arguments.only) {
+    if (!price::is_known(name, arguments.thorough)) {
+      throw std::runtime_error(
+          fmt::format("--only: {} is no table, group or series; groups are smooth, rotation, sums, large, "
+                      "ties and polytopes, "
+                      "docs/price.md has the others",
+                      name));
+    }
+  }
+  document.version = GRAZE_VERSION;
+  document.machine = price::this_machine();
+  // Both files are written before anything is measured, so that one that cannot be is said at once; what is
+  // measured is kept table by table, so that a run that is stopped, or ends otherwise, can go on.
+  settings.keep = [&](const price::Document& so_far) {
+    if (arguments.json != "-") write_json(arguments, so_far);
+  };
+  document.finished = false;
+  settings.keep(document);
+  if (!arguments.csv.empty() && arguments.csv != "-") write_whole(arguments.csv, price::csv_of(document));
+  const StopBySignal signals;
+  settings.stop = [] { return StopBySignal::received() != 0; };
+  document = price::run(settings, std::move(document));
+  document.machine = price::this_machine();
+  document.sentences = price::sentences_of(document);
+  const std::vector<std::string> left_behind = finish_engines(engines);
+  for (const std::string& line : left_behind) complain(line);
+  write_json(arguments, document);
+  if (!arguments.csv.empty()) write_whole(arguments.csv, price::csv_of(document));
+  // Standard output is one thing's.
+  if (arguments.json != "-" && arguments.csv != "-") {
+    fmt::print("{}", price::screen_of(document, arguments.full));
+    fmt::print("{} tables, {} rounds, {:.0f} s on {} ({} cores, load {:.1f}), {}, {}.\n",
+               document.tables.size(), document.rounds, document.seconds, document.machine.processor,
+               document.machine.cores, document.machine.load, document.machine.compiler,
+               document.machine.build);
+  }
+  if (const int signal = StopBySignal::received(); signal != 0) {
+    if (!arguments.json.empty() && arguments.json != "-")
+      complain("stopped; the same command with --continue goes on from here");
+    return 128 + signal;
+  }
+  return left_behind.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_price_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("price", "What accuracy costs in time: every method's error against its time.");
+  command->add_flag("--quick", arguments->quick,
+                    "As it is without: a few dozen cases a table, a minute or two");
+  command->add_flag("--thorough", arguments->thorough,
+                    "Eight times the cases, every decade of tolerance, more rounds: an hour or so");
+  command
+      ->add_option(
+          "--only", arguments->only,
+          "Measure this table, group or series (may be repeated): smooth, polytopes, 'vertices, climbed'")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--seed", arguments->seed, "The seed of the cases (1)")
+      ->check(seed_number())
+      ->type_name("S");
+  command
+      ->add_option("--rounds", arguments->rounds,
+                   fmt::format("How often each contender is timed on each case ({}; --thorough {})",
+                               kQuickRounds, kThoroughRounds))
+      ->check(whole_number(1, kMostRounds))
+      ->type_name("N");
+  command
+      ->add_option("--threads", arguments->threads, "Threads that measure errors; one alone measures times")
+      ->check(whole_number(0, kMostThreads))
+      ->type_name("N");
+  command->add_flag("--full", arguments->full, "Print every row of every table");
+  command
+      ->add_option("--json", arguments->json,
+                   "Write everything to this file (schemas/graze.price.schema.json), after every table")
+      ->type_name("OUT.json");
+  command->add_option("--csv", arguments->csv, "Write every row of every table to this file")
+      ->type_name("OUT.csv");
+  command->add_flag("--continue", arguments->goes_on,
+                    "Go on with what a run that was stopped left in the file of --json");
+  add_engine_options(*command, arguments->engines);
+  command->footer(
+      "One run: the same cases for all, put to them in turns, in an order drawn anew for every round; ratios "
+      "are "
+      "to a\nbaseline that each table names, with the least and the greatest of the rounds. Errors are "
+      "against "
+      "the exact or the\nbracket oracle, of turning bodies against a proof. docs/price.md tells the "
+      "story.\n\n"
+      "  graze price --json price.json\n"
+      "  graze price --only smooth --only polytopes --full\n"
+      "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its calls\n"
+      "  python3 price/figures.py price.json figures          every figure\n"
+      "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
+      "Exit code: 0; 2 for bad input; 130 if it was stopped.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace graze::tool
