@@ -1,5 +1,7 @@
 #include "show/features.hpp"
 
+#include <Eigen/Geometry>
+
 namespace graze::show {
 namespace {
 

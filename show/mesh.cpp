@@ -1,5 +1,6 @@
 #include "show/mesh.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,7 +26,7 @@ constexpr Real kFirstRing = 0.3L;  // radians
 // The hull of more differences than these is not formed; the difference is then sampled as a curved shape is.
 constexpr std::size_t kMostDifferences = 4096;
 // Planes that differ by less are one face, to the eye: of polytopes only what rounding makes of one face.
-constexpr double kSmoothAngle = 0.3, kFlatAngle = 1e-7;  // radians
+constexpr double kSmoothAngle = 0.6, kFlatAngle = 1e-7;  // radians
 
 double unit_dot(const oracle::IntVec& l, const oracle::IntVec& r) {
   // Normals of small faces have large integers: brought to doubles by their exponents first.

@@ -1,6 +1,7 @@
 #include "show/scene.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "corpus/format/names.hpp"
 #include "draw/draw.hpp"
 #include "draw/scene.hpp"
+#include "engines/guarantees.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "show/features.hpp"
@@ -76,7 +78,19 @@ struct Judged {
   std::optional<law::Judgement> judgement = {};
   std::string unjudged = {};
 };
-Judged ask_and_judge(const Method& method, const Case& problem) {
+//
+// Of one that promises nothing the judge lets everything pass; here it is held to what can be seen to be wrong.
+constexpr double kSeen = 1e-6;  // over scale
+
+Judged ask_and_judge(const Method& asked, const Case& problem) {
+  Method method = asked;
+  engine::Guarantee held;
+  if (asked.guarantee == nullptr || asked.guarantee->is_open) {
+    if (asked.guarantee != nullptr) held = *asked.guarantee;
+    held.is_open = false;
+    held.relative_tolerance = kSeen;
+    method.guarantee = &held;
+  }
   const Request request = method.is_ours() ? Request::everything : engine::kPlain;
   Judged judged{.answer = method.ask(problem, {.request = request})};
   const Case seen = method.seen(problem);
@@ -303,6 +317,7 @@ class Document {
     for (const law::FaultKind& kind : law::kFaultKinds) {
       if (!(judgement.*kind.why).empty()) out["faults"].push_back(kind.name);
     }
+    out["promises"] = method.guarantee != nullptr && !method.guarantee->is_open;
     out["stalled"] = judgement.stalled;
     out["excused"] = judgement.excused;
     const law::Errors& errors = judgement.errors;

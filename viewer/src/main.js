@@ -5,15 +5,15 @@ import { reportPage } from "./report.js";
 
 // One case, or one of several that are chosen by a list.
 function showPage(page, data) {
-  const holder = h("div", { class: "open" });
+  const holder = h("div", { class: "holder" });
   let open = null;
   const show = (scene) => {
     open?.dispose();
-    open = sceneView(scene);
+    open = sceneView(scene, data.scenes.length > 1 ? "h2" : "h1");
     holder.replaceChildren(open.element);
   };
-  page.append(h("header", { class: "top" }, h("h1", {}, data.title)));
   if (data.scenes.length > 1) {
+    page.append(h("h1", {}, data.title));
     const choose = h("select", { "aria-label": "case", onchange: () => show(data.scenes[Number(choose.value)]) },
       data.scenes.map((scene, i) => h("option", { value: i },
         `${scene.id}${scene.answers?.some((answer) => answer.fault) ? ": an answer is at fault" : ""}`)));

@@ -5,6 +5,7 @@ import { block, count, h, nanoseconds, plural, short } from "./dom.js";
 import { pricePage } from "./price.js";
 
 const number = (x) => (x === "inf" ? Infinity : x);
+const kKinds = { linear: "Casts of bodies that do not turn", rotating: "Casts of bodies that turn", query: "Queries beside the cast" };
 const faulty = (one) => Object.values(one.faults).reduce((sum, n) => sum + n, 0);
 const rate = (part, whole) => (part === 0 ? "0" : `${count(part)}${whole > 0 ? ` (${short((100 * part) / whole, 1)} %)` : ""}`);
 // Errors over what is granted: 1 is the limit.
@@ -61,7 +62,7 @@ function contents(data, others) {
 function bar(x) {
   if (x === null) return "";
   const part = x === 0 ? 0 : Math.max(0, Math.min(1, 1 + Math.log10(number(x)) / 8));
-  return h("span", { class: `bar ${number(x) > 1 ? "over" : ""}`, "aria-hidden": "true" }, h("i", { style: `width:${(100 * part).toFixed(1)}%` }));
+  return h("span", { class: `bar ${number(x) > 1 ? "beyond" : ""}`, "aria-hidden": "true" }, h("i", { style: `width:${(100 * part).toFixed(1)}%` }));
 }
 
 // The case of a method whose error is the largest part of its limit.
@@ -120,10 +121,17 @@ function keepers(data, methods, open) {
         : ofLimit(m.over_limit)),
       cell(number(m.ns), m.ns === null ? "–" : nanoseconds(m.ns)));
   });
-  const table = sortable(h("table", {}, h("thead", {}, h("tr", {}, heads.map(([name, sorts]) => h("th", { scope: "col", "data-sort": sorts }, name)))), h("tbody", {}, rows)));
+  // A table a kind: what one sees first is what most come for.
+  const table = (kind) => {
+    const own = rows.filter((_, i) => methods[i].kind === kind);
+    return own.length && wide(kKinds[kind], sortable(h("table", { class: "keepers" }, h("thead", {}, h("tr", {}, heads.map(([name, sorts]) => h("th", { scope: "col", "data-sort": sorts }, name)))), h("tbody", {}, own))));
+  };
+  const part = (kind, inside) => inside && [h("h3", {}, kKinds[kind]), inside];
+  const asked = table("query");
   return h("section", { id: "methods" }, h("h2", {}, "Who keeps what, and at what price"),
     h("p", {}, "Each method on all its families together. An error at its limit is 1; press it to look at the case. Times are of this machine."),
-    wide("Methods", table));
+    part("linear", table("linear")), part("rotating", table("rotating")),
+    asked && h("details", {}, h("summary", {}, `${kKinds.query}: ${plural(methods.filter((m) => m.kind === "query").length, "method")}`), asked));
 }
 
 function engines(data, methods, open) {
@@ -161,6 +169,10 @@ function accuracyAgainstTime(data, open) {
     act: worst ? () => open(worst.worst, m.name) : null,
   }));
   const kinds = [...new Set(rows.map((row) => row.kind))];
+  // Names that would lie on each other are left to the pointing.
+  const placed = [];
+  const apart = (a, b) => Math.abs(Math.log10(a.x / b.x)) > 0.55 || Math.abs(Math.log10(a.y / b.y)) > 0.75;
+  for (const row of rows) if (placed.every((other) => apart(row, other))) placed.push(row);
   const make = (width) => Plot.plot({
     width, height: Math.min(440, 260 + width * 0.16), marginLeft: 52, marginBottom: 42, marginTop: 26, marginRight: width > 600 ? 90 : 30,
     style: { background: "none", fontSize: "12px", overflow: "visible" },
@@ -170,7 +182,7 @@ function accuracyAgainstTime(data, open) {
     color: { domain: kinds, range: ["var(--a-ink)", "var(--b-ink)", "var(--proof)", "var(--contact)", "var(--wrong)", "var(--soft)"] },
     marks: [
       Plot.dot(rows, { x: "x", y: "y", symbol: "kind", stroke: "kind", fill: "var(--card)", strokeWidth: 2, r: 6, className: "point" }),
-      Plot.text(rows, { x: "x", y: "y", text: width > 600 ? "name" : (r) => r.name.split("/")[0], dx: 10, textAnchor: "start", fill: "var(--ink)", stroke: "var(--ground)", strokeWidth: 3 }),
+      Plot.text(placed, { x: "x", y: "y", text: width > 600 ? "name" : (r) => r.name.split("/")[0], dx: 10, textAnchor: "start", fill: "var(--ink)", stroke: "var(--ground)", strokeWidth: 3 }),
     ],
   });
   return h("section", { id: "price" }, figure({ title: "Accuracy and time", make, points,
@@ -179,8 +191,7 @@ function accuracyAgainstTime(data, open) {
 
 // Methods by families: how near to its limit each comes.
 function heat(data, open) {
-  const kinds = [["linear", "Casts of bodies that do not turn"], ["rotating", "Casts of bodies that turn"], ["query", "Queries beside the cast"]];
-  const tables = kinds.map(([kind, title]) => {
+  const tables = Object.entries(kKinds).map(([kind, title]) => {
     const methods = data.methods.map((m, i) => ({ m, i })).filter(({ m }) => m.kind === kind);
     const families = data.families.map((f, i) => ({ f, i })).filter(({ i }) => data.cells.some((c) => c.family === i && methods.some((m) => m.i === c.method)));
     if (methods.length === 0 || families.length === 0) return "";
@@ -189,9 +200,9 @@ function heat(data, open) {
       const c = byPlace.get(`${i} ${j}`);
       if (!c) return h("td", { class: "none" }, "");
       const x = number(c.over_limit), bad = faulty(c);
-      const level = bad > 0 ? "fault" : x === null ? "unknown" : x > 1 ? "l7" : x === 0 ? "l0" : `l${Math.max(1, Math.min(6, Math.ceil(6 + Math.log10(x) * 1.2)))}`;
+      const level = bad > 0 ? "fault" : x === null ? "unknown" : x > 1 ? "beyond" : x === 0 ? "l0" : `l${Math.max(1, Math.min(6, Math.ceil(6 + Math.log10(x) * 1.2)))}`;
       const words = `${m.name} on ${f.name}: ${plural(c.cases, "case")}, ${plural(bad, "fault")}, worst error ${ofLimit(c.over_limit)} of its limit${c.stalled ? `, ${plural(c.stalled, "stall")}` : ""}`;
-      const shown = bad > 0 ? `${bad} ✗` : x === null ? "·" : x === 0 ? "0" : x >= 0.01 ? x.toPrecision(2) : short(x, 1);
+      const shown = bad > 0 ? `${bad} ✗` : x === null ? "·" : x === 0 ? "0" : x >= 1000 ? short(x, 1) : x >= 0.01 ? String(Number(x.toPrecision(2))) : short(x, 1);
       return h("td", { class: level }, c.worst ? h("button", { type: "button", title: words, "aria-label": words, onclick: () => open(c.worst, m.name) }, shown)
         : h("span", { title: words }, shown));
     };
@@ -201,7 +212,7 @@ function heat(data, open) {
       h("tbody", {}, families.map(({ f, i: j }) => h("tr", {}, h("th", { scope: "row", title: f.sentence || f.name }, f.name.replaceAll("_", " ")), methods.map(({ m, i }) => cell(m, i, f, j))))))));
   });
   return h("section", { id: "families" }, h("h2", {}, "By family"),
-    h("p", {}, "The worst error of each method on each family, over the limit that its guarantee grants it: 1 is the limit. The darker, the nearer. Press a number to look at its case."), tables);
+    h("p", {}, "The worst error of each method on each family, over the limit that its guarantee grants it: 1 is the limit. The darker, the nearer; red is a fault. Framed is an error beyond the limit that is let pass: the answer says so itself, or the question hangs on less than the limit. Press a number to look at its case."), tables);
 }
 
 function worstCases(data, open) {

@@ -6,6 +6,8 @@ import { block, copyable, full, h, short } from "./dom.js";
 const kSteps = 2000;
 const number = (x) => (x === "inf" ? Infinity : x === "-inf" ? -Infinity : x);
 const lower = (answer) => (answer?.toi ? number(answer.toi.lower) : undefined);
+// Without the hexfloats that stand before the numbers that they are.
+const plain = (fault) => fault.replace(/-?0x[0-9a-f.]+p[-+]?\d+ \(([^()]*)\)/g, "$1");
 const words = (outcome) => String(outcome ?? "unknown").replaceAll("_", " ");
 
 // The last time that the slider reaches: past everything that is claimed, no further than the case.
@@ -39,8 +41,9 @@ function axisAt(scene, t) {
 }
 
 class SceneView {
-  constructor(scene) {
+  constructor(scene, heading) {
     this.scene = scene;
+    this.heading = heading;
     this.last = lastTime(scene);
     this.time = scene.moment;
     this.velocity = sub(scene.b.displacement, scene.a.displacement);
@@ -49,23 +52,26 @@ class SceneView {
     this.cso = this.makeDifference();
     this.element = h("article", { class: "scene" }, this.head(), this.stages(), this.timeLine(), this.numbers(), this.more());
     this.show(this.time);
-    this.frame("start");
+    this.bodies.ready = () => this.frame("start");
   }
 
   head() {
     const { scene } = this;
     return h("header", {},
-      h("h2", {}, scene.id),
+      h(this.heading, {}, scene.id),
       h("p", { class: "result" }, scene.result, scene.margin ? `; ${scene.margin.name}: ${short(scene.margin.length)}` : ""),
       this.wrong.map((answer) => h("p", { class: "fault" },
         h("strong", {}, answer.label), ` claims ${words(answer.outcome)}`,
-        Number.isFinite(lower(answer)) ? ` at t = ${full(lower(answer))}` : "", `: ${answer.fault}`)),
+        Number.isFinite(lower(answer)) ? ` at t = ${full(lower(answer))}` : "", `: ${plain(answer.fault)}`)),
       scene.comment && h("p", { class: "comment" }, scene.comment));
   }
 
   makeBodies() {
     const { scene } = this;
     const stage = new Stage({ label: "Both bodies at the time of the slider", name: "bodies", focus: scene.focus, size: scene.scale, view: scene.view });
+    // Beside a body that fills the view, along the plane between the two.
+    const sizes = [scene.a.diagonal, scene.b.diagonal];
+    if (Math.min(...sizes) < Math.max(...sizes) / 20) stage.look(0.35, 0);
     this.solidA = stage.add(scene.a.mesh, "a");
     this.solidB = stage.add(scene.b.mesh, "b");
     const touch = (body, t) => place(poseAt(body, t), inBody(poseAt(body, scene.moment), body.touching));
@@ -73,13 +79,16 @@ class SceneView {
     const parts = scene.turns ? 128 : 1;
     const path = (body) => Array.from({ length: parts + 1 }, (_, k) => stage.to(touch(body, (until * k) / parts)));
     const ghosts = [];
+    stage.everything = () => [...ghosts.flatMap(({ points }) => points), ...this.atMoment, ...paths.flatMap(([, points]) => points)];
+    const standing = (body, solid) => solid.vertices.map((x) => stage.to(place(poseAt(body, scene.moment), x)));
+    this.atMoment = [...standing(scene.a, this.solidA), ...standing(scene.b, this.solidB)];
     for (const [body, solid, name] of [[scene.a, this.solidA, "a"], [scene.b, this.solidB, "b"]]) {
       if (!moves(body)) continue;
       const at = (t) => solid.vertices.map((x) => stage.to(place(poseAt(body, t), x)));
       if (scene.moment > 0) ghosts.push({ points: at(0), kind: `ghost ${name}`, label: `${name.toUpperCase()}, t = 0` });
       for (const answer of this.wrong) {
         const t = lower(answer);
-        if (Number.isFinite(t)) ghosts.push({ points: at(t), kind: "ghost wrong", label: `${name.toUpperCase()}, ${answer.label}` });
+        if (Number.isFinite(t)) ghosts.push({ points: at(t), kind: "ghost wrong", label: `${name.toUpperCase()} as claimed` });
       }
     }
     const paths = [["a", scene.a], ["b", scene.b]].filter(([, body]) => moves(body)).map(([name, body]) => [name, path(body)]);
@@ -108,7 +117,7 @@ class SceneView {
     if (inside[1] < inside[0] || inside[3] < inside[2]) return;
     const small = right - left < 24 || bottom - top < 20;
     const ghost = kind.startsWith("ghost");
-    const y = small || ghost ? Math.max(14, inside[2] - 6) : (inside[2] + inside[3]) / 2 + 5;
+    const y = small || ghost ? Math.max(34, inside[2] - 6) : (inside[2] + inside[3]) / 2 + 5;
     stage.text([(inside[0] + inside[1]) / 2, y], name, `${kind} ${ghost ? "" : "big"}`);
   }
 
@@ -159,7 +168,8 @@ class SceneView {
 
   makeDifference() {
     const { scene } = this;
-    const mesh = scene.cso.mesh;
+    // The creases of a sampled difference are where samples happen to lie.
+    const mesh = scene.cso.mesh.curved ? { ...scene.cso.mesh, edges: [] } : scene.cso.mesh;
     const xs = [0, 1, 2].map((i) => mesh.vertices.filter((_, k) => k % 3 === i));
     const low = xs.map((x) => Math.min(...x)), high = xs.map((x) => Math.max(...x));
     const size = norm(sub(high, low));
@@ -211,8 +221,7 @@ class SceneView {
         if (Number.isFinite(lower(answer)) && !scene.turns) stage.dot(stage.to(times(lower(answer), ray)), "wrong", 3.5);
       }
     };
-    const reach = Math.max(size * 0.62, Math.min(norm(at), 3 * size) * 0.75);
-    stage.fit(reach * 1.1, norm(at) < 3 * size ? times(0.4, at) : at);
+    stage.everything = () => [...solid.placed, stage.to([0, 0, 0]), stage.to(times(Math.min(end, 1.3 * scene.moment), ray))];
     return stage;
   }
 
@@ -242,21 +251,16 @@ class SceneView {
       h("figure", {}, this.cso.element, h("figcaption", {}, what)));
   }
 
+  // "whole": everything that is drawn; "start": the smaller body at the contact, where the whole would not show it.
   frame(what) {
     const { scene } = this;
     const sizes = [scene.a.diagonal, scene.b.diagonal].filter((d) => d > 0);
-    const smaller = Math.min(...sizes, Infinity), larger = Math.max(...sizes, 0);
-    let reach = larger / 2;
-    for (const body of [scene.a, scene.b]) {
-      for (const t of [0, scene.moment]) reach = Math.max(reach, norm(sub(poseAt(body, t).position, scene.focus)) + body.diagonal / 2);
-    }
-    if (!(reach > 0)) reach = scene.scale || 1;
-    if (this.bodies.half === 1 && what === "start") this.bodies.fit(reach * 0.85);
-    if (what === "whole") return this.bodies.whole();
-    const most = Number.isFinite(smaller) ? smaller : reach;
-    if (what === "start") return this.bodies.magnify(Math.min(reach * 0.85, Math.max(1.4 * most, larger < 8 * most ? 0.75 * larger : 0)));
+    const smaller = sizes.length ? Math.min(...sizes) : scene.scale || 1;
+    const reach = this.bodies.reach() * this.bodies.size;
+    if (what === "whole" || (what === "start" && reach < 6 * smaller)) return this.bodies.whole();
+    if (what === "start") return this.bodies.magnify(1.4 * smaller);
     const margin = scene.margin?.length > 0 ? 4 * scene.margin.length : Infinity;
-    return this.bodies.magnify(Math.max(Math.min(margin, most / 12), this.bodies.half * this.bodies.size * 1e-7));
+    return this.bodies.magnify(Math.max(Math.min(margin, smaller / 12), reach * 1e-7));
   }
 
   timeLine() {
@@ -326,7 +330,7 @@ class SceneView {
       h("td", {}, answer.outcome === "miss" ? "–" : bracket(answer.toi ?? answer.distance ?? answer.depth ?? answer.t_in)),
       h("td", {}, vector(answer.normal)),
       h("td", {}, vector(answer.world_a)), h("td", {}, vector(answer.world_b)),
-      h("td", {}, answer.fault ? h("span", { class: "bad" }, answer.fault)
+      h("td", {}, answer.fault ? h("span", { class: "bad" }, h("strong", {}, answer.faults.join(", ")), Number.isFinite(answer.errors?.backward) ? `; backward error ${short(answer.errors.backward)} of scale` : "", answer.promises ? "" : " (it promises nothing, and is held to 10⁻⁶)")
         : answer.unjudged ? answer.unjudged
         : answer.errors ? `within its limit${Number.isFinite(answer.errors.over_limit) ? `: ${short(answer.errors.over_limit)} of it` : ""}; backward error ${short(answer.errors.backward)} of scale`
         : answer.note ?? "–"));
@@ -367,10 +371,10 @@ class SceneView {
   }
 }
 
-export function sceneView(scene) {
+export function sceneView(scene, heading = "h2") {
   if (!scene.drawable) {
-    return { element: h("article", { class: "scene" }, h("h2", {}, scene.id), h("p", {}, scene.result),
+    return { element: h("article", { class: "scene" }, h(heading, {}, scene.id), h("p", {}, scene.result),
       block(scene.case, "the case as JSON")), dispose() {} };
   }
-  return new SceneView(scene);
+  return new SceneView(scene, heading);
 }

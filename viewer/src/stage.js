@@ -98,6 +98,7 @@ export class Stage {
     this.view = view;
     this.solids = [];
     this.draw = () => {};
+    this.everything = () => [[0, 0, 0]];
     this.svg = h("svg:svg", { class: "over", "aria-hidden": "true" });
     this.corner = h("div", { class: "corner" });
     this.element = h("div", {
@@ -158,14 +159,35 @@ export class Stage {
     this.controls.update();
   }
 
-  // half: of the shorter side, in the scene's lengths; what `whole` shows.
-  fit(half, middle = this.focus) {
-    this.half = half / this.size;
-    this.middle = this.to(middle);
-    this.whole();
+  // Half of the larger extent of everything, as it is seen now.
+  reach() {
+    const { width, height } = this.extent();
+    return Math.max(width, height) / 2;
+  }
+  extent() {
+    this.camera.updateMatrixWorld();
+    const e = this.camera.matrixWorld.elements, right = [e[0], e[1], e[2]], up = [e[4], e[5], e[6]], towards = [e[8], e[9], e[10]];
+    const points = this.everything();
+    const range = (axis) => {
+      let low = Infinity, high = -Infinity;
+      for (const p of points) {
+        const x = dot(axis, p);
+        low = Math.min(low, x);
+        high = Math.max(high, x);
+      }
+      return [low, high];
+    };
+    const [u, v, w] = [right, up, towards].map(range);
+    const middle = [u, v, w].map(([low, high]) => (low + high) / 2);
+    return { width: u[1] - u[0], height: v[1] - v[0],
+      middle: add(add(times(middle[0], right), times(middle[1], up)), times(middle[2], towards)) };
   }
   whole() {
-    this.aim(this.middle ?? [0, 0, 0], 1);
+    if (!this.width) return;
+    const room = 1.16, { width, height, middle } = this.extent();
+    const side = Math.min(this.width, this.height);
+    this.half = Math.max((width / 2) * (side / this.width), (height / 2) * (side / this.height), 1e-12) * room;
+    this.aim(middle, 1);
   }
   // Magnifies what is at `point` of the stage.
   aim(point, zoom) {
@@ -211,6 +233,7 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!width || !height) return;
+    const first = !this.width;
     this.width = width;
     this.height = height;
     this.renderer?.setSize(width, height, false);
@@ -219,6 +242,10 @@ export class Stage {
     const right = (this.half * width) / short_side, top = (this.half * height) / short_side;
     Object.assign(this.camera, { left: -right, right, top, bottom: -top });
     this.camera.updateProjectionMatrix();
+    if (first) {
+      this.whole();
+      this.ready?.();
+    }
     this.render();
   }
 
