@@ -15,8 +15,9 @@ namespace graze::show {
 
 struct Mesh {
   std::vector<Vec3<double>> vertices = {};
-  std::vector<std::array<int, 3>> triangles = {};  // counter-clockwise from outside; of a flat mesh both sides
-  std::vector<std::array<int, 2>> edges = {};      // where planes meet that differ by more than a few degrees
+  std::vector<std::array<int, 3>> triangles =
+      {};                                      // counter-clockwise from outside; of a flat mesh both sides
+  std::vector<std::array<int, 2>> edges = {};  // where planes meet that differ by more than a few degrees
   bool curved = false;
 };
 

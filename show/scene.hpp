@@ -18,7 +18,7 @@ namespace graze::show {
 using Json = nlohmann::ordered_json;
 
 struct SceneSettings {
-  std::string command = {};           // that shows the case again; empty for none
+  std::string command = {};      // that shows the case again; empty for none
   bool has_still = true;         // also the picture of draw/, which magnifies the contact by long doubles
   std::size_t most_chain = 512;  // slices of a rotating proof that are kept
 };

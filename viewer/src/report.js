@@ -225,12 +225,12 @@ function worstCases(data, open) {
     const bad = one.what !== "worst" && one.what !== "stalled";
     return h("tr", { class: bad ? "wrong" : "" }, h("td", {}, h("button", { type: "button", class: `open ${data.scenes[one.id] ? "held" : ""}`, "data-case": one.id, onclick: () => open(one.id, m.name) }, one.id)),
       h("td", {}, m.name), h("td", {}, bad ? h("strong", { class: "bad" }, one.what) : one.what === "worst" ? "within its limit" : "stalled"),
-      h("td", { class: "number" }, ofLimit(one.over_limit)), h("td", { class: "why" }, one.why || "–"));
+      h("td", { class: "number" }, ofLimit(one.over_limit)), faults.length > 0 && h("td", { class: "why" }, one.why || "–"));
   });
   return h("section", { id: "worst" }, h("h2", {}, "Worst cases"),
     h("p", {}, faults.length > 0 ? "Faults first; then, of each method, the case whose error is the largest part of its limit."
       : "Nothing is at fault. Of each method, the case whose error is the largest part of its limit, and those that stall."),
-    wide("Worst cases", h("table", {}, h("thead", {}, h("tr", {}, ["case", "method", "", "of its limit", "why"].map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))));
+    wide("Worst cases", h("table", {}, h("thead", {}, h("tr", {}, ["case", "method", "", "of its limit", faults.length > 0 && "why"].filter((name) => name !== false).map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))));
 }
 
 function findings(data, open) {
