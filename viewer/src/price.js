@@ -2,7 +2,7 @@
 import { Plot, figure, powers, powerTick } from "./figure.js";
 import { block, count, h, nanoseconds, plural, short } from "./dom.js";
 
-const kColours = ["var(--a-ink)", "var(--b-ink)", "var(--contact)", "var(--proof)", "var(--wrong)", "#8a8f2a", "#2a8f8a", "#b0589a", "var(--soft)", "#7a5c3a"];
+const kColours = ["var(--a-ink)", "var(--b-ink)", "var(--contact)", "var(--proof)", "#8a8f2a", "#2a8f8a", "#b0589a", "#9a6b3f", "var(--soft)"];
 const kSymbols = ["circle", "square", "triangle", "diamond2", "star", "cross", "wye", "hexagon", "asterisk", "plus"];
 const kGroups = { smooth: "Smooth shapes", rotation: "Bodies that turn", sums: "Curved sums", large: "Large hulls", ties: "Near ties", polytopes: "Polytopes" };
 
@@ -42,9 +42,22 @@ function rowsTable(table, open) {
       cell(nanoseconds(row.time?.median)), cell(nanoseconds(row.time?.p95)), cell(nanoseconds(row.time?.p99)),
       cell(row.ratio ? `${row.ratio.median.toPrecision(3)} (${row.ratio.low.toPrecision(3)}–${row.ratio.high.toPrecision(3)})` : "–"),
       cell(short(row.backward.median)), cell(short(row.backward.p99)),
-      h("td", { class: "number" }, row.worst_case ? h("button", { type: "button", class: "open", onclick: () => open(row.worst_case, row.label) }, short(row.backward.worst)) : short(row.backward.worst)),
+      h("td", { class: "number" }, row.worst_case && row.backward.worst !== null ? h("button", { type: "button", class: "open", onclick: () => open(row.worst_case, row.label) }, short(row.backward.worst)) : short(row.backward.worst)),
       cell(short(row.forward.worst)), cell(count(row.wrong), row.wrong > 0), cell(count(row.late), row.late > 0), cell(count(failed(row)), failed(row) > 0),
       cell(short(row.supports.mean)))))));
+}
+
+// Names at the ends of lines, moved up where they would lie on each other.
+function endNames(ends, text, colour, on = (x) => x) {
+  const placed = [];
+  for (const end of [...ends].sort((l, r) => l.x - r.x)) {
+    let up = 0;
+    for (const other of placed) {
+      if (Math.abs(Math.log10(end.x / other.end.x)) < 0.3 && Math.abs(Math.log10(end.y / other.end.y)) < 1) up = Math.max(up, other.up + 13);
+    }
+    placed.push({ end, up });
+  }
+  return placed.map(({ end, up }) => Plot.text([end], { x: (d) => on(d.x), y: "y", text, dx: 9, dy: -up, textAnchor: "start", fill: colour, stroke: "var(--ground)", strokeWidth: 3 }));
 }
 
 function labelOf(row) {
@@ -95,7 +108,7 @@ function diagram(table, style, state, open) {
     marks: [
       Plot.line(lines, { x: "x", y: "y", z: "s", stroke: colour, strokeWidth: 1.5, strokeOpacity: 0.75 }),
       Plot.dot(data, { x: "x", y: "y", stroke: colour, fill: (d) => (d.row.on_front ? style.get(d.s).colour : "var(--ground)"), symbol: (d) => (d.bad ? "times" : "circle"), strokeWidth: 2, r: 4.5, className: "point" }),
-      Plot.text(ends, { x: "x", y: "y", text: (d) => d.s.replace("/double", ""), dx: 9, textAnchor: "start", fill: colour, stroke: "var(--ground)", strokeWidth: 3 }),
+      endNames(ends, (d) => d.s.replace("/double", ""), colour),
     ],
     symbol: { type: "identity" }, color: { type: "identity" },
   });
@@ -112,15 +125,17 @@ function growth(tables, style, open) {
     const log = xs.length > 1 && xs[0] > 0 && xs[xs.length - 1] / xs[0] > 20;
     const ends = [...new Set(data.map((d) => d.s))].map((s) => data.filter((d) => d.s === s).reduce((l, r) => (r.x > l.x ? r : l)));
     const colour = (d) => style.get(series(d.row)).colour;
+    // By its logarithm on a plain axis: one of a logarithm leaves labels out that are no powers of its base.
+    const on = (x) => (log ? Math.log10(x) : x);
     const points = data.map(({ table, row }) => ({ label: `${table.x_name} ${table.x}, ${labelOf(row)}`, act: row.slowest_case ? () => open(row.slowest_case, row.label) : null }));
     const make = (width) => Plot.plot({
       width, height: 330, marginLeft: 46, marginBottom: 40, marginTop: 24, marginRight: 100, style: { background: "none", fontSize: "11.5px", overflow: "visible" },
-      x: { type: log ? "log" : "linear", label: `${list[0].x_name} →`, ticks: xs.length <= 10 ? xs : undefined, tickFormat: (x) => short(x, 3), grid: true },
+      x: { label: `${list[0].x_name} →`, ticks: xs.length <= 10 ? xs.map(on) : undefined, tickFormat: (x) => short(log ? 10 ** x : x, 3), grid: true },
       y: { type: "log", label: "↑ median time, ns", ticks: powers(data.map((d) => d.y)), tickFormat: powerTick, grid: true, nice: true },
       color: { type: "identity" },
-      marks: [Plot.line(data, { x: "x", y: "y", z: "s", stroke: colour, strokeWidth: 1.6, sort: "x" }),
-        Plot.dot(data, { x: "x", y: "y", stroke: colour, fill: "var(--ground)", r: 4, strokeWidth: 2, className: "point" }),
-        Plot.text(ends, { x: "x", y: "y", text: (d) => d.s.replace("/double", ""), dx: 9, textAnchor: "start", fill: colour, stroke: "var(--ground)", strokeWidth: 3 })],
+      marks: [Plot.line(data, { x: (d) => on(d.x), y: "y", z: "s", stroke: colour, strokeWidth: 1.6, sort: "x" }),
+        Plot.dot(data, { x: (d) => on(d.x), y: "y", stroke: colour, fill: "var(--ground)", r: 4, strokeWidth: 2, className: "point" }),
+        endNames(ends, (d) => d.s.replace("/double", ""), colour, on)],
     });
     return figure({ title: name.replaceAll("_", " "), caption: list[0].sentence, make, points });
   });

@@ -207,7 +207,7 @@ class SceneView {
         const foot = add(p, times(reach - dot(n, p), n));
         const [u, v] = across(n);
         const disc = Array.from({ length: 40 }, (_, k) => {
-          const angle = (2 * Math.PI * k) / 40, radius = (0.3 * size) / stage.size;
+          const angle = (2 * Math.PI * k) / 40, radius = (0.22 * size) / stage.size;
           return add(foot, add(times(radius * Math.cos(angle), u), times(radius * Math.sin(angle), v)));
         });
         stage.polygon(disc, "plane");
