@@ -260,18 +260,8 @@ class Report {
   }
 
   static std::string command_of(const corpus::Case& problem, const std::vector<const Method*>& methods) {
-    std::string text = "graze show case.json";
-    // family/h9/s17 is a generated case.
-    const corpus::Family* family = corpus::find_family(problem.family);
-    const std::size_t seed = problem.id.rfind("/s");
-    const bool is_drawn =
-        family != nullptr && problem.hardness && seed != std::string::npos &&
-        problem.id ==
-            family->generate(*problem.hardness, std::strtoull(problem.id.c_str() + seed + 2, nullptr, 10)).id;
-    if (is_drawn) {
-      text = fmt::format("graze generate {} --hardness {} --seed {} --count 1 | graze show -", problem.family,
-                         *problem.hardness, problem.id.substr(seed + 2));
-    }
+    const std::string generated = show::generating_command(problem);
+    std::string text = generated.empty() ? "graze show case.json" : generated + " | graze show -";
     for (const Method* method : methods) {
       if (method->is_ours()) text += fmt::format(" --method '{}'", method->question_name());
     }

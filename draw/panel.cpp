@@ -116,7 +116,7 @@ void Panel::body(Canvas& canvas, bool is_b, Real t, Style style) {
 }
 
 // Where the bodies are at the times of wrong answers.
-void Panel::claims(Canvas& canvas) {
+void Panel::claims(Canvas& canvas, bool is_detail) {
   const corpus::Case& problem = *scene_.problem;
   for (const DrawClaim& claim : claims_) {
     if (!claim.is_wrong || !claim.time) continue;
@@ -126,6 +126,7 @@ void Panel::claims(Canvas& canvas) {
       const std::vector<Flat> points = pixel_outline((is_b ? problem.b : problem.a).shape, pose);
       if (points.empty()) continue;
       canvas.polygon(points, "none", 0, {.colour = kWrongColour, .width = 1.6, .dashes = "5 3"});
+      if (is_detail) continue;  // it is named in the picture of the whole
       place(canvas, box_of(points), std::string(is_b ? "B" : "A") + " as claimed", kWrongColour, Side::above);
     }
   }
@@ -143,11 +144,10 @@ void Panel::draw_axes(Canvas& canvas) {
     canvas.arrow_head(middle, tip, kPale);
     canvas.text(beyond[0], beyond[1] + 4, std::string(1, "xyz"[i]), kSmallText, kPale, false, "middle");
   }
-  canvas.label(
-      frame_.x + frame_.width - 150, frame_.y + 14,
-      fmt::format("seen from ({:.2f}, {:.2f}, {:.2f})", static_cast<double>(view_.towards[0]) + 0.0,
-                  static_cast<double>(view_.towards[1]) + 0.0, static_cast<double>(view_.towards[2]) + 0.0),
-      kSmallText, kPale);
+  const auto part = [&](int i) { return static_cast<double>(view_.towards[i]); };
+  const std::string words = fmt::format("seen from ({:.2f}, {:.2f}, {:.2f})", part(0), part(1), part(2));
+  canvas.label(frame_.x + frame_.width - text_width(words, kSmallText) - 8, frame_.y + 14, words, kSmallText,
+               kPale);
 }
 
 // Of a hull: what it lists and does not show as a corner is part of the case.
@@ -319,7 +319,7 @@ void Panel::draw(Canvas& canvas, const std::string& note, bool is_detail) {
   }
   body(canvas, false, scene_.moment, Style::moment);
   body(canvas, true, scene_.moment, Style::moment);
-  claims(canvas);
+  claims(canvas, is_detail);
   target(canvas);
   if (a_moves) path(canvas, false);
   if (b_moves) path(canvas, true);

@@ -44,7 +44,7 @@ class Panel {
 
  private:
   enum class Style { ghost, start, moment };
-  void claims(Canvas& canvas);
+  void claims(Canvas& canvas, bool is_detail);
 
   [[nodiscard]] Window clipping() const;
   [[nodiscard]] std::vector<Flat> pixel_outline(const Shape<double>& shape, const Pose& pose) const;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
 #include "draw/draw.hpp"
@@ -335,6 +336,18 @@ class Document {
 };
 
 }  // namespace
+
+std::string generating_command(const Case& problem) {
+  const corpus::Family* family = corpus::find_family(problem.family);
+  const std::size_t place = problem.id.rfind("/s");
+  if (family == nullptr || !problem.hardness || place == std::string::npos) return "";
+  const std::string seed = problem.id.substr(place + 2);
+  if (seed.empty() || seed.size() > 19 || seed.find_first_not_of("0123456789") != std::string::npos)
+    return "";
+  if (!corpus::same_case(problem, family->generate(*problem.hardness, std::stoull(seed)))) return "";
+  return fmt::format("graze generate {} --hardness {} --seed {} --count 1", problem.family, *problem.hardness,
+                     seed);
+}
 
 bool takes(const Method& method, const Case& problem) {
   if (method.query != problem.query) return false;

@@ -38,6 +38,9 @@ struct Claim {
 [[nodiscard]] std::vector<Claim> claims_of(const corpus::Case& problem,
                                            std::span<const engine::Method* const> methods);
 
+// The command that generates the case, where its id is that of a family, a hardness and a seed; else empty.
+[[nodiscard]] std::string generating_command(const corpus::Case& problem);
+
 // Is the case a question for the method?
 [[nodiscard]] bool takes(const engine::Method& method, const corpus::Case& problem);
 

@@ -1,6 +1,6 @@
 // Bundles the viewer into one page and writes it as a C++ source: `node build.mjs OUT.cpp`, or OUT.html for the page alone.
 // The packages are those of GRAZE_NODE_MODULES, or of node_modules beside this file.
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -17,7 +17,8 @@ const bundled = await esbuild.build({
   write: false,
   format: "iife",
   target: "es2020",
-  legalComments: "eof",
+  legalComments: "none", // the licences stand in the page as a whole
+  metafile: true,
   nodePaths: [modules],
   logLevel: "warning",
 });
@@ -27,9 +28,24 @@ const style = await esbuild.build({
   write: false,
   logLevel: "warning",
 });
+// Whose work is in the bundle, and under which licence: each package that a file of it came from.
+const packages = new Set();
+for (const input of Object.keys(bundled.metafile.inputs)) {
+  const found = /.*node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(input);
+  if (found) packages.add(found[1]);
+}
+const licences = [...packages].sort().map((name) => {
+  const folder = join(modules, name);
+  const about = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const file = readdirSync(folder).find((entry) => /^licen[cs]e(\.|$)/i.test(entry));
+  if (!file || !existsSync(join(folder, file))) throw new Error(`${name} has no licence`);
+  return `${name} ${about.version}, ${about.license}\n\n${readFileSync(join(folder, file), "utf8").trim()}`;
+});
+
 // A function as the replacement: "$&" in the bundle means nothing then.
 const page = readFileSync(join(here, "src/page.html"), "utf8")
   .replace("GRAZE_STYLE", () => style.outputFiles[0].text)
+  .replace("GRAZE_LICENCES", () => licences.join("\n\n----\n\n").replaceAll("</", "<\\/"))
   .replace("GRAZE_SCRIPT", () => bundled.outputFiles[0].text);
 if (page.split("GRAZE_DATA").length !== 2) throw new Error("the page has not one place for its data");
 

@@ -126,8 +126,13 @@ class Run {
   }
 
   [[nodiscard]] std::string command(std::size_t i) const {
-    std::string text = "graze show " + quoted(*files_[i]);
-    if (inputs_.files.size() > 1 || inputs_.files.front().cases.size() > 1)
+    const std::string generated = *files_[i] == "-" ? show::generating_command(*cases_[i]) : "";
+    std::string text = !generated.empty()  ? generated + " | graze show -"
+                       : *files_[i] == "-" ? "graze show case.json"
+                                           : "graze show " + quoted(*files_[i]);
+    if (*files_[i] == "-") {
+      // It holds this case alone.
+    } else if (inputs_.files.size() > 1 || inputs_.files.front().cases.size() > 1)
       text += " --id " + quoted(cases_[i]->id);
     for (const std::string& method : arguments_.methods) text += " --method " + quoted(method);
     for (const std::string& engine : arguments_.engines.commands) text += " --engine " + quoted(engine);

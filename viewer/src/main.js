@@ -32,3 +32,5 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const page = document.getElementById("page");
 if (data.kind === "show") showPage(page, data);
 else reportPage(page, data);
+page.append(h("footer", { class: "small" }, h("details", {}, h("summary", {}, "Licences of what draws this page"),
+  h("pre", { class: "licences", tabindex: 0 }, document.getElementById("licences").textContent))));
