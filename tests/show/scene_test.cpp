@@ -14,7 +14,7 @@ namespace {
 using corpus::Case;
 using show::Json;
 
-Vec3<double> vector_of(const Json& x) { return {x[0], x[1], x[2]}; }
+Vec3<double> vector_of(const Json& x) { return {x[0].get<double>(), x[1].get<double>(), x[2].get<double>()}; }
 
 Case falling_box() {
   Case problem;
@@ -44,7 +44,8 @@ TEST(Scene, shows_the_proof_where_it_is) {
       const auto& flat = scene["cso"]["mesh"]["vertices"];
       double reach = -1e300;
       for (std::size_t i = 0; i < flat.size(); i += 3)
-        reach = std::max(reach, axis.dot(Vec3<double>(flat[i], flat[i + 1], flat[i + 2])));
+        reach = std::max(reach, axis.dot(Vec3<double>(flat[i].get<double>(), flat[i + 1].get<double>(),
+                                                      flat[i + 2].get<double>())));
       EXPECT_NEAR(reach, axis.dot(contact), 1e-5 * size);
       // The contact is in the hull of the portal's points: their affine span at the least.
       ASSERT_GT(scene["proof"]["portal"].size(), 0U);

@@ -212,7 +212,7 @@ function heat(data, open) {
       h("tbody", {}, families.map(({ f, i: j }) => h("tr", {}, h("th", { scope: "row", title: f.sentence || f.name }, f.name.replaceAll("_", " ")), methods.map(({ m, i }) => cell(m, i, f, j))))))));
   });
   return h("section", { id: "families" }, h("h2", {}, "By family"),
-    h("p", {}, "The worst error of each method on each family, over the limit that its guarantee grants it: 1 is the limit. The darker, the nearer; red is a fault. Framed is an error beyond the limit that is let pass: the answer says so itself, or the question hangs on less than the limit. Press a number to look at its case."), tables);
+    h("p", {}, "The worst error of each method on each family, over the limit that its guarantee grants it: 1 is the limit. The stronger the colour, the nearer; red is a fault. Framed is an error beyond the limit that is let pass: the answer says so itself, or the question hangs on less than the limit. Press a number to look at its case."), tables);
 }
 
 function worstCases(data, open) {

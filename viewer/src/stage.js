@@ -330,7 +330,7 @@ export class Stage {
   }
 
   axes() {
-    const middle = [34, this.height - 34];
+    const middle = [44, this.height - 42];
     for (const [i, name] of ["x", "y", "z"].entries()) {
       const d = this.direct([0, 1, 2].map((k) => (k === i ? 1 : 0)));
       const tip = [middle[0] + 24 * d[0], middle[1] + 24 * d[1]];

@@ -55,7 +55,7 @@ TEST(Show, draws_a_wrong_answer_beside_the_true_one) {
   EXPECT_EQ(folder.graze("show one.json --answers answers.jsonl --svg --out one.svg").exit_code, 0);
   const std::string picture = folder.read("one.svg");
   for (const char* part :
-       {"B as claimed", "answers.jsonl: hit at t = 0.75", "late", "seen from (", ">x<", "× 10"})
+       {"B as claimed", "answers.jsonl: hit at t = 0.75", "late", "seen from (", ">z<", "× 10"})
     EXPECT_TRUE(holds(picture, part)) << part;
   // A right one is said, and not drawn.
   EXPECT_EQ(folder.graze("show one.json --method gjk --svg --out right.svg").exit_code, 0);
