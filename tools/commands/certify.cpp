@@ -22,6 +22,7 @@
 #include "corpus/format/case_json.hpp"
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
+#include "show/page.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/law.hpp"
@@ -386,6 +387,8 @@ int run(const Arguments& arguments) {
     json->close();
   }
   if (page) {
+    if (!show::has_viewer())
+      complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
     page->write_line(html.substr(0, html.size() - 1));
     page->close();
     beside_page->write_line(certification_json(certification, settings, took.count()));

@@ -149,9 +149,15 @@ class Run {
         cases_.size() == 1 ? "graze: " + cases_.front()->id : fmt::format("graze: {} cases", cases_.size());
     const show::Json data = {
         {"schema", "graze.page/1"}, {"kind", "show"}, {"title", title}, {"scenes", std::move(scenes)}};
-    if (!show::has_viewer())
+    std::string plain;
+    if (!show::has_viewer()) {
       complain("this graze was built without Node: the page holds still pictures (docs/show.md)");
-    const std::string html = show::page_html(title, data, "");
+      for (const corpus::Case* problem : cases_) {
+        for (const show::Claim& claim : show::claims_of(*problem, claimed(*problem)))
+          plain += fmt::format("{}: {}\n", problem->id, claim.words);
+      }
+    }
+    const std::string html = show::page_html(title, data, plain);
     out.write_line(html.substr(0, html.size() - 1));
     out.close();
   }
