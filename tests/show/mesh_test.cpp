@@ -81,13 +81,14 @@ TEST(Mesh, of_curved_shapes_lies_in_them_and_comes_near_their_supports) {
 TEST(Mesh, is_finest_where_the_shape_touches) {
   const Vec towards = Vec(1, 2, 2).normalized();
   const Mesh mesh = show::mesh_of(Sphere<double>{1}, towards);
-  // The triangle there is as near to the sphere as doubles are: its rings are halved 20 times.
+  // Between two rings a direction is within 0.42 of its angle of a vertex; of the place of contact alone it would be the
+  // angle off, and the height short by half its square.
   const Vec side = towards.unitOrthogonal();
   for (const Real angle : {Real(1e-5), Real(1e-3), Real(0.1)}) {
     const Vec3<double> n = (std::cos(angle) * towards + std::sin(angle) * side).cast<double>();
     double height = 0;
     for (const Vec3<double>& x : mesh.vertices) height = std::max(height, n.dot(x));
-    EXPECT_GE(height, 1 - 0.5 * static_cast<double>(angle * angle)) << static_cast<double>(angle);
+    EXPECT_GE(height, 1 - 0.15 * static_cast<double>(angle * angle)) << static_cast<double>(angle);
   }
 }
 
