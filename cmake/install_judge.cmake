@@ -38,6 +38,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/copyright CONTENT [[
 graze's own files are MIT (LICENSE): the library, its headers, the adapter, the corpus.
 The program graze links CGAL, which is GPL-3+: it may be passed on under the GPL only
 (/usr/share/common-licenses/GPL-3 on Debian).
+The pages that it writes hold three.js (MIT), Observable Plot and D3 (ISC, BSD-3-Clause), each with its licence.
 ]])
 install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

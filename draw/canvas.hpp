@@ -9,8 +9,8 @@
 namespace graze::draw {
 
 inline constexpr std::string_view kColourA = "#2f6db3", kColourB = "#d9702b", kInk = "#222", kPale = "#777",
-                                  kContactColour = "#0a7d32", kPathColourA = "#12365e",
-                                  kPathColourB = "#7a3608";
+                                  kContactColour = "#0a7d32", kWrongColour = "#c4162a",
+                                  kPathColourA = "#12365e", kPathColourB = "#7a3608";
 
 struct Rectangle {
   Real x = 0, y = 0, width = 0, height = 0;

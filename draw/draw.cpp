@@ -40,7 +40,7 @@ struct Detail {
 class Picture {
  public:
   Picture(const corpus::Case& problem, const DrawSettings& settings)
-      : problem_(problem), width_(settings.width), scene_(make_scene(problem)) {
+      : problem_(problem), settings_(settings), width_(settings.width), scene_(make_scene(problem)) {
     if (!scene_.drawable) return;
     view_ = make_view(scene_, settings.view);
     timing_ = make_timing(scene_);
@@ -71,6 +71,7 @@ class Picture {
     std::string result = scene_.result;
     if (scene_.margin) result += fmt::format("; {}: {}", scene_.margin_name, plain_number(*scene_.margin));
     lines(result, kInk);
+    for (const DrawClaim& claim : settings_.claims) lines(claim.words, claim.is_wrong ? kWrongColour : kInk);
     if (!problem_.comment.empty()) lines(problem_.comment, kPale);
     top_ += 10;
   }
@@ -120,7 +121,12 @@ class Picture {
       want(is_b ? scene_.diagonal_b : scene_.diagonal_a, 2, about, false);
       want(height(shape, pose, view_.up) + height(shape, pose, Vec(-view_.up)), 3, about, false);
     }
+    for (const DrawClaim& claim : settings_.claims) {
+      if (claim.is_wrong && claim.time)
+        want(std::abs(Real(*claim.time) - scene_.moment) * scene_.speed, 3, scene_.focus, true);
+    }
     if (scene_.margin) want(*scene_.margin, 3, scene_.focus, true);
+    if (settings_.is_for_others && wanted.empty()) wanted.push_back({half / 12, scene_.focus, true});
     std::sort(wanted.begin(), wanted.end(), [](const Detail& l, const Detail& r) { return l.half > r.half; });
     std::vector<Detail> chosen;
     for (const Detail& detail : wanted) {
@@ -168,7 +174,9 @@ class Picture {
 
   void panels(Canvas& page) {
     Panel main(scene_, view_, timing_, main_frame_, scene_.focus, window_);
+    main.set_claims(settings_.claims);
     main.draw(page, "", false);
+    if (settings_.is_for_others) main.draw_axes(page);
     for (std::size_t k = 0; k < details_.size(); ++k) {
       const Rectangle& frame = detail_frames_[k];
       const Flat place = main.to_pixels(view_.project(details_[k].about - scene_.focus));
@@ -182,12 +190,14 @@ class Picture {
       page.circle(place, 9 - 3 * static_cast<double>(k), "none", {.colour = kPale, .width = 0.8});
       page.polyline({place + Flat(9, 0), Flat(frame.x, frame.y + frame.height / 2)},
                     {.colour = kPale, .width = 0.7, .dashes = "2 3"});
-      Panel(scene_, view_, timing_, frame, details_[k].about, window)
-          .draw(page, "× " + (power == 1 ? std::string("10") : power_text(power)), true);
+      Panel detail(scene_, view_, timing_, frame, details_[k].about, window);
+      detail.set_claims(settings_.claims);
+      detail.draw(page, "× " + (power == 1 ? std::string("10") : power_text(power)), true);
     }
   }
 
   const corpus::Case& problem_;
+  const DrawSettings& settings_;
   int width_;
   Scene scene_;
   View view_;

@@ -115,6 +115,41 @@ void Panel::body(Canvas& canvas, bool is_b, Real t, Style style) {
   if (style != Style::ghost) seen_.push_back({is_b, t, box});
 }
 
+// Where the bodies are at the times of wrong answers.
+void Panel::claims(Canvas& canvas, bool is_detail) {
+  const corpus::Case& problem = *scene_.problem;
+  for (const DrawClaim& claim : claims_) {
+    if (!claim.is_wrong || !claim.time) continue;
+    for (const bool is_b : {false, true}) {
+      if (!(is_b ? moves(problem.b, problem.spin_b) : moves(problem.a, problem.spin_a))) continue;
+      const Pose pose = is_b ? scene_.pose_b(*claim.time, about_) : scene_.pose_a(*claim.time, about_);
+      const std::vector<Flat> points = pixel_outline((is_b ? problem.b : problem.a).shape, pose);
+      if (points.empty()) continue;
+      canvas.polygon(points, "none", 0, {.colour = kWrongColour, .width = 1.6, .dashes = "5 3"});
+      if (is_detail) continue;  // it is named in the picture of the whole
+      place(canvas, box_of(points), std::string(is_b ? "B" : "A") + " as claimed", kWrongColour, Side::above);
+    }
+  }
+}
+
+void Panel::draw_axes(Canvas& canvas) {
+  constexpr Real kLength = 24, kLeast = Real(0.15);
+  const Flat middle(frame_.x + frame_.width - 44, frame_.y + frame_.height - 44);
+  for (int i = 0; i < 3; ++i) {
+    const Flat d = view_.project(Vec::Unit(i));
+    if (!(d.norm() > kLeast)) continue;
+    const Flat tip = middle + kLength * Flat(d[0], -d[1]);
+    const Flat beyond = middle + (kLength + 9) * Flat(d[0], -d[1]);
+    canvas.polyline({middle, tip}, {.colour = kPale, .width = 1.2});
+    canvas.arrow_head(middle, tip, kPale);
+    canvas.text(beyond[0], beyond[1] + 4, std::string(1, "xyz"[i]), kSmallText, kPale, false, "middle");
+  }
+  const auto part = [&](int i) { return static_cast<double>(view_.towards[i]); };
+  const std::string words = fmt::format("seen from ({:.2f}, {:.2f}, {:.2f})", part(0), part(1), part(2));
+  canvas.label(frame_.x + frame_.width - text_width(words, kSmallText) - 8, frame_.y + 14, words, kSmallText,
+               kPale);
+}
+
 // Of a hull: what it lists and does not show as a corner is part of the case.
 void Panel::listed_vertices(Canvas& canvas, const Shape<double>& shape, const Pose& pose,
                             std::string_view colour) {
@@ -284,6 +319,7 @@ void Panel::draw(Canvas& canvas, const std::string& note, bool is_detail) {
   }
   body(canvas, false, scene_.moment, Style::moment);
   body(canvas, true, scene_.moment, Style::moment);
+  claims(canvas, is_detail);
   target(canvas);
   if (a_moves) path(canvas, false);
   if (b_moves) path(canvas, true);

@@ -1,9 +1,11 @@
 // One frame of a picture: a part of the scene, at one magnification.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "draw/canvas.hpp"
+#include "draw/draw.hpp"
 #include "draw/scene.hpp"
 
 namespace graze::draw {
@@ -28,6 +30,11 @@ class Panel {
         window_(window),
         scale_(frame.width / (2 * window.half_width)) {}
 
+  // The wrong ones with a time are drawn, dashed.
+  void set_claims(std::span<const DrawClaim> claims) { claims_ = claims; }
+  // The world's axes, in the lower right corner, and where the picture is seen from.
+  void draw_axes(Canvas& canvas);
+
   // Pixels of one unit of length.
   [[nodiscard]] Real scale() const { return scale_; }
   [[nodiscard]] Flat to_pixels(const Flat& p) const;
@@ -37,6 +44,7 @@ class Panel {
 
  private:
   enum class Style { ghost, start, moment };
+  void claims(Canvas& canvas, bool is_detail);
 
   [[nodiscard]] Window clipping() const;
   [[nodiscard]] std::vector<Flat> pixel_outline(const Shape<double>& shape, const Pose& pose) const;
@@ -60,6 +68,7 @@ class Panel {
   Vec about_;
   Window window_;
   Real scale_;
+  std::span<const DrawClaim> claims_;
   std::vector<Rectangle> taken_;
   struct Seen {
     bool is_b;

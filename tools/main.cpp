@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
   graze::tool::add_merge_command(app, exit_code);
   graze::tool::add_generate_command(app, exit_code);
   graze::tool::add_draw_command(app, exit_code);
+  graze::tool::add_show_command(app, exit_code);
+  graze::tool::add_report_command(app, exit_code);
   graze::tool::add_laws_command(app, exit_code);
   graze::tool::add_serve_command(app, exit_code);
   graze::tool::add_corpus_command(app, exit_code);

@@ -15,10 +15,13 @@
 #include "certify/engine_report.hpp"
 #include "certify/intake.hpp"
 #include "certify/report.hpp"
+#include "certify/report_page.hpp"
+#include "certify/worst_cases.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
+#include "show/page.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/law.hpp"
@@ -38,6 +41,11 @@ constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
 constexpr int kSmallerAsks = 2000;
 constexpr double kSmallerSeconds = 20;
 
+// Cases that a report holds in full: a page of more takes long to make, and to open.
+struct ReportDefaults {
+  static constexpr std::size_t kCases = 40, kMost = 1000;
+};
+
 struct Arguments {
   std::vector<std::string> files, families, methods, law_names;
   EngineArguments engines;
@@ -46,7 +54,8 @@ struct Arguments {
   bool stability = false, laws = false, full = false, thorough = false, fail_fast = false;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
-  std::string corpus, guarantees, save, plot, json, junit, findings;
+  std::string corpus, guarantees, save, plot, json, junit, findings, report;
+  std::size_t report_cases = ReportDefaults::kCases;
 
   // All of ours, unless engines of others are to be judged.
   [[nodiscard]] std::vector<std::string> our_methods() const {
@@ -223,6 +232,29 @@ void print_screen(const Certification& certification, const Settings& settings) 
       "grants. --full: all.\n");
 }
 
+// What asks for the same judgement again; what is written where is left out.
+std::string command_line(const Arguments& arguments) {
+  std::string text = "graze certify";
+  const auto add = [&](const char* option, const std::string& value) {
+    const bool plain = value.find_first_of(" '\"$&|;<>()") == std::string::npos;
+    text += fmt::format("{}{}{}{}{}", *option == 0 ? "" : " ", option, plain ? " " : " '", value,
+                        plain ? "" : "'");
+  };
+  for (const std::string& file : arguments.files) add("", file);
+  for (const std::string& family : arguments.families) add("--family", family);
+  for (const std::string& method : arguments.methods) add("--method", method);
+  for (const std::string& engine : arguments.engines.commands) add("--engine", engine);
+  if (arguments.thorough) text += " --thorough";
+  if (arguments.count) add("--count", fmt::to_string(*arguments.count));
+  if (arguments.rotating) add("--rotating", fmt::to_string(*arguments.rotating));
+  if (arguments.queries) add("--queries", fmt::to_string(*arguments.queries));
+  if (arguments.seed != 1) add("--seed", fmt::to_string(arguments.seed));
+  if (arguments.oracle_every != kOracleEvery) add("--oracle-every", fmt::to_string(arguments.oracle_every));
+  if (!arguments.guarantees.empty()) add("--guarantees", arguments.guarantees);
+  if (!arguments.corpus.empty()) add("--corpus", arguments.corpus);
+  return text;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.laws) return show_laws(arguments);
   const auto start = std::chrono::steady_clock::now();
@@ -244,11 +276,18 @@ int run(const Arguments& arguments) {
     require_folder(arguments.plot);
   }
   if (!arguments.findings.empty()) require_folder(arguments.findings);
+  if (!arguments.report.empty()) require_folder(arguments.report);
   if (arguments.stability) return show_stability(arguments, settings);
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
   std::unique_ptr<OutputFile> json;
   if (!arguments.json.empty()) json = std::make_unique<OutputFile>(arguments.json);
+  std::unique_ptr<OutputFile> page, beside_page;
+  if (!arguments.report.empty()) {
+    const std::filesystem::path folder = arguments.report;
+    page = std::make_unique<OutputFile>((folder / "index.html").string());
+    beside_page = std::make_unique<OutputFile>((folder / "certification.json").string());
+  }
   std::unique_ptr<OutputFile> junit;
   if (!arguments.junit.empty()) junit = std::make_unique<OutputFile>(arguments.junit);
 
@@ -272,11 +311,31 @@ int run(const Arguments& arguments) {
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
+  WorstCases worst;
+  if (page) {
+    settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method& method,
+                          const law::Judgement& judgement) { worst.note(suite, i, method, judgement); };
+  }
   Certification certification = certify(intake.suites, settings);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   const std::vector<EngineFinding> findings =
-      arguments.findings.empty() ? std::vector<EngineFinding>{}
-                                 : engine_findings(certification, kSmallerAsks, kSmallerSeconds);
+      arguments.findings.empty() && !(page && !selection.engines().empty())
+          ? std::vector<EngineFinding>{}
+          : engine_findings(certification, kSmallerAsks, kSmallerSeconds);
+  std::string html;
+  if (page) {
+    std::string plain = verdict_line(certification, took.count());
+    if (selection.has_ours()) plain += "\n" + summary_table(certification, settings);
+    if (!selection.engines().empty()) plain += "\n" + certificates(certification, settings);
+    html = report_page({.certification = certification,
+                        .settings = settings,
+                        .worst = worst,
+                        .findings = findings,
+                        .seconds = took.count(),
+                        .command = command_line(arguments),
+                        .plain = plain,
+                        .most_scenes = arguments.report_cases});
+  }
   const std::vector<std::string> left_behind = selection.finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   fmt::print("{}", verdict_line(certification, took.count()));
@@ -298,6 +357,15 @@ int run(const Arguments& arguments) {
   if (json) {
     json->write_line(certification_json(certification, settings, took.count()));
     json->close();
+  }
+  if (page) {
+    if (!show::has_viewer())
+      complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
+    page->write_line(html.substr(0, html.size() - 1));
+    page->close();
+    beside_page->write_line(certification_json(certification, settings, took.count()));
+    beside_page->close();
+    fmt::print("The report is {}.\n", (std::filesystem::path(arguments.report) / "index.html").string());
   }
   if (junit) {
     junit->write_line(certification_junit(certification, settings, took.count()));
@@ -400,6 +468,19 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                    "Of each engine and kind of fault write a case, made small, into this folder")
       ->type_name("DIR");
   add_engine_options(*command, arguments->engines);
+  command
+      ->add_option("--report", arguments->report,
+                   "Write the report into this folder: index.html, one file to look at, which needs no "
+                   "network, and what "
+                   "was counted, certification.json")
+      ->type_name("DIR");
+  command
+      ->add_option(
+          "--report-cases", arguments->report_cases,
+          fmt::format("Of the cases that the report names, hold this many in full, the worst first ({})",
+                      ReportDefaults::kCases))
+      ->check(whole_number(0, ReportDefaults::kMost))
+      ->type_name("N");
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "
                     "(docs/stability.md)");

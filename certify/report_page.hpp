@@ -1,0 +1,26 @@
+// A certification as a page to look at (show/page.hpp): the verdict, who keeps what and at what price, the worst cases.
+#pragma once
+
+#include <string>
+
+#include "certify/certification.hpp"
+#include "certify/engine_findings.hpp"
+#include "certify/worst_cases.hpp"
+
+namespace graze::tool {
+
+struct ReportInput {
+  const Certification& certification;
+  const Settings& settings;
+  const WorstCases& worst;
+  const std::vector<EngineFinding>& findings;
+  double seconds = 0;
+  std::string command;           // that made the report
+  std::string plain;             // the tables as text, for a page without the viewer
+  std::size_t most_scenes = 40;  // of the cases that are named, those that can be looked at; the worst first
+};
+
+// The whole of index.html.
+[[nodiscard]] std::string report_page(const ReportInput& input);
+
+}  // namespace graze::tool

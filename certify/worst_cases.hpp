@@ -1,0 +1,47 @@
+// Which cases a report names: of each method and family the first of every fault, and the one whose error is the largest
+// part of its limit.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/suites.hpp"
+#include "properties/judge/judgement.hpp"
+
+namespace graze::tool {
+
+class WorstCases {
+ public:
+  // A case of a suite, which is drawn again when it is looked at: the suites outlive this.
+  struct Place {
+    const Suite* suite = nullptr;
+    std::size_t index = 0;
+    // As the method was asked it.
+    [[nodiscard]] corpus::Case problem(const engine::Method& method) const;
+  };
+  struct Named {
+    std::string id = {}, why = {};
+    double over_limit = std::numeric_limits<double>::quiet_NaN();
+    Place place = {};
+  };
+  // Of a method on a family.
+  struct Cell {
+    std::optional<Named> worst = {};
+    std::array<std::optional<Named>, law::kFaults> faults = {};
+    std::optional<Named> stalled = {};
+  };
+
+  // Told of every judgement, as Settings::judged is.
+  void note(const Suite& suite, std::size_t i, const engine::Method& method, const law::Judgement& judgement);
+
+  // nullptr where nothing of the method and family is kept.
+  [[nodiscard]] const Cell* find(const engine::Method& method, const std::string& family) const;
+
+ private:
+  std::map<std::pair<const engine::Method*, std::string>, Cell> cells_;
+};
+
+}  // namespace graze::tool

@@ -1,0 +1,17 @@
+// The page that is looked at: one HTML file, the viewer within it, its data within it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace graze::show {
+
+// Was the viewer built into this program? (It takes Node to build; docs/show.md.)
+[[nodiscard]] bool has_viewer();
+
+// The whole page. `data` is graze.page/1 (docs/show.md): what there is to see. Without the viewer the page holds the
+// words `plain` and the still pictures of the scenes, and says that it lacks the viewer.
+[[nodiscard]] std::string page_html(const std::string& title, const nlohmann::ordered_json& data,
+                                    const std::string& plain);
+
+}  // namespace graze::show

@@ -1,0 +1,65 @@
+// graze report: the page of a price list that was measured before.
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "corpus/format/case_json.hpp"
+#include "report/inputs.hpp"
+#include "show/page.hpp"
+#include "show/price_page.hpp"
+#include "tools/commands/commands.hpp"
+
+namespace graze::tool {
+namespace {
+
+struct Arguments {
+  std::string file, out = "-";
+};
+
+std::string text_of(const std::string& name) {
+  if (name == "-") return read_stdin();
+  corpus::FileText file = corpus::read_whole_file(name);
+  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
+  return std::move(file.text);
+}
+
+int run(const Arguments& arguments) {
+  will_read({arguments.file});
+  OutputFile out(arguments.out);
+  std::string html;
+  try {
+    html = show::price_page(show::read_price(text_of(arguments.file)));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(arguments.file + ": " + error.what());
+  }
+  if (!show::has_viewer())
+    complain("this graze was built without Node: the page lacks the viewer (docs/show.md)");
+  out.write_line(html.substr(0, html.size() - 1));
+  out.close();
+  return 0;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("report", "Makes the page of a price list: figures, and the cases behind them.");
+  command
+      ->add_option("file", arguments->file,
+                   "graze.price/1, as graze price --json writes it; - is standard input")
+      ->required()
+      ->type_name("PRICE.json");
+  command->add_option("--out", arguments->out, "The page; without it, standard output")
+      ->type_name("OUT.html");
+  command->footer(
+      "One file that opens anywhere, without a network: error against time, growth, what each request adds. "
+      "A mark says\n"
+      "what it stands for where it is pointed at, and shows its case where it is pressed.\n\n"
+      "  graze report price.json --out price.html\n\n"
+      "Exit code: 0, or 2 if the file is no price list.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,36 @@
+// The page: what its data says it is. graze.page/1: {"kind": "show", "certify" or "price", "title", "scenes": […], …}.
+import { h } from "./dom.js";
+import { sceneView } from "./scene.js";
+import { reportPage } from "./report.js";
+
+// One case, or one of several that are chosen by a list.
+function showPage(page, data) {
+  const holder = h("div", { class: "holder" });
+  let open = null;
+  const show = (scene) => {
+    open?.dispose();
+    open = sceneView(scene, data.scenes.length > 1 ? "h2" : "h1");
+    holder.replaceChildren(open.element);
+  };
+  if (data.scenes.length > 1) {
+    page.append(h("h1", {}, data.title));
+    const choose = h("select", { "aria-label": "case", onchange: () => show(data.scenes[Number(choose.value)]) },
+      data.scenes.map((scene, i) => h("option", { value: i },
+        `${scene.id}${scene.answers?.some((answer) => answer.fault) ? ": an answer is at fault" : ""}`)));
+    const step = (by) => () => {
+      choose.value = String((Number(choose.value) + by + data.scenes.length) % data.scenes.length);
+      show(data.scenes[Number(choose.value)]);
+    };
+    page.append(h("nav", { class: "choose" }, h("button", { type: "button", class: "tool", onclick: step(-1) }, "Previous"), choose,
+      h("button", { type: "button", class: "tool", onclick: step(1) }, "Next")));
+  }
+  page.append(holder);
+  show(data.scenes[0]);
+}
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const page = document.getElementById("page");
+if (data.kind === "show") showPage(page, data);
+else reportPage(page, data);
+page.append(h("footer", { class: "small" }, h("details", {}, h("summary", {}, "Licences of what draws this page"),
+  h("pre", { class: "licences", tabindex: 0 }, document.getElementById("licences").textContent))));
