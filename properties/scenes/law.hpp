@@ -1,7 +1,8 @@
 // The law of scenes: what a scene spares changes no verdict, and brackets meet.
 //
-// The one side is the run with every economy off, of every pair and each probe with each body: no bounds, no
-// horizon, and every effect is simulated for all. The other has economies on. Then
+// The one side asks core of every pair and of each probe with each body, over the whole step, without a line of
+// scene's and without a plan: bodies of which one turns by bilateral advancement, whatever may be seen of it,
+// the others by a linear cast. The other side is the scene's run. Then
 //
 //   pair     what one proves to touch the other does not deny, and their brackets have a time in common;
 //   first    the first event by the one may be the first by the other: the brackets of the two firsts have a
@@ -26,8 +27,7 @@ struct SceneTally {
   scene::Counts spared;  // of the runs with economies, summed
 };
 
-// Empty, or how the runs contradict each other. `options` say which economies the one side has; the other has
-// none. Both sides are counted into the tally.
+// Empty, or how the two sides contradict each other. Both are counted into the tally.
 [[nodiscard]] std::string scene_law(const scene::Scene& scene, const scene::Options& options,
                                     SceneTally& tally);
 
