@@ -69,7 +69,7 @@ TEST(Scene, WhatIsAskedBoundsWhatIsStarted) {
   EXPECT_EQ(pairs_of(scene, all), pairs_of(scene, first));
 }
 
-TEST(Scene, TheTraffickersOfADiagonalDoNotMeetAllThatTheirBoxesHold) {
+TEST(Scene, BodiesOnADiagonalDoNotMeetAllThatTheBoxesOfTheirWaysHold) {
   // Bodies that fly one after the other along a diagonal: boxes at rest about their ways would meet n^2 / 2
   // times, moving ones never.
   Scene scene;
@@ -224,14 +224,14 @@ bool same(const std::vector<Event>& l, const std::vector<Event>& r) {
 
 TEST(Scene, TheSameBitsInAnyNumberOfThreads) {
   std::size_t events = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     law::RandomScene drawn = law::random_scene(seed);
     // Many copies of it, so that there is more than one part.
     Scene many;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < 12; ++k) {
       for (Member member : drawn.scene.bodies) {
         member.name += "/" + std::to_string(k);
-        member.body.body.position += Vec3<double>(0.25 * k, 0, 0);
+        member.body.body.position += Vec3<double>(2.5 * k, 0, 0);
         many.bodies.push_back(std::move(member));
       }
     }
@@ -246,7 +246,7 @@ TEST(Scene, TheSameBitsInAnyNumberOfThreads) {
     EXPECT_EQ(one.counts, three.counts) << to_text(one.counts) << to_text(three.counts);
     events += one.events.size();
   }
-  EXPECT_GT(events, 1000u);
+  EXPECT_GT(events, 500u);
 }
 
 TEST(Scene, ThePlanIsWhatIsRun) {
@@ -285,7 +285,7 @@ void expect_same(const CastResult<double>& l, const CastResult<double>& r) {
 
 TEST(CastAll, AnswersAreThoseOfSingleCasts) {
   int outcomes[5] = {};
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const law::RandomScene drawn = law::random_scene(seed);
     std::vector<Body<double>> bodies;
     for (const Member& member : drawn.scene.bodies) bodies.push_back(member.body.body);
@@ -319,10 +319,10 @@ TEST(CastAll, AnswersAreThoseOfSingleCasts) {
       }
     }
   }
-  EXPECT_GT(outcomes[static_cast<int>(Outcome::hit)], 500);
-  EXPECT_GT(outcomes[static_cast<int>(Outcome::miss)], 500);
-  EXPECT_GT(outcomes[static_cast<int>(Outcome::initially_overlapping)], 500);
-  EXPECT_GT(outcomes[static_cast<int>(Outcome::invalid_input)], 500);
+  EXPECT_GT(outcomes[static_cast<int>(Outcome::hit)], 100);
+  EXPECT_GT(outcomes[static_cast<int>(Outcome::miss)], 100);
+  EXPECT_GT(outcomes[static_cast<int>(Outcome::initially_overlapping)], 100);
+  EXPECT_GT(outcomes[static_cast<int>(Outcome::invalid_input)], 100);
 }
 
 TEST(CastAll, TurningBodiesToo) {

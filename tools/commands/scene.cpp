@@ -1,7 +1,7 @@
 // graze scene: what first touches what in a scene, and what had to be simulated to say so.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -24,6 +24,10 @@ struct Settings {
   std::uint64_t most_pairs = scene::Options{}.most_pairs;
   bool json = false, plan = false, gains = false;
 };
+
+// Of --gains: so many rounds, or until so much processor time is spent.
+constexpr int kMostRounds = 15;
+constexpr double kGainsSeconds = 8;
 
 std::string economy_names() {
   std::string text;
@@ -118,7 +122,7 @@ class Run {
                            report.counts.unfinished));
     }
     if (proofs_) write_proofs(document, report);
-    if (settings_.gains && report.status == scene::Status::complete) show_gains(document, report);
+    if (settings_.gains && report.status == scene::Status::complete) show_gains(document);
   }
 
   // With progress on stderr, and a stop by signal between two parts.
@@ -182,20 +186,35 @@ class Run {
     }
   }
 
-  // The best of a few runs, as far as a second lasts.
-  static double time_of(const scene::Document& document, scene::Report& report) {
-    double least = 0, spent = 0;
-    for (int k = 0; k < 9 && spent < 1 && StopBySignal::received() == 0; ++k) {
-      report = scene::run(document.scene, document.options);
-      const double one = report.times.bounds + report.times.casts;
-      least = k == 0 ? one : std::min(least, one);
-      spent += one;
-    }
-    return least;
-  }
+  struct Variant {
+    std::string name;
+    scene::Economies economies;
+    scene::Report report = {};
+    double seconds = kInfinity<double>;
+  };
 
-  // Each economy off alone, and all of them: what it spares.
-  void show_gains(scene::Document document, const scene::Report& with) {
+  // Each economy off alone, and all of them: what it spares. In one thread, processor time; the variants take
+  // turns, so that what else the machine does is spread over them, and each one's best run counts.
+  void show_gains(scene::Document document) {
+    std::vector<Variant> variants = {{"-", economies_}};
+    for (int k = 0; k < scene::kEconomies; ++k) {
+      const auto one = static_cast<scene::Economy>(k);
+      if (economies_.has(one)) variants.push_back({std::string(to_text(one)), economies_.without(one)});
+    }
+    variants.push_back({"all of them", scene::Economies::none()});
+    document.options.threads = 1;
+    double spent = 0;
+    for (int round = 0; round < kMostRounds && spent < kGainsSeconds; ++round) {
+      for (Variant& variant : variants) {
+        if (StopBySignal::received() != 0) return;
+        document.options.economies = variant.economies;
+        const std::clock_t start = std::clock();
+        variant.report = scene::run(document.scene, document.options);
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        variant.seconds = std::min(variant.seconds, seconds);
+        spent += seconds;
+      }
+    }
     Table table({{"without", Align::left},
                  {"casts"},
                  {"static"},
@@ -205,31 +224,22 @@ class Run {
                  {"ms"},
                  {"times"},
                  {"events"}});
-    double base = 0;
-    const auto row = [&](const std::string& name, scene::Economies economies) {
-      document.options.economies = economies;
-      scene::Report report;
-      const double time = time_of(document, report);
-      if (base == 0) base = time;
-      if (!report.wrong.empty()) {
-        table.add_row({name, "over", "the", "budget", "", "", "", "", ""});
-        return;
-      }
-      const scene::Counts& counts = report.counts;
-      table.add_row({name, fmt::to_string(counts.simulated() - counts.effects[0] + counts.probe_casts),
-                     fmt::to_string(counts.effects[1]), fmt::to_string(counts.effects[2]),
-                     fmt::to_string(counts.effects[3]), fmt::to_string(report.counters.supports),
-                     fmt::format("{:.3g}", 1e3 * time), fmt::format("{:.2f}", time / base),
-                     fmt::to_string(report.events.size() + report.probe_events.size())});
-    };
-    (void)with;
-    row("-", economies_);
-    for (int k = 0; k < scene::kEconomies; ++k) {
-      const auto one = static_cast<scene::Economy>(k);
-      if (economies_.has(one)) row(std::string(to_text(one)), economies_.without(one));
-    }
-    row("all", scene::Economies::none());
+    for (const Variant& variant : variants) table.add_row(row_of(variant, variants.front().seconds));
     fmt::print("{}", table.text());
+  }
+  static std::vector<std::string> row_of(const Variant& variant, double base) {
+    const scene::Report& report = variant.report;
+    if (!report.wrong.empty()) return {variant.name, "over the budget", "", "", "", "", "", "", ""};
+    const scene::Counts& counts = report.counts;
+    return {variant.name,
+            fmt::to_string(counts.simulated() - counts.effects[0] + counts.probe_casts),
+            fmt::to_string(counts.effects[1]),
+            fmt::to_string(counts.effects[2]),
+            fmt::to_string(counts.effects[3]),
+            fmt::to_string(report.counters.supports),
+            fmt::format("{:.3g}", 1e3 * variant.seconds),
+            fmt::format("{:.2f}", variant.seconds / base),
+            fmt::to_string(report.events.size() + report.probe_events.size())};
   }
 
   Settings settings_;
