@@ -6,6 +6,7 @@
 //   4  plan and run, within a budget of pairs, say the same of it, and count every pair once.
 #include <algorithm>
 
+#include "corpus/format/json_value.hpp"
 #include "fuzz/target.hpp"
 #include "properties/scenes/generate.hpp"
 #include "properties/scenes/law.hpp"

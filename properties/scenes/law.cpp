@@ -93,6 +93,8 @@ class Comparison {
       turning.method = RotatingMethod::bilateral_advancement;
       turning.t_max = t_max;
       turning.target_distance = options_.target_distance;
+      // In tier standard a start nearer than a part of the tolerance is contact without more ado.
+      if (options_.tier == Tier::standard) turning.tolerance = options_.tolerance;
       take(graze::cast(a, b, turning));
     }
     if (out.outcome == Outcome::miss || out.outcome == Outcome::invalid_input) return {};
@@ -288,8 +290,8 @@ SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count) {
       options.economies = all ? scene::Economies() : scene::Economies().without(one);
       std::string broken = scene_law(drawn.scene, options, out.tally);
       if (broken.empty()) continue;
-      out.broken = "scene " + std::to_string(seed) + (all ? "" : " without " + std::string(to_text(one))) +
-                   ": " + broken;
+      out.broken = "scene " + std::to_string(seed) + " in tier " + std::string(to_text(options.tier)) +
+                   (all ? "" : " without " + std::string(to_text(one))) + ": " + broken;
       return out;
     }
   }
