@@ -31,7 +31,7 @@ int refuse(const std::string& what) {
 enum class Kind { text, linear, turning, any };
 
 std::optional<Kind> kind_of(const std::string& target) {
-  if (target == "case_files") return Kind::text;
+  if (target == "case_files" || target == "scene_files") return Kind::text;
   if (target == "rotating_cast" || target == "plans") return Kind::turning;
   if (target == "made_up_proofs" || target == "proof_attack") return Kind::any;
   for (const char* linear :

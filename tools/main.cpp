@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
       "be\n"
       "written, which one line on stderr explains. A file that is read is never written over.");
   graze::tool::add_cast_command(app, exit_code);
+  graze::tool::add_scene_command(app, exit_code);
   graze::tool::add_check_command(app, exit_code);
   graze::tool::add_certify_command(app, exit_code);
   graze::tool::add_judge_command(app, exit_code);

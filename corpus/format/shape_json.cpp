@@ -110,19 +110,6 @@ Shape<double> read_hull(const JsonValue& value, const std::string& path, int) {
   return Hull<double>(std::span<const Vec3<double>>(vertices));
 }
 
-Quaternion<double> read_orientation(const JsonValue& value, const std::string& path) {
-  constexpr std::string_view kForm = "an orientation is an array of four numbers w, x, y, z, not all zero";
-  if (value.kind != JsonValue::Kind::array || value.items.size() != 4) {
-    throw Malformed{path, describe(value) + "; " + std::string(kForm)};
-  }
-  double q[4];
-  for (std::size_t i = 0; i < 4; ++i) q[i] = read_number(value.items[i], item_path(path, i));
-  if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0) {
-    throw Malformed{path, "a zero quaternion; " + std::string(kForm)};
-  }
-  return {q[0], q[1], q[2], q[3]};
-}
-
 SharedShape<double> read_part(const Fields& fields, const std::string& right, int depth) {
   return share(read_nested(fields.required("shape", right), fields.path("shape"), depth + 1));
 }
@@ -271,6 +258,19 @@ struct ShapeWriter {
 };
 
 }  // namespace
+
+Quaternion<double> read_orientation(const JsonValue& value, const std::string& path) {
+  constexpr std::string_view kForm = "an orientation is an array of four numbers w, x, y, z, not all zero";
+  if (value.kind != JsonValue::Kind::array || value.items.size() != 4) {
+    throw Malformed{path, describe(value) + "; " + std::string(kForm)};
+  }
+  double q[4];
+  for (std::size_t i = 0; i < 4; ++i) q[i] = read_number(value.items[i], item_path(path, i));
+  if (q[0] == 0 && q[1] == 0 && q[2] == 0 && q[3] == 0) {
+    throw Malformed{path, "a zero quaternion; " + std::string(kForm)};
+  }
+  return {q[0], q[1], q[2], q[3]};
+}
 
 Shape<double> read_shape(const JsonValue& value, const std::string& path) {
   return read_nested(value, path, 0);

@@ -16,6 +16,7 @@ inline constexpr int kMaxShapeDepth = 16;
 
 // Throw Malformed.
 [[nodiscard]] Shape<double> read_shape(const JsonValue& value, const std::string& path);
+[[nodiscard]] Quaternion<double> read_orientation(const JsonValue& value, const std::string& path);
 [[nodiscard]] MovingBody read_body(const JsonValue& value, const std::string& path);
 
 // True unless every component is +0: what a writer may leave out without losing a bit.

@@ -1,5 +1,5 @@
 // read_documents KIND: reads a document a line with the readers that graze itself has, and prints of each a line: "ok", or
-// what is wrong with it. KIND is case, proof, engine, or, of answers, the query: cast, distance, penetration. An answer is
+// what is wrong with it. KIND is case, proof, engine, scene, or, of answers, the query: cast, distance, penetration. An answer is
 // one to the question "q1", of an engine that promises all that an answer to such a query holds.
 #include <iostream>
 #include <stdexcept>
@@ -9,6 +9,7 @@
 #include "corpus/format/proof_io.hpp"
 #include "external/answer.hpp"
 #include "external/declaration.hpp"
+#include "scene/format/scene_io.hpp"
 
 namespace graze {
 namespace {
@@ -21,6 +22,11 @@ std::string wrong_with_case(const std::string& line) {
 std::string wrong_with_proof(const std::string& line) {
   const corpus::ProofReadResult read = corpus::read_proofs_text(line, "line");
   return read.ok() ? "" : read.errors[0].text();
+}
+
+std::string wrong_with_scene(const std::string& line) {
+  const scene::ReadResult read = scene::read_scene_text(line, "line");
+  return read.document ? "" : read.errors[0].text();
 }
 
 std::string wrong_with_engine(const std::string& line) {
@@ -47,6 +53,7 @@ std::string wrong_with_answer(const std::string& line, const std::string& query)
 std::string wrong_with(const std::string& kind, const std::string& line) {
   if (kind == "case") return wrong_with_case(line);
   if (kind == "proof") return wrong_with_proof(line);
+  if (kind == "scene") return wrong_with_scene(line);
   if (kind == "engine") return wrong_with_engine(line);
   return wrong_with_answer(line, kind);
 }

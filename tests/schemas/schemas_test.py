@@ -17,7 +17,7 @@ import jsonschema
 
 warnings.simplefilter("ignore", DeprecationWarning)
 
-KINDS = ("case", "engine", "question", "answer", "proof", "certification", "price")
+KINDS = ("case", "engine", "question", "answer", "proof", "certification", "price", "scene", "events")
 
 
 def no_number(word):
@@ -205,6 +205,17 @@ SOUND = {
     "penetration": [{**HEAD, "outcome": "initially_overlapping", "depth": {"lower": 1, "upper": 2}, "normal": [1, 0, 0],
                      "point_a": [0, 0, 0], "point_b": [2, 0, 0]}],
 }
+SCENE = {"schema": "graze.scene/1", "id": "s", "comment": "why", "tier": "certified", "ask": "body",
+         "request": ["normal", "proof"], "t_max": 2, "target_distance": 0.5, "tolerance": 0,
+         "shapes": [{"name": "ball", "shape": SHAPES[3]}],
+         "bodies": [{"name": "a", "shape": SHAPES[5], **POSE, "displacement": [1, 0, 0], "rotation": [0, 0, 1],
+                     "pivot": [0, 1, 0], "group": 2, "mask": 3},
+                    {"name": "b", "shape": "ball", "position": [9, 0, 0]}],
+         "rays": [{"name": "sight", "origin": [0, 0, 0], "displacement": [1, 0, 0], "t_max": "inf", "ask": "all",
+                   "group": 1, "mask": 7}],
+         "casts": [{"name": "drone", "shape": "ball", **POSE, "displacement": [1, 0, 0], "rotation": [0, 0, 1],
+                    "pivot": [0, 0, 0], "t_max": 2, "ask": "first"}]}
+SOUND["scene"] = [SCENE, {"schema": "graze.scene/1", "id": "nothing"}]
 # In the place of any value.
 OTHERS = [None, True, "x", "", -1, 0, 1.5, "inf", "-inf", "nan", "0x1p+2", [], {}, [1, 2], [0, 0, 0], [0, 0, 0, 0]]
 
@@ -212,6 +223,7 @@ OTHERS = [None, True, "x", "", -1, 0, 1.5, "inf", "-inf", "nan", "0x1p+2", [], {
 # what they hold where they are not looked at.
 UNSAID = [
     r"lower is above upper", r"upside down", r"no vertex [0-9]+", r"it answers ", r"has length", r"is not between 0", r"^time is infinite",
+    r"unknown shape", r"already; each has its own name", r"displacement: is zero", r"is infinite, and it turns",
     r"0 < least <= most", r"\.(pi|time)?: missing; (normal|point_a|point_b|distance|depth|time) ",
     r"^(normal|point_a|point_b|distance|depth|time): missing", r"a fraction of a family is at most 1",
 ]
@@ -302,12 +314,25 @@ def agreement(check, reader):
     return refused, unsaid
 
 
+def scenes(check, folder, graze):
+    files = sorted(folder.glob("*.json"))
+    check.expect(len(files) >= 6, f"{folder}: only {len(files)} scenes")
+    for file in files:
+        check.expect_valid("scene", load(file.read_text()), file.name)
+        ran = subprocess.run([graze, "scene", "--json", file], capture_output=True, text=True)
+        check.expect(ran.returncode == 0, f"graze scene {file.name}: {ran.stderr}")
+        if ran.returncode == 0:
+            check.expect_valid("events", load(ran.stdout), f"the events of {file.name}")
+
+
 def main():
     source, graze, reader = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
     check = Check(source / "schemas")
     corpus(check, source / "corpus")
     examples(check, source / "docs" / "engines.md", {"engine", "answer"})
     examples(check, source / "docs" / "case-format.md", {"case"})
+    scenes(check, source / "examples" / "scenes", graze)
+    examples(check, source / "docs" / "scenes.md", {"scene"})
     refused, unsaid = agreement(check, reader)
     questions(check, graze, pathlib.Path(__file__).resolve().parent)
     price_list(check, graze)

@@ -26,7 +26,7 @@ for template in pathlib.Path("adapter/templates").glob("*.cpp"):  # Built by its
                     "command": f"c++ -std=c++17 -Wall -Wextra -I {file.parent.parent} -o {folder}/template.o -c {file}"})
 (folder / "compile_commands.json").write_text(json.dumps(entries))
 EOF
-mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines external fuzz properties report show tools viewer examples \
+mapfile -t files < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find adapter certify corpus draw engines external fuzz price properties report scene show tools viewer examples \
   -path engines/zoo -prune -o -path viewer/node_modules -prune -o -name '*.cpp' -print | sort); ls "$plain"/headers/*.cpp)
 ((${#files[@]} > 10)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
 said=$(printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P 2 clang-tidy-14 --quiet --extra-arg=-Wno-unknown-warning-option -p "$plain" 2>&1) && failed=0 || failed=1

@@ -7,6 +7,7 @@
 namespace graze::tool {
 
 void add_cast_command(CLI::App& app, int& exit_code);
+void add_scene_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_campaign_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);

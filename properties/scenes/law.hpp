@@ -1,0 +1,41 @@
+// The law of scenes: what a scene spares changes no verdict, and brackets meet.
+//
+// The one side asks core of every pair and of each probe with each body, over the whole step, without a line of
+// scene's and without a plan: bodies of which one turns by bilateral advancement, whatever may be seen of it,
+// the others by a linear cast. The other side is the scene's run. Then
+//
+//   pair     what one proves to touch the other does not deny, and their brackets have a time in common;
+//   first    the first event by the one may be the first by the other: the brackets of the two firsts have a
+//            time in common, no event is one that cannot be the first, and one that must be is there;
+//   body     the same for each body's events;
+//   verdict  there is a contact by both, or by neither.
+//
+// A pair that either leaves open (not_converged) may be anything; its bracket has to meet all the same. In
+// tiers certified and exact all that is a matter of proof. Tier standard answers for shapes near the given
+// ones: its brackets may miss each other by kStandardSlack, which is for scenes in general position.
+#pragma once
+
+#include <graze/scene.hpp>
+
+namespace graze::law {
+
+// Of a time in a step of 1: roundings of 1e-13 at motions a thousandth of which is along the normal.
+inline constexpr double kStandardSlack = 1e-9;
+
+struct SceneTally {
+  std::uint64_t scenes = 0, contacts = 0, open = 0, probe_contacts = 0;
+  scene::Counts spared;  // of the runs with economies, summed
+};
+
+// Empty, or how the two sides contradict each other. Both are counted into the tally.
+[[nodiscard]] std::string scene_law(const scene::Scene& scene, const scene::Options& options,
+                                    SceneTally& tally);
+
+// As many scenes from this seed on, each with every economy on and with one of them off.
+struct SceneLawRun {
+  SceneTally tally;
+  std::string broken;  // the first break, with its seed; empty if there is none
+};
+[[nodiscard]] SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count);
+
+}  // namespace graze::law

@@ -1,0 +1,46 @@
+// Many casts at once. Each answer is that of the single cast, graze::cast(a, b, options), to the bit; in any
+// number of threads.
+//
+// Nothing is allocated but the threads themselves (and what a cast allocates, which is a requested proof of a
+// turning body): the caller holds questions and answers, and with threads = 1 (or 0) the caller's thread does
+// all. Of one body against many its bounds are computed once: a motion that stays clear of them, by 2^-36 of
+// the pair's scale and more, is a miss without a cast. Such a miss has no counters and names no method that
+// searched; everything else in it is the single cast's.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/rotating_cast.hpp>
+#include <span>
+
+namespace graze::scene {
+
+// Two bodies that live as long as the call.
+struct Question {
+  const Body<double>* a;
+  const Body<double>* b;
+};
+struct RotatingQuestion {
+  const RotatingBody<double>* a;
+  const RotatingBody<double>* b;
+};
+
+// answers[k] to questions[k]; as many answers as questions are written: the lesser of both sizes.
+void cast_all(std::span<const Question> questions, std::span<CastResult<double>> answers,
+              const CastOptions<double>& options = {}, unsigned threads = 1);
+void cast_all(std::span<const RotatingQuestion> questions, std::span<RotatingResult<double>> answers,
+              const RotatingOptions<double>& options = {}, unsigned threads = 1);
+
+// One body against many: cast(one, many[k]).
+void cast_all(const Body<double>& one, std::span<const Body<double>> many,
+              std::span<CastResult<double>> answers, const CastOptions<double>& options = {},
+              unsigned threads = 1);
+
+// Many rays, each the path of a point, against one body that stays: cast(body, point).
+struct RayQuestion {
+  Vec3<double> origin = Vec3<double>::Zero(), displacement = Vec3<double>::Zero();
+};
+void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays,
+               std::span<CastResult<double>> answers, const CastOptions<double>& options = {},
+               unsigned threads = 1);
+
+}  // namespace graze::scene

@@ -1,0 +1,80 @@
+// What a body sweeps: bounds linear in time, rounded outward.
+//
+// Own frame: the shape's core lies in the box of centre m and half extents e, and a ball of radius r is added
+// (`core_box`). World, R = R(orientation), p = position:
+//
+//   linear    c = p + R m,        h_i = sum_j |R_ij| e_j + r
+//   turning   c = p + R pivot,    h_i = |points - pivot| + r at any angle,
+//   or        the linear motion's c and h, with the sway: no point gets farther than min(|w| t, 2) times its
+//             distance from the pivot from where the linear motion has it.
+//
+// Rounding. Entries of R are within 9 u (offset.hpp) of theirs, |R_ij| <= 1. A component of R m has three
+// products and two sums: within (9 + 3) u |m|_1; p + R m within u (|p| + |m|_1) more; of h the same with e.
+// A distance of two points within u of either's coordinates, a norm within 4 u of itself. All are below 16 u
+// of L = |p|_1 + |m|_1 + |e|_1 + |pivot|_1 + r, of which 32 u are added to h. At the end c + v t: within
+// 2 u (|c| + |v| t). A difference c - h rounds by u (|c| + h): 8 u of both are taken off. 2^-1000 stands for
+// what underflows.
+#include <graze/rotating/mobility.hpp>
+
+#include <graze/scene/swept_box.hpp>
+
+namespace graze::scene {
+namespace {
+
+constexpr double u = kUnitRoundoff<double>;
+
+struct CoreBox {
+  Vec3<double> middle, half;
+  double radius;
+};
+
+// Core's bounds round by one u of each number that they are made of; what a combinator's own points may lie
+// beyond is said by core.
+CoreBox core_box(const Shape<double>& shape) {
+  const detail::Bounds bounds = detail::bounds(shape);
+  const Vec3<double> middle = bounds.center + bounds.middle;
+  const Vec3<double> lost = 8 * u * (bounds.center.cwiseAbs() + bounds.middle.cwiseAbs() + bounds.half);
+  const double beyond = detail::beyond_bounds(shape, bounds);
+  return {middle, bounds.half + lost + Vec3<double>::Constant(beyond), bounds.radius};
+}
+
+SweptBox box_of(const Vec3<double>& c, const Vec3<double>& way, const Vec3<double>& h) {
+  const Vec3<double> there = c + way;
+  const Vec3<double> lost = 8 * u * (c.cwiseAbs() + way.cwiseAbs() + h) + Vec3<double>::Constant(0x1p-1000);
+  return {c - h - lost, c + h + lost, there - h - lost, there + h + lost};
+}
+
+}  // namespace
+
+SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, double around) {
+  const CoreBox own = core_box(body.shape);
+  const bool turned = !body.orientation.is_identity();
+  const Mat3<double> R =
+      turned ? detail::rotation_matrix(body.orientation) : Mat3<double>(Mat3<double>::Identity());
+  const Vec3<double> way = t_end * body.displacement;
+  const double size = body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + own.half.sum() +
+                      turn.pivot.cwiseAbs().sum() + own.radius;
+  const double more = around + 32 * u * size;
+  const Vec3<double> c = body.position + R * own.middle;
+  const Vec3<double> h = (R.cwiseAbs() * own.half + Vec3<double>::Constant(own.radius + more)) * (1 + 16 * u);
+  const double angle = turn.rotation.norm() * t_end * (1 + 16 * u);
+  if (!(angle > 0)) return box_of(c, way, h);
+
+  const double reach = ((own.middle - turn.pivot).cwiseAbs() + own.half).norm() * (1 + 16 * u) + more;
+  const double sway = std::min(angle, 2.0) * reach * (1 + 16 * u);
+  const double ball = (reach + own.radius) * (1 + 16 * u);
+  if (3 * ball <= h.sum() + 3 * sway) {
+    const Vec3<double> pivot = body.position + R * turn.pivot;
+    return box_of(pivot, way, Vec3<double>::Constant(ball));
+  }
+  return box_of(c, way, h + Vec3<double>::Constant(sway));
+}
+
+double noise_around(const Body<double>& body) {
+  const CoreBox own = core_box(body.shape);
+  const double size =
+      body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + 2 * (own.half.sum() + 3 * own.radius);
+  return 0x1p-36 * size;
+}
+
+}  // namespace graze::scene

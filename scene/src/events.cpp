@@ -1,0 +1,90 @@
+#include "events.hpp"
+
+namespace graze::scene {
+namespace {
+
+bool turns(const RotatingBody<double>& body) { return body.rotation != Vec3<double>::Zero(); }
+
+Request request_of(const Options& options) {
+  return options.economies.has(Economy::asked) ? options.request : Request::everything;
+}
+
+// Neither body turns: a static overlap, or a linear cast.
+graze::Plan plan_without_turning(const RotatingBody<double>& a, const RotatingBody<double>& b,
+                                 const Options& options) {
+  graze::Plan plan;
+  plan.add(PlanReason::no_rotation);
+  plan.effects = Effects::linear;
+  if (options.economies.has(Economy::still) && a.body.displacement == b.body.displacement) {
+    plan.add(PlanReason::nothing_moves);
+    plan.effects = Effects::at_rest;
+  }
+  return plan;
+}
+
+RotatingOptions<double> turning_options(const Options& options, double t_max) {
+  RotatingOptions<double> out;
+  out.tier = options.tier;
+  out.economies = options.economies.of_a_pair();
+  out.request = request_of(options);
+  out.t_max = t_max;
+  out.target_distance = options.target_distance;
+  out.tolerance = options.tolerance;
+  return out;
+}
+
+}  // namespace
+
+Answer answer(const RotatingBody<double>& a, const RotatingBody<double>& b, const Options& options,
+              double t_max) {
+  if (turns(a) || turns(b)) return {graze::cast(a, b, turning_options(options, t_max)), {}};
+  Answer out;
+  out.result.plan = plan_without_turning(a, b, options);
+  CastOptions<double> linear;
+  linear.tier = options.tier;
+  linear.request = request_of(options);
+  linear.t_max = out.result.plan.effects == Effects::at_rest ? 0.0 : t_max;
+  linear.target_distance = options.target_distance;
+  CastResult<double> found = graze::cast(a.body, b.body, linear);
+  RotatingResult<double>& result = out.result;
+  result.outcome = found.outcome;
+  result.invalid = found.invalid;
+  result.invalid_at = found.invalid_at;
+  result.toi_lower = found.toi_lower;
+  result.toi_upper = found.toi_upper;
+  result.distance = std::max(found.distance, 0.0);
+  result.normal = found.normal;
+  result.point_a = found.point_a;
+  result.point_b = found.point_b;
+  result.counters = found.counters;
+  out.proof = found.proof;
+  return out;
+}
+
+graze::Plan plan_of(const RotatingBody<double>& a, const RotatingBody<double>& b, const Options& options) {
+  if (!turns(a) && !turns(b)) return plan_without_turning(a, b, options);
+  return graze::plan(a, b, turning_options(options, options.t_max));
+}
+
+Event event_of(std::uint32_t a, std::uint32_t b, Answer&& answer) {
+  RotatingResult<double>& found = answer.result;
+  Event out;
+  out.a = a;
+  out.b = b;
+  out.outcome = found.outcome;
+  out.toi_lower = found.toi_lower;
+  out.toi_upper = found.toi_upper;
+  out.distance = found.distance;
+  out.effects = found.plan.effects;
+  out.reasons = found.plan.reasons;
+  out.normal = found.normal;
+  out.point_a = found.point_a;
+  out.point_b = found.point_b;
+  if (answer.proof || found.proof) {
+    out.proof =
+        std::make_shared<const EventProof>(EventProof{std::move(answer.proof), std::move(found.proof)});
+  }
+  return out;
+}
+
+}  // namespace graze::scene
