@@ -939,6 +939,10 @@ class Output {
     std::fputc('\n', file_);
     return std::fflush(file_) == 0 && std::ferror(file_) == 0;
   }
+  bool bytes(const void* from, std::size_t size) {
+    std::fwrite(from, 1, size, file_);
+    return std::fflush(file_) == 0 && std::ferror(file_) == 0;
+  }
 
  private:
   std::FILE* file_ = nullptr;

@@ -6,18 +6,28 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "graze_adapter.hpp"
 #include "graze_engine.h"
+#include "host_frames.hpp"
 
 namespace graze::adapter {
 namespace {
 
+// How complaints begin. One library in a process.
+std::string& program() {
+  static std::string name;
+  return name;
+}
+
 [[noreturn]] void refuse(const std::string& what) {
-  std::fprintf(stderr, "graze_engine_host: %s\n", what.c_str());
+  std::fprintf(stderr, "%s: %s\n", program().c_str(), what.c_str());
   std::exit(2);
 }
 
@@ -185,6 +195,125 @@ Answer call(Call function, const Asked& asked, const std::vector<std::string>& a
   return out;
 }
 
+// ---- Questions and answers as bytes. ----
+
+bool read_bytes(void* to, std::size_t size) { return std::fread(to, 1, size, stdin) == size; }
+
+// Walks the bytes of a question; what is beyond their end is a question that is none.
+class Frame {
+ public:
+  Frame(const std::vector<double>& words, std::size_t first)
+      : at_(reinterpret_cast<const char*>(words.data()) + first),
+        end_(reinterpret_cast<const char*>(words.data() + words.size())) {}
+
+  graze_engine_body body() {
+    const auto& head = take<frames::BodyHead>();
+    graze_engine_body out{};
+    std::copy(std::begin(head.position), std::end(head.position), out.position);
+    std::copy(std::begin(head.orientation), std::end(head.orientation), out.orientation);
+    std::copy(std::begin(head.displacement), std::end(head.displacement), out.displacement);
+    std::copy(std::begin(head.rotation), std::end(head.rotation), out.rotation);
+    std::copy(std::begin(head.pivot), std::end(head.pivot), out.pivot);
+    out.shape = shape();
+    return out;
+  }
+
+ private:
+  template <class Head>
+  const Head& take() {
+    return *reinterpret_cast<const Head*>(skip(sizeof(Head)));
+  }
+  const char* skip(std::size_t bytes) {
+    if (bytes > static_cast<std::size_t>(end_ - at_)) refuse("a question ends before its end");
+    return std::exchange(at_, at_ + bytes);
+  }
+  graze_engine_shape shape() {
+    const auto& head = take<frames::ShapeHead>();
+    graze_engine_shape out{};
+    out.type = static_cast<graze_engine_shape_type>(head.type);
+    out.radius = head.radius;
+    out.half_height = head.half_height;
+    std::copy(std::begin(head.half_extents), std::end(head.half_extents), out.half_extents);
+    std::copy(std::begin(head.radii), std::end(head.radii), out.radii);
+    std::copy(std::begin(head.position), std::end(head.position), out.position);
+    std::copy(std::begin(head.orientation), std::end(head.orientation), out.orientation);
+    if (head.vertex_count > frames::kMostBytes || head.part_count > frames::kMostBytes)
+      refuse("a shape is too large");
+    out.vertex_count = head.vertex_count;
+    out.vertices = reinterpret_cast<const double*>(skip(3 * sizeof(double) * head.vertex_count));
+    out.part_count = head.part_count;
+    if (head.part_count == 0) return out;
+    std::vector<graze_engine_shape> parts;
+    for (std::uint64_t i = 0; i < head.part_count; ++i) parts.push_back(shape());
+    shapes_.push_back(std::move(parts));
+    out.parts = shapes_.back().data();
+    return out;
+  }
+
+  const char* at_;
+  const char* end_;
+  std::deque<std::vector<graze_engine_shape>> shapes_;
+};
+
+frames::AnswerFrame nothing_known() {
+  frames::AnswerFrame out;
+  graze_engine_answer& a = out.answer;
+  a.time = a.time_upper = a.distance = a.distance_upper = a.depth = a.depth_upper = kNothing;
+  for (std::size_t i = 0; i < 3; ++i) a.normal[i] = a.point_a[i] = a.point_b[i] = kNothing;
+  a.message[0] = '\0';
+  return out;
+}
+
+frames::AnswerFrame answer_frame(const Library& library, const frames::QuestionHead& head,
+                                 const std::vector<double>& words) {
+  Frame frame(words, sizeof head);
+  graze_engine_question question{};
+  question.query = static_cast<graze_engine_query>(head.query);
+  question.a = frame.body();
+  question.b = frame.body();
+  std::copy(std::begin(head.origin), std::end(head.origin), question.origin);
+  std::copy(std::begin(head.direction), std::end(head.direction), question.direction);
+  question.t_max = head.t_max;
+  question.target_distance = head.target_distance;
+  question.pass_over = static_cast<int>(head.pass_over);
+  const auto known = library.calls.find(static_cast<Query>(head.query));
+  if (known == library.calls.end()) {
+    frames::AnswerFrame none = nothing_known();
+    std::snprintf(none.answer.message, sizeof none.answer.message, "no such function in the library");
+    return none;
+  }
+  void* const prepared = library.begin != nullptr ? library.begin(&question) : nullptr;
+  frames::AnswerFrame out;
+  const Answer timed = call_repeatedly(
+      [&] {
+        out = nothing_known();
+        out.outcome = known->second(&question, prepared, &out.answer);
+        return Answer();
+      },
+      head.repeat);
+  if (library.end != nullptr) library.end(prepared);
+  if (timed.ns) out.ns = *timed.ns;
+  out.answer.message[sizeof out.answer.message - 1] = '\0';
+  return out;
+}
+
+int serve_frames(const Library& library, Output& output) {
+  std::vector<double> words;
+  frames::QuestionHead head;
+  while (read_bytes(&head, sizeof head)) {
+    if (head.magic != frames::kQuestion || head.size < sizeof head || head.size > frames::kMostBytes ||
+        head.size % sizeof(double) != 0)
+      refuse("the bytes are no question");
+    words.resize(head.size / sizeof(double));
+    std::memcpy(words.data(), &head, sizeof head);
+    if (!read_bytes(reinterpret_cast<char*>(words.data()) + sizeof head, head.size - sizeof head)) return 2;
+    frames::AnswerFrame out = answer_frame(library, head, words);
+    out.id = head.id;
+    if (!output.bytes(&out, sizeof out)) return 2;
+  }
+  return 0;
+}
+
 // ---- What the library says of itself. ----
 
 std::string described(const Library& library, const std::string& file) {
@@ -238,7 +367,8 @@ std::map<Query, std::vector<std::string>> answers_of(const std::string& descript
 
 }  // namespace
 
-int host_library(const std::string& file) {
+int host_library(const std::string& file, const HostOptions& options) {
+  program() = options.program;
   Output output;  // before the library is opened, which may print
   const Library library = open(file.c_str());
   const std::string description = described(library, file);
@@ -248,6 +378,7 @@ int host_library(const std::string& file) {
   } catch (const BadLine& bad) {
     refuse(std::string("the description is no JSON: ") + bad.what());
   }
+  if (options.frames) return output(description) ? serve_frames(library, output) : 2;
   const auto function = [&](const Question& q) {
     return [&, asked = std::make_shared<Asked>(q, library), query = q.query]() -> Answer {
       const auto known = library.calls.find(query);

@@ -6,8 +6,13 @@
 
 namespace graze::adapter {
 
-// Until its input ends: the exit code, 2 for a line that is no question. Ends the process with 2, and one line on
+struct HostOptions {
+  std::string program = "graze_engine_host";  // how its complaints begin
+  bool frames = false;  // after the first line, questions and answers as bytes (host_frames.hpp)
+};
+
+// Until its input ends: the exit code, 2 for what is no question. Ends the process with 2, and one line on
 // standard error, if the library cannot be opened, or if its description is none.
-int host_library(const std::string& file);
+int host_library(const std::string& file, const HostOptions& options = {});
 
 }  // namespace graze::adapter

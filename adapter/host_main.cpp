@@ -1,12 +1,15 @@
 // graze_engine_host LIBRARY: what `graze host` does, without the judge, its packages and their licences.
 #include <cstdio>
+#include <string_view>
 
 #include "host_library.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: graze_engine_host LIBRARY\n");
+  graze::adapter::HostOptions options;
+  options.frames = argc == 3 && std::string_view(argv[1]) == "--frames";
+  if (argc != (options.frames ? 3 : 2)) {
+    std::fprintf(stderr, "usage: graze_engine_host [--frames] LIBRARY\n");
     return 2;
   }
-  return graze::adapter::host_library(argv[1]);
+  return graze::adapter::host_library(argv[argc - 1], options);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "corpus/format/names.hpp"
@@ -35,21 +36,6 @@ std::string failures_text(const Tally& tally) {
                         tally.failures[k].count);
   }
   return text.empty() ? "-" : text;
-}
-
-// What the engine is held to, in words.
-std::string limit_text(const Method& method) {
-  const engine::Guarantee& row = *method.guarantee;
-  if (row.is_open) return "nothing";
-  std::string text;
-  const auto add = [&](double x, const char* unit) {
-    if (x > 0) text += fmt::format("{}{:g}{}", text.empty() ? "" : " + ", x, unit);
-  };
-  add(row.kappa_polytope, " u scale");
-  add(row.relative_tolerance, " scale");
-  add(row.tolerance, "");
-  add(row.own_frames, " of own frames");
-  return text.empty() ? "0" : text;
 }
 
 std::string id_of(const Tally::Worst& worst) { return worst.id.empty() ? "-" : worst.id; }
@@ -158,6 +144,23 @@ std::string why_failed(const Tally& tally, const std::vector<std::string>& lines
   return text;
 }
 
+}  // namespace
+
+std::string limit_text(const engine::Guarantee& row) {
+  if (row.is_open) return "nothing";
+  std::string text;
+  const auto add = [&](double x, const char* unit) {
+    if (x > 0) text += fmt::format("{}{:g}{}", text.empty() ? "" : " + ", x, unit);
+  };
+  add(row.kappa_polytope, " u scale");
+  add(row.relative_tolerance, " scale");
+  add(row.tolerance, "");
+  add(row.own_frames, " of own frames");
+  return text.empty() ? "0" : text;
+}
+
+namespace {
+
 // Of each total a line.
 std::string table_of(const std::vector<Tally>& totals) {
   Table table({{"engine", Align::left},
@@ -180,7 +183,7 @@ std::string table_of(const std::vector<Tally>& totals) {
                    count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
                    count_text(faults_of(t, "early") + faults_of(t, "off")),
                    count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
-                   limit_text(*method), short_number(t.least_relative.value / method->unit_roundoff),
+                   limit_text(*method->guarantee), short_number(t.least_relative.value / method->unit_roundoff),
                    short_number(t.least_relative.value), short_number(t.least_length.value),
                    id_of(t.least_relative)});
   }
@@ -210,6 +213,57 @@ std::string certificates(const Certification& certification, const Settings& set
   return out;
 }
 
+std::string time_table(const Certification& certification, const Settings& settings) {
+  // Not finite: it was WASM, or gave no time.
+  const auto times_of = [](const Tally& tally) {
+    std::vector<double> ns;
+    std::copy_if(tally.ns.begin(), tally.ns.end(), std::back_inserter(ns),
+                 [](double x) { return std::isfinite(x); });
+    return ns;
+  };
+  std::vector<const Method*> timed;
+  bool has_others = false;
+  std::vector<std::string> without;
+  for (const Method* method : settings.methods) {
+    if (method->kind == engine::Kind::query) continue;
+    const bool is_timed = !times_of(certification.total(*method)).empty();
+    if (is_timed) timed.push_back(method);
+    if (!is_timed && !method->is_ours()) without.push_back(method->question_name());
+    has_others = has_others || (is_timed && !method->is_ours());
+  }
+  if (!has_others) return "";
+  std::vector<Column> columns = {{"family", Align::left}};
+  for (const Method* method : timed) columns.push_back({method->question_name()});
+  Table table(columns);
+  std::vector<std::string> families;
+  for (const Tally& tally : certification.tallies) {
+    if (std::find(families.begin(), families.end(), tally.family) == families.end())
+      families.push_back(tally.family);
+  }
+  for (const std::string& family : families) {
+    std::vector<std::string> row = {family};
+    bool is_any = false;
+    for (const Method* method : timed) {
+      std::vector<double> ns;
+      for (const Tally& tally : certification.tallies) {
+        if (tally.method == method && tally.family == family) ns = times_of(tally);
+      }
+      is_any = is_any || !ns.empty();
+      row.push_back(ns.empty() ? "-" : fmt::format("{:.0f}", median(ns)));
+    }
+    if (is_any) table.add_row(std::move(row));
+  }
+  return fmt::format(
+      "Time of a call (ns, the median over a sample of the cases that it takes), by its own repeated calls "
+      "in its own "
+      "loop:\n\n{}{}A pipe's time is in none of them.\n",
+      table.text(),
+      without.empty()
+          ? ""
+          : fmt::format("Not in the table, since their answers hold no time of machine code: {}.\n",
+                        fmt::join(without, ", ")));
+}
+
 std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
   Json all = {{"schema", "graze.certification/1"},      {"seconds", seconds},
               {"answers", certification.answers},       {"cases", certification.questions},
@@ -236,7 +290,7 @@ std::string certification_json(const Certification& certification, const Setting
          {"scalar", method->scalar},
          {"tier", method->tier},
          {"ours", method->is_ours()},
-         {"held_to", method->guarantee == nullptr ? "nothing" : limit_text(*method)},
+         {"held_to", method->guarantee == nullptr ? "nothing" : limit_text(*method->guarantee)},
          {"held", certification.has_kept(*method)},
          {"total", std::move(total)},
          {"beyond_limits", std::move(beyond)},

@@ -25,11 +25,13 @@ struct LawSuite {
 struct LawSettings {
   std::vector<law::Law> laws;
   std::function<bool(const engine::Method&)> is_asked = [](const engine::Method&) { return true; };
+  // Engines of others, as_laws_ask them (laws_of_others.hpp); where they stay.
+  std::span<const engine::Method> others = {};
   unsigned threads = 1;
   int shrinking = 1000;  // calls of a law to make its first broken case small; a tenth where bodies turn
 };
 
-// Of a law and a method: the first case that broke it, and how many did.
+// Of a law and a method: the first case that broke it, and how many did. Methods of others are numbered after ours.
 struct LawBreach {
   std::size_t law = 0, method = 0;
   std::size_t suite = 0, index = 0;  // of that case
@@ -38,13 +40,26 @@ struct LawBreach {
   std::string first;     // its id before
 };
 
+// What a law saw of an engine of others.
+struct OtherLawTally {
+  std::size_t law = 0, other = 0;  // of the settings
+  std::string_view why_not = {};   // it is not asked this law at all
+  std::size_t answers = 0, broken = 0, failed = 0;
+  std::size_t not_asked = 0;  // a question of the law is none that it takes
+  std::size_t open = 0;       // the law does not speak of the case, or its oracle leaves it open
+};
+
 struct LawCertification {
   std::size_t cases = 0;
   std::vector<law::LawTally> tallies;  // by law
+  std::vector<OtherLawTally> others;   // by law, then by method of others; of laws of its kind
   std::vector<LawBreach> breaches;     // by law, then by method
 };
 
 [[nodiscard]] LawCertification certify_laws(std::span<const LawSuite> suites, const LawSettings& settings);
+
+// The same of engines of others, and what they are not asked, counted.
+[[nodiscard]] std::string other_law_table(const LawCertification& certification, const LawSettings& settings);
 
 // Law by law: what it needs, and how many answers of which outcome it was asked about.
 [[nodiscard]] std::string law_table(const LawCertification& certification, const LawSettings& settings);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 
+#include "certify/suites.hpp"
 #include "corpus/format/case_io.hpp"
+#include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
 #include "report/parallel.hpp"
@@ -33,24 +34,18 @@ std::string first_of(std::initializer_list<const std::string*> faults) {
   return {};
 }
 
-// The case as each scalar sees it, and what is true of it. Where rounding changes nothing, all share one.
+// The case as each method sees it, and what is true of it. Those that see the same share one.
 class Truths {
  public:
-  explicit Truths(const Case& problem) : problem_(problem) {}
-
-  Truth& of(const std::string& scalar, const Case& seen) {
-    std::shared_ptr<Truth>& truth = by_scalar_[scalar];
-    if (truth) return *truth;
-    const bool unchanged = corpus::same_case(seen, problem_);
-    truth = unchanged && given_ ? given_ : std::make_shared<Truth>(seen);
-    if (unchanged) given_ = truth;
-    return *truth;
+  Truth& of(Case seen) {
+    for (const std::unique_ptr<Truth>& truth : all_) {
+      if (corpus::same_case(truth->problem(), seen)) return *truth;
+    }
+    return *all_.emplace_back(std::make_unique<Truth>(std::move(seen)));
   }
 
  private:
-  const Case& problem_;
-  std::shared_ptr<Truth> given_;
-  std::map<std::string, std::shared_ptr<Truth>> by_scalar_;
+  std::vector<std::unique_ptr<Truth>> all_;
 };
 
 Measured begun(const Case& problem, const Judgement& judgement) {
@@ -58,7 +53,9 @@ Measured begun(const Case& problem, const Judgement& judgement) {
           .asked = !judgement.not_asked,
           .stalled = judgement.stalled,
           .late = !judgement.late.empty(),
-          .fault = first_of({&judgement.wrong, &judgement.late, &judgement.early, &judgement.off})};
+          .failed = !judgement.failed.empty(),
+          .fault = first_of(
+              {&judgement.failed, &judgement.wrong, &judgement.late, &judgement.early, &judgement.off})};
 }
 
 // A start in contact that is called a hit, or a hit called a start, is judged by the time.
@@ -100,7 +97,7 @@ Measured measure_rotating(const Case& problem, const engine::Method& method, Tru
     if (is_contact(bracket.outcome())) measured.denied = judgement.errors.passed;
   } else if (bracket.outcome() == Outcome::miss) {
     measured.denied = law::over(bracket.clearance().low, bracket.scale().high);
-  } else if (is_contact(bracket.outcome())) {
+  } else if (is_contact(bracket.outcome()) && method.holds.time) {
     const double speed = law::top_speed_of(truth.problem());
     measured.forward = std::fmax(forward_error(bracket, answer.toi_lower, speed),
                                  forward_error(bracket, answer.toi_upper, speed));
@@ -111,11 +108,22 @@ Measured measure_rotating(const Case& problem, const engine::Method& method, Tru
   return measured;
 }
 
+// No question for an engine of others.
+bool is_refused(const Case& problem, const engine::Method& method) {
+  return !method.is_ours() && (!law::in_domain(problem) || !method.refuses(problem).empty());
+}
+
 std::vector<Measured> measure_all(const Case& problem, const std::vector<const engine::Method*>& methods) {
-  Truths truths(problem);
+  Truths truths;
   std::vector<Measured> all;
   for (const engine::Method* method : methods) {
-    Truth& truth = truths.of(method->scalar, method->seen(problem));
+    if (is_refused(problem, *method)) {
+      Measured& none = all.emplace_back();
+      none.rounded = engine::is_rounded(problem);
+      none.asked = false;
+      continue;
+    }
+    Truth& truth = truths.of(method->seen(problem));
     all.push_back(method->kind == engine::Kind::rotating ? measure_rotating(problem, *method, truth)
                                                          : measure_linear(problem, *method, truth));
   }
@@ -137,6 +145,34 @@ void add_curves(std::vector<Curve>& curves, const engine::Method& method, const 
   }
 }
 
+// A case of the family.
+struct Place {
+  std::size_t level = 0;
+  std::uint64_t seed = 0;
+};
+
+// `count` of each level, from the first seed on. Where engines of others alone are asked, those that one of them takes,
+// as far as kSoughtSeeds times as many seeds have them.
+std::vector<Place> places_of(const corpus::Family& family, const std::vector<const engine::Method*>& methods,
+                             std::size_t count, std::uint64_t seed) {
+  const bool has_ours = std::any_of(methods.begin(), methods.end(),
+                                    [](const engine::Method* method) { return method->is_ours(); });
+  const auto is_question = [&](const Case& problem) {
+    return std::any_of(methods.begin(), methods.end(),
+                       [&](const engine::Method* method) { return !is_refused(problem, *method); });
+  };
+  std::vector<Place> places;
+  for (std::size_t level = 0; level < family.levels.size(); ++level) {
+    std::size_t taken = 0;
+    for (std::size_t k = 0; taken < count && k < kSoughtSeeds * count; ++k) {
+      if (!has_ours && !is_question(family.generate(family.levels[level], seed + k))) continue;
+      places.push_back({.level = level, .seed = seed + k});
+      ++taken;
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 FamilyStability measure_family(const corpus::Family& family, const StabilitySettings& settings) {
@@ -144,12 +180,13 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
   const std::size_t count = family.rotating ? settings.rotating_count : settings.count;
   std::vector<const engine::Method*> methods = settings.methods;
   std::erase_if(methods, [&](const engine::Method* method) { return method->kind != kind; });
+  const std::vector<Place> places = places_of(family, methods, count, settings.seed);
   FamilyStability result{.family = std::string(family.name),
                          .hardness_meaning = std::string(family.hardness_meaning),
-                         .cases = family.levels.size() * count};
+                         .cases = places.size()};
   for (const engine::Method* method : methods) add_curves(result.curves, *method, family);
   const auto drawn = [&](std::size_t i) {
-    return family.generate(family.levels[i / count], settings.seed + i % count);
+    return family.generate(family.levels[places[i].level], places[i].seed);
   };
   std::vector<std::vector<Measured>> measured(result.cases);
   {
@@ -164,7 +201,7 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const Measured& one = measured[i][m];
       Curve& curve = result.curves[2 * m + (one.rounded ? 1 : 0)];
-      curve.levels[i / count].add(one);
+      curve.levels[places[i].level].add(one);
       convicted = convicted || !one.fault.empty() || one.stalled;
       if (curve.first_fault.empty() && !one.fault.empty()) {
         curve.first_fault = fmt::format("{}: {}", drawn(i).id, one.fault);
@@ -172,13 +209,23 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
     }
     if (convicted) result.convicted.push_back(drawn(i));
   }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::size_t left_out =
+        result.curves[2 * m].total().not_asked + result.curves[2 * m + 1].total().not_asked;
+    if (!methods[m]->is_ours() && left_out > 0)
+      result.not_asked.push_back({methods[m]->full_name(), left_out});
+  }
   std::erase_if(result.curves, [](const Curve& curve) { return curve.total().cases == 0; });
   return result;
 }
 
 void LevelErrors::add(const Measured& measured) {
-  if (!measured.asked) return;
+  if (!measured.asked) {
+    ++not_asked;
+    return;
+  }
   ++cases;
+  failed += measured.failed ? 1 : 0;
   wrong += measured.wrong ? 1 : 0;
   stalled += measured.stalled ? 1 : 0;
   late += measured.late ? 1 : 0;
@@ -190,6 +237,8 @@ void LevelErrors::add(const Measured& measured) {
 
 void LevelErrors::add(const LevelErrors& other) {
   cases += other.cases;
+  not_asked += other.not_asked;
+  failed += other.failed;
   wrong += other.wrong;
   stalled += other.stalled;
   late += other.late;
@@ -218,7 +267,8 @@ const LevelErrors* Curve::hardest() const {
 }
 
 bool Curve::claims_stability() const {
-  return row && row->may_miss == engine::Unseen::nothing && row->may_be_late == engine::Unseen::nothing;
+  return row && !row->is_open && row->may_miss == engine::Unseen::nothing &&
+         row->may_be_late == engine::Unseen::nothing;
 }
 
 bool Curve::holds() const {

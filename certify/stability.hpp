@@ -22,18 +22,19 @@ inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 // is right has no errors; nor has a stall, which is counted.
 struct Measured {
   bool rounded = false;  // else polytopes, target distance 0
-  bool asked = true;     // false: not for the method's tier
+  bool asked = true;     // false: not for the method's tier, or none that an engine of others takes
   bool wrong = false, stalled = false, late = false;
+  bool failed = false;             // an engine of others crashed, hung, or wrote what is no answer
   double backward = kNotMeasured;  // of the bracket's worse end; of a wrong verdict what it denies, at least
   double forward = kNotMeasured;   // of the worse end; of a wrong verdict there is none
   double denied = kNotMeasured;    // of a wrong verdict: the clearance or the depth
-  std::string fault;               // verdict or time, by more than the method's row grants
+  std::string fault;               // no answer, or verdict or time, by more than the method's row grants
 };
 
 // One method on the cases of one level.
 struct LevelErrors {
   double hardness = 0;
-  std::size_t cases = 0, wrong = 0, stalled = 0, late = 0, faulty = 0;
+  std::size_t cases = 0, not_asked = 0, wrong = 0, stalled = 0, late = 0, failed = 0, faulty = 0;
   std::vector<double> backward = {}, forward = {};
   double denied = kNotMeasured;  // the largest
 
@@ -71,7 +72,12 @@ struct StabilitySettings {
 struct FamilyStability {
   std::string family, hardness_meaning;
   std::size_t cases = 0;
-  std::vector<Curve> curves = {};            // by method, polytopes first; of kinds that occur
+  std::vector<Curve> curves = {};  // by method, polytopes first; of kinds that occur
+  struct NotAsked {
+    std::string method = {};
+    std::size_t cases = 0;
+  };
+  std::vector<NotAsked> not_asked = {};      // of engines of others: what they do not take
   std::vector<corpus::Case> convicted = {};  // cases on which some method is at fault or stalled
 };
 

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/engine_report.hpp"
 #include "report/statistics.hpp"
 #include "report/table.hpp"
 
 namespace graze::tool {
 namespace {
+
+// The tier of engines of others.
+constexpr std::string_view kDeclared = "declared";
 
 std::string shapes_text(const Curve& curve) { return curve.rounded ? "round" : "polytopes"; }
 
@@ -32,6 +36,7 @@ std::string hardness_text(const LevelErrors* level) {
 
 std::string claim_text(const Curve& curve) {
   if (!curve.row) return "no row";
+  if (curve.tier == kDeclared) return limit_text(*curve.row);
   if (!curve.claims_stability()) return "none";
   if (curve.tier == "exact") return "last bit";
   if (curve.tier == "certified") return fmt::format("width {}", curve.row->width.value_or(0));
@@ -100,7 +105,14 @@ std::string family_line(const FamilyStability& family) {
     text += fmt::format(", {} u scale at most ({}, {}, hardness {})", in_u(most, 1), worst_curve->method,
                         shapes_text(*worst_curve), hardness_text(worst_curve->hardest()));
   }
-  return text + fmt::format(", {} beyond a row, {} stalls", faults, stalls);
+  text += fmt::format(", {} beyond a row, {} stalls", faults, stalls);
+  for (const FamilyStability::NotAsked& one : family.not_asked)
+    text += fmt::format("; {} are not asked of {}", one.cases, one.method);
+  for (const Curve& curve : family.curves) {
+    if (const std::size_t failed = curve.total().failed; failed > 0)
+      text += fmt::format("; {} without an answer by {}", failed, curve.method);
+  }
+  return text;
 }
 
 std::string level_table(const FamilyStability& family) {

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
+#include <utility>
 
+#include "adapter/host_frames.hpp"
 #include "corpus/format/fields.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/format/proof_io.hpp"
+#include "external/frames.hpp"
 
 namespace graze::external {
 
@@ -106,9 +110,77 @@ Interval read_interval(const Fields& fields, std::string_view key) {
   return both;
 }
 
+// The numbers of an answer, wherever they are written.
+class Said {
+ public:
+  virtual ~Said() = default;
+  [[nodiscard]] virtual bool has(std::string_view key) const = 0;
+  [[nodiscard]] virtual Interval interval(std::string_view key) const = 0;
+  [[nodiscard]] virtual Vec3<double> vector(std::string_view key) const = 0;
+};
+
+class SaidInALine : public Said {
+ public:
+  explicit SaidInALine(const Fields& fields) : fields_(fields) {}
+  [[nodiscard]] bool has(std::string_view key) const override { return fields_.optional(key) != nullptr; }
+  [[nodiscard]] Interval interval(std::string_view key) const override { return read_interval(fields_, key); }
+  [[nodiscard]] Vec3<double> vector(std::string_view key) const override { return read_vector(fields_, key); }
+
+ private:
+  const Fields& fields_;
+};
+
+// What a library leaves at NaN it does not say.
+class SaidInAFrame : public Said {
+ public:
+  explicit SaidInAFrame(const graze_engine_answer& answer) : answer_(answer) {}
+  [[nodiscard]] bool has(std::string_view key) const override {
+    if (const double* const v = components(key)) return !std::isnan(v[0]) || !std::isnan(v[1]) || !std::isnan(v[2]);
+    return !std::isnan(ends(key).first);
+  }
+  [[nodiscard]] Interval interval(std::string_view key) const override {
+    const auto [lower, upper] = ends(key);
+    const std::string path(key);
+    if (std::isnan(lower)) throw Bad{Failure::no_number, path + " is NaN"};
+    if (std::isnan(upper)) return {finite(lower, path), lower};
+    if (!(lower <= upper)) throw Bad{Failure::out_of_range, path + " is a bracket upside down"};
+    return {lower, upper};
+  }
+  [[nodiscard]] Vec3<double> vector(std::string_view key) const override {
+    const double* const from = components(key);
+    Vec3<double> v;
+    for (int i = 0; i < 3; ++i) v[i] = finite(from[i], fmt::format("{}[{}]", key, i));
+    return v;
+  }
+
+ private:
+  // Of a vector; nullptr of what is none.
+  [[nodiscard]] const double* components(std::string_view key) const {
+    if (key == "normal") return answer_.normal;
+    if (key == "point_a") return answer_.point_a;
+    return key == "point_b" ? answer_.point_b : nullptr;
+  }
+  [[nodiscard]] std::pair<double, double> ends(std::string_view key) const {
+    if (key == "time") return {answer_.time, answer_.time_upper};
+    if (key == "distance") return {answer_.distance, answer_.distance_upper};
+    return {answer_.depth, answer_.depth_upper};
+  }
+  const graze_engine_answer& answer_;
+};
+
 class Reading {
  public:
   Reading(const Offer& offer, const Terms& terms) : offer_(offer), terms_(terms) {}
+
+  Answer operator()(const adapter::frames::AnswerFrame& frame) {
+    answer_.message = frame.answer.message;
+    outcome(frame);
+    if (answer_.declined) return answer_;
+    if (!std::isnan(frame.ns)) answer_.ns = finite(frame.ns, "ns");
+    numbers(SaidInAFrame(frame.answer));
+    in_terms_of_the_case();
+    return std::move(answer_);
+  }
 
   Answer operator()(const JsonValue& value, std::string_view id) {
     const Fields fields(value, "",
@@ -128,22 +200,7 @@ class Reading {
     outcome(fields);
     if (answer_.declined) return answer_;
     counters(fields);
-    switch (offer_.question) {
-      case Question::cast:
-      case Question::rotating_cast:
-      case Question::ray:
-        times(fields);
-        break;
-      case Question::overlap:
-        break;
-      case Question::distance:
-        distance(fields);
-        break;
-      case Question::penetration:
-        depth(fields);
-        break;
-    }
-    contact(fields);
+    numbers(SaidInALine(fields));
     if (offer_.holds_proof && offer_.question == Question::cast && terms_.exponent == 0) proof(fields);
     in_terms_of_the_case();
     return std::move(answer_);
@@ -151,6 +208,47 @@ class Reading {
 
  private:
   [[nodiscard]] bool casts() const { return is_cast(offer_.question); }
+
+  void numbers(const Said& said) {
+    switch (offer_.question) {
+      case Question::cast:
+      case Question::rotating_cast:
+      case Question::ray:
+        times(said);
+        break;
+      case Question::overlap:
+        break;
+      case Question::distance:
+        distance(said);
+        break;
+      case Question::penetration:
+        depth(said);
+        break;
+    }
+    contact(said);
+  }
+
+  void outcome(const adapter::frames::AnswerFrame& frame) {
+    switch (frame.outcome) {
+      case GRAZE_ENGINE_UNSUPPORTED:
+        answer_.declined = true;
+        return;
+      case GRAZE_ENGINE_HIT:
+        answer_.outcome = casts() ? Outcome::hit : Outcome::initially_overlapping;
+        return;
+      case GRAZE_ENGINE_INITIALLY_OVERLAPPING:
+        answer_.outcome = Outcome::initially_overlapping;
+        return;
+      case GRAZE_ENGINE_MISS:
+        answer_.outcome = Outcome::miss;
+        return;
+      case GRAZE_ENGINE_NOT_CONVERGED:
+        answer_.outcome = Outcome::not_converged;
+        return;
+      default:
+        throw Malformed{"outcome", fmt::format("{} is none of graze_engine_outcome", frame.outcome)};
+    }
+  }
 
   void outcome(const Fields& fields) {
     static constexpr std::array<std::string_view, 5> kOutcomes = {"initially_overlapping", "hit", "miss",
@@ -176,7 +274,7 @@ class Reading {
       answer_.counters.supports = static_cast<int>(std::min(corpus::read_index(*n, "supports"), 1U << 30));
   }
 
-  void times(const Fields& fields) {
+  void times(const Said& said) {
     const double t_max = terms_.asked.t_max;
     switch (answer_.outcome) {
       case Outcome::miss:
@@ -187,7 +285,7 @@ class Reading {
           answer_.toi_upper = t_max;
           return;
         }
-        const Interval time = read_interval(fields, "time");
+        const Interval time = said.interval("time");
         finite(time.lower, "time");
         // A time that the scalar cannot hold lies between its largest number and infinity.
         const bool is_beyond = time.lower == std::numeric_limits<float>::max() ||
@@ -202,8 +300,8 @@ class Reading {
       }
       case Outcome::not_converged: {
         answer_.toi_upper = kInfinity<double>;
-        if (fields.optional("time") == nullptr || !offer_.holds.time) return;
-        const Interval time = read_interval(fields, "time");
+        if (!said.has("time") || !offer_.holds.time) return;
+        const Interval time = said.interval("time");
         answer_.toi_lower = std::clamp(time.lower, 0.0, std::numeric_limits<double>::max());
         answer_.toi_upper = std::max(answer_.toi_lower, time.upper);
         return;
@@ -213,7 +311,7 @@ class Reading {
     }
   }
 
-  void distance(const Fields& fields) {
+  void distance(const Said& said) {
     if (answer_.outcome == Outcome::not_converged) {
       answer_.stalled = true;
       answer_.separation = Interval{0, kInfinity<double>};
@@ -221,14 +319,14 @@ class Reading {
     }
     answer_.separation = Interval{};
     if (answer_.outcome != Outcome::miss || !offer_.holds_distance) return;
-    answer_.separation = read_interval(fields, "distance");
+    answer_.separation = said.interval("distance");
     if (!(answer_.separation->lower >= 0)) throw Bad{Failure::out_of_range, "the distance is negative"};
   }
 
-  void depth(const Fields& fields) {
+  void depth(const Said& said) {
     answer_.stalled = answer_.outcome == Outcome::not_converged;
     if (answer_.outcome != Outcome::initially_overlapping || !offer_.holds_depth) return;
-    answer_.depth = read_interval(fields, "depth");
+    answer_.depth = said.interval("depth");
     if (!(answer_.depth->lower >= 0)) throw Bad{Failure::out_of_range, "the depth is negative"};
   }
 
@@ -249,25 +347,25 @@ class Reading {
   // A cast's start in contact: it may have them.
   [[nodiscard]] bool is_start() const { return casts() && answer_.outcome == Outcome::initially_overlapping; }
 
-  void contact(const Fields& fields) {
-    if (is_start()) return start(fields);
+  void contact(const Said& said) {
+    if (is_start()) return start(said);
     if (!has_contact()) return;
     if (offer_.holds.normal) {
-      answer_.normal = read_vector(fields, "normal");
+      answer_.normal = said.vector("normal");
       require_unit("the normal");
     }
-    if (offer_.holds.witnesses) points(fields);
+    if (offer_.holds.witnesses) points(said);
   }
 
   // Of a start in contact engines say what they have: no normal, or one of zeros, which says the same.
-  void start(const Fields& fields) {
-    if (offer_.holds.normal && fields.optional("normal") != nullptr) {
-      answer_.normal = read_vector(fields, "normal");
+  void start(const Said& said) {
+    if (offer_.holds.normal && said.has("normal")) {
+      answer_.normal = said.vector("normal");
       if (answer_.has_normal()) require_unit("the normal of a start in contact");
     }
     if (offer_.holds.witnesses &&
-        (fields.optional("point_a") != nullptr || fields.optional("point_b") != nullptr))
-      points(fields);
+        (said.has("point_a") || said.has("point_b")))
+      points(said);
   }
 
   void require_unit(const char* what) const {
@@ -276,9 +374,9 @@ class Reading {
       throw Bad{Failure::out_of_range, fmt::format("{} has length {:.9g}", what, length)};
   }
 
-  void points(const Fields& fields) {
-    answer_.point_a = read_vector(fields, "point_a");
-    answer_.point_b = read_vector(fields, "point_b");
+  void points(const Said& said) {
+    answer_.point_a = said.vector("point_a");
+    answer_.point_b = said.vector("point_b");
     answer_.has_points = true;
   }
 
@@ -330,6 +428,30 @@ Answer read_answer(std::string_view line, std::string_view id, const Offer& offe
     return failed(Failure::garbage, bad.path.empty() ? bad.what : bad.path + ": " + bad.what, line);
   } catch (const Bad& bad) {
     return failed(bad.kind, bad.what, line);
+  }
+}
+
+Answer read_answer_frame(std::string_view bytes, std::uint64_t id, const Offer& offer, const Terms& terms) {
+  adapter::frames::AnswerFrame frame;
+  const auto failed_by = [](Failure kind, std::string what) {
+    Answer answer;
+    answer.failure = kind;
+    answer.message = std::move(what);
+    return answer;
+  };
+  if (bytes.size() != sizeof frame) return failed_by(Failure::garbage, "the bytes are no answer");
+  std::memcpy(&frame, bytes.data(), sizeof frame);
+  if (frame.magic != adapter::frames::kAnswer) return failed_by(Failure::garbage, "the bytes are no answer");
+  if (frame.id != id)
+    return failed_by(Failure::anothers_answer,
+                     fmt::format("it answers q{}, and was asked q{}", frame.id, id));
+  frame.answer.message[sizeof frame.answer.message - 1] = '\0';
+  try {
+    return Reading(offer, terms)(frame);
+  } catch (const Malformed& bad) {
+    return failed_by(Failure::garbage, bad.path + ": " + bad.what);
+  } catch (const Bad& bad) {
+    return failed_by(bad.kind, bad.what);
   }
 }
 

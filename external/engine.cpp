@@ -6,7 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "corpus/format/json_value.hpp"
 #include "external/answer.hpp"
+#include "external/frames.hpp"
 #include "external/methods.hpp"
 
 namespace graze::external {
@@ -25,6 +27,20 @@ Answer failure(Failure kind, std::string what) {
   answer.failure = kind;
   answer.message = std::move(what);
   return answer;
+}
+
+// What ends a process: all but an answer that can be read, though its numbers make no sense.
+bool is_dead(Failure failure) {
+  switch (failure) {
+    case Failure::none:
+    case Failure::garbage:
+    case Failure::anothers_answer:
+    case Failure::no_number:
+    case Failure::out_of_range:
+      return false;
+    default:
+      return true;
+  }
 }
 
 bool is_library(const std::string& word) { return word.ends_with(".so"); }
@@ -59,6 +75,8 @@ Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(wor
   if (is_library(words_.front())) {
     if (options_.library_host.empty())
       throw std::runtime_error(words_.front() + ": nothing here loads shared libraries");
+    frames_ = options_.host_takes_frames;
+    if (frames_) words_.insert(words_.begin(), "--frames");
     words_.insert(words_.begin(), options_.library_host.begin(), options_.library_host.end());
   }
   auto first = std::make_unique<Process>(words_, options_.limits);
@@ -75,6 +93,7 @@ Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(wor
     throw std::runtime_error(
         fmt::format("{}: its first line is no graze.engine/1: {}", options_.command, bad.what()));
   }
+  said_ = line.text;
   waiting_.push_back({.process = std::move(first), .has_spoken = true});
   guarantees_.reserve(declaration_.offers.size());
   methods_.reserve(declaration_.offers.size());
@@ -132,28 +151,41 @@ Answer Engine::ask(const Offer& offer, const corpus::Case& problem, int repeat) 
 }
 
 Answer Engine::ask(const Offer& offer, const Terms& terms, int repeat) {
-  std::string id;
-  {
-    const std::lock_guard lock(mutex_);
-    id = fmt::format("q{}", ++asked_);
-  }
+  const std::uint64_t id = ++asked_;
   Line first;
   std::unique_ptr<Process> process = take(first);
   if (first.failure != Failure::none) {
     left_behind_ += process->stop();
     return failure(first.failure, "it was started again, and said nothing of itself: " + first.what);
   }
-  const Line line = process->ask(write_question(offer, terms, id, repeat));
-  Answer answer = line.failure != Failure::none ? failure(line.failure, line.what)
-                                                : read_answer(line.text, id, offer, terms);
+  Answer answer;
+  if (!first.text.empty() && first.text != said_) {
+    answer = failure(Failure::anothers_answer, "started again, it says something else of itself: " +
+                                                   corpus::json_quote_short(first.text));
+  } else {
+    answer = ask(*process, offer, terms, id, repeat);
+  }
   // One that answers what it was not asked, or no JSON, is out of step with its questions.
-  if (line.failure != Failure::none || answer.failure == Failure::garbage ||
+  if (is_dead(answer.failure) || answer.failure == Failure::garbage ||
       answer.failure == Failure::anothers_answer) {
     left_behind_ += process->stop();
   } else {
     give_back(std::move(process));
   }
   return answer;
+}
+
+Answer Engine::ask(Process& process, const Offer& offer, const Terms& terms, std::uint64_t id,
+                   int repeat) const {
+  if (frames_) {
+    const Line bytes = process.exchange(write_question_frame(offer, terms, id, repeat), answer_frame_size());
+    return bytes.failure != Failure::none ? failure(bytes.failure, bytes.what)
+                                          : read_answer_frame(bytes.text, id, offer, terms);
+  }
+  const std::string name = fmt::format("q{}", id);
+  const Line line = process.ask(write_question(offer, terms, name, repeat));
+  return line.failure != Failure::none ? failure(line.failure, line.what)
+                                       : read_answer(line.text, name, offer, terms);
 }
 
 int Engine::finish() {

@@ -21,6 +21,7 @@ struct EngineOptions {
   // a shared library, which `library_host` is given as its last word.
   std::string command;
   std::vector<std::string> library_host = {};
+  bool host_takes_frames = false;  // questions and answers of a shared library are bytes, not lines
   ProcessLimits limits = {};
   // Held to these lengths, whatever it declares.
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
@@ -55,11 +56,15 @@ class Engine {
 
  private:
   std::unique_ptr<Process> take(Line& first);
+  [[nodiscard]] engine::Answer ask(Process& process, const Offer& offer, const Terms& terms, std::uint64_t id,
+                                   int repeat) const;
   void give_back(std::unique_ptr<Process> process);
   void add_method(const Offer& offer);
 
   EngineOptions options_;
   std::vector<std::string> words_;
+  bool frames_ = false;
+  std::string said_;  // its first line
   Declaration declaration_;
   std::vector<engine::Guarantee> guarantees_;
   std::vector<engine::Method> methods_;
@@ -70,7 +75,8 @@ class Engine {
     bool has_spoken = false;  // its first line is read
   };
   std::vector<Waiting> waiting_;
-  std::size_t starts_ = 0, asked_ = 0;
+  std::size_t starts_ = 0;
+  std::atomic<std::uint64_t> asked_ = 0;
   std::atomic<int> left_behind_ = 0;
 };
 

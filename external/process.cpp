@@ -37,6 +37,8 @@ constexpr const char* kMark = "GRAZE_ENGINE_PROCESS=";
 // A line that is longer is no answer.
 constexpr std::size_t kMostOfALine = std::size_t{1} << 24;
 constexpr std::size_t kKeptErrors = 2000;
+// What a pipe holds.
+constexpr std::size_t kPipeBytes = std::size_t{1} << 16;
 // A process that ended with so much of its memory in use ended at the limit.
 constexpr double kFullMemory = 0.8;
 // For a process to end by itself once its input has.
@@ -172,7 +174,8 @@ std::string signal_text(int signal) {
 
 }  // namespace
 
-Process::Process(const std::vector<std::string>& command, const ProcessLimits& limits) : limits_(limits) {
+Process::Process(const std::vector<std::string>& command, const ProcessLimits& limits)
+    : limits_(limits), buffer_(kPipeBytes) {
   static std::atomic<std::uint64_t> number = 0;
   // Whatever an engine leaves behind becomes a child of ours, and can be waited for.
   static const int kReaper = prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -315,23 +318,27 @@ Line Process::ended(bool within_line) {
 
 // What it wrote before it ended, and is still in the pipe. True if that has come to its end.
 bool Process::read_rest() {
-  std::array<char, 65536> buffer{};
   ssize_t n = 0;
-  while (read_.size() <= kMostOfALine && (n = read(out_, buffer.data(), buffer.size())) > 0)
-    read_.append(buffer.data(), static_cast<std::size_t>(n));
+  while (read_.size() <= kMostOfALine && (n = read(out_, buffer_.data(), buffer_.size())) > 0)
+    read_.append(buffer_.data(), static_cast<std::size_t>(n));
   return n <= 0;
 }
 
-Line Process::read_line(std::chrono::milliseconds limit) {
+Line Process::read_line(std::chrono::milliseconds limit) { return read_reply(limit, 0); }
+
+// A line, or where `size` is not 0, as many bytes.
+Line Process::read_reply(std::chrono::milliseconds limit, std::size_t size) {
   if (is_ended_) return {.failure = Failure::silent, .what = "it has ended"};
   bool is_dead = false;  // though what it left behind may hold its output open
   const auto stop = Clock::now() + limit;
-  std::array<char, 65536> buffer{};
   std::size_t looked = 0;
   for (;;) {
-    if (const std::size_t end = read_.find('\n', looked); end != std::string::npos) {
-      Line line{.text = read_.substr(0, end)};
-      read_.erase(0, end + 1);
+    const std::size_t stops = size == 0              ? read_.find('\n', looked)
+                              : read_.size() >= size ? size
+                                                     : std::string::npos;
+    if (stops != std::string::npos) {
+      Line line{.text = read_.substr(0, stops)};
+      read_.erase(0, size == 0 ? stops + 1 : stops);
       return line;
     }
     if (is_dead) return ended(!read_.empty());
@@ -365,9 +372,9 @@ Line Process::read_line(std::chrono::milliseconds limit) {
       continue;
     }
     if (ends[0].revents == 0) continue;
-    const ssize_t n = read(out_, buffer.data(), buffer.size());
+    const ssize_t n = read(out_, buffer_.data(), buffer_.size());
     if (n > 0) {
-      read_.append(buffer.data(), static_cast<std::size_t>(n));
+      read_.append(buffer_.data(), static_cast<std::size_t>(n));
     } else if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
       return ended(!read_.empty());
     }
@@ -379,6 +386,12 @@ Line Process::ask(const std::string& line) {
   to_write_ += '\n';
   if (!write_some()) to_write_.clear();
   return read_line(limits_.time);
+}
+
+Line Process::exchange(const std::string& bytes, std::size_t size) {
+  to_write_ += bytes;
+  if (!write_some()) to_write_.clear();
+  return read_reply(limits_.time, size);
 }
 
 int Process::finish() {

@@ -42,6 +42,8 @@ class Process {
   Line read_line(std::chrono::milliseconds limit);
   // Writes a line, and reads the next.
   Line ask(const std::string& line);
+  // Writes bytes, and reads as many of `size`, which are the text of what comes back.
+  Line exchange(const std::string& bytes, std::size_t size);
 
   // Its input is closed, and it may end by itself; then what is left of it is ended. How many processes it
   // left behind.
@@ -50,6 +52,7 @@ class Process {
   int stop();
 
  private:
+  Line read_reply(std::chrono::milliseconds limit, std::size_t size);
   [[nodiscard]] Line failed(engine::Failure failure, std::string what);
   [[nodiscard]] Line ended(bool within_line);
   bool write_some();
@@ -64,6 +67,7 @@ class Process {
   pid_t pid_ = -1;
   int in_ = -1, out_ = -1, err_ = -1, life_ = -1;
   long memory_at_start_ = 0;  // kilobytes that were ours, not the engine's
+  std::vector<char> buffer_;
   std::string to_write_, read_, errors_;
   bool is_ended_ = false;
 };

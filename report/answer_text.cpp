@@ -213,10 +213,61 @@ std::string rotating_json(const corpus::Case& problem, const engine::Method& met
                      work_fields(answer.counters), answer.counters.poses);
 }
 
+// Of an engine of others: what it answered of all that, and what kept it from answering.
+std::string strangers_block(const corpus::Case& problem, const engine::Method& method,
+                            const engine::Answer& answer) {
+  std::string text = fmt::format("{}\n", problem.id);
+  if (method.kind == engine::Kind::query) text += line("query", std::string(corpus::name_of(problem.query)));
+  text += method_line(method);
+  if (answer.failure != engine::Failure::none)
+    return text + line("failed", fmt::format("{}: {}", to_text(answer.failure), answer.message));
+  text += line("outcome", std::string(corpus::name_of(answer.outcome)));
+  if (!answer.message.empty()) text += line("says", answer.message);
+  if (method.kind != engine::Kind::query && has_times(answer))
+    text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
+  for (const auto& [name, value] : intervals(answer)) {
+    if (value) text += line(name, fmt::format("[{}, {}]", value->lower, value->upper));
+  }
+  if (answer.has_normal()) text += line("normal", vector_text(answer.normal));
+  if (method.holds.witnesses && answer.outcome == Outcome::hit) {
+    text += line("point_a", vector_text(answer.point_a));
+    text += line("point_b", vector_text(answer.point_b));
+  }
+  if (answer.ns)
+    text += line("time", fmt::format("{} ns a call{}", *answer.ns, answer.native ? "" : ", WASM"));
+  return text;
+}
+
+std::string strangers_json(const corpus::Case& problem, const engine::Method& method,
+                           const engine::Answer& answer) {
+  const bool failed = answer.failure != engine::Failure::none;
+  std::string text = fmt::format(
+      R"({{"id": {}, "query": "{}", {}, "failure": {}, "outcome": {}, "because": {}, "toi": {})",
+      corpus::json_quote(problem.id), corpus::name_of(problem.query), method_fields(method),
+      failed ? corpus::json_quote(std::string(to_text(answer.failure))) : "null",
+      failed ? "null" : fmt::format("\"{}\"", corpus::name_of(answer.outcome)), json_text(answer.message),
+      !failed && method.kind != engine::Kind::query && has_times(answer)
+          ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
+                        json_number(answer.toi_upper))
+          : "null");
+  for (const auto& [name, value] : intervals(answer)) {
+    if (value)
+      text += fmt::format(R"(, "{}": {{"lower": {}, "upper": {}}})", name, json_number(value->lower),
+                          json_number(value->upper));
+  }
+  const bool has_points = !failed && method.holds.witnesses && answer.outcome == Outcome::hit;
+  return text + fmt::format(R"(, "normal": {}, "point_a": {}, "point_b": {}, "ns": {}}})",
+                            answer.has_normal() ? json_vector(answer.normal) : "null",
+                            has_points ? json_vector(answer.point_a) : "null",
+                            has_points ? json_vector(answer.point_b) : "null",
+                            answer.ns ? json_number(*answer.ns) : "null");
+}
+
 }  // namespace
 
 std::string answer_block(const corpus::Case& problem, const engine::Method& method,
                          const engine::Answer& answer) {
+  if (!method.is_ours()) return strangers_block(problem, method, answer);
   switch (method.kind) {
     case engine::Kind::linear:
       return linear_block(problem, method, answer);
@@ -230,6 +281,7 @@ std::string answer_block(const corpus::Case& problem, const engine::Method& meth
 
 std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                         const engine::Answer& answer) {
+  if (!method.is_ours()) return strangers_json(problem, method, answer);
   switch (method.kind) {
     case engine::Kind::linear:
       return linear_json(problem, method, answer);

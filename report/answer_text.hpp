@@ -19,6 +19,10 @@ namespace graze::tool {
 // Of a rotating method also "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and
 // "poses". Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them,
 // "distance", "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
+//
+// Of an engine of others: "id", "query", "method", "scalar", "tier", "failure" (what kept it from answering, or null),
+// "outcome", "because" (what happened, or what the engine says), "toi", the intervals of a query, "normal", "point_a",
+// "point_b" (null where its answers do not hold them) and "ns".
 [[nodiscard]] std::string answer_json(const corpus::Case& problem, const engine::Method& method,
                                       const engine::Answer& answer);
 

@@ -1,15 +1,35 @@
 // An engine in C++: casts of balls. c++ -std=c++17 engine.cpp -o engine && graze certify --engine ./engine
 //
-// Put your own cast in the place of `cast`, and your shapes into `main`; docs/engines.md has every field.
+// To change: 1. `cast` calls your engine, 2. `main` names your shapes and what you promise. docs/engines.md has every field.
 #include <cmath>
 #include <graze_adapter.hpp>
 
 using namespace graze::adapter;
 
+// A body at t = 0, in world axes: the hull of points, rounded by a radius. Cylinders, cones and ellipsoids are not of this
+// form, and come with radius and half_height (their axis is z) or with radii.
+struct Form {
+  std::vector<Vector> points;
+  double radius = 0;
+};
+
+Form form_of(const Body& body) {
+  const Shape& shape = body.shape;
+  Form form{vertices_of(shape)};  // point, segment, triangle, box, hull
+  if (shape.type == ShapeType::sphere) form = {{Vector{}}, shape.radius};
+  if (shape.type == ShapeType::capsule)
+    form = {{{0, 0, -shape.half_height}, {0, 0, shape.half_height}}, shape.radius};
+  for (Vector& point : form.points) point = body.position + rotate(body.orientation, point);
+  return form;
+}
+
 // Lengths in the question's unit, times in its t.
 Answer cast(const Question& q) {
-  const double reach = q.a.shape.radius + q.b.shape.radius;
-  const Vector gap = q.b.position - q.a.position;
+  const Form a = form_of(q.a), b = form_of(q.b);
+  // 1. Your engine, by a, b, q.a.displacement, q.b.displacement and q.t_max. What follows casts balls.
+  if (a.points.size() != 1 || b.points.size() != 1) return Answer::unsupported("this template casts balls");
+  const double reach = a.radius + b.radius;
+  const Vector gap = b.points[0] - a.points[0];
   const Vector motion = q.b.displacement - q.a.displacement;
   const double along = dot(gap, motion), speed = dot(motion, motion), apart = length(gap);
   if (apart <= reach) return Answer::overlapping();
@@ -27,6 +47,7 @@ Answer cast(const Question& q) {
 
 int main() {
   Engine engine;
+  // 2. {ShapeType::sphere, ShapeType::capsule, ShapeType::box, ShapeType::hull, ...}
   engine.name = "balls-cpp";
   engine.shapes = {ShapeType::sphere};
   engine.queries[Query::cast].answers = {"time", "normal"};

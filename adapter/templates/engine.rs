@@ -1,9 +1,10 @@
 //! An engine in Rust, standard library alone: casts of balls.
 //!   rustc --edition 2021 -O engine.rs && graze certify --engine ./engine
 //!
-//! Put your own cast in the place of `cast`, and your shapes into `SAYS`; docs/engines.md has every field.
+//! To change: 1. `cast` calls your engine, 2. `SAYS` names your shapes and what you promise. docs/engines.md has every field.
 use std::io::{self, BufRead, Write};
 
+// 2. "shapes": ["sphere", "capsule", "box", "hull"]
 const SAYS: &str = r#"{"schema": "graze.engine/1", "name": "balls-rust", "scalar": "double", "shapes": ["sphere"], "queries": {"cast": {"answers": ["time", "normal"], "relative_tolerance": 1e-7}}}"#;
 
 /// As much of JSON as questions have. A crate of your own does as well.
@@ -31,6 +32,12 @@ impl Json {
         match self {
             Json::List(items) => [items[0].number(), items[1].number(), items[2].number()],
             _ => panic!("a vector is expected"),
+        }
+    }
+    fn items(&self) -> &[Json] {
+        match self {
+            Json::List(items) => items,
+            _ => panic!("a list is expected"),
         }
     }
     fn text(&self) -> &str {
@@ -112,12 +119,48 @@ fn moved(x: [f64; 3], s: f64, y: [f64; 3]) -> [f64; 3] {
     [x[0] + s * y[0], x[1] + s * y[1], x[2] + s * y[2]]
 }
 
+fn cross(x: [f64; 3], y: [f64; 3]) -> [f64; 3] {
+    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+}
+
+/// A body at t = 0, in world axes: the hull of points, rounded by a radius. Cylinders, cones and ellipsoids are not of this
+/// form, and come with radius and half_height (their axis is z) or with radii.
+fn form_of(body: &Json) -> (Vec<[f64; 3]>, f64) {
+    let shape = body.get("shape");
+    let (points, radius) = match shape.get("type").text() {
+        "sphere" => (vec![[0.0; 3]], shape.get("radius").number()),
+        "capsule" => {
+            let h = shape.get("half_height").number();
+            (vec![[0.0, 0.0, -h], [0.0, 0.0, h]], shape.get("radius").number())
+        }
+        "box" => {
+            let h = shape.get("half_extents").vector();
+            let corner = |k: usize| std::array::from_fn(|i| if k >> i & 1 == 1 { h[i] } else { -h[i] });
+            ((0..8).map(corner).collect(), 0.0)
+        }
+        "hull" => (shape.get("vertices").items().iter().map(Json::vector).collect(), 0.0),
+        _ => (Vec::new(), 0.0),
+    };
+    let q = body.get("orientation").items();
+    let axis = [q[1].number(), q[2].number(), q[3].number()];
+    let placed = |x: [f64; 3]| {
+        let side = cross(axis, x);
+        let turned = moved(moved(x, 2.0 * q[0].number(), side), 2.0, cross(axis, side));
+        moved(turned, 1.0, body.get("position").vector())
+    };
+    (points.into_iter().map(placed).collect(), radius)
+}
+
 /// What follows the id of the answer; lengths in the question's unit, times in its t.
 fn cast(a: &Json, b: &Json, t_max: f64) -> String {
     let miss = r#""outcome": "miss""#.to_string();
-    let radius = |body: &Json| body.get("shape").get("radius").number();
-    let reach = radius(a) + radius(b);
-    let gap = moved(b.get("position").vector(), -1.0, a.get("position").vector());
+    let ((points_a, radius_a), (points_b, radius_b)) = (form_of(a), form_of(b));
+    // 1. Your engine, by these, the displacements of a and b, and t_max. What follows casts balls.
+    if points_a.len() != 1 || points_b.len() != 1 {
+        return r#""outcome": "unsupported""#.to_string();
+    }
+    let reach = radius_a + radius_b;
+    let gap = moved(points_b[0], -1.0, points_a[0]);
     let motion = moved(b.get("displacement").vector(), -1.0, a.get("displacement").vector());
     let (along, speed, apart) = (dot(gap, motion), dot(motion, motion), dot(gap, gap).sqrt());
     if apart <= reach {

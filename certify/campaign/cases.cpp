@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "corpus/random.hpp"
 
 namespace graze::tool {
@@ -20,6 +22,8 @@ std::uint64_t key_of(std::uint64_t seed, engine::Kind kind) {
 CampaignCases::CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders,
                              std::uint64_t seed, const Sampling& sampling)
     : contenders_(std::move(contenders)), key_(key_of(seed, contenders_.at(0)->kind)), sampling_(sampling) {
+  has_ours_ = std::any_of(contenders_.begin(), contenders_.end(),
+                          [](const engine::Method* one) { return one->is_ours(); });
   for (const corpus::Family* family : families) {
     const std::size_t first = slots_.size();
     std::string levels;
@@ -51,10 +55,18 @@ std::vector<std::string> CampaignCases::families() const {
 }
 
 bool CampaignCases::is_asked(const Slot& slot) const {
-  int questions = 0;
-  for (std::uint64_t seed = 0; seed < kSample; ++seed) {
-    if (is_question(contenders_, slot.family->generate(slot.level, seed))) ++questions;
+  const auto is_one = [&](std::uint64_t seed) {
+    return is_question(contenders_, slot.family->generate(slot.level, seed));
+  };
+  if (!has_ours_) {
+    // An engine that knows few shapes is asked about those.
+    for (std::uint64_t seed = 0; seed < kRareSample; ++seed) {
+      if (is_one(seed)) return true;
+    }
+    return false;
   }
+  int questions = 0;
+  for (std::uint64_t seed = 0; seed < kSample; ++seed) questions += is_one(seed) ? 1 : 0;
   return questions * kRareQuestion >= kSample;
 }
 
@@ -69,7 +81,7 @@ DrawnCase CampaignCases::draw(std::uint64_t index) const {
   // Of its own, so that the cases are the same whatever is judged.
   if (sampling_.judge_every > 1)
     drawn.judged = corpus::Random(~(key_ + index)).once_in(sampling_.judge_every);
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; attempt < (has_ours_ ? kAttempts : kRareAttempts); ++attempt) {
     drawn.seed = random.bits();
     drawn.problem = slot.family->generate(slot.level, drawn.seed);
     if (is_question(contenders_, drawn.problem)) return drawn;

@@ -42,6 +42,10 @@ class CampaignCases {
   static constexpr int kRareQuestion = 4;    // asked if 1 in so many is a question
   static constexpr int kAttempts = 1 << 12;  // at 1 in 8, all of them fail once in 10^237
 
+  // Of engines of others alone: asked if one of so many is a question, and then looked for among so many; where none is
+  // found, the case is counted as not asked.
+  static constexpr int kRareSample = 1 << 10, kRareAttempts = 1 << 14;
+
   // The contenders are of one kind, each of which has its own stream of seeds.
   CampaignCases(const std::vector<const corpus::Family*>& families, Contenders contenders, std::uint64_t seed,
                 const Sampling& sampling);
@@ -60,6 +64,7 @@ class CampaignCases {
   Contenders contenders_;
   std::uint64_t key_;
   Sampling sampling_;
+  bool has_ours_ = true;
   std::vector<Slot> slots_;         // by family, then by level
   std::vector<std::size_t> first_;  // of each family asked, its first slot; and the end
   std::vector<std::string> left_out_;

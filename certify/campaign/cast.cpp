@@ -72,12 +72,16 @@ std::string CampaignCast::reason() const {
   return answer.outcome == Outcome::not_converged ? "did not converge" : "stalled with a wide bracket";
 }
 
-corpus::Case question_of(const Method& contender, const DrawnCase& drawn) {
-  if (contender.kind != Kind::query) return drawn.problem;
-  corpus::Case question = law::question_for(drawn.problem, contender.query, drawn.seed);
+corpus::Case question_of(Kind kind, corpus::Query query, const DrawnCase& drawn) {
+  if (kind != Kind::query) return drawn.problem;
+  corpus::Case question = law::question_for(drawn.problem, query, drawn.seed);
   // Where bodies stay where they are, the case has no other id yet.
-  if (question.id == drawn.problem.id) question.id.append("/").append(corpus::name_of(contender.query));
+  if (question.id == drawn.problem.id) question.id.append("/").append(corpus::name_of(query));
   return question;
+}
+
+corpus::Case question_of(const Method& contender, const DrawnCase& drawn) {
+  return question_of(contender.kind, contender.query, drawn);
 }
 
 law::Truth& CaseJudge::truth_of(const Method& method, corpus::Case seen) {
@@ -94,7 +98,8 @@ law::Judgement CaseJudge::judge(const Method& method, const corpus::Case& questi
                                 const engine::Answer& answer, Request request, std::string& undecided) {
   law::Truth& truth = truth_of(method, method.seen(question));
   std::string refused;
-  const bool hides_its_proof = method.kind == Kind::rotating && !asks_for(request, Request::proof);
+  const bool hides_its_proof =
+      method.is_ours() && method.kind == Kind::rotating && !asks_for(request, Request::proof);
   if (hides_its_proof) refused = refusal_of_proof(truth, method, question);
   law::Judgement judgement = law::judge(truth, method, answer, request, drawn_.sampled);
   law::convict(judgement.false_proof, std::move(refused));
@@ -102,7 +107,31 @@ law::Judgement CaseJudge::judge(const Method& method, const corpus::Case& questi
   return judgement;
 }
 
+CampaignCast CaseJudge::ask_other(const Method& contender) {
+  CampaignCast asked;
+  try {
+    const corpus::Case question = question_of(contender, drawn_);
+    if (!law::in_domain(question) || !contender.refuses(question).empty()) {
+      asked.judgement.not_asked = true;
+      return asked;
+    }
+    const engine::Answer answer = contender.ask(question, {.request = engine::kPlain});
+    asked.answer = words_of(answer);
+    const bool is_judged = drawn_.judged && (contender.kind != Kind::query || drawn_.sampled);
+    if (answer.failure == engine::Failure::none && !answer.declined && !is_judged &&
+        is_answer(contender, answer, drawn_.problem.t_max)) {
+      asked.judgement = unjudged(answer);
+      return asked;
+    }
+    asked.judgement = judge(contender, question, answer, engine::kPlain, asked.undecided);
+  } catch (const std::exception& error) {
+    asked.judgement.wrong = std::string("could not be judged: ") + error.what();
+  }
+  return asked;
+}
+
 CampaignCast CaseJudge::ask(const Method& contender) {
+  if (!contender.is_ours()) return ask_other(contender);
   CampaignCast asked;
   try {
     const corpus::Case question = question_of(contender, drawn_);

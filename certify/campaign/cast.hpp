@@ -31,6 +31,7 @@ struct CampaignCast {
 
 // A case as a contender is asked it: of queries another than what was drawn.
 [[nodiscard]] corpus::Case question_of(const engine::Method& contender, const DrawnCase& drawn);
+[[nodiscard]] corpus::Case question_of(engine::Kind kind, corpus::Query query, const DrawnCase& drawn);
 
 // One case and what is found out about it, for all contenders that are asked. One thread.
 class CaseJudge {
@@ -41,10 +42,11 @@ class CaseJudge {
   // Asked for everything, with its proof; of turning bodies every other answer is without one, since the plan
   // simulates less then, and is held to the proof that the method has of the same case. The oracle decides
   // what proofs leave open and, of a case that is sampled, the rest as well; a query has no proof, and only
-  // the oracle. Does not throw: a judge that cannot judge convicts with its reason.
+  // the oracle. What an engine of others says is measured by the oracle, where it is judged. Does not throw: a judge that cannot judge convicts with its reason.
   [[nodiscard]] CampaignCast ask(const engine::Method& contender);
 
  private:
+  [[nodiscard]] CampaignCast ask_other(const engine::Method& contender);
   [[nodiscard]] law::Judgement judge(const engine::Method& method, const corpus::Case& question,
                                      const engine::Answer& answer, Request request, std::string& undecided);
   [[nodiscard]] law::Truth& truth_of(const engine::Method& method, corpus::Case seen);

@@ -48,6 +48,7 @@ std::string no_method(Kind kind, const std::string& name) {
 }
 
 bool is_asked_of(const Method& method, const corpus::Case& problem) {
+  if (!method.is_ours() && (!law::in_domain(problem) || !method.refuses(problem).empty())) return false;
   switch (method.kind) {
     case Kind::linear:
       if (!method.is_exact()) return engine::unsupported(Kind::linear, problem).empty();
@@ -76,7 +77,7 @@ const char* part_name(Kind kind) {
   return "rotating";
 }
 
-Contenders chosen_contenders(Kind kind, const std::vector<std::string>& names) {
+Contenders chosen_contenders(Kind kind, const std::vector<std::string>& names, const Contenders& others) {
   const std::span<const Method> all = engine::methods(kind);
   for (const std::string& name : names) {
     const auto selects = [&](const Method& one) { return is_named(one, name); };
@@ -86,8 +87,9 @@ Contenders chosen_contenders(Kind kind, const std::vector<std::string>& names) {
   for (const Method& method : all) {
     const bool wanted = std::any_of(names.begin(), names.end(),
                                     [&](const std::string& name) { return is_named(method, name); });
-    if (names.empty() ? is_default(method) : wanted) chosen.push_back(&method);
+    if (names.empty() ? others.empty() && is_default(method) : wanted) chosen.push_back(&method);
   }
+  chosen.insert(chosen.end(), others.begin(), others.end());
   return chosen;
 }
 

@@ -21,13 +21,15 @@ using Contenders = std::vector<const engine::Method*>;
 // Those that `names` select, in the order of the list: "mpr" is mpr/double, "mpr/float" that one, "standard"
 // every row of tier standard. No names: of casts exact/double, of queries every method with a row, of
 // rotating casts tier certified and the plan. Throws std::runtime_error with one line for a name that selects
-// nothing.
-[[nodiscard]] Contenders chosen_contenders(engine::Kind kind, const std::vector<std::string>& names);
-// By question_name(): nullptr if there is none.
+// nothing. `others`: methods of engines of others, of the kind, which come after ours; of ours then those that are named.
+[[nodiscard]] Contenders chosen_contenders(engine::Kind kind, const std::vector<std::string>& names,
+                                           const Contenders& others = {});
+// Of ours, by question_name(): nullptr if there is none.
 [[nodiscard]] const engine::Method* find_contender(std::string_view name);
 
 // Whether a case is asked of these: of tier exact, pairs of polytopes without a target distance; of queries,
-// bodies that the exact oracles represent; of turning bodies, what the oracle has an answer to.
+// bodies that the exact oracles represent; of turning bodies, what the oracle has an answer to; of engines of others,
+// what they take.
 [[nodiscard]] bool is_question(const Contenders& contenders, const corpus::Case& problem);
 
 }  // namespace graze::tool

@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "certify/campaign/cast.hpp"
+#include "certify/engine_report.hpp"
 #include "corpus/format/case_io.hpp"
+#include "corpus/format/names.hpp"
 #include "corpus/random.hpp"
 
 namespace graze::tool {
@@ -28,6 +30,7 @@ std::string difference(const PartSettings& here, const PartSettings& there) {
   if (here.oracle_every != there.oracle_every)
     return say("oracle-every", here.oracle_every, there.oracle_every);
   if (here.judge_every != there.judge_every) return say("judge-every", here.judge_every, there.judge_every);
+  if (here.others != there.others) return "the engines of others are not the same, or held to something else";
   if (here.families != there.families)
     return say("the list of families", list(here.families), list(there.families));
   return {};
@@ -42,7 +45,8 @@ std::string fingerprint(const CampaignPlan& plan) {
         const DrawnCase drawn{.problem = slot.family->generate(slot.level, seed), .seed = seed};
         const std::uint64_t text = corpus::fnv1a(corpus::write_case(drawn.problem));
         for (const engine::Method* contender : part.cases.contenders())
-          sum += answer_hash(text + number++, *contender, drawn);
+          sum += contender->is_ours() ? answer_hash(text + number++, *contender, drawn)
+                                      : corpus::Random(text + number++).bits();
       }
     }
   }
@@ -126,8 +130,16 @@ CampaignSettings CampaignPlan::settings(std::uint64_t block) const {
   for (const Part& part : parts_) {
     PartSettings& one = settings.parts.emplace_back();
     one.kind = part_name(part.cases.contenders()[0]->kind);
-    for (const engine::Method* contender : part.cases.contenders())
+    for (const engine::Method* contender : part.cases.contenders()) {
       one.methods.push_back(contender->question_name());
+      if (contender->is_ours()) continue;
+      one.others.push_back(
+          {.method = one.methods.back(),
+           .query = std::string(corpus::name_of(contender->query)),
+           .version = versions_.contains(one.methods.back()) ? versions_.at(one.methods.back()) : "",
+           .stall_cap = contender->guarantee->stall_cap,
+           .held_to = limit_text(*contender->guarantee)});
+    }
     one.families = part.cases.families();
     one.count = part.count;
     one.oracle_every = part.sampling.oracle_every;

@@ -6,12 +6,24 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/campaign/cases.hpp"
 
 namespace graze::tool {
+
+// A method of an engine of others: what a state must say of it, since a summary may be made where it is not.
+struct OtherContender {
+  std::string method;    // by question_name()
+  std::string query;     // that it is asked; "cast" of casts
+  std::string version;   // of the engine
+  double stall_cap = 0;  // the fraction of a family in which it may say not_converged
+  std::string held_to;   // in words
+  friend bool operator==(const OtherContender&, const OtherContender&) = default;
+};
 
 // What the result is a function of.
 struct PartSettings {
@@ -21,6 +33,7 @@ struct PartSettings {
   std::uint64_t count = 0;            // answers
   std::uint64_t oracle_every = 0;     // 0: no sample
   std::uint64_t judge_every = 1;
+  std::vector<OtherContender> others = {};  // of the methods, those of engines of others
   friend bool operator==(const PartSettings&, const PartSettings&) = default;
 };
 
@@ -28,8 +41,8 @@ struct CampaignSettings {
   std::vector<PartSettings> parts;
   std::uint64_t seed = 1;
   std::uint64_t block = 0;  // answers
-  // Hash of cases of every level and of the answers to them: of a build that generates other cases, or
-  // answers them otherwise, it is another.
+  // Hash of cases of every level and of our answers to them: of a build that generates other cases, or
+  // answers them otherwise, it is another. Engines of others are not asked for it.
   std::string fingerprint;
 
   [[nodiscard]] std::uint64_t casts() const;
@@ -67,6 +80,8 @@ class CampaignPlan {
   };
 
   explicit CampaignPlan(std::uint64_t seed) : seed_(seed) {}
+  // Of engines of others, by the question_name() of their methods: a campaign of another version is another.
+  void set_versions(std::map<std::string, std::string> versions) { versions_ = std::move(versions); }
   // `count` answers. Families without a question are left out.
   void add(const std::vector<const corpus::Family*>& families, Contenders contenders, std::uint64_t count,
            const Sampling& sampling);
@@ -82,6 +97,7 @@ class CampaignPlan {
 
  private:
   std::uint64_t seed_;
+  std::map<std::string, std::string> versions_;
   std::vector<Part> parts_;
   std::vector<Cell> cells_;
 };

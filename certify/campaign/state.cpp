@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "corpus/format/names.hpp"
+
 namespace graze::tool {
 namespace {
 
@@ -78,6 +80,22 @@ std::uint64_t hex_of(const std::string& text) {
   return value;
 }
 
+std::vector<OtherContender> others_of(const Json& part) {
+  std::vector<OtherContender> others;
+  if (!part.contains("others")) return others;
+  for (const Json& one : part.at("others")) {
+    others.push_back({.method = one.at("method"),
+                      .query = one.at("query"),
+                      .version = one.at("version"),
+                      .stall_cap = one.at("stall_cap"),
+                      .held_to = one.at("held_to")});
+    const auto& names = corpus::kQueryNames;
+    if (std::find(names.begin(), names.end(), others.back().query) == names.end())
+      throw std::runtime_error(fmt::format("others: {} is no query", others.back().query));
+  }
+  return others;
+}
+
 CampaignState state_of(const Json& json) {
   if (json.at("schema") != kSchema) {
     throw std::runtime_error(fmt::format("schema is {}, not \"{}\"", json.at("schema").dump(), kSchema));
@@ -94,7 +112,8 @@ CampaignState state_of(const Json& json) {
                                     .families = part.at("families"),
                                     .count = whole_number(part.at("count")),
                                     .oracle_every = whole_number(part.at("oracle_every")),
-                                    .judge_every = whole_number(part.at("judge_every"))});
+                                    .judge_every = whole_number(part.at("judge_every")),
+                                    .others = others_of(part)});
   }
   if (state.settings.casts() == 0 || state.settings.block == 0) {
     throw std::runtime_error("the counts of settings.parts and settings.block must be 1 or more");
@@ -118,7 +137,11 @@ CampaignState state_of(const Json& json) {
         {.method = level.at("method"), .family = level.at("family"), .level = level.at("level")});
     CampaignCounts counts;
     counts.widest = level.at("widest");
-    for (const CountField& field : kCountFields) counts.*field.value = whole_number(level.at(field.name));
+    for (const CountField& field : kCountFields) {
+      // A state of before engines of others were asked has no count of their failures.
+      const bool is_new = field.value == &CampaignCounts::failed;
+      counts.*field.value = is_new && !level.contains(field.name) ? 0 : whole_number(level.at(field.name));
+    }
     state.tally.counts.push_back(counts);
   }
   state.tally.faults = findings_of(json.at("faults"));
@@ -157,6 +180,13 @@ std::string state_text(const CampaignState& state) {
                                          {"count", part.count},
                                          {"oracle_every", part.oracle_every},
                                          {"judge_every", part.judge_every}});
+    for (const OtherContender& one : part.others) {
+      json["settings"]["parts"].back()["others"].push_back({{"method", one.method},
+                                                            {"query", one.query},
+                                                            {"version", one.version},
+                                                            {"stall_cap", one.stall_cap},
+                                                            {"held_to", one.held_to}});
+    }
   }
   for (const BlockRange& range : state.done) json["done"].push_back({range.lower(), range.upper()});
   for (std::size_t i = 0; i < state.cells.size(); ++i) {

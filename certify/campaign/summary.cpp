@@ -9,6 +9,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
+#include "corpus/format/names.hpp"
 #include "report/inputs.hpp"
 #include "report/table.hpp"
 
@@ -73,6 +74,8 @@ std::vector<Shown> columns_of(const PartSettings& part, const CampaignCounts& su
   add(&C::undecided, "oracle\nundecided", &count_of<&C::undecided>);
   columns.push_back({{"excused"}, &count_of<&C::excused>});
   add(&C::stalls, "stalls", &count_of<&C::stalls>);
+  if (sum.failed > 0) columns.push_back({{"failed"}, &count_of<&C::failed>});
+  if (!part.others.empty()) columns.push_back({{"not\nasked"}, &count_of<&C::not_asked>});
   add(&C::wrong, "wrong", &count_of<&C::wrong>);
   add(&C::late, "late", &count_of<&C::late>);
   add(&C::off, "bracket\noff", &count_of<&C::off>);
@@ -123,6 +126,11 @@ std::string part_heading(const PartSettings& part, std::uint64_t seed) {
   if (part.judge_every > 1)
     text +=
         fmt::format("one case in {} is judged, and each answer that did not converge; ", part.judge_every);
+  for (const OtherContender& one : part.others)
+    text += fmt::format("{}{} is held to {}; ", one.method, one.version.empty() ? "" : " " + one.version,
+                        one.held_to);
+  if (!part.others.empty() && part.others.size() == part.methods.size())
+    return text + "the oracle measures every answer that is judged.\n";
   text += "the oracle decides ";
   if (queries) {
     text += part.oracle_every == 1  ? "every one"
@@ -141,6 +149,7 @@ std::string kinds_of(const CampaignCounts& counts) {
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) kinds.push_back(fmt::format("{} {}", count, what));
   };
+  add(counts.failed, "without an answer");
   add(counts.wrong, "wrong");
   add(counts.late, "late");
   add(counts.off, "with a bracket off");
@@ -150,10 +159,35 @@ std::string kinds_of(const CampaignCounts& counts) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
+// A contender by its name: one of ours, or of others as the state has it.
+struct Known {
+  engine::Kind kind = engine::Kind::linear;
+  corpus::Query query = corpus::Query::cast;
+  double stall_cap = 0;
+};
+std::optional<Known> known_contender(const CampaignState& state, const std::string& name) {
+  for (const PartSettings& part : state.settings.parts) {
+    for (const OtherContender& one : part.others) {
+      if (one.method != name) continue;
+      const auto query = std::find(corpus::kQueryNames.begin(), corpus::kQueryNames.end(), one.query);
+      return Known{.kind = is_rotating(part)                             ? engine::Kind::rotating
+                           : part.kind == part_name(engine::Kind::query) ? engine::Kind::query
+                                                                         : engine::Kind::linear,
+                   .query = static_cast<corpus::Query>(query - corpus::kQueryNames.begin()),
+                   .stall_cap = one.stall_cap};
+    }
+  }
+  const engine::Method* method = find_contender(name);
+  if (method == nullptr) return std::nullopt;
+  return Known{.kind = method->kind,
+               .query = method->query,
+               .stall_cap = method->guarantee != nullptr ? method->guarantee->stall_cap : 0};
+}
+
 void family_failures(std::vector<std::string>& lines, const CampaignState& state, const std::string& method,
                      const std::string& family, const std::string& where) {
-  const engine::Method* contender = find_contender(method);
-  const double cap = contender && contender->guarantee != nullptr ? contender->guarantee->stall_cap : 0;
+  const std::optional<Known> contender = known_contender(state, method);
+  const double cap = contender ? contender->stall_cap : 0;
   const CampaignCounts counts = of_family(state, method, family);
   if (counts.faults > 0) {
     lines.push_back(fmt::format("{}: {} of {} casts are at fault: {}", where, counts.faults, counts.casts,
@@ -176,7 +210,7 @@ void family_failures(std::vector<std::string>& lines, const CampaignState& state
   }
 }
 
-std::vector<corpus::Case> cases_of(std::vector<Finding> findings) {
+std::vector<corpus::Case> cases_of(const CampaignState& state, std::vector<Finding> findings) {
   std::sort(findings.begin(), findings.end(),
             [](const Finding& l, const Finding& r) { return l.index < r.index; });
   std::vector<corpus::Case> cases;
@@ -184,10 +218,11 @@ std::vector<corpus::Case> cases_of(std::vector<Finding> findings) {
   for (const Finding& finding : findings) {
     const corpus::Family* family = corpus::find_family(finding.family);
     if (family == nullptr) throw std::runtime_error(finding.family + " is no family of this build");
-    const engine::Method* contender = find_contender(finding.method);
+    const std::optional<Known> contender = known_contender(state, finding.method);
     if (!contender) throw std::runtime_error(finding.method + " is no method of this build");
-    corpus::Case problem = question_of(
-        *contender, {.problem = family->generate(finding.level, finding.seed), .seed = finding.seed});
+    corpus::Case problem =
+        question_of(contender->kind, contender->query,
+                    {.problem = family->generate(finding.level, finding.seed), .seed = finding.seed});
     if (ids.insert(problem.id).second) cases.push_back(std::move(problem));
   }
   return cases;
@@ -223,6 +258,8 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
   const CampaignSettings& settings = state.settings;
   const CampaignCounts total = state.tally.total();
   const bool named = settings.parts.size() > 1 || settings.parts.at(0).methods.size() > 1;
+  const bool has_others = std::any_of(settings.parts.begin(), settings.parts.end(),
+                                      [](const PartSettings& part) { return !part.others.empty(); });
   std::string text;
   for (const PartSettings& part : settings.parts) text += part_heading(part, settings.seed);
   if (state.blocks_done() < settings.blocks()) {
@@ -237,8 +274,8 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
     }
   }
   if (!state.left_out.empty()) {
-    text +=
-        fmt::format("Left out, with hardly a question for the tier: {}.\n", fmt::join(state.left_out, ", "));
+    text += fmt::format("Left out, with hardly a question for {}: {}.\n",
+                        has_others ? "all of these methods" : "the tier", fmt::join(state.left_out, ", "));
   }
   if (total.not_asked > 0) text += fmt::format("{} cases were no question.\n", total.not_asked);
   text += fmt::format("Digest of the answers: {:016x}; of the families: {}.\n", state.tally.digest,
@@ -268,11 +305,11 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
 std::vector<corpus::Case> found_cases(const CampaignState& state) {
   std::vector<Finding> findings = state.tally.faults;
   findings.insert(findings.end(), state.tally.stalls.begin(), state.tally.stalls.end());
-  return cases_of(std::move(findings));
+  return cases_of(state, std::move(findings));
 }
 
 std::vector<corpus::Case> undecided_cases(const CampaignState& state) {
-  return cases_of(state.tally.undecided);
+  return cases_of(state, state.tally.undecided);
 }
 
 int hand_out(const CampaignState& state, const CampaignOutputs& outputs) {

@@ -41,23 +41,23 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Met
   const law::Judgement& judgement = cast.judgement;
   if (judgement.not_asked) return add_not_asked(cell);
   ++count.casts;
-  switch (cast.answer.outcome) {
-    case Outcome::initially_overlapping:
-      ++count.overlapping;
-      break;
-    case Outcome::hit:
-      ++count.hits;
-      break;
-    case Outcome::miss:
-      ++count.misses;
-      break;
-    case Outcome::not_converged:
-      ++count.not_converged;
-      break;
-    case Outcome::invalid_input:
-      ++count.refused;
-      break;
-  }
+  if (judgement.failed.empty()) switch (cast.answer.outcome) {
+      case Outcome::initially_overlapping:
+        ++count.overlapping;
+        break;
+      case Outcome::hit:
+        ++count.hits;
+        break;
+      case Outcome::miss:
+        ++count.misses;
+        break;
+      case Outcome::not_converged:
+        ++count.not_converged;
+        break;
+      case Outcome::invalid_input:
+        ++count.refused;
+        break;
+    }
   const auto one_if = [](bool is_so) { return static_cast<std::uint64_t>(is_so); };
   count.proved += one_if(judgement.proof == law::ProofState::accepted);
   count.by_oracle += one_if(judgement.by_oracle);
@@ -71,6 +71,7 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Met
   count.contact_off += one_if(!judgement.bad_contact.empty());
   count.proofs_refused += one_if(!judgement.false_proof.empty());
   count.unproved += one_if(!judgement.unproved.empty());
+  count.failed += one_if(!judgement.failed.empty());
   digest += answer_hash(index, cast.answer);
   const auto note = [&](std::vector<Finding>& findings, std::string reason) {
     merge_findings(findings, {{.index = index,

@@ -22,8 +22,9 @@ struct CampaignCounts {
   std::uint64_t by_oracle = 0;  // judged by the oracle, too
   std::uint64_t sampled = 0;    // of those, chosen before the answer was known
   std::uint64_t undecided = 0;  // of those, the oracle could not tell
-  // By fault, the first six; an answer may have several.
+  // By fault, the first seven; an answer may have several.
   std::uint64_t wrong = 0, late = 0, off = 0, contact_off = 0, proofs_refused = 0, unproved = 0;
+  std::uint64_t failed = 0;     // an engine of others crashed, hung, or wrote what is no answer
   std::uint64_t faults = 0;     // answers with any of them
   std::uint64_t stalls = 0;     // not_converged, and not excused; its frequency is capped by the row
   std::uint64_t excused = 0;    // decided by less than the row's limit
@@ -39,7 +40,7 @@ struct CountField {
   const char* name;
   std::uint64_t CampaignCounts::*value;
 };
-inline constexpr std::array<CountField, 20> kCountFields = {{
+inline constexpr std::array<CountField, 21> kCountFields = {{
     {"casts", &CampaignCounts::casts},
     {"overlapping", &CampaignCounts::overlapping},
     {"hits", &CampaignCounts::hits},
@@ -56,6 +57,7 @@ inline constexpr std::array<CountField, 20> kCountFields = {{
     {"contact_off", &CampaignCounts::contact_off},
     {"proofs_refused", &CampaignCounts::proofs_refused},
     {"unproved", &CampaignCounts::unproved},
+    {"failed", &CampaignCounts::failed},
     {"faults", &CampaignCounts::faults},
     {"stalls", &CampaignCounts::stalls},
     {"excused", &CampaignCounts::excused},

@@ -69,7 +69,10 @@ void say(const std::string& text) {
 std::string description(const std::string& sin) {
   if (sin == "declares_nonsense") return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "quad"})";
   if (sin == "declares_no_json") return "Bad Engine 1.0, ready";
-  return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "double", "shapes": ["sphere"], )" +
+  // Another at each start.
+  const std::string version = sin == "declares_otherwise" ? std::to_string(getpid()) : "1";
+  return R"({"schema": "graze.engine/1", "name": "bad", "version": ")" + version +
+         R"(", "scalar": "double", "shapes": ["sphere"], )" +
          (has_margin ? "\"margin\": " + std::to_string(kMargin) + ", " : "") +
          (sin == "documents_misses" ? R"("most_aspect": 0.5, )" : "") +
          R"("queries": {"cast": {"answers": ["time", "normal", "witnesses"], "relative_tolerance": 1e-9, )"
@@ -118,6 +121,8 @@ const std::map<std::string, Sin>& sins() {
         }}},
       {"abort", {Needs::anything, [](const Question&, const Answer&) -> std::string { std::abort(); }}},
       {"exit_3", {Needs::anything, [](const Question&, const Answer&) -> std::string { std::exit(3); }}},
+      {"declares_otherwise",
+       {Needs::anything, [](const Question&, const Answer&) -> std::string { std::exit(3); }}},
       {"exit_0", {Needs::anything, [](const Question&, const Answer&) -> std::string { std::exit(0); }}},
       {"hang", {Needs::anything, [](const Question&, const Answer&) -> std::string { sleep_for_ever(); }}},
       {"spin",

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,12 +21,15 @@
 #include "report/outputs.hpp"
 #include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
 
 namespace graze::tool {
 namespace {
 
 // The size of the largest published benchmark of continuous collision detection (Wang et al. 2021).
 constexpr std::uint64_t kCasts = 60'000'000;
+// An engine of others has no proof, and the oracle measures every answer: some hundred in a second.
+constexpr std::uint64_t kCastsOfOthers = 100'000;
 // An exact answer takes the oracle 4 ms, over the families, and a cast and its judgement 50 microseconds: of
 // one in 2048 they are 4 % of the time.
 constexpr std::uint64_t kOracleEvery = 2048;
@@ -44,6 +48,7 @@ struct Arguments {
   std::string shard = "1/1", state;
   unsigned threads = 0;  // 0: as many as the machine has
   CampaignOutputs outputs;
+  EngineArguments engines;
 
   [[nodiscard]] bool casts_linear() const {
     const bool other = rotating || rotating_per_family || queries;
@@ -146,7 +151,7 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
 }
 
 // What is asked, part by part.
-CampaignPlan plan_of(const Arguments& arguments) {
+CampaignPlan plan_of(const Arguments& arguments, const Engines& engines) {
   for (const auto& [option, count] : {std::pair("--casts", arguments.casts),
                                       {"--per-family", arguments.per_family},
                                       {"--rotating", arguments.rotating},
@@ -163,11 +168,24 @@ CampaignPlan plan_of(const Arguments& arguments) {
   only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
   check_families(arguments);
   CampaignPlan plan(arguments.seed);
+  std::map<std::string, std::string> versions;
+  for (const auto& engine : engines.all()) {
+    for (const engine::Method& method : engine->methods())
+      versions[method.question_name()] = engine->declaration().version;
+  }
+  plan.set_versions(std::move(versions));
   const auto add = [&](engine::Kind kind, std::optional<std::uint64_t> each, std::uint64_t count,
                        std::uint64_t oracle_every) {
     const auto all = kind == engine::Kind::rotating ? corpus::rotating_families() : corpus::families();
     const auto families = chosen_families(arguments.families, all);
-    Contenders contenders = chosen_contenders(kind, arguments.methods);
+    const Contenders others = engines.methods(kind);
+    if (!engines.empty() && others.empty() && arguments.methods.empty())
+      throw std::runtime_error(fmt::format(
+          "--engine: none of these says that it can be asked {}; leave that part away, or name a --method",
+          kind == engine::Kind::linear  ? "casts"
+          : kind == engine::Kind::query ? "queries"
+                                        : "rotating casts"));
+    Contenders contenders = chosen_contenders(kind, arguments.methods, others);
     const Sampling sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
                             .judge_every = arguments.judge_every};
     if (each)
@@ -176,7 +194,8 @@ CampaignPlan plan_of(const Arguments& arguments) {
       plan.add(families, std::move(contenders), count, sampling);
   };
   if (arguments.casts_linear())
-    add(engine::Kind::linear, arguments.per_family, arguments.casts.value_or(kCasts), kOracleEvery);
+    add(engine::Kind::linear, arguments.per_family,
+        arguments.casts.value_or(engines.empty() ? kCasts : kCastsOfOthers), kOracleEvery);
   if (arguments.queries) add(engine::Kind::query, arguments.queries, 0, 1);
   if (arguments.casts_rotating())
     add(engine::Kind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
@@ -193,8 +212,9 @@ int run(const Arguments& arguments) {
   const auto beside = [](const std::string& name) { return name.empty() ? "" : name + ".new"; };
   require_own_files({arguments.state, beside(arguments.state), arguments.outputs.json, arguments.outputs.save,
                      arguments.outputs.save_undecided});
-  const CampaignPlan plan = plan_of(arguments);
-  const bool slow = arguments.queries || arguments.casts_rotating();
+  const Engines engines(arguments.engines);
+  const CampaignPlan plan = plan_of(arguments, engines);
+  const bool slow = arguments.queries || arguments.casts_rotating() || !engines.empty();
   const std::uint64_t block = arguments.block.value_or(slow ? kSlowBlock : kBlock);
   CampaignState state = initial_state(arguments, fresh_state(plan, block, shard));
 
@@ -213,8 +233,11 @@ int run(const Arguments& arguments) {
     signal = StopBySignal::received();
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  const std::vector<std::string> left_behind = engines.finish();
+  for (const std::string& line : left_behind) complain(line);
   if (!state.is_complete()) return stopped_by(signal, state, arguments.state);
-  const int exit_code = hand_out(state, arguments.outputs);
+  const int kept = hand_out(state, arguments.outputs);
+  const int exit_code = kept == 0 && !left_behind.empty() ? 1 : kept;
   print_cost(state.casts_done() - before, spent.count(), job.threads);
   return exit_code;
 }
@@ -226,8 +249,10 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("campaign", "Millions of generated casts, each judged; can be stopped and resumed.");
   command
-      ->add_option("--casts", arguments->casts,
-                   "Linear casts (60000000, unless other questions are asked for)")
+      ->add_option(
+          "--casts", arguments->casts,
+          fmt::format("Linear casts ({}, of engines of others {}, unless other questions are asked for)",
+                      kCasts, kCastsOfOthers))
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command
@@ -303,6 +328,8 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--json", arguments->outputs.json, "Write the result to this file; - is standard output")
       ->type_name("OUT");
+  add_engine_options(*command, arguments->engines);
+  add_promise_options(*command, arguments->engines);
   command->footer(
       "An answer is judged by its proof; the exact oracle decides what a proof leaves open, and a sample.\n"
       "The summary does not depend on threads, stops or shards. docs/campaigns.md says more.\n\n"

@@ -11,6 +11,7 @@
 #include "report/answer_text.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
 
 namespace graze::tool {
 namespace {
@@ -20,6 +21,10 @@ struct Settings {
   std::string method, scalar = "double", tier = "standard", proofs;
   double tolerance = 0;
   bool json = false, plan = false;
+  EngineArguments engines;
+
+  // Of ours none, where engines of others are asked and no method is named.
+  [[nodiscard]] bool asks_ours() const { return engines.commands.empty() || !method.empty(); }
 };
 
 void check(const Settings& settings) {
@@ -46,6 +51,11 @@ void check(const Settings& settings) {
         fmt::format("--plan: nothing is cast, so {} has no meaning beside it; leave one of them away",
                     settings.method.empty() ? "--proof" : "--method"));
   }
+  if (settings.plan && !settings.engines.commands.empty())
+    throw std::runtime_error("--plan: engines of others have none; leave --engine away");
+  if (settings.tier != "standard" && !settings.engines.commands.empty())
+    throw std::runtime_error(
+        fmt::format("--tier: is of our methods alone; beside --engine name one: --method {}", settings.tier));
 }
 
 // Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
@@ -92,6 +102,7 @@ class Run {
       rotating_.assign(1, engine::find_method(engine::Kind::rotating, "plan/" + given.scalar));
       ask_.tier = Tier::exact;
     }
+    engines_ = std::make_unique<Engines>(given.engines);
     if (!settings_.proofs.empty()) proofs_ = std::make_unique<OutputFile>(settings_.proofs);
     const Request request =
         Request::normal | Request::witnesses | (proofs_ ? Request::proof : Request::verdict);
@@ -106,15 +117,25 @@ class Run {
       for (const corpus::Case& problem : file.cases) {
         if (settings_.plan) {
           plan(file.name, problem);
+        } else if (!settings_.asks_ours()) {
         } else if (problem.query == corpus::Query::cast) {
           cast(file.name, problem);
         } else {
           ask(file.name, problem);
         }
+        ask_engines(file.name, problem);
       }
     }
     if (proofs_) proofs_->close();
-    return bad_ ? 2 : 0;
+    for (const std::string& line : engines_->finish()) {
+      complain(line);
+      ++failed_;
+    }
+    if (failed_ > 0) complain(fmt::format("{} without an answer, by a fault of the engine", failed_));
+    if (not_asked_ > 0)
+      complain(fmt::format("{} not asked: the engine does not take them (docs/engines.md)", not_asked_));
+    if (bad_) return 2;
+    return failed_ > 0 ? 1 : 0;
   }
 
  private:
@@ -159,6 +180,10 @@ class Run {
     const engine::Answer answer = method.ask(problem, ask_);
     if (is_left_out(answer.invalid)) return;
     show(file, problem, method, answer);
+    save_proof(method, problem, answer);
+  }
+
+  void save_proof(const engine::Method& method, const corpus::Case& problem, const engine::Answer& answer) {
     if (!proofs_ || !(answer.proof || answer.rotating_proof)) return;
     corpus::ProofRecord record;
     record.problem = method.seen(problem);
@@ -175,6 +200,41 @@ class Run {
     record.rotating = answer.rotating_proof;
     if (answer.proof) record.proof = *answer.proof;
     proofs_->write_line(corpus::write_proof(record));
+  }
+
+  // Each engine of others, what it can be asked of this case. A case that none of its methods takes is said to be
+  // none for it; of a case that turns only a rotating cast is meant.
+  void ask_engines(const std::string& file, const corpus::Case& problem) {
+    for (const auto& engine : engines_->all()) {
+      std::string why = fmt::format("answers no {}", corpus::name_of(problem.query));
+      bool is_asked = false;
+      for (const engine::Method& method : engine->methods()) {
+        if (method.query != problem.query) continue;
+        const std::string refused = law::why_invalid(problem).empty()
+                                        ? method.refuses(problem)
+                                        : "invalid_input: " + law::why_invalid(problem);
+        if (!refused.empty()) {
+          why = refused;
+          continue;
+        }
+        // A rotating cast answers what does not turn, too, where there is no other.
+        if (is_asked && method.kind == engine::Kind::rotating) continue;
+        const engine::Answer answer = method.ask(problem, ask_);
+        if (answer.declined) {
+          why = answer.message.empty() ? "it says that the case is none for it" : answer.message;
+          continue;
+        }
+        is_asked = true;
+        fmt::print("{}\n", settings_.json ? answer_json(problem, method, answer)
+                                          : answer_block(problem, method, answer));
+        if (answer.failure != engine::Failure::none) ++failed_;
+        save_proof(method, problem, answer);
+      }
+      if (is_asked) continue;
+      ++not_asked_;
+      complain(fmt::format("{}: case {}: is not asked of {}: {}", file, problem.id,
+                           engine->declaration().name, why));
+    }
   }
 
   // What would be simulated, by the tier asked for.
@@ -220,6 +280,8 @@ class Run {
   engine::Ask ask_;
   std::unique_ptr<OutputFile> proofs_;
   bool bad_ = false;
+  std::unique_ptr<Engines> engines_;
+  std::size_t failed_ = 0, not_asked_ = 0;
 };
 
 }  // namespace
@@ -264,6 +326,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       ->add_option("--proof,--proofs", settings->proofs,
                    "Also write the proofs to this file, for `graze check`")
       ->type_name("OUT.jsonl");
+  add_engine_options(*command, settings->engines);
   command->footer(
       "The time runs from 0 to the case's t_max (1 by default). A bracket [lower, upper] holds the time of "
       "impact;\n"
@@ -293,10 +356,13 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "                     before_after, exact\n\n"
       "  graze cast pair.json\n"
       "  graze cast --plan --json cases.jsonl\n"
-      "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n\n"
+      "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n"
+      "  graze cast cases.jsonl --engine ./mine --method gjk    another engine's answers (docs/engines.md), "
+      "beside ours\n\n"
       "Exit code: 0, or 2 if a file or a case could not be read or answered, or an output not be written; "
       "the "
-      "other\ncases are answered all the same.");
+      "other\ncases are answered all the same. 1 if an engine of others crashed, hung or wrote what is no "
+      "answer; what it does not\ntake is said and counted.");
   command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
 }
 

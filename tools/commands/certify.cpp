@@ -71,7 +71,7 @@ struct Arguments {
 // The methods that the command line selects, each with the row that it is held to.
 class Selection {
  public:
-  explicit Selection(const Arguments& arguments) {
+  explicit Selection(const Arguments& arguments) : engines_(arguments.engines) {
     if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
     if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
       for (const engine::Method* method : select_methods(names)) {
@@ -81,14 +81,9 @@ class Selection {
         }
       }
     }
-    engines_ = start_engines(arguments.engines);
-    for (const auto& engine : engines_) {
-      methods_.insert(methods_.end(), engine->methods().begin(), engine->methods().end());
-    }
+    for (const engine::Method* method : engines_.methods()) methods_.push_back(*method);
   }
-  // Ends the engines of others, and says what they left behind.
-  [[nodiscard]] std::vector<std::string> finish() const { return finish_engines(engines_); }
-  [[nodiscard]] std::span<const std::unique_ptr<external::Engine>> engines() const { return engines_; }
+  [[nodiscard]] const Engines& engines() const { return engines_; }
   Selection(const Selection&) = delete;
   Selection& operator=(const Selection&) = delete;
 
@@ -126,7 +121,7 @@ class Selection {
   }
 
   std::vector<engine::Guarantee> table_;
-  std::vector<std::unique_ptr<external::Engine>> engines_;
+  Engines engines_;
   std::vector<engine::Method> methods_;
 };
 
@@ -162,34 +157,46 @@ void print_intake(const Intake& intake) {
   if (intake.left_out > 0) fmt::print("{} cases are not judged.\n", intake.left_out);
 }
 
+// What an exit code becomes where engines of others left processes behind, which is said.
+int with_left_behind(const Engines& engines, int code) {
+  const std::vector<std::string> lines = engines.finish();
+  for (const std::string& line : lines) fmt::print("broken: {}\n", line);
+  return code == 0 && !lines.empty() ? 1 : code;
+}
+
 // --stability: curves of error against hardness instead.
-int show_stability(const Arguments& arguments, const Settings& settings) {
+int show_stability(const Arguments& arguments, const Settings& settings, const Selection& selection) {
   if (!arguments.files.empty()) {
     throw std::runtime_error("--stability: takes families, not files: a file has no levels of hardness");
   }
-  return run_stability({.settings = {.methods = settings.methods,
-                                     .count = arguments.count.value_or(kLevelCases),
-                                     .rotating_count = arguments.rotating.value_or(kRotatingLevelCases),
-                                     .seed = arguments.seed,
-                                     .threads = settings.threads},
-                        .families = wanted_families(arguments.families, false),
-                        .by_level = !arguments.families.empty(),
-                        .plot = arguments.plot,
-                        .save = arguments.save});
+  const int code =
+      run_stability({.settings = {.methods = settings.methods,
+                                  .count = arguments.count.value_or(kLevelCases),
+                                  .rotating_count = arguments.rotating.value_or(kRotatingLevelCases),
+                                  .seed = arguments.seed,
+                                  .threads = settings.threads},
+                     .families = wanted_families(arguments.families, false),
+                     .by_level = !arguments.families.empty(),
+                     .plot = arguments.plot,
+                     .save = arguments.save});
+  return with_left_behind(selection.engines(), code);
 }
 
 // --laws: every law instead.
 int show_laws(const Arguments& arguments) {
-  return run_laws({.files = arguments.files,
-                   .families = arguments.families,
-                   .methods = arguments.our_methods(),
-                   .laws = arguments.law_names,
-                   .count = arguments.count,
-                   .rotating = arguments.rotating,
-                   .seed = arguments.seed,
-                   .threads = arguments.threads,
-                   .corpus = arguments.corpus,
-                   .save = arguments.save});
+  const Engines engines(arguments.engines);
+  const int code = run_laws({.files = arguments.files,
+                             .families = arguments.families,
+                             .methods = arguments.our_methods(),
+                             .laws = arguments.law_names,
+                             .others = engines.methods(),
+                             .count = arguments.count,
+                             .rotating = arguments.rotating,
+                             .seed = arguments.seed,
+                             .threads = arguments.threads,
+                             .corpus = arguments.corpus,
+                             .save = arguments.save});
+  return with_left_behind(engines, code);
 }
 
 // The curated corpus, the files and the families that are asked for. True if something could not be read.
@@ -277,7 +284,7 @@ int run(const Arguments& arguments) {
   }
   if (!arguments.findings.empty()) require_folder(arguments.findings);
   if (!arguments.report.empty()) require_folder(arguments.report);
-  if (arguments.stability) return show_stability(arguments, settings);
+  if (arguments.stability) return show_stability(arguments, settings, selection);
   std::unique_ptr<OutputFile> save;
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
   std::unique_ptr<OutputFile> json;
@@ -336,7 +343,7 @@ int run(const Arguments& arguments) {
                         .plain = plain,
                         .most_scenes = arguments.report_cases});
   }
-  const std::vector<std::string> left_behind = selection.finish();
+  const std::vector<std::string> left_behind = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   fmt::print("{}", verdict_line(certification, took.count()));
   for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
@@ -352,7 +359,11 @@ int run(const Arguments& arguments) {
   } else {
     if (selection.has_ours()) print_screen(certification, settings);
   }
-  if (!selection.engines().empty()) fmt::print("\n{}", certificates(certification, settings));
+  if (!selection.engines().empty()) {
+    fmt::print("\n{}", certificates(certification, settings));
+    if (const std::string times = time_table(certification, settings); !times.empty())
+      fmt::print("\n{}", times);
+  }
   if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));
   if (json) {
     json->write_line(certification_json(certification, settings, took.count()));
@@ -481,6 +492,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
                       ReportDefaults::kCases))
       ->check(whole_number(0, ReportDefaults::kMost))
       ->type_name("N");
+  add_promise_options(*command, arguments->engines);
+  add_need_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "
                     "(docs/stability.md)");

@@ -12,6 +12,8 @@
 namespace graze::tool {
 namespace {
 
+constexpr const char* kGroup = "Engines of others";
+
 // A length, or a multiple of one: finite, and not negative.
 CLI::Validator not_negative() {
   return {[](const std::string& text) {
@@ -47,12 +49,10 @@ std::string lacking(const external::Declaration& engine, const EngineArguments& 
 }  // namespace
 
 void add_engine_options(CLI::App& command, EngineArguments& arguments) {
-  constexpr const char* kGroup = "Engines of others";
   command
       .add_option("--engine", arguments.commands,
-                  "Judge this program, with its arguments, or this shared library (may be repeated); of ours "
-                  "then those "
-                  "that --method names")
+                  "Ask this program, with its arguments, or this shared library (may be repeated); of ours "
+                  "then those that --method names")
       ->type_name("COMMAND")
       ->allow_extra_args(false)
       ->group(kGroup);
@@ -64,6 +64,13 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->check(whole_number(1, 1U << 20))
       ->type_name("MIB")
       ->group(kGroup);
+  command
+      .add_flag("--beyond-limits", arguments.beyond_limits,
+                "Ask it also what lies beyond the limits that it documents")
+      ->group(kGroup);
+}
+
+void add_promise_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--tolerance", arguments.tolerance, "Hold it to this length, whatever it promises")
       ->check(not_negative())
       ->type_name("X")
@@ -78,6 +85,9 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->check(not_negative())
       ->type_name("K")
       ->group(kGroup);
+}
+
+void add_need_options(CLI::App& command, EngineArguments& arguments) {
   command
       .add_option("--needs-shape", arguments.needed_shapes,
                   "Refuse an engine that does not declare this shape (may be repeated)")
@@ -91,18 +101,14 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->type_name("ANSWER")
       ->allow_extra_args(false)
       ->group(kGroup);
-  command
-      .add_flag("--beyond-limits", arguments.beyond_limits,
-                "Ask it also what lies beyond the limits that it documents")
-      ->group(kGroup);
 }
 
-std::vector<std::unique_ptr<external::Engine>> start_engines(const EngineArguments& arguments) {
-  std::vector<std::unique_ptr<external::Engine>> engines;
+Engines::Engines(const EngineArguments& arguments) {
   std::map<std::string, std::string> names;
   for (const std::string& command : arguments.commands) {
     external::EngineOptions options{.command = command,
                                     .library_host = {"/proc/self/exe", "host"},
+                                    .host_takes_frames = true,
                                     .tolerance = arguments.tolerance,
                                     .relative_tolerance = arguments.relative_tolerance,
                                     .kappa = arguments.kappa,
@@ -110,22 +116,31 @@ std::vector<std::unique_ptr<external::Engine>> start_engines(const EngineArgumen
     options.limits.time =
         std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(arguments.time_limit * 1000)));
     options.limits.memory = arguments.memory_limit << 20;
-    engines.push_back(std::make_unique<external::Engine>(std::move(options)));
-    if (const std::string what = lacking(engines.back()->declaration(), arguments); !what.empty())
+    engines_.push_back(std::make_unique<external::Engine>(std::move(options)));
+    if (const std::string what = lacking(engines_.back()->declaration(), arguments); !what.empty())
       throw std::runtime_error(fmt::format("--engine: {}: {}", command, what));
-    const std::string& name = engines.back()->declaration().name;
+    const std::string& name = engines_.back()->declaration().name;
     if (const auto [known, is_new] = names.emplace(name, command); !is_new) {
       throw std::runtime_error(
           fmt::format("--engine: {} and {} both call themselves {}; an engine has a name of its own",
                       known->second, command, name));
     }
   }
-  return engines;
 }
 
-std::vector<std::string> finish_engines(std::span<const std::unique_ptr<external::Engine>> engines) {
+std::vector<const engine::Method*> Engines::methods(std::optional<engine::Kind> kind) const {
+  std::vector<const engine::Method*> all;
+  for (const auto& engine : engines_) {
+    for (const engine::Method& method : engine->methods()) {
+      if (!kind || method.kind == *kind) all.push_back(&method);
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> Engines::finish() const {
   std::vector<std::string> lines;
-  for (const auto& engine : engines) {
+  for (const auto& engine : engines_) {
     if (const int left = engine->finish(); left > 0) {
       lines.push_back(fmt::format("{}: {} process{} outlived it, left behind", engine->declaration().name,
                                   left, left > 1 ? "es" : ""));

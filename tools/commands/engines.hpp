@@ -21,14 +21,30 @@ struct EngineArguments {
   std::vector<std::string> needed_shapes, needed_answers;  // what each must declare
 };
 
+// Which engines, and the limits of a question: of every command that asks them.
 void add_engine_options(CLI::App& command, EngineArguments& arguments);
+// What each is held to: of the commands that judge.
+void add_promise_options(CLI::App& command, EngineArguments& arguments);
+// What each must declare.
+void add_need_options(CLI::App& command, EngineArguments& arguments);
 
-// Starts each. Throws std::runtime_error with one line to show for one that cannot be asked, and where two have one
-// name.
-[[nodiscard]] std::vector<std::unique_ptr<external::Engine>> start_engines(const EngineArguments& arguments);
+// The engines that the command line names, for as long as they are asked.
+class Engines {
+ public:
+  // Starts each. Throws std::runtime_error with one line to show for one that cannot be asked, and where two have one
+  // name.
+  explicit Engines(const EngineArguments& arguments);
 
-// Ends each; a line for every one that left processes behind.
-[[nodiscard]] std::vector<std::string> finish_engines(
-    std::span<const std::unique_ptr<external::Engine>> engines);
+  [[nodiscard]] bool empty() const { return engines_.empty(); }
+  [[nodiscard]] std::span<const std::unique_ptr<external::Engine>> all() const { return engines_; }
+  // Their methods, engine by engine; of a kind, where one is given.
+  [[nodiscard]] std::vector<const engine::Method*> methods(std::optional<engine::Kind> kind = {}) const;
+
+  // Ends each; a line for every one that left processes behind.
+  [[nodiscard]] std::vector<std::string> finish() const;
+
+ private:
+  std::vector<std::unique_ptr<external::Engine>> engines_;
+};
 
 }  // namespace graze::tool

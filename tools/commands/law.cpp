@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "certify/laws.hpp"
+#include "certify/laws_of_others.hpp"
 #include "certify/suites.hpp"
 #include "corpus/curate/location.hpp"
 #include "report/inputs.hpp"
@@ -70,7 +71,16 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments) {
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
   const std::size_t count =
       family.rotating ? arguments.rotating.value_or(kRotatingCases) : arguments.count.value_or(kLinearCases);
-  LawSuite one{.suite = drawn_suite(family, family.levels.first(levels), count, arguments.seed)};
+  // Engines of others alone are asked what they take.
+  const bool is_drawn = !arguments.methods.empty() || count == 0;
+  const auto takes = [&](const corpus::Case& problem) {
+    return std::any_of(arguments.others.begin(), arguments.others.end(), [&](const engine::Method* method) {
+      return (method->kind == Kind::rotating) == family.rotating && method->refuses(problem).empty();
+    });
+  };
+  LawSuite one{
+      .suite = is_drawn ? drawn_suite(family, family.levels.first(levels), count, arguments.seed)
+                        : sought_suite(family, family.levels.first(levels), count, arguments.seed, takes)};
   one.seed = [draw = one.suite.draw](std::size_t i) {
     // name/h<hardness>/s<seed>
     const std::string id = draw(i).id;
@@ -101,9 +111,15 @@ void print_idle(const LawCertification& certification, const LawSettings& settin
   if (!idle.empty()) fmt::print("No case was one for: {}\n", fmt::join(idle, ", "));
 }
 
-}  // namespace
-
-namespace {
+void print_ours(const LawCertification& certification, const LawSettings& settings) {
+  fmt::print("{}\n", law_table(certification, settings));
+  fmt::print(
+      "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
+      "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
+      "docs/laws.md "
+      "says what each law is.\n\n");
+  print_idle(certification, settings);
+}
 
 std::filesystem::path curated_directory(const LawArguments& arguments) {
   return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
@@ -125,6 +141,10 @@ int run_laws(const LawArguments& arguments) {
     return std::any_of(arguments.methods.begin(), arguments.methods.end(),
                        [&](const std::string& name) { return selects(name, method); });
   };
+  std::vector<engine::Method> others;
+  others.reserve(arguments.others.size());
+  for (const engine::Method* method : arguments.others) others.push_back(as_laws_ask(*method));
+  settings.others = others;
   settings.threads =
       arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
   const std::vector<const corpus::Family*> families =
@@ -159,14 +179,9 @@ int run_laws(const LawArguments& arguments) {
     });
   }
   const LawCertification certification = certify_laws(suites, settings);
-  fmt::print("{} laws over {} cases\n\n{}\n", settings.laws.size(), certification.cases,
-             law_table(certification, settings));
-  fmt::print(
-      "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
-      "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
-      "docs/laws.md "
-      "says what each law is.\n\n");
-  print_idle(certification, settings);
+  fmt::print("{} laws over {} cases\n\n", settings.laws.size(), certification.cases);
+  if (!others.empty()) fmt::print("{}\n", other_law_table(certification, settings));
+  if (!arguments.methods.empty()) print_ours(certification, settings);
   for (const LawBreach& breach : certification.breaches) print_breach(breach);
   const bool held = certification.breaches.empty();
   fmt::print("{}\n", held ? "Every law holds." : "A law is broken.");

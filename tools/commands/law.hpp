@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "engines/method.hpp"
+
 namespace graze::tool {
 
 struct LawArguments {
   std::vector<std::string> files, families, methods, laws;
+  std::vector<const engine::Method*> others;  // methods of engines of others
   std::optional<std::size_t> count, rotating;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has

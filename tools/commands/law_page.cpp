@@ -44,6 +44,7 @@ grants it.
 
     graze certify --laws                                     # every law, on the corpus and every family
     graze certify --laws --law never_late mine.jsonl         # one law, on cases of your own
+    graze certify --laws --engine ./mine                     # those that an engine of others can be asked (engines.md)
     ctest -L property                                        # the same laws, with shrinking, over drawn cases too
 
 Where a law breaks, the case is made small (few vertices, small integers) by the law and the method that it broke, and

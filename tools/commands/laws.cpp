@@ -1,8 +1,11 @@
 // graze laws: what must hold of every answer.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
+#include "corpus/curate/location.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/law_page.hpp"
 
@@ -11,12 +14,22 @@ namespace {
 
 struct Settings {
   bool page = false;
-  std::string defects = GRAZE_DEFECTS_DIRECTORY;
+  std::string defects;  // empty: of the source tree
 };
 
 int run(const Settings& settings) {
   const std::span<const law::Law> laws = law::laws();
-  fmt::print("{}", settings.page ? law_page(laws, read_defects(settings.defects)) : law_list(laws));
+  if (!settings.page) {
+    fmt::print("{}", law_list(laws));
+    return 0;
+  }
+  // They lie beside the corpus in the source tree, and are not installed.
+  const std::filesystem::path folder =
+      settings.defects.empty() ? corpus::corpus_directory().parent_path() / "properties" / "defects"
+                               : std::filesystem::path(settings.defects);
+  if (!std::filesystem::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": is no folder of planted defects; --defects names one");
+  fmt::print("{}", law_page(laws, read_defects(folder.string())));
   return 0;
 }
 
