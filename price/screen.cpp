@@ -15,6 +15,7 @@ using tool::short_number;
 using tool::Table;
 
 std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
+std::string mean_text(double x) { return std::isnan(x) ? "-" : fmt::format("{:.1f}", x); }
 std::string ns(double x) { return std::isnan(x) ? "-" : fmt::format("{:.0f}", x); }
 
 std::string ratio_text(const std::optional<Spread>& ratio) {
@@ -55,8 +56,8 @@ std::string table_text(const PriceTable& table, bool full) {
       cells.push_back(row.on_front ? "*" : "");
     }
     cells.push_back(count_text(row.failures.not_converged));
-    cells.push_back(fmt::format("{:.1f}", row.iterations.mean));
-    cells.push_back(fmt::format("{:.1f}", row.supports.mean));
+    cells.push_back(mean_text(row.iterations.mean));
+    cells.push_back(mean_text(row.supports.mean));
     text.add_row(std::move(cells));
   }
   return text.text();
