@@ -14,6 +14,8 @@
 #include "price/sentences.hpp"
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
+#include "show/page.hpp"
+#include "show/price_page.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"
@@ -29,8 +31,19 @@ struct Arguments {
   bool quick = false, thorough = false, full = false, goes_on = false;
   std::uint64_t seed = 1, rounds = 0;
   unsigned threads = 0;
-  std::string json, csv;
+  std::string json, csv, report;
 };
+
+// As it would be typed again.
+std::string command_line(const Arguments& arguments) {
+  std::string text = "graze price";
+  for (const std::string& name : arguments.only) text += fmt::format(" --only '{}'", name);
+  for (const std::string& engine : arguments.engines.commands) text += fmt::format(" --engine '{}'", engine);
+  if (arguments.thorough) text += " --thorough";
+  if (arguments.seed != 1) text += fmt::format(" --seed {}", arguments.seed);
+  if (arguments.rounds > 0) text += fmt::format(" --rounds {}", arguments.rounds);
+  return text;
+}
 
 int rounds_of(const Arguments& arguments) {
   const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kQuickRounds;
@@ -68,6 +81,20 @@ void write_whole(const std::string& name, const std::string& text) {
   file.close();
 }
 
+// index.html, and what was measured, price.json.
+void write_report(const Arguments& arguments, const price::Document& document) {
+  if (arguments.report.empty()) return;
+  const std::filesystem::path folder = arguments.report;
+  const std::string measured = price::write_document(document);
+  write_whole((folder / "price.json").string(), measured);
+  const std::string page = show::price_page(
+      show::read_price(measured),
+      {.command = command_line(arguments), .plain = price::screen_of(document, arguments.full)});
+  write_whole((folder / "index.html").string(), page.substr(0, page.size() - 1));
+  if (!show::has_viewer())
+    complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
+}
+
 void write_json(const Arguments& arguments, const price::Document& document) {
   if (!arguments.json.empty()) write_whole(arguments.json, price::write_document(document));
 }
@@ -76,18 +103,17 @@ int run(const Arguments& arguments) {
   if (arguments.quick && arguments.thorough)
     throw std::runtime_error("--quick and --thorough: a run is one of the two");
   require_own_files({arguments.json, arguments.csv});
+  if (!arguments.report.empty()) require_folder(arguments.report);
   price::Document document = begun(arguments);
-  const auto engines = start_engines(arguments.engines);
+  const Engines engines(arguments.engines);
   price::RunSettings settings{.thorough = arguments.thorough,
                               .seed = arguments.seed,
                               .threads = arguments.threads > 0
                                              ? arguments.threads
                                              : std::max(1U, std::thread::hardware_concurrency()),
                               .rounds = rounds_of(arguments),
-                              .only = arguments.only};
-  for (const auto& engine : engines) {
-    for (const engine::Method& method : engine->methods()) settings.others.push_back(&method);
-  }
+                              .only = arguments.only,
+                              .others = engines.methods()};
   for (const std::string& name : arguments.only) {
     if (!price::is_known(name, arguments.thorough)) {
       throw std::runtime_error(
@@ -112,10 +138,11 @@ int run(const Arguments& arguments) {
   document = price::run(settings, std::move(document));
   document.machine = price::this_machine();
   document.sentences = price::sentences_of(document);
-  const std::vector<std::string> left_behind = finish_engines(engines);
+  const std::vector<std::string> left_behind = engines.finish();
   for (const std::string& line : left_behind) complain(line);
   write_json(arguments, document);
   if (!arguments.csv.empty()) write_whole(arguments.csv, price::csv_of(document));
+  write_report(arguments, document);
   // Standard output is one thing's.
   if (arguments.json != "-" && arguments.csv != "-") {
     fmt::print("{}", price::screen_of(document, arguments.full));
@@ -168,6 +195,12 @@ void add_price_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.json");
   command->add_option("--csv", arguments->csv, "Write every row of every table to this file")
       ->type_name("OUT.csv");
+  command
+      ->add_option(
+          "--report", arguments->report,
+          "Write the report into this folder: index.html, one file to look at, which needs no network, and "
+          "price.json")
+      ->type_name("DIR");
   command->add_flag("--continue", arguments->goes_on,
                     "Go on with what a run that was stopped left in the file of --json");
   add_engine_options(*command, arguments->engines);
@@ -181,6 +214,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "  graze price --json price.json\n"
       "  graze price --only smooth --only polytopes --full\n"
       "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its calls\n"
+      "  graze price --report DIR                             a page to look at: DIR/index.html\n"
       "  python3 price/figures.py price.json figures          every figure\n"
       "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
       "Exit code: 0; 2 for bad input; 130 if it was stopped.");

@@ -62,7 +62,7 @@ std::string quoted(const std::string& word) {
 
 class Run {
  public:
-  explicit Run(const Arguments& arguments) : arguments_(arguments) {
+  explicit Run(const Arguments& arguments) : arguments_(arguments), engines_(arguments.engines) {
     will_read(arguments.files);
     if (!arguments.answers.empty()) will_read({arguments.answers});
     if (!arguments.methods.empty()) claimed_ = select_methods(arguments.methods);
@@ -85,10 +85,8 @@ class Run {
           fmt::format("graze show: {} cases are too many for a page, which holds {}; name some by --id",
                       cases_.size(), kMostScenes));
     }
-    engines_ = start_engines(arguments.engines);
-    for (const auto& engine : engines_) {
-      for (const engine::Method& method : engine->methods()) claimed_.push_back(&method);
-    }
+    const std::vector<const engine::Method*> asked = engines_.methods();
+    claimed_.insert(claimed_.end(), asked.begin(), asked.end());
     if (!arguments.answers.empty()) {
       external::RecordedLines lines = read_answers(arguments.answers, cases_);
       std::vector<corpus::Case> problems;
@@ -111,7 +109,7 @@ class Run {
     } else {
       page();
     }
-    for (const std::string& line : finish_engines(engines_)) complain(line);
+    for (const std::string& line : engines_.finish()) complain(line);
     return inputs_.bad ? 2 : 0;
   }
 
@@ -183,7 +181,7 @@ class Run {
   std::vector<const corpus::Case*> cases_;
   std::vector<const std::string*> files_;  // of each case
   std::vector<const engine::Method*> claimed_;
-  std::vector<std::unique_ptr<external::Engine>> engines_;
+  Engines engines_;
   external::RecordedLines answered_;
   std::unique_ptr<external::Recorded> recorded_;
 };
@@ -213,6 +211,7 @@ void add_show_command(CLI::App& app, int& exit_code) {
                    "Show the answers of this file, graze.answer/1 a line, whose ids are those of cases")
       ->type_name("ANSWERS.jsonl");
   add_engine_options(*command, arguments->engines);
+  add_promise_options(*command, arguments->engines);
   command->add_option("--out", arguments->out, "The page, or the picture; without it, standard output")
       ->type_name("OUT");
   command->add_flag(
