@@ -179,13 +179,13 @@ std::string table_of(const std::vector<Tally>& totals) {
                {"needed by", Align::left}});
   for (const Tally& t : totals) {
     const Method* method = t.method;
-    table.add_row({method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
-                   count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
-                   count_text(faults_of(t, "early") + faults_of(t, "off")),
-                   count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
-                   limit_text(*method->guarantee), short_number(t.least_relative.value / method->unit_roundoff),
-                   short_number(t.least_relative.value), short_number(t.least_length.value),
-                   id_of(t.least_relative)});
+    table.add_row(
+        {method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
+         count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
+         count_text(faults_of(t, "early") + faults_of(t, "off")), count_text(faults_of(t, "contact off")),
+         count_text(t.stalled), failures_text(t), limit_text(*method->guarantee),
+         short_number(t.least_relative.value / method->unit_roundoff), short_number(t.least_relative.value),
+         short_number(t.least_length.value), id_of(t.least_relative)});
   }
   return table.text();
 }

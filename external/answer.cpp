@@ -135,7 +135,8 @@ class SaidInAFrame : public Said {
  public:
   explicit SaidInAFrame(const graze_engine_answer& answer) : answer_(answer) {}
   [[nodiscard]] bool has(std::string_view key) const override {
-    if (const double* const v = components(key)) return !std::isnan(v[0]) || !std::isnan(v[1]) || !std::isnan(v[2]);
+    if (const double* const v = components(key))
+      return !std::isnan(v[0]) || !std::isnan(v[1]) || !std::isnan(v[2]);
     return !std::isnan(ends(key).first);
   }
   [[nodiscard]] Interval interval(std::string_view key) const override {
@@ -363,9 +364,7 @@ class Reading {
       answer_.normal = said.vector("normal");
       if (answer_.has_normal()) require_unit("the normal of a start in contact");
     }
-    if (offer_.holds.witnesses &&
-        (said.has("point_a") || said.has("point_b")))
-      points(said);
+    if (offer_.holds.witnesses && (said.has("point_a") || said.has("point_b"))) points(said);
   }
 
   void require_unit(const char* what) const {

@@ -112,8 +112,8 @@ int run(const Arguments& arguments) {
                                              ? arguments.threads
                                              : std::max(1U, std::thread::hardware_concurrency()),
                               .rounds = rounds_of(arguments),
-                              .only = arguments.only,
-                              .others = engines.methods()};
+                              .others = engines.methods(),
+                              .only = arguments.only};
   for (const std::string& name : arguments.only) {
     if (!price::is_known(name, arguments.thorough)) {
       throw std::runtime_error(
