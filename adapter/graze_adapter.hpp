@@ -169,6 +169,8 @@ struct Promise {
   double stalls = 0;
   bool target_distance = false;
   bool pass_over = false;
+  std::string start_normal = "any";  // or least_penetration
+  double own_frames = 0;
 };
 
 enum class Scalar { float32, float64 };
@@ -806,6 +808,8 @@ inline std::string write_engine(const Engine& engine) {
         if (promise.stalls != 0) row.number("stalls", promise.stalls);
         if (promise.target_distance) row.boolean("target_distance", true);
         if (promise.pass_over) row.boolean("pass_over", true);
+        if (promise.start_normal != "any") row.string("start_normal", promise.start_normal);
+        if (promise.own_frames != 0) row.number("own_frames", promise.own_frames);
       }
     }
     if (engine.margin != 0) object.number("margin", engine.margin);

@@ -61,14 +61,19 @@ std::size_t fault_count(const Tally& tally, std::string law::Judgement::*why) {
 std::string verdict_line(const Certification& certification, double seconds) {
   std::set<std::string> families;
   std::size_t faults = 0, stalls = 0;
+  bool is_promised = false;
   for (const Tally& tally : certification.tallies) {
-    if (tally.cases > 0) families.insert(tally.family);
+    if (tally.cases > 0) {
+      families.insert(tally.family);
+      is_promised = is_promised || (tally.method->guarantee != nullptr && !tally.method->guarantee->is_open);
+    }
     faults += tally.faulty();
     stalls += tally.stalled;
   }
   const char* verdict = !certification.breaches.empty()     ? "A method breaks its guarantee"
                         : !certification.unfinished.empty() ? "Stopped: no guarantee is broken so far"
-                                                            : "Every method keeps its guarantee";
+                        : is_promised                       ? "Every method keeps its guarantee"
+                                                            : "Nothing is promised, and no answer fails";
   return fmt::format("{}: {} answers to {} cases of {} suites judged in {}, {} faults, {} stalls.\n", verdict,
                      grouped(certification.answers), grouped(certification.questions), families.size(),
                      duration_text(seconds), grouped(faults), grouped(stalls));

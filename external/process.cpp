@@ -353,7 +353,8 @@ Line Process::read_reply(std::chrono::milliseconds limit, std::size_t size) {
       read_errors();
       // One that is still dying of it has not hung.
       return failed(says_no_memory(errors_) ? Failure::out_of_memory : Failure::hung,
-                    fmt::format("no answer within {} s", static_cast<double>(limit.count()) / 1000));
+                    fmt::format("no answer within {} s (is every line flushed?)",
+                                static_cast<double>(limit.count()) / 1000));
     }
     std::array<pollfd, 4> ends = {pollfd{out_, POLLIN, 0}, pollfd{err_, POLLIN, 0},
                                   pollfd{to_write_.empty() ? -1 : in_, POLLOUT, 0}, pollfd{life_, POLLIN, 0}};

@@ -123,7 +123,7 @@ void require_folder(const std::string& name) {
   std::error_code error;
   fs::create_directories(name, error);
   if (error || !fs::is_directory(name)) {
-    throw std::runtime_error(name + ": is no folder and cannot become one; name a folder for the pictures");
+    throw std::runtime_error(name + ": is no folder and cannot become one; name another");
   }
 }
 

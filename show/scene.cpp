@@ -283,6 +283,7 @@ class Document {
                 {"ours", method.is_ours()}};
     if (answer.failure != engine::Failure::none) {
       out["outcome"] = to_text(answer.failure);
+      out["failed"] = true;
       out["message"] = answer.message;
       return out;
     }

@@ -42,6 +42,12 @@ TEST(Certification, tallies_by_method_and_family_and_names_the_first_breach) {
     EXPECT_LT(kept.tallies[0].over_limit.value, 1);
     EXPECT_NE(tally_table(Kind::rotating, kept).find("bars"), std::string::npos);
     EXPECT_EQ(verdict_line(kept, 1).find("Every method keeps its guarantee"), 0U);
+    engine::Guarantee nothing = *held.guarantee;
+    nothing.is_open = true;
+    engine::Method unheld = held;
+    unheld.guarantee = &nothing;
+    const Certification unpromised = certify({bars()}, {.methods = {&unheld}, .threads = threads});
+    EXPECT_EQ(verdict_line(unpromised, 1).find("Nothing is promised, and no answer fails"), 0U);
 
     const Settings strictly{.methods = {&held, &rotating("certified")}, .threads = threads};
     const Certification broken = certify({bars()}, strictly);

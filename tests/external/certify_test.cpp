@@ -132,7 +132,7 @@ TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
   const std::string command =
       "certify --queries 0 --json out.json --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE
       " documents_misses\" balls.jsonl";
-  EXPECT_EQ(folder.graze(command).exit_code, 0);
+  EXPECT_EQ(folder.graze(command).exit_code, 2);  // it was asked nothing
   auto method = nlohmann::json::parse(folder.read("out.json")).at("methods").at(0);
   EXPECT_TRUE(method.at("beyond_limits").is_null());
   EXPECT_EQ(method.at("total").at("not_asked"), kCases);
@@ -176,6 +176,21 @@ TEST(Certify, JudgesASharedLibraryInAProcessOfItsOwn) {
   EXPECT_EQ(total.at("failures").at("crashed"), 1) << report.dump(1);
   EXPECT_EQ(total.at("cases"), kCases + 1);
   EXPECT_EQ(folder.graze("host nowhere.so").exit_code, 2);
+}
+
+// A run beside ours that asks it nothing would be green without it.
+TEST(Certify, RefusesToJudgeAnEngineByNothing) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  corpus::Case box = balls(-5);
+  box.id = "box";
+  box.b.shape = Box<double>{{1, 1, 1}};
+  folder.write("box.jsonl", corpus::write_case(box) + "\n");
+  const std::string words = "certify --queries 0 --method gjk --engine \"" BAD_ENGINE " none\" ";
+  EXPECT_EQ(folder.graze(words + "balls.jsonl").exit_code, 0);
+  const CommandRun run = folder.graze(words + "box.jsonl");
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.err.find("bad was asked nothing: of 1 cases it takes none"), std::string::npos) << run.err;
 }
 
 TEST(Certify, RefusesAnEngineThatCannotBeAsked) {

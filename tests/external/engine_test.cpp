@@ -61,8 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Found{"segfault", Failure::crashed, "SIGSEGV; it wrote: about to fall"},
                     Found{"abort", Failure::crashed, "SIGABRT"}, Found{"exit_3", Failure::crashed, "exit 3"},
                     Found{"exit_0", Failure::silent, "it ended, and said nothing"},
-                    Found{"hang", Failure::hung, "no answer within 0.5 s"},
-                    Found{"spin", Failure::hung, "no answer within 0.5 s"},
+                    Found{"hang", Failure::hung, "no answer within 0.5 s (is every line flushed?)"},
+                    Found{"spin", Failure::hung, "no answer within 0.5 s (is every line flushed?)"},
                     Found{"nan_string", Failure::no_number, "time is NaN"},
                     Found{"nan_token", Failure::no_number, "time is NaN"},
                     Found{"minus_nan", Failure::no_number, "time is NaN"},
@@ -156,7 +156,7 @@ TEST_P(BadStarts, AreRefusedWithALine) {
   EXPECT_EQ(test::bad_engines(), 0U);
 }
 INSTANTIATE_TEST_SUITE_P(Every, BadStarts,
-                         testing::Values(std::pair{"silent_start", "hung: no answer within 2 s"},
+                         testing::Values(std::pair{"silent_start", "hung: no answer within 2 s (is every line flushed?)"},
                                          std::pair{"ends_at_start", "silent: it ended, and said nothing"},
                                          std::pair{"fails_at_start", "crashed: exit 7"},
                                          std::pair{"declares_nonsense", "scalar: "},

@@ -262,6 +262,27 @@ std::string command_line(const Arguments& arguments) {
   return text;
 }
 
+// Whether an engine took no case of those that were judged: its verdict would be that of nothing.
+bool complain_of_unasked(const Engines& engines, const Certification& certification) {
+  bool is_any = false;
+  for (const auto& engine : engines.all()) {
+    std::size_t asked = 0;
+    // A row of a promise is one method's.
+    for (const engine::Method& method : engine->methods()) {
+      for (const std::vector<Tally>* tallies : {&certification.tallies, &certification.beyond_limits}) {
+        for (const Tally& tally : *tallies) {
+          if (tally.method->guarantee == method.guarantee) asked += tally.cases;
+        }
+      }
+    }
+    if (asked > 0 || !certification.unfinished.empty()) continue;
+    is_any = true;
+    complain(fmt::format("{} was asked nothing: of {} cases it takes none (docs/engines.md)",
+                         engine->declaration().name, certification.questions));
+  }
+  return is_any;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.laws) return show_laws(arguments);
   const auto start = std::chrono::steady_clock::now();
@@ -343,6 +364,7 @@ int run(const Arguments& arguments) {
                         .plain = plain,
                         .most_scenes = arguments.report_cases});
   }
+  const bool is_unasked = complain_of_unasked(selection.engines(), certification);
   const std::vector<std::string> left_behind = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   fmt::print("{}", verdict_line(certification, took.count()));
@@ -388,7 +410,7 @@ int run(const Arguments& arguments) {
     save->close();
   }
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
-  if (bad) return 2;
+  if (bad || is_unasked) return 2;
   return certification.breaches.empty() ? 0 : 1;
 }
 

@@ -61,7 +61,7 @@ class SceneView {
       h(this.heading, {}, scene.id),
       h("p", { class: "result" }, scene.result, scene.margin ? `; ${scene.margin.name}: ${short(scene.margin.length)}` : ""),
       this.wrong.map((answer) => h("p", { class: "fault" },
-        h("strong", {}, answer.label), ` claims ${words(answer.outcome)}`,
+        h("strong", {}, answer.label), answer.failed ? " gives no answer that can be taken" : ` claims ${words(answer.outcome)}`,
         Number.isFinite(lower(answer)) ? ` at t = ${full(lower(answer))}` : "", `: ${plain(answer.fault)}`)),
       scene.comment && h("p", { class: "comment" }, scene.comment));
   }

@@ -68,7 +68,9 @@ TEST(LawCommand, says_in_one_line_what_is_wrong) {
   expect_complaint(folder.graze("certify --laws --family touching --count 0"), "there is no case to judge");
   expect_complaint(folder.graze("certify --laws --stability"), "--laws");
   expect_complaint(folder.graze("certify --law swapping"), "--laws");
-  expect_complaint(folder.graze("laws --page --defects nowhere"), "nowhere: holds no .patch");
+  expect_complaint(folder.graze("laws --page --defects nowhere"), "nowhere: is no folder of planted defects");
+  folder.write("empty/note", "");
+  expect_complaint(folder.graze("laws --page --defects empty"), "empty: holds no .patch");
   folder.write("bad/one.patch", "Defect: something\n--- a\n");
   expect_complaint(folder.graze("laws --page --defects bad"), "one.patch: has no line \"Law: ");
   folder.write("bad/one.patch", "Defect: something\nLaw: swaping\n--- a\n");
