@@ -156,7 +156,8 @@ TEST_P(BadStarts, AreRefusedWithALine) {
   EXPECT_EQ(test::bad_engines(), 0U);
 }
 INSTANTIATE_TEST_SUITE_P(Every, BadStarts,
-                         testing::Values(std::pair{"silent_start", "hung: no answer within 2 s (is every line flushed?)"},
+                         testing::Values(std::pair{"silent_start",
+                                                   "hung: no answer within 2 s (is every line flushed?)"},
                                          std::pair{"ends_at_start", "silent: it ended, and said nothing"},
                                          std::pair{"fails_at_start", "crashed: exit 7"},
                                          std::pair{"declares_nonsense", "scalar: "},
