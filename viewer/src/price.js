@@ -23,15 +23,18 @@ export function pricePage(page, price, open, data) {
       h("p", { class: "small" }, `${price.machine.processor}, ${plural(price.machine.cores, "core")}; ${price.machine.compiler}, ${price.machine.build}; ${plural(price.rounds, "round")}, seed ${price.seed}` +
         (price.machine.load === null ? "" : `; load ${short(price.machine.load)}`) + (price.finished ? "" : "; not finished")),
       data?.command && block(data.command, "command")),
-    answers(price), diagrams(of("family"), style, state, open), growth(of("growth"), style, open), requests(of("request"), open), queries(of("query"), open));
+    answers(price), diagrams(of("family"), style, state, open), growth(of("growth"), style, open), requests(of("request"), open), queries(of("query"), open), more(price));
 }
 
-// What the run says in words, first.
-function answers(price) {
-  if (price.sentences.length === 0) return "";
-  return h("section", { id: "answers" }, h("h2", {}, "In words"),
-    h("dl", {}, price.sentences.flatMap(({ topic, text }) => [h("dt", {}, topic.replaceAll("_", " ")), h("dd", {}, text)])));
+// What the run says in words: what to choose first, the rest below the figures.
+const kFirst = ["choose", "never_late", "never_wrong", "certainty", "exactness"];
+function said(id, heading, sentences) {
+  if (sentences.length === 0) return "";
+  return h("section", { id }, h("h2", {}, heading),
+    h("dl", {}, sentences.flatMap(({ topic, text }) => [h("dt", {}, topic.replaceAll("_", " ")), h("dd", {}, text)])));
 }
+const answers = ({ sentences }) => said("answers", "What to choose", kFirst.flatMap((topic) => sentences.filter((one) => one.topic === topic)));
+const more = ({ sentences }) => said("more", "In words", sentences.filter((one) => !kFirst.includes(one.topic)));
 
 const wide = (label, table) => h("div", { class: "wide", tabindex: 0, role: "region", "aria-label": label }, table);
 function rowsTable(table, open) {
