@@ -69,6 +69,7 @@ Shape<double> round_shape(Random& random, Round kind) {
 Shape<double> round_hull(Random& random, int vertices, bool climbs) {
   const Vec3<double> radii = sizes(random);
   std::vector<Vec3<double>> list;
+  list.reserve(static_cast<std::size_t>(vertices));
   for (int i = 0; i < vertices; ++i) list.push_back(to_float(radii.cwiseProduct(direction(random))));
   const std::span<const Vec3<double>> points(list);
   return climbs ? with_adjacency(points) : Hull<double>(points);

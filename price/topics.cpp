@@ -28,7 +28,7 @@ constexpr Effort kQuick = {24, 12, 32, 12, 32, 48}, kThorough = {192, 64, 256, 6
 // A case of the corpus' families whose numbers are then floats, one level after the other.
 std::function<Case(Random&, std::size_t)> of_families(std::vector<const char*> names, double first,
                                                       double last) {
-  return [=](Random& random, std::size_t place) {
+  return [names = std::move(names), first, last](Random& random, std::size_t place) {
     const corpus::Family& family = *corpus::find_family(names[place % names.size()]);
     std::vector<double> levels;
     for (const double level : family.levels) {
