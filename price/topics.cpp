@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
