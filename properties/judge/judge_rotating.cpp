@@ -174,7 +174,7 @@ class RotatingJudge {
 
   void miss(const RotatingTruth& truth) {
     if (judgement_.open || truth.outcome() == Outcome::miss) return;
-    const RotatingError denied = take(&verdict_error, truth, judgement_.wrong);
+    const RotatingError denied = take(&law::verdict_error, truth, judgement_.wrong);
     judgement_.errors.passed = in_scale(denied.length);
     if (denied.fault.empty()) (denied.length > limits_.limit ? judgement_.hidden : judgement_.excused) = true;
   }
@@ -182,44 +182,44 @@ class RotatingJudge {
   // A hit, or a start in contact.
   void contact(const RotatingTruth& truth) {
     if (truth.outcome() == Outcome::miss) {
-      const RotatingError claimed = take(&verdict_error, truth, judgement_.wrong);
+      const RotatingError claimed = take(&law::verdict_error, truth, judgement_.wrong);
       judgement_.errors.backward = in_scale(claimed.length);
       if (!claimed.fault.empty()) return;
       judgement_.excused = true;
     }
     if (method_.holds.time) {
       late(truth);
-      take(&early_error, truth, judgement_.early);
+      take(&law::early_error, truth, judgement_.early);
       width(truth);
-      take(&distance_error, truth, judgement_.off);
+      take(&law::distance_error, truth, judgement_.off);
     }
     if (answer_.outcome != Outcome::hit)
       return judge_start(judgement_, truth_, answer_, method_, limits_, request_);
     if (asks_for(request_, Request::normal))
-      judgement_.errors.normal = in_scale(take(&normal_error, truth, judgement_.bad_contact).length);
+      judgement_.errors.normal = in_scale(take(&law::normal_error, truth, judgement_.bad_contact).length);
     if (asks_for(request_, Request::witnesses))
-      judgement_.errors.witness = in_scale(take(&witness_error, truth, judgement_.bad_contact).length);
+      judgement_.errors.witness = in_scale(take(&law::witness_error, truth, judgement_.bad_contact).length);
   }
 
   void width(const RotatingTruth& truth) {
-    const RotatingError found = take(&width_error, truth, judgement_.off);
+    const RotatingError found = take(&law::width_error, truth, judgement_.off);
     judgement_.errors.backward = in_scale(found.length);
     judgement_.errors.over_limit = found.over_limit;
   }
 
   void not_converged(const RotatingTruth& truth) {
     late(truth);
-    take(&early_error, truth, judgement_.early);
-    take(&distance_error, truth, judgement_.off);
+    take(&law::early_error, truth, judgement_.early);
+    take(&law::distance_error, truth, judgement_.off);
     // Where clearance or depth is below the limit, a flat C's depth of 0 too, nothing decides.
-    const RotatingError left = take(&undecided_error, truth, judgement_.undecided);
+    const RotatingError left = take(&law::undecided_error, truth, judgement_.undecided);
     const bool decides = left.length > (limits_.strict ? limits_.wide : limits_.limit);
     judgement_.stalled = decides || !left.fault.empty();
     judgement_.excused = !judgement_.stalled;
   }
 
   void late(const RotatingTruth& truth) {
-    const RotatingError passed = take(&late_error, truth, judgement_.late);
+    const RotatingError passed = take(&law::late_error, truth, judgement_.late);
     if (std::isnan(passed.length)) return;
     judgement_.errors.passed = in_scale(passed.length);
     if (passed.fault.empty() && passed.length > limits_.limit) judgement_.hidden = true;
