@@ -43,15 +43,15 @@ TEST(PriceMeasure, an_early_time_errs_by_its_way_and_is_not_late) {
   const Measured one = measured(falling_ball(), hit(0.4375, 0.5));
   EXPECT_FALSE(one.wrong);
   EXPECT_FALSE(one.late);
-  EXPECT_NEAR(one.forward, 0.25 / 3, 1e-12);
-  EXPECT_NEAR(one.backward, 0.25 / 3, 1e-12);
+  EXPECT_DOUBLE_EQ(one.forward, 0.25 / 3);
+  EXPECT_DOUBLE_EQ(one.backward, 0.25 / 3);
   EXPECT_EQ(one.width, one.backward);
 }
 
 TEST(PriceMeasure, a_late_time_is_late_by_the_depth_that_it_reaches) {
   const Measured one = measured(falling_ball(), hit(0.5625, 0.5625));
   EXPECT_TRUE(one.late);
-  EXPECT_NEAR(one.late_by, 0.25 / 3, 0.02);
+  EXPECT_DOUBLE_EQ(one.late_by, 0.25 / 3);
   // By one place, too.
   EXPECT_TRUE(measured(falling_ball(), hit(std::nextafter(0.5, 1), 0.5625)).late);
   EXPECT_FALSE(measured(falling_ball(), hit(0.5, 0.5625)).late);
@@ -68,7 +68,7 @@ TEST(PriceMeasure, a_denied_hit_and_a_claimed_miss_are_wrong_by_what_they_deny) 
   miss.b.position = {1.25, 0, 3};
   const Measured claimed = measured(miss, hit(0.5, 0.5));
   EXPECT_TRUE(claimed.wrong);
-  EXPECT_NEAR(claimed.denied, 0.25 / std::sqrt(9 + 1.25 * 1.25), 1e-3);
+  EXPECT_DOUBLE_EQ(claimed.denied, 0.25 / std::sqrt(9 + 1.25 * 1.25));
 }
 
 // A time that is no number is counted, and is no infinite error in a mean.
@@ -83,7 +83,7 @@ TEST(PriceMeasure, a_time_that_is_no_number_is_a_failure_of_its_own) {
   const Measured stalled = measured(
       falling_ball(), {.outcome = Outcome::not_converged, .toi_lower = 0.25, .toi_upper = kInfinity<double>});
   EXPECT_TRUE(stalled.not_converged);
-  EXPECT_NEAR(stalled.forward, 1.0 / 3, 1e-12);
+  EXPECT_DOUBLE_EQ(stalled.forward, 1.0 / 3);
   EXPECT_EQ(stalled.width, stalled.backward);
   EXPECT_TRUE(measured(falling_ball(), {.outcome = Outcome::invalid_input}).refused);
 }

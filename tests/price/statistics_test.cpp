@@ -55,10 +55,10 @@ TEST(PriceStatistics, a_digit_that_costs_a_tenth_is_said_to) {
     points.push_back({.cost = 100 * std::pow(1.1, digit), .error = std::pow(10.0, -digit)});
   const std::optional<DigitPrice> price = price_of_a_digit(points);
   ASSERT_TRUE(price);
-  EXPECT_NEAR(price->factor, 1.1, 1e-9);
-  EXPECT_NEAR(price->digits, 11, 1e-9);
-  EXPECT_NEAR(price->from, 110, 1e-9);
-  EXPECT_NEAR(price->to, 100 * std::pow(1.1, 12), 1e-9);
+  EXPECT_NEAR(price->factor, 1.1, 1e-14);
+  EXPECT_NEAR(price->digits, 11, 1e-13);
+  EXPECT_DOUBLE_EQ(price->from, 110);
+  EXPECT_DOUBLE_EQ(price->to, 100 * std::pow(1.1, 12));
 }
 
 // A tolerance that has to be shown can cost more than the least: nobody pays that for a coarser answer.

@@ -6,7 +6,7 @@ const kColours = ["var(--a-ink)", "var(--b-ink)", "var(--contact)", "var(--proof
 const kSymbols = ["circle", "square", "triangle", "diamond2", "star", "cross", "wye", "hexagon", "asterisk", "plus"];
 const kGroups = { smooth: "Smooth shapes", rotation: "Bodies that turn", sums: "Curved sums", large: "Large hulls", ties: "Near ties", polytopes: "Polytopes" };
 
-const series = (row) => `${row.method}/${row.scalar}${row.tier === "standard" || row.tier === "declared" ? "" : ""}`;
+const series = (row) => `${row.method}/${row.scalar}`;
 const failed = (row) => row.failures.not_converged + row.failures.no_time + row.failures.refused;
 // One colour and symbol for a method in all figures.
 function styles(price) {
