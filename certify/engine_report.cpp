@@ -169,6 +169,16 @@ std::string no_less_than(double x) {
   return text;
 }
 
+// How many answers had a normal that was judged, and how many had witnesses: "812, -".
+std::string contacts_text(const Tally& tally) {
+  const auto judged = [](const std::vector<double>& errors) {
+    return static_cast<std::size_t>(
+        std::count_if(errors.begin(), errors.end(), [](double error) { return !std::isnan(error); }));
+  };
+  const std::size_t normals = judged(tally.normal), witnesses = judged(tally.witness);
+  return normals + witnesses == 0 ? "-" : fmt::format("{}, {}", count_text(normals), count_text(witnesses));
+}
+
 // Of each total a line.
 std::string table_of(const std::vector<Tally>& totals) {
   Table table({{"engine", Align::left},
@@ -177,6 +187,7 @@ std::string table_of(const std::vector<Tally>& totals) {
                {"wrong"},
                {"late"},
                {"early\nor off"},
+               {"normals,\nwitnesses"},
                {"contact\noff"},
                {"stalls"},
                {"failed", Align::left},
@@ -190,10 +201,10 @@ std::string table_of(const std::vector<Tally>& totals) {
     table.add_row(
         {method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
          count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
-         count_text(faults_of(t, "early") + faults_of(t, "off")), count_text(faults_of(t, "contact off")),
-         count_text(t.stalled), failures_text(t), limit_text(*method->guarantee),
-         no_less_than(t.least_relative.value / method->unit_roundoff), no_less_than(t.least_relative.value),
-         no_less_than(t.least_length.value), id_of(t.least_relative)});
+         count_text(faults_of(t, "early") + faults_of(t, "off")), contacts_text(t),
+         count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
+         limit_text(*method->guarantee), no_less_than(t.least_relative.value / method->unit_roundoff),
+         no_less_than(t.least_relative.value), no_less_than(t.least_length.value), id_of(t.least_relative)});
   }
   return table.text();
 }

@@ -67,7 +67,7 @@ std::string verdict_line(const Certification& certification, double seconds) {
       families.insert(tally.family);
       is_promised = is_promised || (tally.method->guarantee != nullptr && !tally.method->guarantee->is_open);
     }
-    faults += tally.faulty();
+    faults += tally.at_fault;
     stalls += tally.stalled;
   }
   const char* verdict = !certification.breaches.empty()     ? "A method breaks its guarantee"
@@ -121,7 +121,7 @@ std::string summary_table(const Certification& certification, const Settings& se
     last = method;
     const std::string query =
         method->kind == Kind::query ? std::string(corpus::name_of(method->query)) + " " : "";
-    table.add_row({" " + query + method->name, fmt::to_string(both.cases), count_text(both.faulty()),
+    table.add_row({" " + query + method->name, fmt::to_string(both.cases), count_text(both.at_fault),
                    count_text(both.stalled), count_text(both.accepted), short_number(worst_of[0].value),
                    short_number(worst_of[1].value), most > 0 ? worst_family : "-", ns_text(ns[0]),
                    ns_text(ns[1])});
@@ -135,7 +135,7 @@ std::string exact_summary(const Certification& certification, const Settings& se
   for (const Method* method : settings.methods) {
     if (!method->is_exact() || method->kind != Kind::linear) continue;
     const Tally sum = certification.total(*method);
-    const std::size_t faults = sum.faulty();
+    const std::size_t faults = sum.at_fault;
     text +=
         fmt::format("{}: {} casts to the last bit, {} wrong, {} stalled; {} cases are not for the tier.\n",
                     method->full_name(), sum.cases, faults, sum.stalled, sum.not_asked);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace graze::tool {
 
@@ -31,6 +30,7 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement, co
     Failed& failed = failures[static_cast<std::size_t>(judgement.failure)];
     if (failed.count++ == 0) failed.first = example(judgement.failed);
   }
+  if (judgement.faulty()) ++at_fault;
   for (std::size_t k = 0; k < law::kFaults; ++k) {
     const std::string& why = judgement.*law::kFaultKinds[k].why;
     if (!why.empty() && faults[k]++ == 0) first[k] = example(why);
@@ -61,6 +61,7 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement, co
 void Tally::add(const Tally& other) {
   cases += other.cases;
   not_asked += other.not_asked;
+  at_fault += other.at_fault;
   for (std::size_t k = 0; k < law::kFaults; ++k) {
     if (faults[k] == 0) first[k] = other.first[k];
     faults[k] += other.faults[k];
@@ -89,8 +90,6 @@ void Tally::add(const Tally& other) {
     failures[k].count += other.failures[k].count;
   }
 }
-
-std::size_t Tally::faulty() const { return std::accumulate(faults.begin(), faults.end(), std::size_t{0}); }
 
 std::vector<std::string> breaches(const Tally& tally) {
   std::vector<std::string> lines;

@@ -18,7 +18,8 @@ struct Tally {
   const engine::Method* method = nullptr;
   std::string family;
   std::size_t cases = 0, not_asked = 0;  // those that are no question for the method are no cases of its row
-  std::array<std::size_t, law::kFaults> faults = {};  // by law::kFaultKinds
+  std::array<std::size_t, law::kFaults> faults = {};  // by law::kFaultKinds; an answer may have several
+  std::size_t at_fault = 0;                           // answers with any
   std::size_t stalled = 0, excused = 0, hidden = 0, open = 0;
   std::size_t accepted = 0, refused = 0, unproved = 0;  // by their proofs
   std::size_t by_oracle = 0;
@@ -59,7 +60,6 @@ struct Tally {
   void add(const corpus::Case& problem, const law::Judgement& judgement, const Counters& counters);
   // Of the same method on another family, which it then stands for as well.
   void add(const Tally& other);
-  [[nodiscard]] std::size_t faulty() const;  // faults of any kind; an answer may have several
 };
 
 // What of the method's guarantee does not hold in this tally, a line each: the row, the family, how many, and

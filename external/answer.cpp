@@ -405,10 +405,20 @@ class Reading {
   Answer answer_{.outcome = Outcome::not_converged};
 };
 
-Answer failed(Failure kind, std::string what, std::string_view line) {
+// What is wrong often begins with a field, such as normal[1]: a line too long to be quoted is quoted from there.
+std::string quote_for(std::string_view what, std::string_view line) {
+  const std::string key =
+      fmt::format("\"{}\"", what.substr(0, what.find_first_not_of("abcdefghijklmnopqrstuvwxyz_")));
+  const std::size_t at = line.find(key);
+  if (corpus::json_quote_short(line) == corpus::json_quote(line) || at == line.npos || at == 0)
+    return corpus::json_quote_short(line);
+  return corpus::json_quote_short(fmt::format("...{}", line.substr(at)));
+}
+
+Answer failed(Failure kind, std::string_view what, std::string_view line) {
   Answer answer;
   answer.failure = kind;
-  answer.message = fmt::format("{}: {}", what, corpus::json_quote_short(line));
+  answer.message = fmt::format("{}: {}", what, quote_for(what, line));
   return answer;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "corpus/format/json_value.hpp"
@@ -45,6 +46,14 @@ bool is_dead(Failure failure) {
 
 bool is_library(const std::string& word) { return word.ends_with(".so"); }
 
+// A program is looked for in PATH, as a shell does it: one that stands here needs its folder named.
+std::string hint_for(const std::string& program) {
+  std::error_code unreadable;
+  if (program.find('/') != std::string::npos || !std::filesystem::is_regular_file(program, unreadable))
+    return {};
+  return fmt::format("; the file of that name here is ./{}", program);
+}
+
 }  // namespace
 
 std::vector<std::string> words_of(const std::string& command) {
@@ -72,9 +81,10 @@ std::vector<std::string> words_of(const std::string& command) {
 }
 
 Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(words_of(options_.command)) {
-  if (is_library(words_.front())) {
+  const std::string program = words_.front();
+  if (is_library(program)) {
     if (options_.library_host.empty())
-      throw std::runtime_error(words_.front() + ": nothing here loads shared libraries");
+      throw std::runtime_error(program + ": nothing here loads shared libraries");
     frames_ = options_.host_takes_frames;
     if (frames_) words_.insert(words_.begin(), "--frames");
     words_.insert(words_.begin(), options_.library_host.begin(), options_.library_host.end());
@@ -84,8 +94,8 @@ Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(wor
   const Line line = first->read_line(options_.limits.start);
   if (line.failure != Failure::none) {
     throw std::runtime_error(
-        fmt::format("{}: says nothing of itself ({}: {}); its first line is a graze.engine/1",
-                    options_.command, to_text(line.failure), line.what));
+        fmt::format("{}: says nothing of itself ({}: {}); its first line is a graze.engine/1{}",
+                    options_.command, to_text(line.failure), line.what, hint_for(program)));
   }
   try {
     declaration_ = parse_declaration(line.text);

@@ -89,6 +89,14 @@ inline void convict(std::string& fault, std::string why) {
 
 [[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
 
+// How a fault calls an end of the bracket: who answers one number has a time, and no bracket.
+[[nodiscard]] inline std::string_view lower_name(const engine::Answer& answer) {
+  return answer.toi_lower == answer.toi_upper ? "the time" : "toi_lower";
+}
+[[nodiscard]] inline std::string_view upper_name(const engine::Answer& answer) {
+  return answer.toi_lower == answer.toi_upper ? "the time" : "toi_upper";
+}
+
 // The bracket of a time that is too large for the scalar: from its largest number to infinity. Only float has
 // such, of motion below 1e-38 or so over lengths of 1: nothing but that the time is no sooner can be asked of
 // it.

@@ -132,7 +132,7 @@ std::string late_fault(const CaseTruth& truth, const Answer& answer, double boun
   if (std::isinf(answer.toi_lower)) return "an infinite toi_lower without a miss";
   const double late = truth.lateness(answer.toi_lower).low;
   if (!(late > bound)) return "";
-  return fmt::format("toi_lower {} is late by a depth of {}; true: {}", hex(answer.toi_lower),
+  return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer), hex(answer.toi_lower),
                      over(late, truth), describe(truth));
 }
 
@@ -141,8 +141,8 @@ std::string early_fault(const CaseTruth& truth, const Answer& answer, double bou
   if (truth.compare(answer.toi_upper) >= 0) return "";
   const double early = truth.distance_at(answer.toi_upper).low;
   if (!(early > bound)) return "";
-  return fmt::format("toi_upper {} is early by a distance of {}; true: {}", hex(answer.toi_upper),
-                     over(early, truth), describe(truth));
+  return fmt::format("{} {} is early by a distance of {}; true: {}", upper_name(answer),
+                     hex(answer.toi_upper), over(early, truth), describe(truth));
 }
 
 std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {

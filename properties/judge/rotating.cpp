@@ -68,8 +68,8 @@ RotatingError late_error(const RotatingTruth& truth, const Answer& answer, const
   if (truth.outcome() == Outcome::miss || truth.compare(answer.toi_lower) <= 0) return {};
   RotatingError out{.length = truth.depth_before(answer.toi_lower).low};
   if (limits.strict || out.length > allowed(limits.may_be_late, answer, limits)) {
-    out.fault = fmt::format("toi_lower {:.17g} is past the contact at {:.17g}, {} deep", answer.toi_lower,
-                            truth.toi_upper(), text_of(out.length, limits));
+    out.fault = fmt::format("{} {:.17g} is past the contact at {:.17g}, {} deep", lower_name(answer),
+                            answer.toi_lower, truth.toi_upper(), text_of(out.length, limits));
   }
   return out;
 }
@@ -96,10 +96,10 @@ RotatingError width_error(const RotatingTruth& truth, const Answer& answer, cons
   RotatingError out{.length = std::max(before, depth),
                     .over_limit = std::max(over(before, may_be_apart), over(depth, may_be_deep))};
   if (before > may_be_apart) {
-    out.fault = fmt::format("at toi_lower {:.17g} the bodies are {} apart", answer.toi_lower,
+    out.fault = fmt::format("at {} {:.17g} the bodies are {} apart", lower_name(answer), answer.toi_lower,
                             text_of(before, limits));
   } else if (depth > may_be_deep) {
-    out.fault = fmt::format("by toi_upper {:.17g} the bodies have met {} deep", answer.toi_upper,
+    out.fault = fmt::format("by {} {:.17g} the bodies have met {} deep", upper_name(answer), answer.toi_upper,
                             text_of(depth, limits));
   }
   return out;

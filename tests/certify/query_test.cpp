@@ -119,7 +119,7 @@ TEST(QueryCertification, a_stall_is_kept_to_be_saved_and_counts_against_the_cap)
 TEST(QueryCertification, a_question_is_asked_as_it_is_and_of_its_own_methods_alone) {
   const Method made_up_wrong_answer = distance_by(wrong_answer);
   const Certification wrong = certified(made_up_wrong_answer, cubes(Query::distance));
-  EXPECT_EQ(wrong.tallies.at(0).faulty(), 1U);
+  EXPECT_EQ(wrong.tallies.at(0).at_fault, 1U);
   ASSERT_EQ(wrong.breaches.size(), 1U);
   EXPECT_NE(wrong.breaches[0].find("test/cubes"), std::string::npos) << wrong.breaches[0];
   EXPECT_EQ(wrong.convicted.at(0).id, "test/cubes");

@@ -32,6 +32,16 @@ Tally tally_of(std::size_t good, const std::vector<Judgement>& bad, const engine
   return tally;
 }
 
+// However many of its parts are.
+TEST(Tally, counts_an_answer_at_fault_once) {
+  Judgement bad;
+  bad.late = bad.off = "by a metre";
+  Tally tally = tally_of(3, {bad});
+  EXPECT_EQ(tally.at_fault, 1U);
+  tally.add(tally_of(1, {bad, bad}));
+  EXPECT_EQ(tally.at_fault, 3U);
+}
+
 TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {})).empty()); }
 
 TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {

@@ -132,7 +132,7 @@ TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
   const std::string command =
       "certify --queries 0 --json out.json --junit out.xml --save bad.jsonl --engine \"" BAD_ENGINE
       " documents_misses\" balls.jsonl";
-  EXPECT_EQ(folder.graze(command).exit_code, 2);  // it was asked nothing
+  EXPECT_EQ(folder.graze(command).exit_code, 2);  // no answer of it was judged
   auto method = nlohmann::json::parse(folder.read("out.json")).at("methods").at(0);
   EXPECT_TRUE(method.at("beyond_limits").is_null());
   EXPECT_EQ(method.at("total").at("not_asked"), kCases);
@@ -190,7 +190,19 @@ TEST(Certify, RefusesToJudgeAnEngineByNothing) {
   EXPECT_EQ(folder.graze(words + "balls.jsonl").exit_code, 0);
   const CommandRun run = folder.graze(words + "box.jsonl");
   EXPECT_EQ(run.exit_code, 2) << run.out;
-  EXPECT_NE(run.err.find("bad was asked nothing: of 1 cases it takes none"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("bad: no answer of it was judged: of 1 cases it takes none"), std::string::npos)
+      << run.err;
+}
+
+TEST(Certify, SaysWhyNoCaseOfAFamilyIsAsked) {
+  const Folder folder;
+  const CommandRun run =
+      folder.graze("certify --queries 0 --count 8 --family lattice --engine \"" BAD_ENGINE " none\"");
+  EXPECT_EQ(run.exit_code, 2) << run.out;
+  EXPECT_NE(run.err.find(
+                "lattice: none of its cases is asked; the first, lattice/h0/s1: bad/double: its shape hull"),
+            std::string::npos)
+      << run.err;
 }
 
 TEST(Certify, RefusesAnEngineThatCannotBeAsked) {

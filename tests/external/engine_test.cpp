@@ -6,7 +6,11 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "balls.hpp"
@@ -67,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Found{"nan_token", Failure::no_number, "time is NaN"},
                     Found{"minus_nan", Failure::no_number, "time is NaN"},
                     Found{"infinite", Failure::no_number, "time is infinite"},
-                    Found{"nan_normal", Failure::no_number, "normal[1] is NaN"},
+                    Found{"nan_normal", Failure::no_number, "normal[1] is NaN: \"...\\\"normal\\\": [0, NaN"},
                     Found{"before_0", Failure::out_of_range, "the time -0.25 is not between 0 and t_max 1"},
                     Found{"after_the_end", Failure::out_of_range, "is not between 0 and t_max 1"},
                     Found{"upside_down", Failure::out_of_range, "time is a bracket upside down"},
@@ -167,6 +171,20 @@ TEST(Engine, ThatIsNoProgramIsRefused) {
   EXPECT_THROW(Engine({.command = "/nowhere/at/all"}), std::runtime_error);
   EXPECT_THROW(Engine({.command = ""}), std::runtime_error);
   EXPECT_THROW(Engine({.command = "library.so"}), std::runtime_error);
+}
+
+// Programs are looked for in PATH, and who forgets that has a file of that name before them.
+TEST(Engine, ThatStandsHereIsNamedWithItsFolder) {
+  const std::string here = "an_engine_that_stands_here";
+  std::ofstream(here) << "#!/bin/sh\n";
+  try {
+    const Engine engine({.command = here});
+    ADD_FAILURE() << "it was run";
+  } catch (const std::runtime_error& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("the file of that name here is ./" + here), std::string::npos)
+        << refusal.what();
+  }
+  std::filesystem::remove(here);
 }
 
 // Restarts cost a bounded time each, and leave neither descriptors nor processes. The rate is printed, not tested: a

@@ -103,6 +103,16 @@ class Selection {
              method.refuses(problem).empty();
     });
   }
+  // Why the first of the methods that it is a question for is not asked it.
+  [[nodiscard]] std::string why_not(const corpus::Case& problem) const {
+    for (const engine::Method& method : methods_) {
+      if (engine::turns(problem) != (method.kind == Kind::rotating)) continue;
+      if (std::string why = method.refuses(problem); !why.empty())
+        return fmt::format("{}: {}", method.question_name(), why);
+    }
+    return fmt::format("no method is one for {}",
+                       engine::turns(problem) ? "bodies that turn" : "bodies that do not turn");
+  }
   [[nodiscard]] bool has(Kind kind) const {
     return std::any_of(methods_.begin(), methods_.end(),
                        [&](const engine::Method& method) { return method.kind == kind; });
@@ -222,6 +232,11 @@ bool take_all(Intake& intake, const Arguments& arguments, const Selection& selec
       Suite suite = sought_suite(*family, family->levels, count, arguments.seed,
                                  [&](const corpus::Case& problem) { return selection.takes(problem); });
       suite.oracle_every = arguments.oracle_every;
+      if (suite.size() == 0) {
+        const corpus::Case first = family->generate(family->levels.front(), arguments.seed);
+        intake.why.push_back(fmt::format("{}: none of its cases is asked; the first, {}: {}", family->name,
+                                         first.id, selection.why_not(first)));
+      }
       intake.suites.push_back(std::move(suite));
     }
   }
@@ -277,7 +292,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
     }
     if (asked > 0 || !certification.unfinished.empty()) continue;
     is_any = true;
-    complain(fmt::format("{} was asked nothing: of {} cases it takes none (docs/engines.md)",
+    complain(fmt::format("{}: no answer of it was judged: of {} cases it takes none (docs/engines.md)",
                          engine->declaration().name, certification.questions));
   }
   return is_any;
