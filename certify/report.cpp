@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "certify/engine_report.hpp"
 #include "corpus/format/names.hpp"
 #include "report/progress.hpp"
 #include "report/statistics.hpp"
@@ -396,8 +397,12 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
       table.add_row(std::move(cells));
       continue;
     }
-    cells.insert(cells.end(), {fmt::to_string(row->kappa_polytope), fmt::to_string(row->kappa_rounded),
-                               number(row->kappa_contact), number(row->width)});
+    if (method->is_ours()) {
+      cells.insert(cells.end(), {fmt::to_string(row->kappa_polytope), fmt::to_string(row->kappa_rounded),
+                                 number(row->kappa_contact), number(row->width)});
+    } else {  // what another's promise is made of need be no kappa
+      cells.insert(cells.end(), 4, "-");
+    }
     if (turning) {
       cells.push_back(unseen_text(row->may_miss));
       cells.push_back(unseen_text(row->may_be_late));
@@ -409,7 +414,7 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
       cells.push_back(worst_text(total.width));
       cells.push_back(worst_text(total.passed));
     }
-    cells.push_back(row->mechanism);
+    cells.push_back(method->is_ours() ? row->mechanism : fmt::format("held to {}", limit_text(*row)));
     table.add_row(std::move(cells));
   }
   return table.text();
