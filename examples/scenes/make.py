@@ -165,6 +165,31 @@ def crowd():
           bodies=bodies, rays=rays, casts=casts)
 
 
+def line():
+    random = Random(6)
+    bodies = []
+    for k in range(60):
+        bodies.append({"name": f"roller-{k:02}", "shape": "roller", "position": [0.25 * k, 0, -0.1], "orientation": [1, 1, 0, 0],
+                       "rotation": [0, 20, 0], "group": 1, "mask": 2})
+    for k in range(30):
+        bodies.append({"name": f"parcel-{k:02}", "shape": "parcel", "position": [0.5 * k, random.between(-0.25, 0.25), 0.1625],
+                       "displacement": [2 + random.between(-0.0625, 0.0625), 0, 0],
+                       "rotation": [0, 0, random.between(-0.0009765625, 0.0009765625)], "group": 2, "mask": 3})
+    for k in range(24):
+        angle = math.tau * k / 24
+        x, y = round(2048 * math.cos(angle)) / 1024, round(2048 * math.sin(angle)) / 1024
+        # About the table's centre to the bit: only so do bodies turn as one.
+        bodies.append({"name": f"tray-{k:02}", "shape": "tray", "position": [18.5 + x, y, 0], "rotation": [0, 0, 0.75],
+                       "pivot": [-x, -y, 0], "group": 1, "mask": 3})
+    write("line", "A packing line: 30 parcels glide over 60 rollers, hardly turning, each catching up with another, towards a "
+          "turntable of 24 trays. Rollers spin unseen, trays turn as one, and a parcel's turn is below the millimetre that is "
+          "asked for.", ask="pair", tolerance=0.001,
+          shapes=[{"name": "roller", "shape": {"type": "cylinder", "radius": 0.1, "half_height": 0.75}},
+                  {"name": "parcel", "shape": {"type": "box", "half_extents": [0.234375, 0.3, 0.15]}},
+                  {"name": "tray", "shape": {"type": "cylinder", "radius": 0.25, "half_height": 0.05}}],
+          bodies=bodies)
+
+
 if __name__ == "__main__":
-    for one in (pile, boxes, bullets, fan, arm, crowd):
+    for one in (pile, boxes, bullets, fan, arm, crowd, line):
         one()

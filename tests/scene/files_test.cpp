@@ -82,7 +82,7 @@ TEST(SceneFiles, ErrorsNameTheFileAndTheField) {
 
 TEST(SceneFiles, TheLawHoldsOfTheExamples) {
   const std::vector<std::string> files = example_files();
-  ASSERT_GE(files.size(), 6u);
+  ASSERT_GE(files.size(), 7u);
   law::SceneTally tally;
   for (std::size_t k = 0; k < files.size(); ++k) {
     const ReadResult read = read_scene_file(files[k]);
