@@ -1,4 +1,4 @@
-# Installs core, and nothing else: headers, the compiled library, the targets graze::core and graze::graze, and what
+# Installs core: headers, the compiled library, the targets graze::core and graze::graze, and what
 # find_package(graze) reads.
 #
 #   cmake -S . -B build/core -DGRAZE_TOOLS=OFF -DGRAZE_TESTS=OFF && cmake --build build/core

@@ -11,11 +11,11 @@ rm -rf "$build" "$prefix"
   { cat "$build.log"; exit 1; }
 "$cmake" --build "$build" -j2 >>"$build.log" 2>&1 || { cat "$build.log"; exit 1; }
 "$cmake" --install "$build" --prefix "$prefix" >>"$build.log"
-# Every header of core, and nothing from another room.
-diff <(cd "$source_dir/core" && find graze -name "*.hpp" | sort) \
+# Every header of core and of scene, and nothing from another room.
+diff <(for room in core scene; do (cd "$source_dir/$room" && find graze -name "*.hpp"); done | sort) \
   <(cd "$prefix/include" && find . -type f | sed 's|^\./||' | sort)
 others=$(cd "$prefix" && find . -type f -not -path './include/graze/*' | sort | tr '\n' ' ')
-expected='./lib/cmake/graze/graze-config-version.cmake ./lib/cmake/graze/graze-config.cmake ./lib/cmake/graze/graze-targets-release.cmake ./lib/cmake/graze/graze-targets.cmake ./lib/libgraze.a ./share/doc/graze/LICENSE '
+expected='./lib/cmake/graze/graze-config-version.cmake ./lib/cmake/graze/graze-config.cmake ./lib/cmake/graze/graze-scene-targets-release.cmake ./lib/cmake/graze/graze-scene-targets.cmake ./lib/cmake/graze/graze-targets-release.cmake ./lib/cmake/graze/graze-targets.cmake ./lib/libgraze.a ./lib/libgraze_scene.a ./share/doc/graze/LICENSE '
 [[ $others == "$expected" ]] || { echo "installed beside the headers: $others"; exit 1; }
 # It can be moved: no path of this machine is in it.
 ! grep -rnF -e "$source_dir" -e "$scratch" "$prefix" || { echo "an installed file names the build's folders"; exit 1; }
