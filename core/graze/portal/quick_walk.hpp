@@ -34,6 +34,8 @@ namespace graze::inline GRAZE_LINKAGE {
 
 // Steps of the walk; what takes longer is no common case.
 inline constexpr int kQuickSteps = 48;
+// How often weights are corrected.
+inline constexpr int kQuickCorrections = 2;
 // The half width of a cube over its half diagonal.
 inline constexpr double kQuickBall = 0.58;
 // A direction of this length or below is out of the range that the scans in float keep.
@@ -263,14 +265,38 @@ class QuickWalk {
   }
 
   // Where the line passes the portal: s, with the weights of it; NaN if it does not within the noise.
+  //
+  // The weights are quotients of determinants of corners, which round by u of the square of how far away C is, over
+  // the triangle's area as seen: of a path far longer than C is large, the point p that they make is off the line. Its
+  // distance g = p - s r tells by how much: with e, f the edges from c_0, N = e x f, the weights of c_1 and c_2 that
+  // take g off are g.(r x f) / N.r and g.(e x r) / N.r. g is small and rounds by u of what it is the difference of.
   double pass(const Portal& portal, std::array<double, 3>& lambda) const {
     const QuickCorner &c0 = *portal[0], &c1 = *portal[1], &c2 = *portal[2];
     const double l0 = std::max(det(c1, c2), 0.0), l1 = std::max(det(c2, c0), 0.0),
                  l2 = std::max(det(c0, c1), 0.0), one = 1 / (l0 + l1 + l2);
     lambda = {l0 * one, l1 * one, l2 * one};
-    const Triple p = lambda[0] * c0.w + lambda[1] * c1.w + lambda[2] * c2.w;
+    Triple g;
+    double s = place(portal, lambda, g);
+    for (int round = 0; round < kQuickCorrections && largest(g) > noise_ / 4; ++round) {
+      correct(portal, g, lambda);
+      s = place(portal, lambda, g);
+    }
+    return largest(g) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
+  }
+  // Of the portal's point at these weights: s, and how far it is off the line.
+  double place(const Portal& portal, const std::array<double, 3>& lambda, Triple& g) const {
+    const Triple p = lambda[0] * portal[0]->w + lambda[1] * portal[1]->w + lambda[2] * portal[2]->w;
     const double s = dot(p, r_) / r_sq_;
-    return largest(p - s * r_) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
+    g = p - s * r_;
+    return s;
+  }
+  [[gnu::noinline]] void correct(const Portal& portal, const Triple& g, std::array<double, 3>& lambda) const {
+    const Triple e = portal[1]->w - portal[0]->w, f = portal[2]->w - portal[0]->w, a = cross(r_, f),
+                 b = cross(e, r_);
+    const double one = 1 / dot(cross(e, f), r_);
+    const double l1 = std::max(lambda[1] + dot(g, a) * one, 0.0), l2 = std::max(lambda[2] + dot(g, b) * one, 0.0),
+                 l0 = std::max(1 - l1 - l2, 0.0), all = 1 / (l0 + l1 + l2);
+    lambda = {l0 * all, l1 * all, l2 * all};
   }
   // The portal before the last step and this one lie on either side of the start.
   void touch() {
