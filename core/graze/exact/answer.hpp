@@ -13,13 +13,18 @@
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 
+// Rounded once.
+template <bool kFused>
+double squared_length(const Vec3<double>& n) {
+  const auto square = [&](int i) { return product<kFused>(n[i], n[i]); };
+  return rounded((square(0) + square(1)) + square(2));
+}
 // n over its length, which is rounded once; 0 where a number outgrew its room.
 inline Vec3<double> over_length(Vec3<double> n) {
   const double most = n.cwiseAbs().maxCoeff();
   if (!(most > 0)) return Vec3<double>::Zero();
   n *= power_of_two(-exponent_of(most));
-  const Pair square = (product(n[0], n[0]) + product(n[1], n[1])) + product(n[2], n[2]);
-  return n / std::sqrt(rounded(square));
+  return n / std::sqrt(fuses() ? squared_length<true>(n) : squared_length<false>(n));
 }
 
 // f_1 x f_2 over its length.

@@ -24,21 +24,26 @@
 namespace graze::inline GRAZE_LINKAGE::exact {
 
 // x s, within 2^-97 of the product of their sizes (pair.hpp).
-inline Pair times(const Pair& x, double s) {
-  const Pair p = product(x.hi, s);
+template <bool kFused>
+PairOf<kFused> times(const PairOf<kFused>& x, double s) {
+  const PairOf<kFused> p = product<kFused>(x.hi, s);
   return {p.hi, p.lo + x.lo * s};
 }
 // x / w, w > 0; within 2^-97 of x's size over w, as its first guess, with the reciprocal rounded, is within 2^-48.
-inline Pair over(const Pair& x, const Pair& w, double reciprocal) {
+template <bool kFused>
+PairOf<kFused> over(const PairOf<kFused>& x, const PairOf<kFused>& w, double reciprocal) {
   const double q = x.hi * reciprocal;
-  const Pair p = product(q, w.hi);
+  const PairOf<kFused> p = product<kFused>(q, w.hi);
   return {q, (((x.hi - p.hi) - p.lo) + (x.lo - q * w.lo)) * reciprocal};
 }
-// Flat, so that a number is split once for all its products.
-[[gnu::flatten]] inline Pair3 turned_by(const FineTurn& turn, const Pair3& x) {
-  return {dot(turn.row[0], x), dot(turn.row[1], x), dot(turn.row[2], x)};
+template <bool kFused>
+Pair3Of<kFused> turned_by(const FineTurn& turn, const Pair3Of<kFused>& x) {
+  return pairs_as<kFused>(turn.turned<kFused>(pairs_as<false>(x)));
 }
-inline Vec3<double> rounded(const Pair3& x) { return {rounded(x[0]), rounded(x[1]), rounded(x[2])}; }
+template <bool kFused>
+Vec3<double> rounded(const Pair3Of<kFused>& x) {
+  return {rounded(x[0]), rounded(x[1]), rounded(x[2])};
+}
 
 template <Scalar S>
 class Meeting {
@@ -47,7 +52,8 @@ class Meeting {
   Meeting(const GuidedPair<S>& pair, const Scene<S>& scene, const Facet& facet, const Term& v)
       : pair_(pair), scene_(scene), facet_(facet), v_(v) {
     const bool takes = scene.is_of_two_leaves() && facet.size == 3 && v.kind == Term::Kind::motion;
-    known_ = takes && guess() && correct();
+    fused_ = fuses();
+    known_ = takes && guess() && (fused_ ? correct<true>() : correct<false>());
   }
 
   // The quotient n.c_0 / n.v between its neighbouring doubles.
@@ -59,7 +65,7 @@ class Meeting {
   // e x f over its length, each component within 2 u.
   [[nodiscard]] Vec3<double> normal() const {
     Vec3<double> n;
-    return known_ && find_normal(n) ? over_length(n) : unit_normal(scene_, facet_);
+    return known_ && (fused_ ? find_normal<true>(n) : find_normal<false>(n)) ? over_length(n) : unit_normal(scene_, facet_);
   }
 
   // Of one body, the point where the origin is at time t, caller's unit of it; world coordinates.
@@ -170,24 +176,28 @@ class Meeting {
   }
 
   // The corners' point of a body at those weights, in world axes about the body's position.
-  [[gnu::flatten]] Pair3 point(bool of_b) const {
+  template <bool kFused>
+  [[gnu::flatten]] Pair3Of<kFused> point(bool of_b) const {
+    using P = PairOf<kFused>;
     const Part& part = part_[of_b];
-    Pair3 x = {Pair{part.x0[0], 0}, Pair{part.x0[1], 0}, Pair{part.x0[2], 0}};
+    Pair3Of<kFused> x = {P{part.x0[0], 0}, P{part.x0[1], 0}, P{part.x0[2], 0}};
     for (std::size_t i = 0; i < 2; ++i) {
       if (!part.moves[i]) continue;
-      for (std::size_t j = 0; j < 3; ++j) x[j] = x[j] + times(part.step[i][j], at_.lambda[i]);
+      for (std::size_t j = 0; j < 3; ++j) x[j] = x[j] + times(pair_as<kFused>(part.step[i][j]), at_.lambda[i]);
     }
     if (!scene_.leaves()[of_b].turned) return x;
     const FineTurn& turn = scene_.turn(of_b);
-    const Pair3 out = turned_by(turn, x);
-    const double reciprocal = 1 / rounded(turn.weight);
-    return {over(out[0], turn.weight, reciprocal), over(out[1], turn.weight, reciprocal),
-            over(out[2], turn.weight, reciprocal)};
+    const Pair3Of<kFused> out = turned_by(turn, x);
+    const P weight = pair_as<kFused>(turn.weight);
+    const double reciprocal = 1 / rounded(weight);
+    return {over(out[0], weight, reciprocal), over(out[1], weight, reciprocal), over(out[2], weight, reciprocal)};
   }
 
   // g, and with it delta and its error.
+  template <bool kFused>
   [[gnu::flatten]] bool correct() {
-    const Pair3 a = point(false), b = point(true), apart = scene_.apart(), v = scene_.motion();
+    const Pair3Of<kFused> a = point<kFused>(false), b = point<kFused>(true),
+                          apart = pairs_as<kFused>(scene_.apart()), v = pairs_as<kFused>(scene_.motion());
     const auto difference = [&](std::size_t i) {
       return rounded(((a[i] - b[i]) + apart[i]) - times(v[i], at_.s));
     };
@@ -231,14 +241,15 @@ class Meeting {
 
   // e x f up to a factor > 0, each component within 2^-57 of the largest before it is rounded; false where it is not
   // that easily had.
+  template <bool kFused>
   [[gnu::flatten]] bool find_normal(Vec3<double>& n) const {
     const Part &a = part_[0], &b = part_[1];
     double size = 0;
-    Pair3 fine;
+    Pair3Of<kFused> fine;
     if (const bool of_b = a.is_still(); of_b || b.is_still() || scene_.turned_alike()) {
       // In the bodies' own axes, and turned once.
       double size_e = 0, size_f = 0;
-      const Pair3 e = edge(0, size_e), f = edge(1, size_f);
+      const Pair3Of<kFused> e = pairs_as<kFused>(edge(0, size_e)), f = pairs_as<kFused>(edge(1, size_f));
       fine = cross(e, f);
       size = size_e * size_f;
       if (scene_.leaves()[of_b].turned) {
@@ -254,7 +265,7 @@ class Meeting {
       const int sign = int(b.moves[0] && a.moves[1]) - int(a.moves[0] && b.moves[1]);
       if (!edge_a || !edge_b || sign == 0) return false;
       double size_a = 0, size_b = 0;
-      const Pair3 along_a = turned_step(false, size_a), along_b = turned_step(true, size_b);
+      const Pair3Of<kFused> along_a = turned_step<kFused>(false, size_a), along_b = turned_step<kFused>(true, size_b);
       fine = sign > 0 ? cross(along_a, along_b) : cross(along_b, along_a);
       size = size_a * size_b;
     }
@@ -275,20 +286,21 @@ class Meeting {
     return {a.step[i][0] + back[0], a.step[i][1] + back[1], a.step[i][2] + back[2]};
   }
   // The first step that there is.
-  Pair3 turned_step(bool of_b, double& size) const {
+  template <bool kFused>
+  Pair3Of<kFused> turned_step(bool of_b, double& size) const {
     const Pair3& step = part_[of_b].step[part_[of_b].moves[0] ? 0 : 1];
     size = size_of(step);
-    if (!scene_.leaves()[of_b].turned) return step;
+    if (!scene_.leaves()[of_b].turned) return pairs_as<kFused>(step);
     const FineTurn& turn = scene_.turn(of_b);
     size *= 2 * turn.weight.hi;
-    return turned_by(turn, step);
+    return turned_by(turn, pairs_as<kFused>(step));
   }
 
   const GuidedPair<S>& pair_;
   const Scene<S>& scene_;
   const Facet& facet_;
   const Term& v_;
-  bool known_ = false, has_weights_ = false;
+  bool known_ = false, has_weights_ = false, fused_ = false;
   Quotient at_;
   Triple n_{};
   double along_ = 0, n_error_ = 0, along_error_ = 0;

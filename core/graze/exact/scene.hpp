@@ -71,7 +71,8 @@ class Scene {
       const Fine x = fine(a, straight), y = fine(b, straight), z = fine(c, straight);
       const double size = x.size * y.size * z.size;
       if (size > kLeastSize && size < kMostSize) {
-        const double value = rounded(dot(x.x, cross(y.x, z.x))), error = kFineError * size;
+        const double value = fuses() ? determinant<true>(x, y, z) : determinant<false>(x, y, z),
+                     error = kFineError * size;
         if (value > error) return 1;
         if (value < -error) return -1;
         if (!(x.weighted || y.weighted || z.weighted)) {
@@ -238,6 +239,10 @@ class Scene {
       }
     }
     return alike_ || !(takes_part[0] && takes_part[1]);
+  }
+  template <bool kFused>
+  [[nodiscard, gnu::flatten, gnu::noinline]] static double determinant(const Fine& x, const Fine& y, const Fine& z) {
+    return rounded(dot(pairs_as<kFused>(x.x), cross(pairs_as<kFused>(y.x), pairs_as<kFused>(z.x))));
   }
   // All three in one plane across an axis: a row of the determinant is 0.
   [[nodiscard]] static bool is_level(const Fine& x, const Fine& y, const Fine& z) {

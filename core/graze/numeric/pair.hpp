@@ -7,42 +7,104 @@
 //            at most 17/16 m, or 2 u P if that is 2 P or more, when 3 u P <= 1.6 u m; 2 u m at most.
 //   x y      within 2^-97 X Y:       the product of the high parts is exact, lo lo is left out (2^-98 X Y),
 //            and three roundings of what is below 2^-47 X Y.
-// Sums are Knuth's, products exact by Veltkamp or std::fma (offset.hpp).
+// Sums are Knuth's, products exact by Veltkamp or std::fma (offset.hpp), or fused.
+//
+// Fused pairs   are the same numbers, their products by one instruction of x86-64 that code for every such processor
+// may not contain: 2 instructions instead of 17. Whoever forms many asks once whether the processor has it (fuses()),
+// and goes on in one of two copies of the code. Both products are exact, so both copies have the same bits; what lies
+// beyond 2^996 or below 2^-969, where Veltkamp's is not, their users leave out (scene.hpp). The instruction is written
+// down rather than left to the compiler: of a function that is compiled for such processors g++ and clang may fuse
+// every sum.
 #pragma once
 
 #include <graze/numeric/offset.hpp>
 
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
+#define GRAZE_FUSES_IF_THERE 1
+#else
+#define GRAZE_FUSES_IF_THERE 0
+#endif
+
 namespace graze::inline GRAZE_LINKAGE::exact {
 
-struct Pair {
+// Does the processor, and the system, have an instruction that the compiler may not use?
+[[nodiscard]] inline bool fuses() {
+#if GRAZE_FUSES_IF_THERE
+  return __builtin_cpu_supports("fma") != 0;
+#else
+  return false;
+#endif
+}
+
+template <bool kFused>
+struct PairOf {
   double hi, lo;  // not set unless given
 };
-using Pair3 = std::array<Pair, 3>;
+template <bool kFused>
+using Pair3Of = std::array<PairOf<kFused>, 3>;
+using Pair = PairOf<false>;
+using Pair3 = Pair3Of<false>;
 
-// Exact.
-inline Pair product(double a, double b) {
+// Exact. Fused: only where fuses().
+template <bool kFused = false>
+PairOf<kFused> product(double a, double b) {
+#if GRAZE_FUSES_IF_THERE
+  if constexpr (kFused) {
+    const double hi = a * b;
+    double lo = hi;
+    // lo = a b - lo
+    asm("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(lo) : "x"(a), "x"(b));
+    return {hi, lo};
+  }
+#endif
   const detail::TwoDoubles p = detail::two_product(a, b);
   return {p.hi, p.lo};
 }
-inline Pair difference(double a, double b) {
+template <bool kFused = false>
+PairOf<kFused> difference(double a, double b) {
   const detail::TwoDoubles s = detail::two_sum(a, -b);
   return {s.hi, s.lo};
 }
 
-inline Pair operator+(const Pair& x, const Pair& y) {
+// The same number.
+template <bool kFused, bool kOther>
+PairOf<kFused> pair_as(const PairOf<kOther>& x) {
+  return {x.hi, x.lo};
+}
+template <bool kFused, bool kOther>
+Pair3Of<kFused> pairs_as(const Pair3Of<kOther>& x) {
+  return {pair_as<kFused>(x[0]), pair_as<kFused>(x[1]), pair_as<kFused>(x[2])};
+}
+
+template <bool kFused>
+PairOf<kFused> operator+(const PairOf<kFused>& x, const PairOf<kFused>& y) {
   const detail::TwoDoubles s = detail::two_sum(x.hi, y.hi);
   return {s.hi, s.lo + (x.lo + y.lo)};
 }
-inline Pair operator-(const Pair& x) { return {-x.hi, -x.lo}; }
-inline Pair operator-(const Pair& x, const Pair& y) { return x + -y; }
-inline Pair operator*(const Pair& x, const Pair& y) {
-  const detail::TwoDoubles p = detail::two_product(x.hi, y.hi);
+template <bool kFused>
+PairOf<kFused> operator-(const PairOf<kFused>& x) {
+  return {-x.hi, -x.lo};
+}
+template <bool kFused>
+PairOf<kFused> operator-(const PairOf<kFused>& x, const PairOf<kFused>& y) {
+  return x + -y;
+}
+template <bool kFused>
+PairOf<kFused> operator*(const PairOf<kFused>& x, const PairOf<kFused>& y) {
+  const PairOf<kFused> p = product<kFused>(x.hi, y.hi);
   return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
 }
-[[nodiscard]] inline double rounded(const Pair& x) { return x.hi + x.lo; }
+template <bool kFused>
+[[nodiscard]] double rounded(const PairOf<kFused>& x) {
+  return x.hi + x.lo;
+}
 
-inline Pair dot(const Pair3& a, const Pair3& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
-inline Pair3 cross(const Pair3& a, const Pair3& b) {
+template <bool kFused>
+PairOf<kFused> dot(const Pair3Of<kFused>& a, const Pair3Of<kFused>& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+template <bool kFused>
+Pair3Of<kFused> cross(const Pair3Of<kFused>& a, const Pair3Of<kFused>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline Pair3 scaled(const Pair3& x, const Pair& s) { return {x[0] * s, x[1] * s, x[2] * s}; }

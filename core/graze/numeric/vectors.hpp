@@ -60,22 +60,41 @@ struct FineTurn {
   Pair weight;
 
   FineTurn() = default;
-  // Flat, so that a number is split once for all its products.
-  [[gnu::flatten]] explicit FineTurn(const Quaternion<double>& q) {
-    const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z);
-    const Pair xy = product(q.x, q.y), xz = product(q.x, q.z), yz = product(q.y, q.z), wx = product(q.w, q.x),
-               wy = product(q.w, q.y), wz = product(q.w, q.z);
-    const auto twice = [](const Pair& x) { return Pair{2 * x.hi, 2 * x.lo}; };
-    row[0] = {(ww + xx) - (yy + zz), twice(xy - wz), twice(xz + wy)};
-    row[1] = {twice(xy + wz), (ww + yy) - (xx + zz), twice(yz - wx)};
-    row[2] = {twice(xz - wy), twice(yz + wx), (ww + zz) - (xx + yy)};
-    weight = (ww + xx) + (yy + zz);
+  explicit FineTurn(const Quaternion<double>& q) {
+    if (fuses()) {
+      form<true>(q);
+    } else {
+      form<false>(q);
+    }
   }
   void operator()(Fine& v) const {
-    v.x = {dot(row[0], v.x), dot(row[1], v.x), dot(row[2], v.x)};
+    v.x = fuses() ? turned<true>(v.x) : turned<false>(v.x);
     v.size *= 2 * weight.hi;  // |R x|_i <= |x|_2 < 2 |x|_inf
     v.weight = v.weighted ? v.weight * weight : weight;
     v.weighted = true;
+  }
+  // Flat, so that a number is split once for all its products.
+  template <bool kFused>
+  [[nodiscard, gnu::flatten]] Pair3 turned(const Pair3& given) const {
+    const Pair3Of<kFused> x = pairs_as<kFused>(given);
+    const auto along = [&](std::size_t i) { return pair_as<false>(dot(pairs_as<kFused>(row[i]), x)); };
+    return {along(0), along(1), along(2)};
+  }
+
+ private:
+  template <bool kFused>
+  [[gnu::flatten]] void form(const Quaternion<double>& q) {
+    using P = PairOf<kFused>;
+    const auto times = [](double a, double b) { return product<kFused>(a, b); };
+    const P ww = times(q.w, q.w), xx = times(q.x, q.x), yy = times(q.y, q.y), zz = times(q.z, q.z);
+    const P xy = times(q.x, q.y), xz = times(q.x, q.z), yz = times(q.y, q.z), wx = times(q.w, q.x),
+            wy = times(q.w, q.y), wz = times(q.w, q.z);
+    const auto same = [](const P& x) { return pair_as<false>(x); };
+    const auto twice = [](const P& x) { return Pair{2 * x.hi, 2 * x.lo}; };
+    row[0] = {same((ww + xx) - (yy + zz)), twice(xy - wz), twice(xz + wy)};
+    row[1] = {twice(xy + wz), same((ww + yy) - (xx + zz)), twice(yz - wx)};
+    row[2] = {twice(xz - wy), twice(yz + wx), same((ww + zz) - (xx + yy))};
+    weight = same((ww + xx) + (yy + zz));
   }
 };
 
