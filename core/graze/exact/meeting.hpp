@@ -65,7 +65,8 @@ class Meeting {
   // e x f over its length, each component within 2 u.
   [[nodiscard]] Vec3<double> normal() const {
     Vec3<double> n;
-    return known_ && (fused_ ? find_normal<true>(n) : find_normal<false>(n)) ? over_length(n) : unit_normal(scene_, facet_);
+    return known_ && (fused_ ? find_normal<true>(n) : find_normal<false>(n)) ? over_length(n)
+                                                                             : unit_normal(scene_, facet_);
   }
 
   // Of one body, the point where the origin is at time t, caller's unit of it; world coordinates.
@@ -183,14 +184,16 @@ class Meeting {
     Pair3Of<kFused> x = {P{part.x0[0], 0}, P{part.x0[1], 0}, P{part.x0[2], 0}};
     for (std::size_t i = 0; i < 2; ++i) {
       if (!part.moves[i]) continue;
-      for (std::size_t j = 0; j < 3; ++j) x[j] = x[j] + times(pair_as<kFused>(part.step[i][j]), at_.lambda[i]);
+      for (std::size_t j = 0; j < 3; ++j)
+        x[j] = x[j] + times(pair_as<kFused>(part.step[i][j]), at_.lambda[i]);
     }
     if (!scene_.leaves()[of_b].turned) return x;
     const FineTurn& turn = scene_.turn(of_b);
     const Pair3Of<kFused> out = turned_by(turn, x);
     const P weight = pair_as<kFused>(turn.weight);
     const double reciprocal = 1 / rounded(weight);
-    return {over(out[0], weight, reciprocal), over(out[1], weight, reciprocal), over(out[2], weight, reciprocal)};
+    return {over(out[0], weight, reciprocal), over(out[1], weight, reciprocal),
+            over(out[2], weight, reciprocal)};
   }
 
   // g, and with it delta and its error.
@@ -265,7 +268,8 @@ class Meeting {
       const int sign = int(b.moves[0] && a.moves[1]) - int(a.moves[0] && b.moves[1]);
       if (!edge_a || !edge_b || sign == 0) return false;
       double size_a = 0, size_b = 0;
-      const Pair3Of<kFused> along_a = turned_step<kFused>(false, size_a), along_b = turned_step<kFused>(true, size_b);
+      const Pair3Of<kFused> along_a = turned_step<kFused>(false, size_a),
+                            along_b = turned_step<kFused>(true, size_b);
       fine = sign > 0 ? cross(along_a, along_b) : cross(along_b, along_a);
       size = size_a * size_b;
     }

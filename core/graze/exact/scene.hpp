@@ -241,7 +241,8 @@ class Scene {
     return alike_ || !(takes_part[0] && takes_part[1]);
   }
   template <bool kFused>
-  [[nodiscard, gnu::flatten, gnu::noinline]] static double determinant(const Fine& x, const Fine& y, const Fine& z) {
+  [[nodiscard, gnu::flatten, gnu::noinline]] static double determinant(const Fine& x, const Fine& y,
+                                                                       const Fine& z) {
     return rounded(dot(pairs_as<kFused>(x.x), cross(pairs_as<kFused>(y.x), pairs_as<kFused>(z.x))));
   }
   // All three in one plane across an axis: a row of the determinant is 0.

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <graze/numeric/machine.hpp>
 #include <graze/scalar.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
@@ -25,9 +26,13 @@ inline TwoDoubles two_sum(double a, double b) {
   return {hi, (a - (hi - bb)) + (b - bb)};
 }
 
-// a b = hi + lo exactly, barring underflow.
-inline TwoDoubles two_product(double a, double b) {
+// a b = hi + lo exactly, barring underflow. Fused: only where fuses().
+template <bool kFused = false>
+TwoDoubles two_product(double a, double b) {
   const double hi = a * b;
+#if GRAZE_FUSES_IF_THERE
+  if constexpr (kFused) return {hi, fused_difference(a, b, hi)};
+#endif
 #if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(__ARM_FEATURE_FMA) || !defined(__x86_64__)
   return {hi, std::fma(a, b, -hi)};
 #else
@@ -46,15 +51,19 @@ inline TwoDoubles operator+(TwoDoubles x, TwoDoubles y) {
   return two_sum(v.hi, t.lo + v.lo);
 }
 inline TwoDoubles operator-(TwoDoubles x) { return {-x.hi, -x.lo}; }
-inline TwoDoubles operator*(TwoDoubles x, TwoDoubles y) {
-  const TwoDoubles p = two_product(x.hi, y.hi);
+template <bool kFused>
+TwoDoubles multiplied(TwoDoubles x, TwoDoubles y) {
+  const TwoDoubles p = two_product<kFused>(x.hi, y.hi);
   return two_sum(p.hi, p.lo + (x.lo * y.hi + x.hi * y.lo));
 }
-inline TwoDoubles operator/(TwoDoubles x, TwoDoubles y) {
+template <bool kFused>
+TwoDoubles divided(TwoDoubles x, TwoDoubles y) {
   const double first = x.hi / y.hi;
-  const TwoDoubles rest = x + -(y * TwoDoubles{first, 0});
+  const TwoDoubles rest = x + -multiplied<kFused>(y, TwoDoubles{first, 0});
   return two_sum(first, rest.hi / y.hi);
 }
+inline TwoDoubles operator*(TwoDoubles x, TwoDoubles y) { return multiplied<false>(x, y); }
+inline TwoDoubles operator/(TwoDoubles x, TwoDoubles y) { return divided<false>(x, y); }
 
 // x t for a time of any size: a double from 2^996 on has no halves.
 inline TwoDoubles times(TwoDoubles x, double t) {
@@ -83,15 +92,17 @@ inline TwoDoubles3 scaled_by(TwoDoubles3 x, double power) {
 inline constexpr double kOffsetOfCenters = 0x1p-97;
 
 // R(q) c with relative error below 2^-98 |c|:  c + 2 (w (u x c) + u x (u x c)) / |q|^2,  q = (w, u).
-inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<double>& c) {
+template <bool kFused>
+[[gnu::flatten]] inline TwoDoubles3 rotated_in_pairs(const Quaternion<double>& q, const Vec3<double>& c) {
+  const auto times = [](const TwoDoubles& x, const TwoDoubles& y) { return multiplied<kFused>(x, y); };
   const TwoDoubles w{q.w, 0}, u[3] = {{q.x, 0}, {q.y, 0}, {q.z, 0}};
-  TwoDoubles norm = w * w;
-  for (const TwoDoubles& one : u) norm = norm + one * one;
+  TwoDoubles norm = times(w, w);
+  for (const TwoDoubles& one : u) norm = norm + times(one, one);
   const auto cross = [&](const TwoDoubles3& x) {
     TwoDoubles3 out;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      out[i] = u[j] * x[k] + -(u[k] * x[j]);
+      out[i] = times(u[j], x[k]) + -times(u[k], x[j]);
     }
     return out;
   };
@@ -99,10 +110,13 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
   const TwoDoubles3 once = cross(given), twice = cross(once);
   TwoDoubles3 out;
   for (std::size_t i = 0; i < 3; ++i) {
-    const TwoDoubles turned = (w * once[i] + twice[i]) / norm;
+    const TwoDoubles turned = divided<kFused>(times(w, once[i]) + twice[i], norm);
     out[i] = given[i] + (turned + turned);
   }
   return out;
+}
+inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<double>& c) {
+  return fuses() ? rotated_in_pairs<true>(q, c) : rotated_in_pairs<false>(q, c);
 }
 
 // R(q), each entry within 9 u: the numerators are within 4 u |q|^2 (three sums of rounded products whose

@@ -9,32 +9,16 @@
 //            and three roundings of what is below 2^-47 X Y.
 // Sums are Knuth's, products exact by Veltkamp or std::fma (offset.hpp), or fused.
 //
-// Fused pairs   are the same numbers, their products by one instruction of x86-64 that code for every such processor
-// may not contain: 2 instructions instead of 17. Whoever forms many asks once whether the processor has it (fuses()),
-// and goes on in one of two copies of the code. Both products are exact, so both copies have the same bits; what lies
-// beyond 2^996 or below 2^-969, where Veltkamp's is not, their users leave out (scene.hpp). The instruction is written
-// down rather than left to the compiler: of a function that is compiled for such processors g++ and clang may fuse
-// every sum.
+// Fused pairs   are the same numbers, their products by one instruction (machine.hpp): 2 instead of 17. Whoever forms
+// many asks fuses() once, and goes on in one of two copies of the code. Both products are exact, so both copies have the
+// same bits; what lies beyond 2^996 or below 2^-969, where Veltkamp's is not, their users leave out (scene.hpp).
 #pragma once
 
 #include <graze/numeric/offset.hpp>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
-#define GRAZE_FUSES_IF_THERE 1
-#else
-#define GRAZE_FUSES_IF_THERE 0
-#endif
-
 namespace graze::inline GRAZE_LINKAGE::exact {
 
-// Does the processor, and the system, have an instruction that the compiler may not use?
-[[nodiscard]] inline bool fuses() {
-#if GRAZE_FUSES_IF_THERE
-  return __builtin_cpu_supports("fma") != 0;
-#else
-  return false;
-#endif
-}
+using detail::fuses;
 
 template <bool kFused>
 struct PairOf {
@@ -48,16 +32,7 @@ using Pair3 = Pair3Of<false>;
 // Exact. Fused: only where fuses().
 template <bool kFused = false>
 PairOf<kFused> product(double a, double b) {
-#if GRAZE_FUSES_IF_THERE
-  if constexpr (kFused) {
-    const double hi = a * b;
-    double lo = hi;
-    // lo = a b - lo
-    asm("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(lo) : "x"(a), "x"(b));
-    return {hi, lo};
-  }
-#endif
-  const detail::TwoDoubles p = detail::two_product(a, b);
+  const detail::TwoDoubles p = detail::two_product<kFused>(a, b);
   return {p.hi, p.lo};
 }
 template <bool kFused = false>

@@ -294,8 +294,9 @@ class QuickWalk {
     const Triple e = portal[1]->w - portal[0]->w, f = portal[2]->w - portal[0]->w, a = cross(r_, f),
                  b = cross(e, r_);
     const double one = 1 / dot(cross(e, f), r_);
-    const double l1 = std::max(lambda[1] + dot(g, a) * one, 0.0), l2 = std::max(lambda[2] + dot(g, b) * one, 0.0),
-                 l0 = std::max(1 - l1 - l2, 0.0), all = 1 / (l0 + l1 + l2);
+    const double l1 = std::max(lambda[1] + dot(g, a) * one, 0.0),
+                 l2 = std::max(lambda[2] + dot(g, b) * one, 0.0), l0 = std::max(1 - l1 - l2, 0.0),
+                 all = 1 / (l0 + l1 + l2);
     lambda = {l0 * all, l1 * all, l2 * all};
   }
   // The portal before the last step and this one lie on either side of the start.

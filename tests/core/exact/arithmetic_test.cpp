@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <bit>
 #include <graze/exact/pierce.hpp>
+#include <graze/numeric/vectors.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -17,6 +19,38 @@ TEST(Expansion, KeepsWhatADoubleLoses) {
   e.grow(-1);
   EXPECT_EQ(e.sign(), 0);
   EXPECT_EQ(e.size(), 0);
+}
+
+// Bit for bit, over the whole range that is asked of it: answers must not depend on the processor.
+TEST(FusedPairs, AreTheSamePairs) {
+  if (!fuses()) GTEST_SKIP() << "the compiler may fuse anyway, or the processor cannot";
+  Draw draw{52};
+  const auto number = [&] { return std::ldexp(draw.between(-1, 1), int(draw.bits() % 600) - 300); };
+  const auto same = [](const auto& x, const auto& y) {
+    return std::bit_cast<std::uint64_t>(x.hi) == std::bit_cast<std::uint64_t>(y.hi) && x.lo == y.lo;
+  };
+  int inexact = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const double x = number(), y = number();
+    const PairOf<true> fused = product<true>(x, y);
+    EXPECT_TRUE(same(fused, product<false>(x, y))) << x << " " << y;
+    inexact += fused.lo != 0 ? 1 : 0;
+
+    const Quaternion<double> q{draw.between(1, 2), draw.between(-1, 1), draw.between(-1, 1),
+                               draw.between(-1, 1)};
+    const FineTurn turn(q);
+    const Pair3 given = {difference(number(), number()), difference(number(), number()),
+                         difference(number(), number())};
+    const Pair3 one = turn.turned<true>(given), other = turn.turned<false>(given);
+    const Vec3<double> c(number(), number(), number());
+    const auto fused_turn = detail::rotated_in_pairs<true>(q, c),
+               plain_turn = detail::rotated_in_pairs<false>(q, c);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_TRUE(same(one[i], other[i]));
+      EXPECT_TRUE(same(fused_turn[i], plain_turn[i]));
+    }
+  }
+  EXPECT_GT(inexact, 19000);
 }
 
 // (x + 2^-60)(x - 2^-60) = x^2 - 2^-120.

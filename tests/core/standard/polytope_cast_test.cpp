@@ -133,6 +133,29 @@ TYPED_TEST(QuickCast, RandomPairsAreAnsweredAndRight) {
   EXPECT_LT(tally.gave_up, 400);
 }
 
+// Paths up to a thousand times as long as the bodies are large: the weights of the portal round by the square of that,
+// and are corrected.
+TYPED_TEST(QuickCast, LongPathsAreAnsweredAndRight) {
+  using S = TypeParam;
+  Draw draw{74};
+  Tally tally;
+  for (int round = 0; round < 2000; ++round) {
+    Body<S> a{.shape = draw.hull<S>(16, 1)}, b{.shape = draw.hull<S>(16, 1)};
+    if (round % 2 == 0) a.orientation = draw.turn<S>();
+    const S away = static_cast<S>(std::pow(2.0, draw.between(5, 10)));
+    Vec3<S> out = draw.vector<S>(1);
+    if (out.norm() < S(0.1)) continue;
+    out *= away / out.norm();
+    b.position = out + draw.vector<S>(S(0.3));
+    b.displacement = S(-1.25) * out;
+    expect_right<S>(a, b, S(1), false, tally);
+    if (this->HasFatalFailure()) return;
+  }
+  EXPECT_GT(tally.hits, 1500);
+  // In one of a hundred the last step is within the noise that is asked for of how far away C is.
+  EXPECT_LT(tally.gave_up, 20);
+}
+
 // Nearly every sign is zero: what is claimed all the same is the exact verdict, since on a lattice two things
 // are apart or touch.
 TYPED_TEST(QuickCast, LatticesAreRightOrGivenUp) {

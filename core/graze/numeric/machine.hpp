@@ -1,0 +1,38 @@
+// What the processor has beyond what the compiler may use: asked while the program runs.
+//
+// Code for every x86-64 processor may not contain fused multiply-adds. Where one gives the same bits sooner, there are
+// two copies of the code that it counts in, and one question before it: a load and a branch. Elsewhere, and where the
+// compiler may use it anyway, there is one.
+//
+// The fused instruction is written down rather than left to the compiler: of a function that is compiled for such
+// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine.
+#pragma once
+
+#include <graze/linkage.hpp>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
+#define GRAZE_FUSES_IF_THERE 1
+#else
+#define GRAZE_FUSES_IF_THERE 0
+#endif
+
+namespace graze::inline GRAZE_LINKAGE::detail {
+
+// A fused multiply-add that the compiler may not use?
+[[nodiscard]] inline bool fuses() {
+#if GRAZE_FUSES_IF_THERE
+  return __builtin_cpu_supports("fma") != 0;
+#else
+  return false;
+#endif
+}
+
+#if GRAZE_FUSES_IF_THERE
+// a b - c, rounded once; only where fuses().
+inline double fused_difference(double a, double b, double c) {
+  asm("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
+  return c;
+}
+#endif
+
+}  // namespace graze::inline GRAZE_LINKAGE::detail
