@@ -28,9 +28,9 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 }
 
 #if GRAZE_FUSES_IF_THERE
-// a b - c, rounded once; only where fuses().
+// a b - c, rounded once; only where fuses(): volatile, or the compiler might move it before that question.
 inline double fused_difference(double a, double b, double c) {
-  asm("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
+  asm volatile("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
   return c;
 }
 #endif

@@ -11,7 +11,8 @@
 //
 // Fused pairs   are the same numbers, their products by one instruction (machine.hpp): 2 instead of 17. Whoever forms
 // many asks fuses() once, and goes on in one of two copies of the code. Both products are exact, so both copies have the
-// same bits; what lies beyond 2^996 or below 2^-969, where Veltkamp's is not, their users leave out (scene.hpp).
+// same bits. Beyond 2^996 and below 2^-969 Veltkamp's is not: there their users do not go (scene.hpp), or add what is
+// far larger.
 #pragma once
 
 #include <graze/numeric/offset.hpp>
