@@ -27,10 +27,21 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-// |l x r|, not below, and above by 16 u at most; 0 only if the cross product is. A difference of two exact
-// products is within 2^-100 of itself (offset.hpp), however much cancels. Components of r are 0 or above
-// 2^-200, so products are exact unless one of l's is below 2^-700: that part of l is then counted whole.
+// |l x r|, not below, and above by 2^-39 of itself at most; 0 only if the cross product is.
+//
+// Where the angle is not small, in plain doubles: an entry is within u (|l_j r_k| + |l_k r_j|) and u of itself,
+// the vector within 3 u |l| |r| and 2 u of itself. If its length exceeds 2^-10 |l| |r|, that is less than 2^-41 of
+// it, and 2^-40 makes up for all. Squares of the lengths within 2^+-400 keep every rounding relative: what may
+// vanish in a product is below 2^-1074, and 2^-800 is not.
+// Else a difference of two exact products, within 2^-100 of itself (offset.hpp), however much cancels; above by
+// 16 u at most. Components of r are 0 or above 2^-200, so products are exact unless one of l's is below 2^-700:
+// that part of l is then counted whole.
 inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
+  const double l_sq = l.squaredNorm(), r_sq = r.squaredNorm();
+  if (l_sq > 0x1p-400 && l_sq < 0x1p400 && r_sq > 0x1p-400 && r_sq < 0x1p400) {
+    const double length_sq = l.cross(r).squaredNorm();
+    if (length_sq > 0x1p-20 * (l_sq * r_sq)) return std::sqrt(length_sq) * (1 + 0x1p-40);
+  }
   constexpr double kExact = 0x1p-700;
   Vec3<double> c;
   double vanishing = 0;

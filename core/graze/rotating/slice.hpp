@@ -148,10 +148,13 @@ class SliceSearch {
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
-      for (const Frame& frame : frames(there.n)) {
+      const std::array<Frame, 3> all = frames(there.n);
+      std::array<Vec3<double>, 3> owns;
+      for (std::size_t i = 0; i < 3; ++i) owns[i] = pair_.to_own(all[i].of, there.n);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Frame& frame = all[i];
+        const Vec3<double>& own = owns[i];
         const double error = pair_.frame_error(frame.of);
-        place(end);
-        const Vec3<double> own = pair_.to_own(frame.of, there.n);
         place(now.t);
         const double gap_now = pair_.gap(pair_.to_world(frame.of, own), counters_) - error;
         if (!proves(end - now.t, gap_now, there.gap - error, frame.bend_root)) continue;
