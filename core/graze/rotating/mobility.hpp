@@ -79,9 +79,11 @@ struct Mobility {
     const double sine = across(n), plain = sine * rho;
     return revolves ? std::min(plain, sine * center_rho + tilt_rate * revolved_reach) : plain;
   }
-  [[nodiscard]] double acceleration(const Vec3<double>& n) const {
+  [[nodiscard]] double acceleration(const Vec3<double>& n) const { return acceleration_for(across(n)); }
+  // The same, of an n for which |n x w| is known.
+  [[nodiscard]] double acceleration_for(double across) const {
     if (!turns()) return 0;
-    const double sine = rate * across(n), plain = sine * rho;
+    const double sine = rate * across, plain = sine * rho;
     if (!revolves) return plain;
     return std::min(plain, sine * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach);
   }
@@ -223,10 +225,11 @@ inline double reach_at_rest(const Bounds& bounds, double beyond, const Vec3<doub
 }
 
 // unit: what one world length is; `bounds` are those of the unwrapped shape. pivot: the centre of the
-// rotation, or any point for a body that does not turn.
+// rotation, or any point for a body that does not turn. turn: the rotation of a body's orientation, entries
+// within 0.6 u; not read of one that does not turn.
 template <Scalar S>
-Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Bounds& bounds,
-                  double unit) {
+Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Bounds& bounds, double unit,
+                  const Mat3<double>& turn) {
   constexpr double noise = kMobilityRounding * kUnitRoundoff<double>, raise = 1 + noise;
   const Shape<S>& shape = unwrapped<S>(moving.body.shape);
   const double beyond = beyond_bounds<S>(shape, bounds);
@@ -237,9 +240,6 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.reach = unit * reach_at_rest(bounds, beyond, pivot);
     return out;
   }
-  const Mat3<double> turn = moving.body.orientation.is_identity()
-                                ? Mat3<double>(Mat3<double>::Identity())
-                                : accurate_rotation_matrix(as_double(moving.body.orientation));
   const Vec3<double> axis = graze::unit(out.w);
   out.low = kInfinity<double>;
   out.high = -kInfinity<double>;

@@ -93,8 +93,15 @@ class MovingPair {
     GRAZE_ASSERT(t >= 0 && t < kInfinity<double>);
     t_ = t;
     TwoDoubles3 d = pivots_;
-    if (t != 0) {
+    if (t > 0x1p500) {
       for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
+    } else if (t != 0) {
+      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the way.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const exact::Pair way = exact::Pair{velocity_[i].hi, velocity_[i].lo} * exact::Pair{t, 0};
+        const exact::Pair sum = exact::Pair{d[i].hi, d[i].lo} + way;
+        d[i] = two_sum(sum.hi, sum.lo);
+      }
     }
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
     rotation_a_ = a.rotation;
@@ -197,14 +204,13 @@ class MovingPair {
   //   (R_A^T y)''   = R_A^T (y'' - 2 w_A x y' + w_A x (w_A x y)).
   [[nodiscard]] double bend(AxisFrame frame, const Vec3<double>& n, double t_end) const {
     if (frame == AxisFrame::world) return bend(n);
-    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
-                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
-    const Vec3<double> v = velocity();
-    const double swing = swing_until(frame, t_end);
-    const double across = with.across(n) + 64 * kUnitRoundoff<double> * with.rate;
-    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
-            across * (2 * v.norm() + swing)) *
-           (1 + 64 * kUnitRoundoff<double>);
+    return bend_of(frame, (frame == AxisFrame::a ? a_ : b_).mobility.across(n), t_end);
+  }
+  // Of the frames world, a and b.
+  [[nodiscard]] std::array<double, 3> bends(const Vec3<double>& n, double t_end) const {
+    const double across_a = a_.mobility.across(n), across_b = b_.mobility.across(n);
+    return {bend_of_world(across_a, across_b), bend_of(AxisFrame::a, across_a, t_end),
+            bend_of(AxisFrame::b, across_b, t_end)};
   }
   // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
   // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance
@@ -221,8 +227,7 @@ class MovingPair {
   }
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
-    const double each = a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
-    return turns_in_common() ? std::min(each, a_.mobility.rate * a_.mobility.across(n) * common_rho_) : each;
+    return bend_of_world(a_.mobility.across(n), b_.mobility.across(n));
   }
   // The same for any n.
   [[nodiscard]] double top_bend() const {
@@ -241,6 +246,19 @@ class MovingPair {
   [[nodiscard]] double swing_until(AxisFrame frame, double t_end) const {
     const TurningSide& with = frame == AxisFrame::a ? a_ : b_;
     return with.swing + with.across_velocity * t_end;
+  }
+  // The above, |n x w| of the frame's body given, of both bodies.
+  [[nodiscard]] double bend_of(AxisFrame frame, double across_n, double t_end) const {
+    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
+                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
+    const double across = across_n + 64 * kUnitRoundoff<double> * with.rate;
+    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
+            across * (2 * velocity().norm() + swing_until(frame, t_end))) *
+           (1 + 64 * kUnitRoundoff<double>);
+  }
+  [[nodiscard]] double bend_of_world(double across_a, double across_b) const {
+    const double each = a_.mobility.acceleration_for(across_a) + b_.mobility.acceleration_for(across_b);
+    return turns_in_common() ? std::min(each, a_.mobility.rate * across_a * common_rho_) : each;
   }
   [[nodiscard]] bool turns_in_common() const { return common_rho_ < kInfinity<double>; }
   // See above; raised by what it is rounded by, and by what points are off.
@@ -263,14 +281,18 @@ class MovingPair {
   static void prepare(const RotatingBody<S>& given, const Side<double>& side, double unit, TurningSide& out) {
     out.turns = TurnsAbout(wide(given.rotation));
     out.start = near_one(given.body.orientation);
-    out.start_rotation = rotation_matrix(out.start);
-    if (out.turns.turns()) out.rotation = TurnedRotation(out.turns, out.start);
+    if (out.turns.turns()) {
+      out.rotation = TurnedRotation(out.turns, out.start);
+      out.start_rotation = out.rotation.start();
+    } else {
+      out.start_rotation = rotation_matrix(out.start);
+    }
     const Bounds bounds = detail::bounds(unwrapped<S>(given.body.shape));
     // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
     out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
     out.has_arm = side.center != out.pivot;
     if (out.has_arm) out.arm = scaled_by(posed(out.start, side.center) + -posed(out.start, out.pivot), unit);
-    out.mobility = mobility(given, out.pivot, bounds, unit);
+    out.mobility = mobility(given, out.pivot, bounds, unit, out.start_rotation);
   }
 
   Cso<double> cso_;

@@ -119,10 +119,11 @@ class SliceSearch {
   };
   // For an axis n as it stands now; the one that lets points bend least first.
   [[nodiscard]] std::array<Frame, 3> frames(const Vec3<double>& n) const {
+    const std::array<double, 3> bends = pair_.bends(n, limits_.end);
     std::array<Frame, 3> out;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto of = static_cast<AxisFrame>(i);
-      out[i] = {of, std::sqrt(pair_.bend(of, n, limits_.end) / 2 * (1 + 0x1p-40))};
+      out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
     }
     std::stable_sort(out.begin(), out.end(),
                      [](const Frame& l, const Frame& r) { return l.bend_root < r.bend_root; });

@@ -227,12 +227,15 @@ class TurnedRotation {
                          turned = exact::cross(axis, column[j]);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto r = static_cast<int>(i), c = static_cast<int>(j);
+        start_(r, c) = exact::rounded(column[j][i]);
         along_(r, c) = exact::rounded(lasting[i]);
         across_(r, c) = exact::rounded(column[j][i] - lasting[i]);
         aside_(r, c) = exact::rounded(turned[i]);
       }
     }
   }
+  // R(q), each entry within 0.6 u.
+  [[nodiscard]] const Mat3<double>& start() const { return start_; }
   // turns: those that this was made for.
   [[nodiscard]] Mat3<double> at(const TurnsAbout& turns, double t) const {
     const RoundedSineCosine angle = rounded_sine_cosine(turns.angle(t));
@@ -240,6 +243,7 @@ class TurnedRotation {
   }
 
  private:
+  Mat3<double> start_ = Mat3<double>::Identity();
   Mat3<double> along_ = Mat3<double>::Zero(), across_ = Mat3<double>::Zero(), aside_ = Mat3<double>::Zero();
 };
 
