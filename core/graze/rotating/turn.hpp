@@ -53,6 +53,14 @@ inline TwoDoubles cosine_less_one(TwoDoubles q) {
   return q * sum;
 }
 
+// c_0 + c_1 z + ...
+template <std::size_t N>
+double horner(double z, const double (&c)[N]) {
+  double sum = c[N - 1];
+  for (std::size_t i = N - 1; i-- > 0;) sum = c[i] + z * sum;
+  return sum;
+}
+
 }  // namespace series
 
 // x >= 0, at most kMostTurn / 2.
@@ -102,18 +110,10 @@ inline RoundedSineCosine rounded_sine_cosine(TwoDoubles x) {
     quarter = static_cast<std::int64_t>(quarters) & 3;
   }
   const double r = x.hi, e = x.lo, z = r * r;
-  const double of_sine =
-      -1 / 6. +
-      z * (1 / 120. +
-           z * (-1 / 5040. +
-                z * (1 / 362880. +
-                     z * (-1 / 39916800. +
-                          z * (1 / 6227020800. + z * (-1 / 1307674368000. + z * (1 / 355687428096000.)))))));
-  const double of_cosine =
-      1 / 24. +
-      z * (-1 / 720. +
-           z * (1 / 40320. + z * (-1 / 3628800. + z * (1 / 479001600. + z * (-1 / 87178291200. +
-                                                                             z * (1 / 20922789888000.))))));
+  const double of_sine = series::horner(z, {-1 / 6., 1 / 120., -1 / 5040., 1 / 362880., -1 / 39916800.,
+                                            1 / 6227020800., -1 / 1307674368000., 1 / 355687428096000.});
+  const double of_cosine = series::horner(z, {1 / 24., -1 / 720., 1 / 40320., -1 / 3628800., 1 / 479001600.,
+                                              -1 / 87178291200., 1 / 20922789888000.});
   const double s = r + (r * z * of_sine + e * (1 - z / 2));
   const double w = 1 - z / 2, c = w + (((1 - w) - z / 2) + (z * z * of_cosine - r * e));
   switch (quarter) {
