@@ -75,7 +75,9 @@ struct DrawnTurn {
 void check_turns(const std::string& range, double low, double high, std::uint64_t seed) {
   const WorkingPrecision precision(kTruthBits);
   HostileDraw draw(seed);
-  Tally quaternion("Turn, " + range), point("Turn of a point, " + range), after("Turn::after, " + range);
+  Tally quaternion("Turn, " + range), point("Turn of a point, " + range),
+      rounded_angle("rounded_sine_cosine, over u, " + range),
+      rotation("TurnedRotation, an entry over 7 u, " + range);
   for (int i = 0; i < rounds(500); ++i) {
     const DrawnTurn drawn(draw, low, high);
     if (!(drawn.angle <= detail::kMostTurn)) continue;
@@ -98,17 +100,25 @@ void check_turns(const std::string& range, double low, double high, std::uint64_
     const BallVec turned = truth.apply(BallVec(x));
     point.add(claimed, norm(exactly(turn(detail::exactly(x))) - turned) / norm(BallVec(x)), with);
 
-    const Quaternion<double> q = draw.plain().turn<double>(), both = turn.after(q);
-    const BallVec v{Ball(q.x), Ball(q.y), Ball(q.z)};
-    const Ball real = c * Ball(q.w) - dot(s, v);
-    const BallVec imaginary = c * v + Ball(q.w) * s + cross(s, v);
-    const BallVec far{Ball(both.x) - imaginary.x, Ball(both.y) - imaginary.y, Ball(both.z) - imaginary.z};
-    const Ball length = sqrt(Ball(q.w) * Ball(q.w) + dot(v, v));
-    // Each component rounds once.
-    const Ball error = sqrt((Ball(both.w) - real) * (Ball(both.w) - real) + dot(far, far)) / length;
-    after.add(kU + 2 * claimed, error, with);
+    const detail::TurnsAbout turns(drawn.w);
+    if (!turns.turns()) continue;
+    const Ball angle = Ball(2) * half;
+    const auto [sine_now, cosine_now] = detail::rounded_sine_cosine(turns.angle(drawn.t));
+    rounded_angle.add(kU + claimed,
+                      max(abs(Ball(sine_now) - sine(angle)), abs(Ball(cosine_now) - cosine(angle))), with);
+
+    const Quaternion<double> q = draw.plain().turn<double>();
+    const Mat3<double> matrix = detail::TurnedRotation(turns, detail::near_one(q)).at(turns, drawn.t);
+    const BallRotation start(q);
+    Ball most;
+    for (int k = 0; k < 3; ++k) {
+      const BallVec column = truth.apply(start.apply(BallVec(Vec3<double>(Vec3<double>::Unit(k)))));
+      const BallVec away = BallVec(Vec3<double>(matrix.col(k))) - column;
+      most = max(most, max(abs(away.x), max(abs(away.y), abs(away.z))));
+    }
+    rotation.add(7 * kU + claimed, most, with);
   }
-  for (Tally* one : {&quaternion, &point, &after}) one->finish(200);
+  for (Tally* one : {&quaternion, &point, &rounded_angle, &rotation}) one->finish(200);
 }
 
 TEST(TurnBounds, OfLessThanARadian) { check_turns("below 1 radian", -60, 0, 31); }

@@ -173,13 +173,22 @@ inline Vec3<double> away_from_middle(const MovingPair& pair) {
   return middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : Vec3<double>(-unit(middle));
 }
 
-// n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about.
-inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth, int budget,
-                              Counters& counters) {
+// n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about. `known`: where a search
+// at this very time ended, or empty; four points that hold the origin are made deeper before any search.
+inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth,
+                              const Simplex<double>& known, int budget, Counters& counters) {
   Contact out;
   const Cso<double>& cso = pair.cso();
   const double e = contact_error(pair), R = pair.radius();
   const Vec3<double> zero = Vec3<double>::Zero();
+  if (known.size == 4) {
+    out.pairs = known;
+    out.proved = deepen(cso, out.pairs, e, counters) > e;
+    if (out.proved) {
+      weigh(out.pairs);
+      return out;
+    }
+  }
   Simplex<double> simplex;
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
   Distance<double> d = gjk_distance(support, zero, Vec3<double>(-cso.middle()), simplex, 0.0,

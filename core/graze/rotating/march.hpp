@@ -119,7 +119,10 @@ class Marcher {
 
   bool contact_here() {
     if (now_.near.gap > limits_.stop) return false;
-    out_.contact = proved_contact(pair_, axis_, limits_.stop, limits_.budget, counters_);
+    // A gap that is known to be positive leaves no contact to be proved.
+    out_.contact = {};
+    if (!(now_.near.gap > 0))
+      out_.contact = proved_contact(pair_, axis_, limits_.stop, now_.near.simplex, limits_.budget, counters_);
     const bool touching = now_.t == 0 && now_.near.apart <= limits_.touching;
     if (!out_.contact.proved && !touching) return false;
     if (out_.contact.proved && stride_ > 0) come_back();
@@ -186,7 +189,7 @@ class Marcher {
       const double middle = unproved_ + (now_.t - unproved_) / 2;
       if (!(unproved_ < middle && middle < now_.t)) return;
       place(middle);
-      const Contact found = proved_contact(pair_, axis_, limits_.stop, limits_.budget, counters_);
+      const Contact found = proved_contact(pair_, axis_, limits_.stop, {}, limits_.budget, counters_);
       if (found.proved) {
         out_.contact = found;
         now_.t = middle;

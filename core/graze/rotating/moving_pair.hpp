@@ -26,21 +26,23 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 // One body's turning: its rotation and its arm at any time.
 struct TurningSide {
   TurnsAbout turns{Vec3<double>::Zero()};
-  Quaternion<double> start;                   // scaled by a power of two, so that its components are near 1
+  Quaternion<double> start;  // scaled by a power of two, so that its components are near 1
+  Mat3<double> start_rotation = Mat3<double>::Identity();
+  TurnedRotation rotation;                    // of a body that turns
   Vec3<double> pivot = Vec3<double>::Zero();  // own frame, world lengths
   TwoDoubles3 arm{};                          // internal units
   bool has_arm = false;
   Mobility mobility;
-  double swing = 0;  // |w x (c_B - c_A)| at t = 0
+  double swing = 0;            // |w x (c_B - c_A)| at t = 0
+  double across_velocity = 0;  // |w x v|
 
   struct Placed {
     Mat3<double> rotation = Mat3<double>::Identity();
     TwoDoubles3 arm{};
   };
   [[nodiscard]] Placed at(double t) const {
-    if (!turns.turns() || t == 0) return {rotation_matrix(start), arm};
-    const Turn turn = turns.at(t);
-    return {rotation_matrix(turn.after(start)), has_arm ? turn(arm) : arm};
+    if (!turns.turns() || t == 0) return {start_rotation, arm};
+    return {rotation.at(turns, t), has_arm ? turns.at(t)(arm) : arm};
   }
 };
 
@@ -82,6 +84,8 @@ class MovingPair {
       velocity_[i] = {v.hi * unit, v.lo * unit};
     }
     speed_ = velocity().norm();
+    a_.across_velocity = a_.mobility.across(velocity());
+    b_.across_velocity = b_.mobility.across(velocity());
     place(0);
   }
 
@@ -89,17 +93,26 @@ class MovingPair {
     GRAZE_ASSERT(t >= 0 && t < kInfinity<double>);
     t_ = t;
     TwoDoubles3 d = pivots_;
-    if (t != 0) {
+    if (t > 0x1p500) {
       for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
+    } else if (t != 0) {
+      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the way.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const exact::Pair way = exact::Pair{velocity_[i].hi, velocity_[i].lo} * exact::Pair{t, 0};
+        const exact::Pair sum = exact::Pair{d[i].hi, d[i].lo} + way;
+        d[i] = two_sum(sum.hi, sum.lo);
+      }
     }
     const TurningSide::Placed a = a_.at(t), b = b_.at(t);
-    cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
-               t == 0 ? start_offset_ : rounded_once(d + (b.arm + -a.arm)));
     rotation_a_ = a.rotation;
     rotation_b_ = b.rotation;
     arm_a_ = a.arm;
-    arm_b_ = d + b.arm;
+    arm_b_ = b_.has_arm ? d + b.arm : d;
     pivot_b_ = rounded_once(d);
+    cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
+               t == 0       ? start_offset_
+               : a_.has_arm ? rounded_once(arm_b_ + -a.arm)
+                            : rounded_once(arm_b_));
     ++poses_;
   }
 
@@ -175,9 +188,8 @@ class MovingPair {
   }
   // In world axes at t = 0.
   [[nodiscard]] Vec3<double> to_start(AxisFrame frame, const Vec3<double>& own) const {
-    return frame == AxisFrame::world
-               ? own
-               : Vec3<double>(rotation_matrix(frame == AxisFrame::a ? a_.start : b_.start) * own);
+    return frame == AxisFrame::world ? own
+                                     : Vec3<double>((frame == AxisFrame::a ? a_ : b_).start_rotation * own);
   }
   // What that rounding does to the gap along a turned axis.
   [[nodiscard]] double frame_error(AxisFrame frame) const {
@@ -192,14 +204,13 @@ class MovingPair {
   //   (R_A^T y)''   = R_A^T (y'' - 2 w_A x y' + w_A x (w_A x y)).
   [[nodiscard]] double bend(AxisFrame frame, const Vec3<double>& n, double t_end) const {
     if (frame == AxisFrame::world) return bend(n);
-    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
-                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
-    const Vec3<double> v = velocity();
-    const double swing = (frame == AxisFrame::a ? a_ : b_).swing + with.across(v) * t_end;
-    const double across = with.across(n) + 64 * kUnitRoundoff<double> * with.rate;
-    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
-            across * (2 * v.norm() + swing)) *
-           (1 + 64 * kUnitRoundoff<double>);
+    return bend_of(frame, (frame == AxisFrame::a ? a_ : b_).mobility.across(n), t_end);
+  }
+  // Of the frames world, a and b.
+  [[nodiscard]] std::array<double, 3> bends(const Vec3<double>& n, double t_end) const {
+    const double across_a = a_.mobility.across(n), across_b = b_.mobility.across(n);
+    return {bend_of_world(across_a, across_b), bend_of(AxisFrame::a, across_a, t_end),
+            bend_of(AxisFrame::b, across_b, t_end)};
   }
   // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
   // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance
@@ -208,8 +219,7 @@ class MovingPair {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
     const Vec3<double> v = velocity();
-    return ((other.w - with.w).norm() * other.reach + v.norm() + (frame == AxisFrame::a ? a_ : b_).swing +
-            with.across(v) * t_end) *
+    return ((other.w - with.w).norm() * other.reach + v.norm() + swing_until(frame, t_end)) *
            (1 + 64 * kUnitRoundoff<double>);
   }
   [[nodiscard]] double approach_speed(double t_end) const {
@@ -217,8 +227,7 @@ class MovingPair {
   }
   // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
-    const double each = a_.mobility.acceleration(n) + b_.mobility.acceleration(n);
-    return turns_in_common() ? std::min(each, a_.mobility.rate * a_.mobility.across(n) * common_rho_) : each;
+    return bend_of_world(a_.mobility.across(n), b_.mobility.across(n));
   }
   // The same for any n.
   [[nodiscard]] double top_bend() const {
@@ -233,6 +242,24 @@ class MovingPair {
   }
 
  private:
+  // |w_A x c| + |w_A x v| t of the above.
+  [[nodiscard]] double swing_until(AxisFrame frame, double t_end) const {
+    const TurningSide& with = frame == AxisFrame::a ? a_ : b_;
+    return with.swing + with.across_velocity * t_end;
+  }
+  // The above, |n x w| of the frame's body given, of both bodies.
+  [[nodiscard]] double bend_of(AxisFrame frame, double across_n, double t_end) const {
+    const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
+                   &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
+    const double across = across_n + 64 * kUnitRoundoff<double> * with.rate;
+    return ((other.w - with.w).norm() * (with.rate + other.rate) * other.reach +
+            across * (2 * velocity().norm() + swing_until(frame, t_end))) *
+           (1 + 64 * kUnitRoundoff<double>);
+  }
+  [[nodiscard]] double bend_of_world(double across_a, double across_b) const {
+    const double each = a_.mobility.acceleration_for(across_a) + b_.mobility.acceleration_for(across_b);
+    return turns_in_common() ? std::min(each, a_.mobility.rate * across_a * common_rho_) : each;
+  }
   [[nodiscard]] bool turns_in_common() const { return common_rho_ < kInfinity<double>; }
   // See above; raised by what it is rounded by, and by what points are off.
   [[nodiscard]] double distance_in_common_turn() const {
@@ -254,12 +281,18 @@ class MovingPair {
   static void prepare(const RotatingBody<S>& given, const Side<double>& side, double unit, TurningSide& out) {
     out.turns = TurnsAbout(wide(given.rotation));
     out.start = near_one(given.body.orientation);
+    if (out.turns.turns()) {
+      out.rotation = TurnedRotation(out.turns, out.start);
+      out.start_rotation = out.rotation.start();
+    } else {
+      out.start_rotation = rotation_matrix(out.start);
+    }
     const Bounds bounds = detail::bounds(unwrapped<S>(given.body.shape));
     // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
     out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
     out.has_arm = side.center != out.pivot;
     if (out.has_arm) out.arm = scaled_by(posed(out.start, side.center) + -posed(out.start, out.pivot), unit);
-    out.mobility = mobility(given, out.pivot, bounds, unit);
+    out.mobility = mobility(given, out.pivot, bounds, unit, out.start_rotation);
   }
 
   Cso<double> cso_;

@@ -119,10 +119,11 @@ class SliceSearch {
   };
   // For an axis n as it stands now; the one that lets points bend least first.
   [[nodiscard]] std::array<Frame, 3> frames(const Vec3<double>& n) const {
+    const std::array<double, 3> bends = pair_.bends(n, limits_.end);
     std::array<Frame, 3> out;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto of = static_cast<AxisFrame>(i);
-      out[i] = {of, std::sqrt(pair_.bend(of, n, limits_.end) / 2 * (1 + 0x1p-40))};
+      out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
     }
     std::stable_sort(out.begin(), out.end(),
                      [](const Frame& l, const Frame& r) { return l.bend_root < r.bend_root; });
@@ -148,10 +149,13 @@ class SliceSearch {
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
-      for (const Frame& frame : frames(there.n)) {
+      const std::array<Frame, 3> all = frames(there.n);
+      std::array<Vec3<double>, 3> owns;
+      for (std::size_t i = 0; i < 3; ++i) owns[i] = pair_.to_own(all[i].of, there.n);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Frame& frame = all[i];
+        const Vec3<double>& own = owns[i];
         const double error = pair_.frame_error(frame.of);
-        place(end);
-        const Vec3<double> own = pair_.to_own(frame.of, there.n);
         place(now.t);
         const double gap_now = pair_.gap(pair_.to_world(frame.of, own), counters_) - error;
         if (!proves(end - now.t, gap_now, there.gap - error, frame.bend_root)) continue;

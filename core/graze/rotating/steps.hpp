@@ -29,7 +29,8 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
     closest = near.simplex;
     if (near.apart <= limits.touching) return true;
     // A search that ended inside C, or at its border, knows no distance.
-    if (!(near.gap > 0) && proved_contact(pair, axis, limits.touching, limits.budget, counters).proved)
+    if (!(near.gap > 0) &&
+        proved_contact(pair, axis, limits.touching, near.simplex, limits.budget, counters).proved)
       return true;
     out.lower = t;
     out.apart = near.apart;
