@@ -93,8 +93,7 @@ class RoundPair {
     return a_.error() + b_.error() + offset_error_ + 4 * kUnitRoundoff<double> * extent_;
   }
   [[nodiscard]] double margin() const {
-    return 4 * (a_.error() + b_.error()) + offset_error_ +
-           64 * kUnitRoundoff<double> * (extent_ + radius_);
+    return 4 * (a_.error() + b_.error()) + offset_error_ + 64 * kUnitRoundoff<double> * (extent_ + radius_);
   }
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
@@ -125,14 +124,16 @@ struct RoundSweep {
 template <Scalar S>
 class RoundWalk {
  public:
-  RoundWalk(const RoundPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters)
+  // `unit`: the roundoff whose noise is contact.
+  RoundWalk(const RoundPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters,
+            double unit = double(kUnitRoundoff<S>))
       : pair_(pair), counters_(counters), r_(pair.direction()), radius_(pair.radius()) {
     budget_ = std::min(budget, kRoundSteps);
     r_sq_ = dot(r_, r_);
     // |r| >= 1: beyond, nothing of C is met.
     s_end_ = std::min(horizon, 2 * (pair.extent() + radius_));
     end_ = s_end_ * r_;
-    noise_ = kContact * double(kUnitRoundoff<S>) * pair.size();
+    noise_ = kContact * unit * pair.size();
     target_ = std::max(noise_, tolerance * pair.size());
     margin_ = pair.margin();
     guess_ = pair.a().slip() + pair.b().slip();
@@ -228,7 +229,8 @@ class RoundWalk {
     std::size_t left_out = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       std::array<double, 3> l;
-      const Triple y = x - on_triangle(f_[i == 0 ? 3 : 0].w, f_[i == 1 ? 3 : 1].w, f_[i == 2 ? 3 : 2].w, x, l);
+      const Triple y =
+          x - on_triangle(f_[i == 0 ? 3 : 0].w, f_[i == 1 ? 3 : 1].w, f_[i == 2 ? 3 : 2].w, x, l);
       if (const double dist_sq = dot(y, y); dist_sq < least) {
         least = dist_sq;
         left_out = i;
@@ -277,7 +279,7 @@ class RoundWalk {
     // |c - s r|^2 r.r = |beside|^2 / r.r + (s r.r - c.r)^2
     const double beside_sq = dot(beside, beside) / r_sq_, all = (reach + radius_) * (1 + 0x1p-40) + margin_,
                  all_sq = all * all * r_sq_;
-    if (beside_sq > all_sq && !(along < 0)) {
+    if (beside_sq > all_sq) {
       out_.outcome = Outcome::miss;
       set(-beside, std::sqrt(dot(beside, beside)), 0, {});
       return false;
@@ -297,7 +299,9 @@ class RoundWalk {
     std::array<double, 3> lambda = {1, 1, 1};
     double s = ahead_ ? std::min(std::max(meets(lambda), s_low_), s_end_) : s_low_;
     Triple x = s * r_, n = x - nearest(x, lambda);
-    for (int i = 1; ahead_ && i < size_ && std::any_of(lambda.begin(), lambda.begin() + size_, [](double l) { return l <= 0; }); ++i) {
+    for (int i = 1; ahead_ && i < size_ &&
+                    std::any_of(lambda.begin(), lambda.begin() + size_, [](double l) { return l <= 0; });
+         ++i) {
       // F's own point is at its border: that is met.
       s = std::min(std::max(meets(lambda), s_low_), s_end_);
       x = s * r_;
@@ -383,7 +387,8 @@ class RoundWalk {
   Triple r_, end_;
   double radius_, r_sq_ = 1, s_low_ = 0, s_end_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   int budget_, size_ = 0, stalls_ = 0;
-  bool ahead_ = true;  // look where F would be met; else from the x that is proved, which always brings F nearer
+  bool ahead_ =
+      true;  // look where F would be met; else from the x that is proved, which always brings F nearer
   std::array<RoundCorner, 4> f_;
   RoundSweep out_;
 };

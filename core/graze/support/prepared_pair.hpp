@@ -243,7 +243,9 @@ class Guide {
     std::visit(detail::Overloaded{[&](const Point<S>&) {
                                     few_[0] = {0, 0, 0};
                                   },
-                                  [&](const Sphere<S>&) { few_[0] = {0, 0, 0}; },
+                                  [&](const Sphere<S>&) {
+                                    few_[0] = {0, 0, 0};
+                                  },
                                   [&](const Capsule<S>& s) {
                                     const Triple up{0, 0, double(s.half_height)};
                                     set_few({-up, up, up}, 2);
