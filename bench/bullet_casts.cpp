@@ -22,7 +22,8 @@ btVector3 vector_of(const double (&x)[3]) { return {btScalar(x[0]), btScalar(x[1
 
 std::unique_ptr<btConvexShape> shape_of(const PlainShape& plain) {
   std::unique_ptr<btConvexShape> out;
-  if (plain.xyz != nullptr) {
+  const btScalar radius = btScalar(plain.half_extents[0]), height = btScalar(2 * plain.half_extents[2]);
+  if (plain.kind == PlainKind::hull) {
     auto hull = std::make_unique<btConvexHullShape>();
     for (std::size_t i = 0; i < plain.vertices; ++i) {
       const double* x = plain.xyz + 3 * i;
@@ -30,10 +31,19 @@ std::unique_ptr<btConvexShape> shape_of(const PlainShape& plain) {
     }
     hull->recalcLocalAabb();
     out = std::move(hull);
+  } else if (plain.kind == PlainKind::sphere) {
+    out = std::make_unique<btSphereShape>(radius);
+  } else if (plain.kind == PlainKind::capsule) {
+    out = std::make_unique<btCapsuleShapeZ>(radius, height);
+  } else if (plain.kind == PlainKind::cylinder) {
+    out = std::make_unique<btCylinderShapeZ>(vector_of(plain.half_extents));
+  } else if (plain.kind == PlainKind::cone) {
+    out = std::make_unique<btConeShapeZ>(radius, height);
   } else {
     out = std::make_unique<btBoxShape>(vector_of(plain.half_extents));
   }
-  // A box keeps its half extents: its core grows by what the margin shrinks.
+  // A box and a cylinder keep their half extents: the core grows by what the margin shrinks. Of a sphere and a capsule
+  // the margin is the radius, whatever is set.
   out->setMargin(0);
   return out;
 }

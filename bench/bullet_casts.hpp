@@ -10,10 +10,13 @@ namespace graze::bench {
 // Contact in [0, 1]?
 enum class Verdict : std::uint8_t { miss, contact, none };
 
+enum class PlainKind : std::uint8_t { hull, box, sphere, capsule, cylinder, cone };
+
 struct PlainShape {
-  const double* xyz = nullptr;  // the vertices; nullptr for a box
+  PlainKind kind = PlainKind::hull;
+  const double* xyz = nullptr;  // the vertices of a hull
   std::size_t vertices = 0;
-  double half_extents[3] = {0, 0, 0};
+  double half_extents[3] = {0, 0, 0};  // of a box; radius, radius, half height of what is round, along z
 };
 
 struct PlainBody {

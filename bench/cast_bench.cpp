@@ -3,12 +3,13 @@
 // One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, cast() with
 // its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of a family; its
 // processor time over the number of cases is the round's time, the median over the rounds is the number shown, and a
-// ratio is the median of the rounds' ratios. Two sets of families:
+// ratio is the median of the rounds' ratios. Three sets of families:
 //
 //   response   what an engine hands out, time, normal and contact points: ten families, bodies turned or not, in the
 //              same order each round (the processor learns branches) and in a new random one each. Wrong: where a
 //              verdict is not tier exact's. Starts in contact, of which Bullet's cast answers none: beside that, its
 //              cast followed by its penetration query.
+//   curved     the same of curved bodies, with a tolerance and with a proof, too (curved_families.cpp).
 //   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
 //              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
 //              the 99th percentile of that over the cases, over its median.
@@ -99,10 +100,21 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
   std::vector<std::vector<Vec3<double>>> kept;  // until the module has copied them
   for (const Shape<double>& shape : family.shapes) {
     PlainShape& plain = shapes.emplace_back();
-    if (const auto* box = std::get_if<Box<double>>(&shape)) {
-      Eigen::Map<Vec3<double>>(plain.half_extents) = box->half_extents;
-      continue;
-    }
+    const auto solid = [&](PlainKind kind, const Vec3<double>& half) {
+      plain.kind = kind;
+      Eigen::Map<Vec3<double>>(plain.half_extents) = half;
+    };
+    const auto round = [&](PlainKind kind, double radius, double half_height) {
+      solid(kind, Vec3<double>(radius, radius, half_height));
+    };
+    if (const auto* box = std::get_if<Box<double>>(&shape)) solid(PlainKind::box, box->half_extents);
+    if (const auto* s = std::get_if<Sphere<double>>(&shape)) round(PlainKind::sphere, s->radius, s->radius);
+    if (const auto* s = std::get_if<Capsule<double>>(&shape))
+      round(PlainKind::capsule, s->radius, s->half_height);
+    if (const auto* s = std::get_if<Cylinder<double>>(&shape))
+      round(PlainKind::cylinder, s->radius, s->half_height);
+    if (const auto* s = std::get_if<Cone<double>>(&shape)) round(PlainKind::cone, s->radius, s->half_height);
+    if (plain.kind != PlainKind::hull) continue;
     std::span<const Vec3<double>> vertices;
     if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
       vertices = hull->vertices();
@@ -185,6 +197,27 @@ std::vector<Contestant> response_contestants() {
       ours<double>("gjk/double", kAsked, {.method = Method::gjk_ray_cast}),
   };
   add_bullet(out, true);
+  return out;
+}
+
+// Of curved bodies. With a tolerance a cast should take no longer than without; a proof is asked for beside the rest.
+std::vector<Contestant> curved_contestants() {
+  constexpr Request kAsked = Request::normal | Request::witnesses;
+  std::vector<Contestant> out = {
+      ours<double>("standard/double", kAsked, {}),
+      ours<float>("standard/float", kAsked, {}),
+      ours<double>("certified/double", kAsked, {.tier = Tier::certified}),
+      ours<double>("standard 1e-4", kAsked, {.tolerance = 1e-4}),
+      ours<double>("gjk/double", kAsked, {.method = Method::gjk_ray_cast}),
+      ours<double>("gjk 1e-4", kAsked, {.method = Method::gjk_ray_cast, .tolerance = 1e-4}),
+      ours<double>("gjk 1e-12", kAsked, {.method = Method::gjk_ray_cast, .tolerance = 1e-12}),
+      ours<double>("ca 1e-12", kAsked, {.method = Method::conservative_advancement, .tolerance = 1e-12}),
+      ours<double>("ca/double", kAsked, {.method = Method::conservative_advancement}),
+      ours<double>("mpr/double", kAsked, {.method = Method::mpr_sweep}),
+      ours<double>("standard, proof", Request::everything, {}),
+      ours<double>("certified, proof", Request::everything, {.tier = Tier::certified}),
+  };
+  add_bullet(out, false);
   return out;
 }
 
@@ -434,6 +467,19 @@ void run_verdicts(const Asked& asked) {
   print_tables(field, measurements);
 }
 
+void run_curved(const Asked& asked) {
+  const std::vector<Contestant> field = chosen(curved_contestants(), asked);
+  const std::vector<Measurement> measurements =
+      measure_all(curved_families(asked.size), field, asked, {.shuffled = true, .tail = false});
+  if (asked.csv) return print_csv("curved", field, measurements);
+  fmt::print("\n---- curved bodies, turned: time, normal, witnesses; shuffled\n");
+  print_table("ns a cast", field, measurements,
+              [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
+  print_ratios("bullet/float", field, measurements);
+  print_table("wrong verdicts", field, measurements,
+              [](const Measured& m) { return fmt::format("{}", m.wrong); });
+}
+
 int run(int argc, char** argv) {
   CLI::App app("What a cast costs, beside Bullet's.");
   Asked asked;
@@ -443,8 +489,8 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(2, 1 << 20));
   app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
       ->check(CLI::PositiveNumber);
-  app.add_option("--set", asked.set, "only this set of families: response or verdict")
-      ->check(CLI::IsMember({"response", "verdict"}));
+  app.add_option("--set", asked.set, "only this set of families: response, curved or verdict")
+      ->check(CLI::IsMember({"response", "curved", "verdict"}));
   app.add_option("--family", asked.family_part, "only families whose name contains this");
   app.add_option("--only", asked.contestant_part, "only contestants whose name contains this");
   app.add_flag("--csv", asked.csv, "one line a family and contestant");
@@ -454,8 +500,10 @@ int run(int argc, char** argv) {
   fmt::print(stderr, "cast_bench: built without Bullet (Debian: libbullet-dev); only ours run\n");
 #endif
   if (asked.csv) fmt::print("set,family,cases,contacts,contestant,ns,p99_over_median,wrong\n");
-  if (asked.set != "verdict") run_responses(asked);
-  if (asked.set != "response") run_verdicts(asked);
+  const auto wants = [&](const char* set) { return asked.set.empty() || asked.set == set; };
+  if (wants("response")) run_responses(asked);
+  if (wants("curved")) run_curved(asked);
+  if (wants("verdict")) run_verdicts(asked);
   return 0;
 }
 

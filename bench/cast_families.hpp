@@ -50,6 +50,8 @@ struct FamilySize {
 
 // Asked for their verdicts, judged by tier standard in double; in the order of the report. Deterministic.
 [[nodiscard]] std::vector<CastFamily> cast_families(const FamilySize& size);
+// Curved bodies, a family for a pair of kinds, judged by tier certified.
+[[nodiscard]] std::vector<CastFamily> curved_families(const FamilySize& size);
 // Asked for what an engine hands out, judged by tier exact: ten families, their bodies turned or not.
 [[nodiscard]] std::vector<CastFamily> response_families(const FamilySize& size, bool turned);
 

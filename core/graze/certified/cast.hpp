@@ -18,7 +18,8 @@
 //                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
-// How. Upper half: a portal of exactly named points (certified/portal.hpp), its decisions beyond doubt. Lower
+// How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides. Else:
+// upper half: a portal of exactly named points (certified/portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
 // face that is nearly along the path and another), the axis from C to a point of the path a little before
 // contact: as that point is farther from C than h rounds, its axis is proved, and as it is nearer than the
@@ -30,6 +31,7 @@
 
 #include <graze/cast.hpp>
 #include <graze/certified/degenerate.hpp>
+#include <graze/certified/round_bracket.hpp>
 #include <graze/certified/surround.hpp>
 #include <graze/exact/cast.hpp>
 #include <graze/numeric/rounding.hpp>
@@ -418,16 +420,6 @@ class CertifiedCast {
   double width_allowed_;  // internal length
 };
 
-// The largest S not above t >= 0, and the least not below: no subnormal ones, which machines may flush.
-template <Scalar S>
-S time_down(double t) {
-  return t < double(std::numeric_limits<S>::min()) ? S(0) : exact::round_down<S>(t);
-}
-template <Scalar S>
-S time_up(double t) {
-  return t > 0 ? std::max(exact::round_up<S>(t), std::numeric_limits<S>::min()) : S(0);
-}
-
 template <Scalar S>
 void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                      CertifiedCast<S>& cast, CastResult<S>& out) {
@@ -461,9 +453,16 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     if (exact::is_exact(a.shape) && exact::is_exact(b.shape)) return cast_exact(a, b, options);
     if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
   }
+  const bool proof = asks_for(options.request, Request::proof);
+  const bool round = detail::is_round_pair(a, b, options) && detail::round_certified(a, b, options, out);
+  if (round && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);
   cast.run();
+  if (round) {
+    if (cast.outcome == out.outcome) out.proof = cast.proof;
+    return out;
+  }
   if (options.start_policy == StartPolicy::pass_over) {
     detail::pass_over_start(a, b, options, cast, out);
   }

@@ -29,8 +29,6 @@ struct SweepLimits {
 
   // What the searches by distance strive for before they settle for the noise: an eighth of it, 4 u scale.
   [[nodiscard]] S fine() const { return noise / 8; }
-  // The distance at which such a search may stop at s: a start in contact is only claimed at the noise.
-  [[nodiscard]] S enough(S s) const { return s > 0 && target > noise ? target : fine(); }
 };
 
 // kContact u scale is contact: the rounding of a support point is 3 u to 24 u of the lengths in it (cso.hpp),

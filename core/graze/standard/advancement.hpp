@@ -2,8 +2,9 @@
 //
 // Both walk along the path s r by axes: a unit n with h(n) + R < n.(s r) proves that no contact is before
 //   s' = s + (n.(s r) - h(n) - R) / -(n.r)      when n.r < 0,     and none at all when n.r >= 0.
-// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise, or
-// where the caller lets them; a portal then closes the bracket from above.
+// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise. Where the
+// caller lets them stop earlier they do if the simplex in hand closes the bracket from above: what a tolerance
+// asks for is never searched for. A portal closes it where the search has nothing more to tell.
 #pragma once
 
 #include <graze/portal/mpr.hpp>
@@ -41,6 +42,54 @@ void point_at(Simplex<S>& contact, const Vec3<S>& x) {
   }
   const Vec3<S> e = unit(towards);
   for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) contact.point[i].e = e;
+}
+
+// Near contact, as near as was asked: what the simplex, which is in C, tells of the path ahead of x = lower r. On a
+// rounded C its point nearest to x is the centre of a ball of radius R, else a triangle may lie across the path.
+// The bracket closed so far as was asked is the answer; nothing is searched for.
+template <Scalar S>
+bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart) {
+  if (!(limits.target > limits.noise) || !(out.lower > 0) || !(apart <= limits.target)) return false;
+  const Vec3<S>& r = cso.direction();
+  const Vec3<S> x = out.lower * r;
+  const S R = cso.radius(), speed = r.norm();
+  const Simplex<S>& simplex = out.contact;
+  S ahead = kInfinity<S>;  // of s
+  std::array<S, 3> weights{};
+  if (R > 0) {
+    Vec3<S> v = -x;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i)
+      v += simplex.lambda[i] * simplex.point[i].w;
+    // |ahead r - v| = R, by twice the areas that v spans with r: nothing cancels at a graze.
+    const S along = v.dot(r), room = speed * speed * R * R - v.cross(r).squaredNorm();
+    if (room > 0 && along > 0) ahead = (along - std::sqrt(room)) / (speed * speed);
+  } else if (simplex.size == 3) {
+    S sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3<S> p = simplex.point[(i + 1) % 3].w - x, q = simplex.point[(i + 2) % 3].w - x;
+      weights[i] = r.dot(p.cross(q));
+      sum += weights[i];
+    }
+    if (!(std::abs(sum) > 0)) return false;
+    Vec3<S> v = Vec3<S>::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      weights[i] /= sum;
+      if (!(weights[i] >= 0)) return false;
+      v += weights[i] * (simplex.point[i].w - x);
+    }
+    ahead = v.dot(r) / (speed * speed);
+    if (!((v - ahead * r).norm() <= limits.noise / 4)) return false;
+  }
+  if (!(ahead >= 0 && ahead * speed <= limits.target && out.lower + ahead <= limits.s_max)) return false;
+  out.outcome = Outcome::hit;
+  out.upper = out.lower + ahead;
+  out.apart = apart;
+  if (R > 0) {
+    point_at(out.contact, x);
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) out.contact.lambda[i] = weights[i];
+  }
+  return true;
 }
 
 // Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a
@@ -91,7 +140,8 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
     apart = d.upper - R;
     // Near enough; or near, with no axis left that separates: what rounding leaves of a contact, or a stall.
     const S least = apart <= limits.noise ? limits.fine() : S(0);
-    if (apart <= limits.enough(out.lower) || !(d.lower - R > least)) break;
+    if (apart <= limits.fine() || !(d.lower - R > least)) break;
+    if (detail::closes_in_hand(out, cso, limits, apart)) return out;
     if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
     apart = kInfinity<S>;  // not known there
   }
@@ -122,7 +172,8 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
     reduce(simplex, closest);
     const S distance = std::sqrt(closest.dist_sq);
     apart = distance - R;
-    if (apart <= limits.enough(out.lower) || simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
+    if (apart <= limits.fine() || simplex.size == 4 || closest.n == Vec3<S>::Zero()) break;
+    if (detail::closes_in_hand(out, cso, limits, apart)) return out;
     const CsoPoint<S> next = cso.support(closest.n);
     ++counters.supports;
     const S clear = closest.n.dot(x - next.w) - R;

@@ -8,6 +8,7 @@
 #include <graze/standard/advancement.hpp>
 #include <graze/standard/polytope_cast.hpp>
 #include <graze/standard/prove.hpp>
+#include <graze/standard/round_cast.hpp>
 #include <graze/standard/witness.hpp>
 #include <graze/support/validate.hpp>
 
@@ -124,13 +125,21 @@ CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
       });
 }
 
+// The GJK ray cast of spheres, capsules and rounded polytopes: the round walk first.
 template <Scalar S>
 CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  return detail::cast_with(
-      Method::gjk_ray_cast, a, b, options,
+  CastResult<S> out;
+  out.method = Method::gjk_ray_cast;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options)) return out;
+  if (detail::is_round_pair(a, b, options) && detail::round_cast(a, b, options, out)) return out;
+  detail::search_with(
+      a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
-      });
+      },
+      out);
+  return out;
 }
 
 namespace detail {
@@ -165,12 +174,28 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   return out;
 }
 
+namespace detail {
+
+template <Scalar S>
+[[nodiscard]] bool is_curved_leaf(const Shape<S>& shape) {
+  return std::holds_alternative<Ellipsoid<S>>(shape) || std::holds_alternative<Cylinder<S>>(shape) ||
+         std::holds_alternative<Cone<S>>(shape);
+}
+// The quicker one, as CastOptions::method says.
+template <Scalar S>
+[[nodiscard]] Method default_method(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  const auto sweeps = [](const Shape<S>& shape) { return is_quick(shape) || is_curved_leaf(shape); };
+  const bool is_round = options.target_distance > 0 || !sweeps(a.shape) || !sweeps(b.shape);
+  return is_round ? Method::gjk_ray_cast : Method::mpr_sweep;
+}
+
+}  // namespace detail
+
 template <Scalar S>
 CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   if (options.tier == Tier::exact) return cast_exact(a, b, options);
   if (options.tier == Tier::certified) return cast_certified(a, b, options);
-  const bool quick = !(options.target_distance > 0) && detail::is_quick(a.shape) && detail::is_quick(b.shape);
-  switch (options.method.value_or(quick ? Method::mpr_sweep : Method::gjk_ray_cast)) {
+  switch (options.method.value_or(detail::default_method(a, b, options))) {
     case Method::exact_portal:
       return cast_exact(a, b, options);
     case Method::certified_portal:

@@ -3,7 +3,8 @@
 //
 //   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
 //
-// Point, segment, triangle, box and hull; any other shape through its side (side.hpp). In doubles whatever
+// Point, segment, triangle, box, hull, and the cores of sphere and capsule; any other shape through its side
+// (side.hpp). In doubles whatever
 // the scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs
 // the farthest vertex must make sure of it.
 //
@@ -241,6 +242,13 @@ class Guide {
   [[gnu::noinline]] void set_other(const Body<S>& body) {
     std::visit(detail::Overloaded{[&](const Point<S>&) {
                                     few_[0] = {0, 0, 0};
+                                  },
+                                  [&](const Sphere<S>&) {
+                                    few_[0] = {0, 0, 0};
+                                  },
+                                  [&](const Capsule<S>& s) {
+                                    const Triple up{0, 0, double(s.half_height)};
+                                    set_few({-up, up, up}, 2);
                                   },
                                   [&](const Segment<S>& s) {
                                     set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
