@@ -8,6 +8,7 @@
 
 #include <graze/body.hpp>
 #include <graze/result.hpp>
+#include <graze/warm_start.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -16,6 +17,7 @@ struct DistanceOptions {
   Request request = Request::normal | Request::witnesses;
   S tolerance = 0;           // of the gap, over scale; 0: the rounding bound
   int max_iterations = 256;  // support evaluations
+  WarmStart start = {};      // of a former answer about the pair
 };
 
 template <Scalar S>
@@ -27,6 +29,7 @@ struct DistanceResult {
   // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.
   Vec3<S> normal = Vec3<S>::Zero();
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
+  WarmStart warm;  // for the next question about the pair; empty where there is nothing to keep
   Counters counters;
 };
 

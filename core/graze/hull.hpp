@@ -88,6 +88,9 @@ class Hull {
   // The same box by its corners, which are the scan's own numbers: half extents and middle are rounded in S.
   [[nodiscard]] const Vec3<S>& scan_low() const { return data_->scan_low; }
   [[nodiscard]] const Vec3<S>& scan_high() const { return data_->scan_high; }
+  // The mean of the six vertices that are least and greatest along the axes, about `center`, in the caller's unit: a
+  // point of the hull, within 8 u of double of the largest.
+  [[nodiscard]] const Vec3<double>& inside() const { return data_->inside; }
   // False if any vertex is NaN or infinite.
   [[nodiscard]] bool finite() const { return data_ && data_->finite; }
   // The largest magnitude of a coordinate, and the least that is not zero.
@@ -107,6 +110,7 @@ class Hull {
     std::size_t padded = 0;
     Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
     Vec3<S> scan_low = Vec3<S>::Zero(), scan_high = Vec3<S>::Zero();
+    Vec3<double> inside = Vec3<double>::Zero();
     int exponent = 0;
     bool finite = true, flushed = false;
     S largest = 0, smallest = 0;

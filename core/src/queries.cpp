@@ -9,8 +9,8 @@ namespace graze::inline GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                        \
   template DistanceResult<S> distance(const Body<S>&, const Body<S>&, const DistanceOptions<S>&); \
-  template OverlapResult<S> overlap_mpr(const Body<S>&, const Body<S>&);                          \
-  template OverlapResult<S> overlap_gjk(const Body<S>&, const Body<S>&);                          \
+  template OverlapResult<S> overlap_mpr(const Body<S>&, const Body<S>&, const WarmStart&);                          \
+  template OverlapResult<S> overlap_gjk(const Body<S>&, const Body<S>&, const WarmStart&);                          \
   template LineResult<S> line(const Body<S>&, const Body<S>&, const LineOptions<S>&);             \
   template SweptOverlapResult<S> swept_overlap(const Body<S>&, const Body<S>&,                    \
                                                const SweptOverlapOptions<S>&);                    \

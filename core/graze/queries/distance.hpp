@@ -2,11 +2,46 @@
 #pragma once
 
 #include <graze/distance.hpp>
+#include <graze/gjk/quick_gjk.hpp>
 #include <graze/standard/refine_axis.hpp>
 #include <graze/standard/witness.hpp>
 #include <graze/support/validate.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
+
+namespace detail {
+
+// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
+template <Scalar S>
+[[nodiscard]] bool quick_distance(const GuidedPair<S>& pair, const DistanceOptions<S>& options, DistanceResult<S>& out) {
+  PairSupport<S> support(pair, out.counters);
+  QuickGjk<S> gjk(support, out.counters);
+  const double gap =
+      options.tolerance > 0 ? std::max(support.noise(), double(options.tolerance) * pair.size()) : support.fine();
+  const QuickState state = gjk.run(options.start, gap, false, options.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  if (state == QuickState::open) return false;
+  const int k = pair.length_exponent();
+  const bool apart = state == QuickState::apart && gjk.upper() > support.fine() &&
+                     (gjk.upper() > support.noise() || gjk.lower() > support.fine());
+  if (!apart) {
+    out.lower = out.upper = 0;
+    out.warm = gjk.warm();
+    return true;
+  }
+  out.upper = static_cast<S>(gjk.upper() * power_of_two(k));
+  out.lower = std::min(static_cast<S>(gjk.lower() * power_of_two(k)), out.upper);
+  if (!(out.lower > 0)) return false;
+  out.warm = gjk.warm();
+  if (asks_for(options.request, Request::normal)) out.normal = gjk.axis().vector().template cast<S>();
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = pair_witness<S>(pair.a(), gjk.vertices(true), gjk.lambda(), gjk.size(), k);
+    out.point_b = pair_witness<S>(pair.b(), gjk.vertices(false), gjk.lambda(), gjk.size(), k);
+  }
+  return true;
+}
+
+}  // namespace detail
 
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
@@ -16,6 +51,9 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
   checked.max_iterations = options.max_iterations;
   out.invalid = validate(a, b, checked);
   if (detail::refused(out, a, b, checked)) return out;
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_distance(GuidedPair<S>(a, b), options, out))
+    return out;
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const S R = cso.radius();

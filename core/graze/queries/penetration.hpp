@@ -3,6 +3,8 @@
 
 #include <graze/distance.hpp>
 #include <graze/gjk/epa.hpp>
+#include <graze/gjk/quick_epa.hpp>
+#include <graze/gjk/quick_gjk.hpp>
 #include <graze/penetration.hpp>
 #include <graze/portal/mpr.hpp>
 #include <graze/queries/line.hpp>
@@ -74,6 +76,59 @@ PenetrationResult<S> apart(PenetrationResult<S>& out, const Vec3<S>& n) {
   return out;
 }
 
+// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
+template <Scalar S>
+[[nodiscard]] bool quick_penetration(const GuidedPair<S>& pair, const PenetrationOptions<S>& options,
+                                     PenetrationResult<S>& out) {
+  PairSupport<S> support(pair, out.counters);
+  QuickGjk<S> gjk(support, out.counters);
+  const double gap =
+      options.tolerance > 0 ? std::max(support.noise(), double(options.tolerance) * pair.size()) : support.fine();
+  const QuickState state = gjk.run({}, gap, true, options.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  if (state == QuickState::apart && gjk.separated()) {
+    apart(out, Vec3<S>(unit(gjk.axis().vector()).template cast<S>()));
+    return true;
+  }
+  const int k = pair.length_exponent();
+  const auto fill = [&](double lower, double upper, const Triple& n, const std::array<std::uint32_t, 4>& of_a,
+                        const std::array<std::uint32_t, 4>& of_b, const std::array<double, 4>& lambda, int size) {
+    out.outcome = Outcome::initially_overlapping;
+    // A depth below zero, or a bound above the other, is rounding.
+    upper = std::max(upper, 0.0);
+    out.upper = static_cast<S>(upper * power_of_two(k));
+    out.lower = static_cast<S>(std::min(std::max(lower, 0.0), upper) * power_of_two(k));
+    if (asks_for(options.request, Request::normal)) out.normal = n.vector().template cast<S>();
+    if (asks_for(options.request, Request::witnesses)) {
+      out.point_a = pair_witness<S>(pair.a(), of_a, lambda, size, k);
+      out.point_b = pair_witness<S>(pair.b(), of_b, lambda, size, k);
+    }
+    return true;
+  };
+  QuickEpa<S> epa(support, out.counters);
+  const auto expand = [&](const PairVertex& fourth) {
+    if (!epa.run(gjk.point(0), gjk.point(1), gjk.point(2), fourth, gap, options.max_iterations - out.counters.supports))
+      return false;
+    const PairVertex &a = epa.point(0), &b = epa.point(1), &c = epa.point(2);
+    return fill(epa.lower(), epa.upper(), epa.normal(), {a.vertex_a, b.vertex_a, c.vertex_a},
+                {a.vertex_b, b.vertex_b, c.vertex_b}, {epa.lambda()[0], epa.lambda()[1], epa.lambda()[2]}, 3);
+  };
+  if (state == QuickState::enclosed) return expand(gjk.point(3));
+  // The origin on a triangle, which is a face of C, or not: then C lies on both sides of it.
+  if (state != QuickState::touching || gjk.size() != 3) return false;
+  const Triple &a = gjk.point(0).w, &b = gjk.point(1).w, &c = gjk.point(2).w;
+  const Triple n = triple(unit(face_normal<double>(a.vector(), b.vector(), c.vector())));
+  PairVertex beyond;
+  for (const Triple& side : {n, -n}) {
+    if (is_small_direction(side)) return false;
+    support.sure(side, beyond);
+    const double h = dot(side, beyond.w);
+    if (h <= support.fine())
+      return fill(0, h, side, gjk.vertices(true), gjk.vertices(false), gjk.lambda(), 3);
+  }
+  return expand(beyond);
+}
+
 }  // namespace detail
 
 template <Scalar S>
@@ -82,6 +137,9 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   const CastOptions<S> checked = detail::checked(options);
   out.invalid = validate(a, b, checked);
   if (detail::refused(out, a, b, checked)) return out;
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_penetration(GuidedPair<S>(a, b), options, out))
+    return out;
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;

@@ -1,6 +1,7 @@
 // How a hull is prepared: its scan, declared in graze/hull.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <graze/hull.hpp>
 
@@ -32,6 +33,12 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
   }
   S reach = 0;
   for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
+  for (int i = 0; i < 3; ++i) {
+    const auto less = [i](const Vec3<S>& x, const Vec3<S>& y) { return x[i] < y[i]; };
+    const auto [least, most] = std::minmax_element(vertices.begin(), vertices.end(), less);
+    // Sixths are added: no sum of large numbers overflows.
+    for (const auto at : {least, most}) inside += (*at - center).template cast<double>() / 6;
+  }
   exponent = reach > 0 ? std::ilogb(reach) : 0;
   // x 2^-exponent, rounded once if at all: by a product, where the power is a normal number.
   const bool normal = std::abs(exponent) < std::numeric_limits<S>::max_exponent - 2;

@@ -181,6 +181,35 @@ class Guide {
     return to_world({x, y, z});
   }
   [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
+  [[nodiscard]] bool has_vertex(std::uint32_t vertex) const {
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb:
+        return vertex < hull_->size();
+      case Kind::box:
+        return vertex < 8;
+      case Kind::few:
+        return vertex < count_;
+      case Kind::side:
+        return false;
+    }
+    return false;
+  }
+  // A point of the body, mostly of its inside, in world axes about the centre: within 8 u of the reach, and error().
+  [[nodiscard]] Triple inside() const {
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb:
+        return to_world(unit_ * triple(hull_->inside()));
+      case Kind::few: {
+        if (count_ == 1) return to_world(few_[0]);
+        if (count_ == 2) return to_world(0.5 * (few_[0] + few_[1]));
+        return to_world((1.0 / 3) * (few_[0] + few_[1] + few_[2]));
+      }
+      default:
+        return {0, 0, 0};
+    }
+  }
   // In its own axes, about the centre, internal length; exact but for shapes through their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
     // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
