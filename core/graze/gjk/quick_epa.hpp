@@ -22,10 +22,9 @@ class QuickEpa {
   QuickEpa(PairSupport<S>& support, Counters& counters) : support_(support), counters_(counters) {}
 
   // Four vertices, in any order, that need not hold the origin. True: the answer holds, within `gap`.
-  [[nodiscard]] bool run(const PairVertex& a, const PairVertex& b, const PairVertex& c, const PairVertex& d, double gap,
-                         int budget) {
+  [[nodiscard]] bool run(const std::array<PairVertex, 4>& corner, double gap, int budget) {
     visible_ = kVisibleNoises * support_.noise();
-    if (!begin(a, b, c, d)) return false;
+    if (!begin(corner)) return false;
     while (budget-- > 0 && vertices_ < kMostVertices) {
       ++counters_.iterations;
       std::size_t f = nearest();
@@ -92,11 +91,9 @@ class QuickEpa {
 
   [[nodiscard]] static std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
-  [[nodiscard]] bool begin(const PairVertex& a, const PairVertex& b, const PairVertex& c, const PairVertex& d) {
-    point_[0] = a;
-    point_[1] = b;
-    point_[2] = c;
-    point_[3] = d;
+  [[nodiscard]] bool begin(const std::array<PairVertex, 4>& corner) {
+    const PairVertex &a = corner[0], &b = corner[1], &c = corner[2], &d = corner[3];
+    std::copy(corner.begin(), corner.end(), point_.begin());
     vertices_ = 4;
     const Triple m = cross(b.w - a.w, c.w - a.w), rise = d.w - a.w;
     const double volume = dot(m, rise);

@@ -40,6 +40,7 @@ class QuickGjk {
     double before = kInfinity<double>;
     for (int step = 0; step < kQuickGjkSteps; ++step) {
       ++counters_.gjk_iterations;
+      n_before_ = n_;
       close_in();
       if (size_ == 4) return encloses() ? QuickState::enclosed : QuickState::open;
       const double dist = std::sqrt(dist_sq_);
@@ -79,6 +80,8 @@ class QuickGjk {
   [[nodiscard]] bool separated() const { return separated_; }
   // apart: unit. Where separated: any length.
   [[nodiscard]] const Triple& axis() const { return n_; }
+  // The axis that the simplex's newest vertex is far along; 0: none.
+  [[nodiscard]] const Triple& axis_before() const { return n_before_; }
   [[nodiscard]] double lower() const { return lower_; }
   [[nodiscard]] double upper() const { return upper_; }
   // The simplex, and its weights.
@@ -122,8 +125,8 @@ class QuickGjk {
     for (int i = 0; i < size_; ++i) v = v + lambda(i) * point(i).w;
     return std::sqrt(dot(v, v));
   }
-  // The weights of the tetrahedron: those of its closest point.
-  [[nodiscard]] bool encloses() const { return weighted() <= support_.fine(); }
+  // By its weights, which round with the tetrahedron's flatness.
+  [[nodiscard]] bool encloses() const { return weighted() <= support_.noise(); }
 
   // What the closest point of a simplex is found to be; the least is kept.
   struct Feature {
@@ -166,7 +169,9 @@ class QuickGjk {
     if (!(along > 0)) return vertex(a, out);
     if (!(along < length_sq)) return vertex(b, out);
     const double t = along / length_sq;
-    const Triple v = a->w + t * ab;
+    // Once more: what the first subtraction left along the edge, which a long edge would make a tilted axis of.
+    Triple v = a->w + t * ab;
+    v = v - (dot(v, ab) / length_sq) * ab;
     const double dist_sq = dot(v, v);
     if (!(dist_sq < out.dist_sq)) return;
     out.dist_sq = dist_sq;
@@ -239,7 +244,7 @@ class QuickGjk {
   PairSupport<S>& support_;
   Counters& counters_;
   double dist_sq_ = 0, lower_ = 0, upper_ = kInfinity<double>;
-  Triple n_{0, 0, 0};
+  Triple n_{0, 0, 0}, n_before_{0, 0, 0};
   int size_ = 0;
   bool separated_ = false;
   std::array<PairVertex, 5> slot_;

@@ -106,27 +106,59 @@ template <Scalar S>
     return true;
   };
   QuickEpa<S> epa(support, out.counters);
-  const auto expand = [&](const PairVertex& fourth) {
-    if (!epa.run(gjk.point(0), gjk.point(1), gjk.point(2), fourth, gap, options.max_iterations - out.counters.supports))
-      return false;
+  std::array<PairVertex, 4> corner;
+  const auto expand = [&] {
+    if (!epa.run(corner, gap, options.max_iterations - out.counters.supports)) return false;
     const PairVertex &a = epa.point(0), &b = epa.point(1), &c = epa.point(2);
     return fill(epa.lower(), epa.upper(), epa.normal(), {a.vertex_a, b.vertex_a, c.vertex_a},
                 {a.vertex_b, b.vertex_b, c.vertex_b}, {epa.lambda()[0], epa.lambda()[1], epa.lambda()[2]}, 3);
   };
-  if (state == QuickState::enclosed) return expand(gjk.point(3));
-  // The origin on a triangle, which is a face of C, or not: then C lies on both sides of it.
-  if (state != QuickState::touching || gjk.size() != 3) return false;
-  const Triple &a = gjk.point(0).w, &b = gjk.point(1).w, &c = gjk.point(2).w;
+  const auto touches = [&](double h, const Triple& n) {
+    return fill(0, h, n, gjk.vertices(true), gjk.vertices(false), gjk.lambda(), gjk.size());
+  };
+  int size = gjk.size();
+  for (int i = 0; i < size; ++i) corner[static_cast<std::size_t>(i)] = gjk.point(i);
+  if (state == QuickState::enclosed) return expand();
+  if (state == QuickState::apart) {
+    // By less than rounding can tell from contact; the axis is one of depth nothing.
+    if (gjk.upper() <= support.noise() && !(gjk.lower() > support.fine()))
+      return touches(-gjk.lower(), gjk.axis());
+    if (!(gjk.lower() > 0)) return false;
+    apart(out, Vec3<S>(gjk.axis().vector().template cast<S>()));
+    return true;
+  }
+  if (state != QuickState::touching) return false;
+  // The origin on the simplex. C on one side of it: a depth of nothing. The axis before may show it.
+  if (const Triple& last = gjk.axis_before(); !is_small_direction(last)) {
+    const Triple n = (1 / std::sqrt(dot(last, last))) * last;
+    PairVertex farthest;
+    support.sure(n, farthest);
+    if (const double h = dot(n, farthest.w); h <= support.fine()) return touches(h, n);
+  }
+  // Else a tetrahedron with the simplex in it.
+  const auto widen = [&](const Triple& n) {
+    support.sure(n, corner[static_cast<std::size_t>(size)]);
+    ++size;
+  };
+  const auto across = [](const Triple& e) {
+    const Triple x = magnitude(e);
+    return cross(e, x.x <= x.y && x.x <= x.z ? Triple{1, 0, 0} : x.y <= x.z ? Triple{0, 1, 0} : Triple{0, 0, 1});
+  };
+  if (size == 1) widen({1, 0, 0});
+  if (size == 2) {
+    const Triple n = across(corner[1].w - corner[0].w);
+    if (is_small_direction(n)) return false;
+    widen(n);
+  }
+  const Triple &a = corner[0].w, &b = corner[1].w, &c = corner[2].w;
   const Triple n = triple(unit(face_normal<double>(a.vector(), b.vector(), c.vector())));
-  PairVertex beyond;
   for (const Triple& side : {n, -n}) {
     if (is_small_direction(side)) return false;
-    support.sure(side, beyond);
-    const double h = dot(side, beyond.w);
-    if (h <= support.fine())
-      return fill(0, h, side, gjk.vertices(true), gjk.vertices(false), gjk.lambda(), 3);
+    support.sure(side, corner[3]);
+    if (const double h = dot(side, corner[3].w); h <= support.fine() && dot(side, a) >= -support.fine())
+      return touches(h, side);
   }
-  return expand(beyond);
+  return expand();
 }
 
 }  // namespace detail
