@@ -110,6 +110,8 @@ BulletBody bullet_body(const Body<double>& body) {
 
 struct Pair {
   Body<double> a, b;
+  Prepared<double> prepared_a, prepared_b;
+  WarmStart start, distance_start;  // of the same question
   BulletBody bullet_a, bullet_b;
   CcdBody ccd_a, ccd_b;
 };
@@ -135,7 +137,8 @@ std::vector<Pair> pairs(int vertices, Place place) {
       const double left = place == Place::near ? 0.01 : place == Place::shallow ? -0.1 : 0.0;
       b.position -= (d.lower - left) * d.normal;
     }
-    out.push_back({a, b, bullet_body(a), bullet_body(b), ccd_body(a), ccd_body(b)});
+    out.push_back({a, b, Prepared<double>(a), Prepared<double>(b), overlap_mpr(a, b).warm,
+                   distance(a, b).warm, bullet_body(a), bullet_body(b), ccd_body(a), ccd_body(b)});
   }
   return out;
 }
@@ -227,21 +230,37 @@ void run_all(int rounds) {
   const Contestant ccd_mpr_depth{
       "libccd MPR", [=](const Pair& p) { return depth_of(p, ccdMPRPenetration); }, {}};
   const Contestant mpr{"graze mpr", [](const Pair& p) { return double(overlap_mpr(p.a, p.b).outcome); }, {}};
+  const Contestant mpr_prepared{
+      "graze mpr prepared",
+      [](const Pair& p) { return double(overlap_mpr(p.prepared_a, p.prepared_b).outcome); },
+      {}};
+  const Contestant mpr_start{
+      "graze mpr prepared, start",
+      [](const Pair& p) { return double(overlap_mpr(p.prepared_a, p.prepared_b, p.start).outcome); },
+      {}};
+  const Contestant distance_prepared{
+      "graze prepared", [](const Pair& p) { return distance(p.prepared_a, p.prepared_b).upper; }, {}};
+  const Contestant distance_start{
+      "graze prepared, start",
+      [](const Pair& p) { return distance(p.prepared_a, p.prepared_b, {.start = p.distance_start}).upper; },
+      {}};
+  const Contestant epa_prepared{
+      "graze prepared", [](const Pair& p) { return penetration(p.prepared_a, p.prepared_b).upper; }, {}};
   const Contestant gjk{"graze gjk", [](const Pair& p) { return double(overlap_gjk(p.a, p.b).outcome); }, {}};
   const Contestant gjk_distance{"graze", [](const Pair& p) { return distance(p.a, p.b).upper; }, {}};
   const Contestant epa{"graze", [](const Pair& p) { return penetration(p.a, p.b).upper; }, {}};
 
   for (const int n : {8, 16, 64}) {
     for (const Place place : {Place::apart, Place::near, Place::touching, Place::shallow, Place::deep})
-      run("overlap", n, place, rounds, {mpr, gjk, ccd_mpr, ccd_gjk});
+      run("overlap", n, place, rounds, {mpr, mpr_prepared, mpr_start, gjk, ccd_mpr, ccd_gjk});
   }
   for (const int n : {8, 16, 64}) {
     for (const Place place : {Place::apart, Place::near, Place::touching})
-      run("distance", n, place, rounds, {gjk_distance, bullet_gjk});
+      run("distance", n, place, rounds, {gjk_distance, distance_prepared, distance_start, bullet_gjk});
   }
   for (const int n : {8, 16, 64}) {
     for (const Place place : {Place::touching, Place::shallow, Place::deep})
-      run("penetration", n, place, rounds, {epa, bullet_epa, ccd_mpr_depth, ccd_epa_depth});
+      run("penetration", n, place, rounds, {epa, epa_prepared, bullet_epa, ccd_mpr_depth, ccd_epa_depth});
   }
 }
 

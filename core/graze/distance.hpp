@@ -7,6 +7,7 @@
 #pragma once
 
 #include <graze/body.hpp>
+#include <graze/prepared.hpp>
 #include <graze/result.hpp>
 #include <graze/warm_start.hpp>
 
@@ -35,6 +36,9 @@ struct DistanceResult {
 
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {});
+template <Scalar S>
+DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
+                           const DistanceOptions<S>& options = {});
 
 }  // namespace graze::inline GRAZE_LINKAGE
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <graze/body.hpp>
+#include <graze/prepared.hpp>
 #include <graze/result.hpp>
 #include <graze/warm_start.hpp>
 
@@ -24,9 +25,13 @@ struct OverlapResult {
 // By MPR: does the ray from an interior point of C = A - B through the origin leave C beyond the origin?
 template <Scalar S>
 OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b, const WarmStart& start = {});
+template <Scalar S>
+OverlapResult<S> overlap_mpr(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start = {});
 // By GJK: is the distance zero?
 template <Scalar S>
 OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart& start = {});
+template <Scalar S>
+OverlapResult<S> overlap_gjk(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start = {});
 // Of the true shapes, decided exactly: see tier exact (cast.hpp).
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);

@@ -82,7 +82,8 @@ class QuickEpa {
 
   struct Face {
     Triple n;  // unit, outward
-    std::array<std::uint8_t, 3> v, across, back;  // across v[i] -> v[i + 1] lies face across[i], there as edge back[i]
+    std::array<std::uint8_t, 3> v, across,
+        back;  // across v[i] -> v[i + 1] lies face across[i], there as edge back[i]
     bool alive;
   };
   struct RimEdge {
@@ -101,7 +102,8 @@ class QuickEpa {
     if (!(std::abs(volume) > kFlat * sum(magnitude(m)) * sum(magnitude(rise)))) return false;
     // Seen from outside, the face opposite to corner i of a positive tetrahedron; and the edge by which it is seen from
     // the next.
-    constexpr std::array<std::array<std::uint8_t, 3>, 4> kPositive = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+    constexpr std::array<std::array<std::uint8_t, 3>, 4> kPositive = {
+        {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     for (std::size_t i = 0; i < 4; ++i) {
       auto v = kPositive[i];
       if (volume < 0) std::swap(v[1], v[2]);
@@ -229,7 +231,9 @@ class QuickEpa {
       face_[face_[dead].across[k]].across[face_[dead].back[k]] = static_cast<std::uint8_t>(dead);
   }
   // Of a rim edge, in the direction of the seen face: against that of the face that stays.
-  [[nodiscard]] std::uint8_t from(std::size_t i) const { return face_[rim_edge_[i].face].v[after(rim_edge_[i].edge)]; }
+  [[nodiscard]] std::uint8_t from(std::size_t i) const {
+    return face_[rim_edge_[i].face].v[after(rim_edge_[i].edge)];
+  }
   [[nodiscard]] std::uint8_t to(std::size_t i) const { return face_[rim_edge_[i].face].v[rim_edge_[i].edge]; }
 
   // A face no deeper than upper_ that the origin projects into, f if it is one; its weights. kFaces: none.

@@ -32,7 +32,9 @@ class QuickGjk {
   [[nodiscard]] QuickState run(const WarmStart& start, double gap, bool verdict, int budget) {
     if (!begin(start)) {
       const Triple& d = support_.pair().offset();
-      const Triple along = start.has_axis() ? triple(start.axis) : largest(d) > 0x1p-80 ? near_one(d) : Triple{1, 0, 0};
+      const Triple along = start.has_axis()       ? triple(start.axis)
+                           : largest(d) > 0x1p-80 ? near_one(d)
+                                                  : Triple{1, 0, 0};
       support_.guess(along, *point_[0]);
       if (verdict && support_.separates(along, *point_[0])) return found_axis(along);
       size_ = 1;
@@ -91,12 +93,11 @@ class QuickGjk {
   [[nodiscard]] const std::array<double, 4>& lambda() const { return lambda_; }
   [[nodiscard]] std::array<std::uint32_t, 4> vertices(bool of_a) const {
     std::array<std::uint32_t, 4> out{};
-    for (int i = 0; i < size_; ++i) out[static_cast<std::size_t>(i)] = of_a ? point(i).vertex_a : point(i).vertex_b;
+    for (int i = 0; i < size_; ++i)
+      out[static_cast<std::size_t>(i)] = of_a ? point(i).vertex_a : point(i).vertex_b;
     return out;
   }
-  [[nodiscard]] WarmStart warm() const {
-    return {n_.vector(), size_, vertices(true), vertices(false)};
-  }
+  [[nodiscard]] WarmStart warm() const { return {n_.vector(), size_, vertices(true), vertices(false)}; }
 
  private:
   [[nodiscard]] QuickState found_axis(const Triple& n) {
@@ -141,7 +142,8 @@ class QuickGjk {
     n_.x = f.n.x;
     n_.y = f.n.y;
     n_.z = f.n.z;
-    for (int i = 0; i < f.size; ++i) lambda_[static_cast<std::size_t>(i)] = f.lambda[static_cast<std::size_t>(i)];
+    for (int i = 0; i < f.size; ++i)
+      lambda_[static_cast<std::size_t>(i)] = f.lambda[static_cast<std::size_t>(i)];
     // The others keep their places behind.
     std::array<PairVertex*, 5> order{};
     std::size_t k = 0;
@@ -185,7 +187,8 @@ class QuickGjk {
   // m = (b - a) x (c - a).
   static void triangle(PairVertex* a, PairVertex* b, PairVertex* c, const Triple& m, Feature& out) {
     // Which side of each edge, in the triangle's plane, the origin is on.
-    const double la = dot(m, cross(b->w, c->w)), lb = dot(m, cross(c->w, a->w)), lc = dot(m, cross(a->w, b->w));
+    const double la = dot(m, cross(b->w, c->w)), lb = dot(m, cross(c->w, a->w)),
+                 lc = dot(m, cross(a->w, b->w));
     if (la > 0 && lb > 0 && lc > 0) {
       const double m_sq = dot(m, m), height = dot(m, a->w), dist_sq = height * height / m_sq;
       if (!(dist_sq < out.dist_sq)) return;

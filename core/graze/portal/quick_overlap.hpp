@@ -19,7 +19,8 @@ namespace graze::inline GRAZE_LINKAGE {
 template <Scalar S>
 class QuickOverlap {
  public:
-  QuickOverlap(const GuidedPair<S>& pair, Counters& counters) : support_(pair, counters), counters_(counters) {}
+  QuickOverlap(const GuidedPair<S>& pair, Counters& counters)
+      : support_(pair, counters), counters_(counters) {}
 
   // not_converged: it gave up.
   [[nodiscard]] Outcome run(const WarmStart& start) {

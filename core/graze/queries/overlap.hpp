@@ -2,10 +2,11 @@
 #pragma once
 
 #include <graze/distance.hpp>
-#include <graze/overlap.hpp>
 #include <graze/gjk/quick_gjk.hpp>
+#include <graze/overlap.hpp>
 #include <graze/portal/mpr.hpp>
 #include <graze/portal/quick_overlap.hpp>
+#include <graze/support/prepared_body.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -13,7 +14,8 @@ namespace detail {
 
 // Of two polytopes, by MPR. False: nothing is claimed, and of `out` only the counters have changed.
 template <Scalar S>
-[[nodiscard]] bool quick_overlap_mpr(const GuidedPair<S>& pair, const WarmStart& start, OverlapResult<S>& out) {
+[[nodiscard]] bool quick_overlap_mpr(const GuidedPair<S>& pair, const WarmStart& start,
+                                     OverlapResult<S>& out) {
   QuickOverlap<S> search(pair, out.counters);
   const Outcome outcome = search.run(start);
   out.counters.iterations = out.counters.portal_steps;
@@ -25,7 +27,8 @@ template <Scalar S>
 }
 // By GJK.
 template <Scalar S>
-[[nodiscard]] bool quick_overlap_gjk(const GuidedPair<S>& pair, const WarmStart& start, OverlapResult<S>& out) {
+[[nodiscard]] bool quick_overlap_gjk(const GuidedPair<S>& pair, const WarmStart& start,
+                                     OverlapResult<S>& out) {
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
   const QuickState state = gjk.run(start, support.fine(), true, CastOptions<S>{}.max_iterations);
@@ -36,6 +39,31 @@ template <Scalar S>
   if (state == QuickState::apart) out.normal = unit(gjk.axis().vector()).template cast<S>();
   out.warm = gjk.warm();
   return true;
+}
+
+// For every pair of shapes, validated.
+template <Scalar S>
+OverlapResult<S>& careful_overlap_mpr(const Body<S>& a, const Body<S>& b, OverlapResult<S>& out) {
+  const Cso<S> cso(a, b);
+  const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, CastOptions<S>{}), out.counters);
+  out.outcome = sweep.outcome;
+  if (sweep.outcome == Outcome::miss) out.normal = sweep.n;
+  return out;
+}
+template <Scalar S>
+OverlapResult<S>& careful_overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart& start,
+                                      OverlapResult<S>& out) {
+  DistanceOptions<S> options;
+  options.request = Request::normal;
+  options.start = start;
+  const DistanceResult<S> d = distance(a, b, options);
+  out.counters += d.counters;
+  out.normal = d.normal;
+  out.warm = d.warm;
+  out.outcome = d.lower > 0    ? Outcome::miss
+                : d.upper == 0 ? Outcome::initially_overlapping
+                               : Outcome::not_converged;
+  return out;
 }
 
 }  // namespace detail
@@ -49,11 +77,18 @@ OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b, const WarmStart
   if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
       detail::quick_overlap_mpr(GuidedPair<S>(a, b), start, out))
     return out;
-  const Cso<S> cso(a, b);
-  const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, options), out.counters);
-  out.outcome = sweep.outcome;
-  if (sweep.outcome == Outcome::miss) out.normal = sweep.n;
-  return out;
+  return detail::careful_overlap_mpr(a, b, out);
+}
+template <Scalar S>
+OverlapResult<S> overlap_mpr(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> options;
+  out.invalid = detail::validate_prepared(a, b, options);
+  if (detail::refused(out, a.body(), b.body(), options)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_overlap_mpr(GuidedPair<S>(*a.inner().guide, *b.inner().guide), start, out))
+    return out;
+  return detail::careful_overlap_mpr(a.body(), b.body(), out);
 }
 
 template <Scalar S>
@@ -65,17 +100,18 @@ OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart
   if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
       detail::quick_overlap_gjk(GuidedPair<S>(a, b), start, out))
     return out;
-  DistanceOptions<S> options;
-  options.request = Request::normal;
-  options.start = start;
-  const DistanceResult<S> d = distance(a, b, options);
-  out.counters += d.counters;
-  out.normal = d.normal;
-  out.warm = d.warm;
-  out.outcome = d.lower > 0    ? Outcome::miss
-                : d.upper == 0 ? Outcome::initially_overlapping
-                               : Outcome::not_converged;
-  return out;
+  return detail::careful_overlap_gjk(a, b, start, out);
+}
+template <Scalar S>
+OverlapResult<S> overlap_gjk(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> checked;
+  out.invalid = detail::validate_prepared(a, b, checked);
+  if (detail::refused(out, a.body(), b.body(), checked)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_overlap_gjk(GuidedPair<S>(*a.inner().guide, *b.inner().guide), start, out))
+    return out;
+  return detail::careful_overlap_gjk(a.body(), b.body(), start, out);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE

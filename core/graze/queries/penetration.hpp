@@ -10,6 +10,7 @@
 #include <graze/queries/line.hpp>
 #include <graze/standard/refine_axis.hpp>
 #include <graze/standard/witness.hpp>
+#include <graze/support/prepared_body.hpp>
 #include <graze/support/validate.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
@@ -69,7 +70,7 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
 }
 
 template <Scalar S>
-PenetrationResult<S> apart(PenetrationResult<S>& out, const Vec3<S>& n) {
+PenetrationResult<S>& no_contact(PenetrationResult<S>& out, const Vec3<S>& n) {
   out.outcome = Outcome::miss;
   out.upper = 0;
   out.normal = n;
@@ -82,17 +83,19 @@ template <Scalar S>
                                      PenetrationResult<S>& out) {
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
-  const double gap =
-      options.tolerance > 0 ? std::max(support.noise(), double(options.tolerance) * pair.size()) : support.fine();
+  const double gap = options.tolerance > 0
+                         ? std::max(support.noise(), double(options.tolerance) * pair.size())
+                         : support.fine();
   const QuickState state = gjk.run({}, gap, true, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
   if (state == QuickState::apart && gjk.separated()) {
-    apart(out, Vec3<S>(unit(gjk.axis().vector()).template cast<S>()));
+    no_contact(out, Vec3<S>(unit(gjk.axis().vector()).template cast<S>()));
     return true;
   }
   const int k = pair.length_exponent();
   const auto fill = [&](double lower, double upper, const Triple& n, const std::array<std::uint32_t, 4>& of_a,
-                        const std::array<std::uint32_t, 4>& of_b, const std::array<double, 4>& lambda, int size) {
+                        const std::array<std::uint32_t, 4>& of_b, const std::array<double, 4>& lambda,
+                        int size) {
     out.outcome = Outcome::initially_overlapping;
     // A depth below zero, or a bound above the other, is rounding.
     upper = std::max(upper, 0.0);
@@ -124,7 +127,7 @@ template <Scalar S>
     if (gjk.upper() <= support.noise() && !(gjk.lower() > support.fine()))
       return touches(-gjk.lower(), gjk.axis());
     if (!(gjk.lower() > 0)) return false;
-    apart(out, Vec3<S>(gjk.axis().vector().template cast<S>()));
+    no_contact(out, Vec3<S>(gjk.axis().vector().template cast<S>()));
     return true;
   }
   if (state != QuickState::touching) return false;
@@ -142,7 +145,9 @@ template <Scalar S>
   };
   const auto across = [](const Triple& e) {
     const Triple x = magnitude(e);
-    return cross(e, x.x <= x.y && x.x <= x.z ? Triple{1, 0, 0} : x.y <= x.z ? Triple{0, 1, 0} : Triple{0, 0, 1});
+    return cross(e, x.x <= x.y && x.x <= x.z ? Triple{1, 0, 0}
+                    : x.y <= x.z             ? Triple{0, 1, 0}
+                                             : Triple{0, 0, 1});
   };
   if (size == 1) widen({1, 0, 0});
   if (size == 2) {
@@ -161,6 +166,59 @@ template <Scalar S>
   return expand();
 }
 
+// For every pair of shapes, validated.
+template <Scalar S>
+PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
+                                          const PenetrationOptions<S>& options, const CastOptions<S>& checked,
+                                          PenetrationResult<S>& out) {
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
+  Simplex<S> simplex;
+  Distance<S> d =
+      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+  if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
+  const S apart = d.upper - R;
+  const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
+  if (!contact && d.lower - R > 0) return no_contact(out, d.n);
+  if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
+    // The origin outside the core: its distance, seen from inside.
+    refine_axis(cso, simplex, d, gap, out.counters);
+    if (d.upper - d.lower > std::max(gap, limits.noise)) {
+      steady_axis(d, cso, simplex, limits, out.counters);
+    }
+    out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
+    fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+    return out;
+  }
+  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
+  // its faces as to their neighbours.
+  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
+  const Epa<S> least =
+      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
+             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
+  if (!contact && !least.enclosed) {
+    // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
+    if (least.upper + R < -limits.noise) return no_contact(out, least.n);
+    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
+    if (overlap.outcome == Outcome::miss) return no_contact(out, overlap.n);
+    if (overlap.outcome != Outcome::initially_overlapping) {
+      out.outcome = Outcome::not_converged;
+      out.stalled = true;
+      return out;
+    }
+  }
+  // In contact no depth is below zero.
+  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
+                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
+  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
+  const bool touching = least.contact.size == 0 ||
+                        !(combination(least.contact).norm() <= std::max(least.upper, S(0)) + limits.noise);
+  fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
+                   touching ? simplex : least.contact);
+  return out;
+}
+
 }  // namespace detail
 
 template <Scalar S>
@@ -172,53 +230,20 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
       detail::quick_penetration(GuidedPair<S>(a, b), options, out))
     return out;
-  const Cso<S> cso(a, b);
-  const SweepLimits<S> limits = sweep_limits(cso, checked);
-  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
-  Simplex<S> simplex;
-  Distance<S> d =
-      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
-  if (d.stalled && d.upper - d.lower > limits.noise)
-    detail::steady_axis(d, cso, simplex, limits, out.counters);
-  const S apart = d.upper - R;
-  const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
-  if (!contact && d.lower - R > 0) return detail::apart(out, d.n);
-  if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
-    // The origin outside the core: its distance, seen from inside.
-    detail::refine_axis(cso, simplex, d, gap, out.counters);
-    if (d.upper - d.lower > std::max(gap, limits.noise)) {
-      detail::steady_axis(d, cso, simplex, limits, out.counters);
-    }
-    out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
-    detail::fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+  return detail::careful_penetration(a, b, options, checked, out);
+}
+
+template <Scalar S>
+PenetrationResult<S> penetration(const Prepared<S>& a, const Prepared<S>& b,
+                                 const PenetrationOptions<S>& options) {
+  PenetrationResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = detail::validate_prepared(a, b, checked);
+  if (detail::refused(out, a.body(), b.body(), checked)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_penetration(GuidedPair<S>(*a.inner().guide, *b.inner().guide), options, out))
     return out;
-  }
-  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
-  // its faces as to their neighbours.
-  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
-  const Epa<S> least =
-      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
-             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
-  if (!contact && !least.enclosed) {
-    // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
-    if (least.upper + R < -limits.noise) return detail::apart(out, least.n);
-    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
-    if (overlap.outcome == Outcome::miss) return detail::apart(out, overlap.n);
-    if (overlap.outcome != Outcome::initially_overlapping) {
-      out.outcome = Outcome::not_converged;
-      out.stalled = true;
-      return out;
-    }
-  }
-  // In contact no depth is below zero.
-  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
-                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
-  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
-  const bool touching = least.contact.size == 0 || !(detail::combination(least.contact).norm() <=
-                                                     std::max(least.upper, S(0)) + limits.noise);
-  detail::fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
-                           touching ? simplex : least.contact);
-  return out;
+  return detail::careful_penetration(a.body(), b.body(), options, checked, out);
 }
 
 template <Scalar S>
@@ -238,7 +263,7 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
   out.counters.iterations = out.counters.portal_steps;
   if (end.state == State::missed || (end.state == State::entered && -end.lower < -limits.noise))
-    return detail::apart(out, end.n);
+    return detail::no_contact(out, end.n);
   const detail::PortalView<S> view{cso, frame, S(1), out.counters};
   PortalSearch<S> begin = find_portal(view, limits.budget);
   if (begin.state == State::entered) {
@@ -247,13 +272,13 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   out.counters.iterations = out.counters.portal_steps;
   const bool undecided =
       begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
-  if (undecided && !holds_origin(begin, limits.noise)) return detail::apart(out, begin.facing);
+  if (undecided && !holds_origin(begin, limits.noise)) return detail::no_contact(out, begin.facing);
   const bool in_contact =
       begin.state == State::accepted ||
       (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);
   if (begin.state == State::rejected || begin.state == State::missed ||
       (begin.state == State::entered && !in_contact)) {
-    return detail::apart(out, begin.n);
+    return detail::no_contact(out, begin.n);
   }
   if (!in_contact) {
     out.outcome = Outcome::not_converged;

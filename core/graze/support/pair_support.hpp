@@ -14,7 +14,9 @@ struct PairVertex {
   Triple w;  // not set unless given
   std::uint32_t vertex_a, vertex_b;
 
-  [[nodiscard]] bool is(const PairVertex& o) const { return vertex_a == o.vertex_a && vertex_b == o.vertex_b; }
+  [[nodiscard]] bool is(const PairVertex& o) const {
+    return vertex_a == o.vertex_a && vertex_b == o.vertex_b;
+  }
 };
 
 template <Scalar S>
@@ -90,7 +92,8 @@ template <Scalar S, std::size_t N>
 [[nodiscard]] Vec3<S> pair_witness(const Guide<S>& guide, const std::array<std::uint32_t, N>& vertex,
                                    const std::array<double, N>& lambda, int size, int k) {
   Triple own{0, 0, 0};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) own = own + lambda[i] * guide.own(vertex[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i)
+    own = own + lambda[i] * guide.own(vertex[i]);
   return (guide.placed_center() + guide.to_world(power_of_two(k) * own)).vector().template cast<S>();
 }
 

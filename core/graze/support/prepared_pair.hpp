@@ -70,8 +70,8 @@ class Guide {
       guess_ = hull->guess_scan(0);
       padded_ = hull->padded_size();
       center_ = triple(hull->center());
-      const Triple half = triple(hull->scan_half_extents()), middle = triple(hull->scan_middle());
-      set_reach(power_of_two(hull->exponent()) * (half + magnitude(middle)));
+      size_ = hull->size_about_center();
+      reach_ = hull->reach_about_center();
     } else if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
       kind_ = Kind::box;
       few_[0] = triple(box->half_extents);
@@ -97,6 +97,7 @@ class Guide {
     blur_ = side_->blur;
   }
 
+  [[nodiscard]] const Body<S>& body() const { return body_; }
   [[nodiscard]] double reach() const { return reach_; }
   // The largest of its bounds' coordinates, about the centre.
   [[nodiscard]] double size() const { return size_; }
@@ -328,7 +329,26 @@ class Guide {
 template <Scalar S>
 class GuidedPair {
  public:
-  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) {
+  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) { prepare(a, b); }
+  // Of guides that nothing was prepared with.
+  GuidedPair(const Guide<S>& a, const Guide<S>& b) : a_(a), b_(b) { prepare(a.body(), b.body()); }
+
+  [[nodiscard]] const Guide<S>& a() const { return a_; }
+  [[nodiscard]] const Guide<S>& b() const { return b_; }
+  [[nodiscard]] const Triple& offset() const { return offset_; }
+  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
+  // pair's scale.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
+  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
+  // r = v 2^-j, within u per component; zero if nothing moves.
+  [[nodiscard]] const Triple& direction() const { return r_; }
+  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
+  [[nodiscard]] int length_exponent() const { return k_; }
+  [[nodiscard]] int speed_exponent() const { return j_; }
+
+ private:
+  [[gnu::always_inline]] void prepare(const Body<S>& a, const Body<S>& b) {
     const Triple& c_a = a_.center();
     const Triple& c_b = b_.center();
     Triple d;
@@ -355,21 +375,6 @@ class GuidedPair {
     r_ = power_of_two(-j_) * v;
   }
 
-  [[nodiscard]] const Guide<S>& a() const { return a_; }
-  [[nodiscard]] const Guide<S>& b() const { return b_; }
-  [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
-  // pair's scale.
-  [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
-  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
-  // r = v 2^-j, within u per component; zero if nothing moves.
-  [[nodiscard]] const Triple& direction() const { return r_; }
-  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
-  [[nodiscard]] int length_exponent() const { return k_; }
-  [[nodiscard]] int speed_exponent() const { return j_; }
-
- private:
   Guide<S> a_, b_;
   Triple offset_{}, r_{};
   double extent_ = 0, size_ = 0, offset_error_ = 0;
