@@ -114,9 +114,9 @@ class QuickEpa {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Face& g = face_[face_[i].across[k]];
-        std::uint8_t m = 0;
-        while (m < 2 && g.v[m] != face_[i].v[after(k)]) ++m;
-        face_[i].back[k] = m;
+        std::uint8_t edge = 0;
+        while (edge < 2 && g.v[edge] != face_[i].v[after(k)]) ++edge;
+        face_[i].back[k] = edge;
       }
     }
     faces_ = 4;

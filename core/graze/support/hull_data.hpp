@@ -31,15 +31,16 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     const S middle_i = low[i] / 2 + high[i] / 2, half_i = high[i] / 2 - low[i] / 2;
     if (std::abs(middle_i) > S(2.5) * half_i) center[i] = middle_i;
   }
-  S reach = 0;
-  for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
+  S most_of_all = 0;
+  for (const Vec3<S>& v : vertices)
+    most_of_all = std::max(most_of_all, (v - center).cwiseAbs().maxCoeff());
   for (int i = 0; i < 3; ++i) {
     const auto less = [i](const Vec3<S>& x, const Vec3<S>& y) { return x[i] < y[i]; };
-    const auto [least, most] = std::minmax_element(vertices.begin(), vertices.end(), less);
+    const auto [least, greatest] = std::minmax_element(vertices.begin(), vertices.end(), less);
     // Sixths are added: no sum of large numbers overflows.
-    for (const auto at : {least, most}) inside += (*at - center).template cast<double>() / 6;
+    for (const auto at : {least, greatest}) inside += (*at - center).template cast<double>() / 6;
   }
-  exponent = reach > 0 ? std::ilogb(reach) : 0;
+  exponent = most_of_all > 0 ? std::ilogb(most_of_all) : 0;
   // x 2^-exponent, rounded once if at all: by a product, where the power is a normal number.
   const bool normal = std::abs(exponent) < std::numeric_limits<S>::max_exponent - 2;
   const S power = normal ? static_cast<S>(power_of_two(-exponent)) : S(1);
