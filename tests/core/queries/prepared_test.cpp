@@ -45,7 +45,8 @@ template <Scalar S>
 Two<S> two(Draw& draw, int round) {
   Two<S> out;
   out.a = {.shape = polytope<S>(draw, round), .position = draw.vector<S>(1), .orientation = draw.turn<S>()};
-  out.b = {.shape = polytope<S>(draw, round / 5), .position = draw.vector<S>(1.5), .orientation = draw.turn<S>()};
+  out.b = {
+      .shape = polytope<S>(draw, round / 5), .position = draw.vector<S>(1.5), .orientation = draw.turn<S>()};
   return out;
 }
 
@@ -147,6 +148,52 @@ TYPED_TEST(Prepares, NoStartCostsAGuarantee) {
       EXPECT_EQ(overlap_mpr(a, b, start).outcome, truth) << round;
       EXPECT_EQ(overlap_gjk(a, b, start).outcome, truth) << round;
     }
+  }
+}
+
+// A plate, and below it a stump whose upper corners differ in height by less than floats tell (1e-9): which of them
+// is highest is no guess in the answer, whichever comes first.
+TEST(QuickSearches, VerticesThatFloatsTakeForEqualAreTold) {
+  const Body<double> plate{.shape = Box<double>{{8, 8, 0.5}}};
+  for (std::size_t high = 0; high < 8; ++high) {
+    std::vector<Vec3<double>> points;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const double turn = 0.785398 * double(k);
+      points.emplace_back(std::cos(turn), std::sin(turn), k == high ? 1 + 1e-9 : 1);
+      points.emplace_back(2 * std::cos(turn), 2 * std::sin(turn), -3);
+    }
+    Body<double> stump{.shape = Hull<double>(points), .position = {0, 0, -2}};
+    const auto d = distance(plate, stump);
+    EXPECT_NEAR(d.lower, 0.5 - 1e-9, 1e-14) << high;
+    EXPECT_NEAR(d.upper, 0.5 - 1e-9, 1e-14) << high;
+    stump.position[2] = -1.4;
+    const auto p = penetration(plate, stump);
+    EXPECT_NEAR(p.lower, 0.1 + 1e-9, 1e-14) << high;
+    EXPECT_NEAR(p.upper, 0.1 + 1e-9, 1e-14) << high;
+    // Apart, or not, by less than floats tell.
+    stump.position[2] = -1.5 - 2e-9;
+    EXPECT_EQ(overlap_mpr(plate, stump).outcome, Outcome::miss);
+    EXPECT_EQ(overlap_gjk(plate, stump).outcome, Outcome::miss);
+    stump.position[2] = -1.5 - 0.5e-9;
+    EXPECT_EQ(overlap_mpr(plate, stump).outcome, Outcome::initially_overlapping);
+    EXPECT_EQ(overlap_gjk(plate, stump).outcome, Outcome::initially_overlapping);
+  }
+}
+
+// What a hull says of its bounds holds every vertex, and its inside is in them.
+TEST(QuickSearches, AHullKnowsItsReach) {
+  Draw draw{6};
+  for (const double far : {0.0, 1.0, 1e6}) {
+    const Vec3<double> offset = draw.vector<double>(1) * far;
+    std::vector<Vec3<double>> points;
+    for (int i = 0; i < 12; ++i) points.push_back(offset + draw.vector<double>(1));
+    const Hull<double> hull(points);
+    for (const Vec3<double>& v : points) {
+      EXPECT_LE((v - hull.center()).norm(), hull.reach_about_center());
+      EXPECT_LE((v - hull.center()).cwiseAbs().maxCoeff(), hull.size_about_center() * (1 + 1e-15));
+    }
+    EXPECT_LE(hull.reach_about_center(), 4 * (1 + far));
+    EXPECT_LT((hull.inside() + hull.center() - offset).cwiseAbs().maxCoeff(), 1);
   }
 }
 
