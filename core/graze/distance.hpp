@@ -7,7 +7,9 @@
 #pragma once
 
 #include <graze/body.hpp>
+#include <graze/prepared.hpp>
 #include <graze/result.hpp>
+#include <graze/warm_start.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -16,6 +18,7 @@ struct DistanceOptions {
   Request request = Request::normal | Request::witnesses;
   S tolerance = 0;           // of the gap, over scale; 0: the rounding bound
   int max_iterations = 256;  // support evaluations
+  WarmStart start = {};      // of a former answer about the pair
 };
 
 template <Scalar S>
@@ -27,11 +30,15 @@ struct DistanceResult {
   // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.
   Vec3<S> normal = Vec3<S>::Zero();
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
+  WarmStart warm;  // for the next question about the pair; empty where there is nothing to keep
   Counters counters;
 };
 
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {});
+template <Scalar S>
+DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
+                           const DistanceOptions<S>& options = {});
 
 }  // namespace graze::inline GRAZE_LINKAGE
 

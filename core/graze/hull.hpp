@@ -88,6 +88,12 @@ class Hull {
   // The same box by its corners, which are the scan's own numbers: half extents and middle are rounded in S.
   [[nodiscard]] const Vec3<S>& scan_low() const { return data_->scan_low; }
   [[nodiscard]] const Vec3<S>& scan_high() const { return data_->scan_high; }
+  // The mean of the six vertices that are least and greatest along the axes, about `center`, in the caller's unit: a
+  // point of the hull, within 8 u of double of the largest.
+  [[nodiscard]] const Vec3<double>& inside() const { return data_->inside; }
+  // Of the bounding box, in the caller's unit: the largest magnitude of a coordinate about `center`, and a bound of |x|.
+  [[nodiscard]] double size_about_center() const { return data_->size; }
+  [[nodiscard]] double reach_about_center() const { return data_->reach; }
   // False if any vertex is NaN or infinite.
   [[nodiscard]] bool finite() const { return data_ && data_->finite; }
   // The largest magnitude of a coordinate, and the least that is not zero.
@@ -100,16 +106,20 @@ class Hull {
   struct Data {
     explicit Data(std::span<const Vec3<S>> given);
 
+    // What every query reads first, side by side.
     std::vector<Vec3<S>> vertices;
-    std::vector<S> scan;       // x..., y..., z..., each `padded` long
-    std::vector<S> choice;     // choice_scan, where it differs
     std::vector<float> guess;  // of a double hull
     std::size_t padded = 0;
-    Vec3<S> center = Vec3<S>::Zero(), half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
-    Vec3<S> scan_low = Vec3<S>::Zero(), scan_high = Vec3<S>::Zero();
-    int exponent = 0;
     bool finite = true, flushed = false;
     S largest = 0, smallest = 0;
+    double size = 0, reach = 0;
+    Vec3<S> center = Vec3<S>::Zero();
+    Vec3<double> inside = Vec3<double>::Zero();
+    std::vector<S> scan;    // x..., y..., z..., each `padded` long
+    std::vector<S> choice;  // choice_scan, where it differs
+    Vec3<S> half = Vec3<S>::Zero(), middle = Vec3<S>::Zero();
+    Vec3<S> scan_low = Vec3<S>::Zero(), scan_high = Vec3<S>::Zero();
+    int exponent = 0;
   };
   std::shared_ptr<const Data> data_;
   std::shared_ptr<const HullGraph<S>> graph_;

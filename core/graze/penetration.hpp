@@ -14,6 +14,7 @@
 #pragma once
 
 #include <graze/body.hpp>
+#include <graze/prepared.hpp>
 #include <graze/result.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
@@ -46,6 +47,9 @@ struct PenetrationResult {
 
 template <Scalar S>
 PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b,
+                                 const PenetrationOptions<S>& options = {});
+template <Scalar S>
+PenetrationResult<S> penetration(const Prepared<S>& a, const Prepared<S>& b,
                                  const PenetrationOptions<S>& options = {});
 // `direction`: world axes, any length but zero (out_of_range).
 template <Scalar S>

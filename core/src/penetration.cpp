@@ -6,6 +6,8 @@ namespace graze::inline GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                                 \
   template PenetrationResult<S> penetration(const Body<S>&, const Body<S>&, const PenetrationOptions<S>&); \
+  template PenetrationResult<S> penetration(const Prepared<S>&, const Prepared<S>&,                        \
+                                            const PenetrationOptions<S>&);                                 \
   template PenetrationResult<S> penetration_along(const Body<S>&, const Body<S>&, const Vec3<S>&,          \
                                                   const PenetrationOptions<S>&);
 

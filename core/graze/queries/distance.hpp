@@ -2,30 +2,71 @@
 #pragma once
 
 #include <graze/distance.hpp>
+#include <graze/gjk/quick_gjk.hpp>
 #include <graze/standard/refine_axis.hpp>
 #include <graze/standard/witness.hpp>
+#include <graze/support/prepared_body.hpp>
 #include <graze/support/validate.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
+namespace detail {
+
+// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
 template <Scalar S>
-DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
-  DistanceResult<S> out;
-  CastOptions<S> checked;
-  checked.tolerance = options.tolerance;
-  checked.max_iterations = options.max_iterations;
-  out.invalid = validate(a, b, checked);
-  if (detail::refused(out, a, b, checked)) return out;
+[[nodiscard]] bool quick_distance(const GuidedPair<S>& pair, const DistanceOptions<S>& options,
+                                  DistanceResult<S>& out) {
+  PairSupport<S> support(pair, out.counters);
+  QuickGjk<S> gjk(support, out.counters);
+  const double gap = options.tolerance > 0
+                         ? std::max(support.noise(), double(options.tolerance) * pair.size())
+                         : support.fine();
+  const QuickState state = gjk.run(options.start, gap, false, options.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  if (state == QuickState::open) return false;
+  const int k = pair.length_exponent();
+  const bool apart = state == QuickState::apart && gjk.upper() > support.fine() &&
+                     (gjk.upper() > support.noise() || gjk.lower() > support.fine());
+  if (!apart) {
+    out.lower = out.upper = 0;
+    out.warm = gjk.warm();
+    return true;
+  }
+  out.upper = static_cast<S>(gjk.upper() * power_of_two(k));
+  out.lower = std::min(static_cast<S>(gjk.lower() * power_of_two(k)), out.upper);
+  if (!(out.lower > 0)) return false;
+  out.warm = gjk.warm();
+  if (asks_for(options.request, Request::normal)) out.normal = gjk.axis().vector().template cast<S>();
+  if (asks_for(options.request, Request::witnesses)) {
+    out.point_a = pair_witness<S>(pair.a(), gjk.vertices(true), gjk.lambda(), gjk.size(), k);
+    out.point_b = pair_witness<S>(pair.b(), gjk.vertices(false), gjk.lambda(), gjk.size(), k);
+  }
+  return true;
+}
+
+template <Scalar S>
+CastOptions<S> checked(const DistanceOptions<S>& options) {
+  CastOptions<S> out;
+  out.tolerance = options.tolerance;
+  out.max_iterations = options.max_iterations;
+  return out;
+}
+
+// For every pair of shapes, validated.
+template <Scalar S>
+DistanceResult<S>& careful_distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options,
+                                    const CastOptions<S>& checked, DistanceResult<S>& out) {
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const S R = cso.radius();
   Simplex<S> simplex;
-  Distance<S> d = gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex,
-                               options.tolerance > 0 ? limits.target : limits.fine(), R + limits.fine(),
-                               options.max_iterations, out.counters);
+  const Vec3<S> begin =
+      options.start.has_axis() ? Vec3<S>(options.start.axis.template cast<S>()) : Vec3<S>(-cso.middle());
+  Distance<S> d = gjk_distance([&cso](const Vec3<S>& n) { return cso.support(n); }, Vec3<S>(Vec3<S>::Zero()),
+                               begin, simplex, options.tolerance > 0 ? limits.target : limits.fine(),
+                               R + limits.fine(), options.max_iterations, out.counters);
   out.counters.iterations = out.counters.gjk_iterations;
-  if (d.stalled && d.upper - d.lower > limits.noise)
-    detail::steady_axis(d, cso, simplex, limits, out.counters);
+  if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
   const S apart = d.upper - R;
   // Nearer than rounding can tell is contact.
   if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
@@ -43,12 +84,39 @@ DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOpt
   out.lower = std::min(std::max(cso.to_length(d.lower - R), S(0)), out.upper);
   out.stalled = d.stalled && !(apart - (d.lower - R) <= limits.noise);
   if (!(out.lower > 0)) return out;
+  out.warm.axis = d.n.template cast<double>();
   if (asks_for(options.request, Request::normal)) out.normal = d.n;
   if (asks_for(options.request, Request::witnesses)) {
-    out.point_a = detail::witness(a, cso.side_a(), cso, simplex, d.n, true, S(0));
-    out.point_b = detail::witness(b, cso.side_b(), cso, simplex, d.n, false, S(0));
+    out.point_a = witness(a, cso.side_a(), cso, simplex, d.n, true, S(0));
+    out.point_b = witness(b, cso.side_b(), cso, simplex, d.n, false, S(0));
   }
   return out;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options) {
+  DistanceResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = validate(a, b, checked);
+  if (detail::refused(out, a, b, checked)) return out;
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_distance(GuidedPair<S>(a, b), options, out))
+    return out;
+  return detail::careful_distance(a, b, options, checked, out);
+}
+
+template <Scalar S>
+DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b, const DistanceOptions<S>& options) {
+  DistanceResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = detail::validate_prepared(a, b, checked);
+  if (detail::refused(out, a.body(), b.body(), checked)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_distance(GuidedPair<S>(*a.inner().guide, *b.inner().guide), options, out))
+    return out;
+  return detail::careful_distance(a.body(), b.body(), options, checked, out);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE

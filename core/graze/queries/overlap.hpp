@@ -2,39 +2,116 @@
 #pragma once
 
 #include <graze/distance.hpp>
+#include <graze/gjk/quick_gjk.hpp>
 #include <graze/overlap.hpp>
 #include <graze/portal/mpr.hpp>
+#include <graze/portal/quick_overlap.hpp>
+#include <graze/support/prepared_body.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
+namespace detail {
+
+// Of two polytopes, by MPR. False: nothing is claimed, and of `out` only the counters have changed.
 template <Scalar S>
-OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b) {
-  OverlapResult<S> out;
-  const CastOptions<S> options;
-  out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options)) return out;
+[[nodiscard]] bool quick_overlap_mpr(const GuidedPair<S>& pair, const WarmStart& start,
+                                     OverlapResult<S>& out) {
+  QuickOverlap<S> search(pair, out.counters);
+  const Outcome outcome = search.run(start);
+  out.counters.iterations = out.counters.portal_steps;
+  if (outcome == Outcome::not_converged) return false;
+  out.outcome = outcome;
+  if (outcome == Outcome::miss) out.normal = unit(search.axis().vector()).template cast<S>();
+  out.warm = search.warm(outcome);
+  return true;
+}
+// By GJK.
+template <Scalar S>
+[[nodiscard]] bool quick_overlap_gjk(const GuidedPair<S>& pair, const WarmStart& start,
+                                     OverlapResult<S>& out) {
+  PairSupport<S> support(pair, out.counters);
+  QuickGjk<S> gjk(support, out.counters);
+  const QuickState state = gjk.run(start, support.fine(), true, CastOptions<S>{}.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  // Of bodies that nearly touch the bracket decides, which is not asked for here.
+  if (state == QuickState::open || (state == QuickState::apart && !gjk.separated())) return false;
+  out.outcome = state == QuickState::apart ? Outcome::miss : Outcome::initially_overlapping;
+  if (state == QuickState::apart) out.normal = unit(gjk.axis().vector()).template cast<S>();
+  out.warm = gjk.warm();
+  return true;
+}
+
+// For every pair of shapes, validated.
+template <Scalar S>
+OverlapResult<S>& careful_overlap_mpr(const Body<S>& a, const Body<S>& b, OverlapResult<S>& out) {
   const Cso<S> cso(a, b);
-  const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, options), out.counters);
+  const Sweep<S> sweep = mpr_overlap(cso, sweep_limits(cso, CastOptions<S>{}), out.counters);
   out.outcome = sweep.outcome;
   if (sweep.outcome == Outcome::miss) out.normal = sweep.n;
   return out;
 }
-
 template <Scalar S>
-OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b) {
-  OverlapResult<S> out;
+OverlapResult<S>& careful_overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart& start,
+                                      OverlapResult<S>& out) {
   DistanceOptions<S> options;
   options.request = Request::normal;
+  options.start = start;
   const DistanceResult<S> d = distance(a, b, options);
-  out.invalid = d.invalid;
-  out.invalid_at = d.invalid_at;
-  out.counters = d.counters;
-  if (out.invalid != Invalid::none) return out;
+  out.counters += d.counters;
   out.normal = d.normal;
+  out.warm = d.warm;
   out.outcome = d.lower > 0    ? Outcome::miss
                 : d.upper == 0 ? Outcome::initially_overlapping
                                : Outcome::not_converged;
   return out;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> options;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options)) return out;
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_overlap_mpr(GuidedPair<S>(a, b), start, out))
+    return out;
+  return detail::careful_overlap_mpr(a, b, out);
+}
+template <Scalar S>
+OverlapResult<S> overlap_mpr(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> options;
+  out.invalid = detail::validate_prepared(a, b, options);
+  if (detail::refused(out, a.body(), b.body(), options)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_overlap_mpr(GuidedPair<S>(*a.inner().guide, *b.inner().guide), start, out))
+    return out;
+  return detail::careful_overlap_mpr(a.body(), b.body(), out);
+}
+
+template <Scalar S>
+OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> checked;
+  out.invalid = validate(a, b, checked);
+  if (detail::refused(out, a, b, checked)) return out;
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_overlap_gjk(GuidedPair<S>(a, b), start, out))
+    return out;
+  return detail::careful_overlap_gjk(a, b, start, out);
+}
+template <Scalar S>
+OverlapResult<S> overlap_gjk(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start) {
+  OverlapResult<S> out;
+  const CastOptions<S> checked;
+  out.invalid = detail::validate_prepared(a, b, checked);
+  if (detail::refused(out, a.body(), b.body(), checked)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_overlap_gjk(GuidedPair<S>(*a.inner().guide, *b.inner().guide), start, out))
+    return out;
+  return detail::careful_overlap_gjk(a.body(), b.body(), start, out);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE

@@ -3,11 +3,14 @@
 
 #include <graze/distance.hpp>
 #include <graze/gjk/epa.hpp>
+#include <graze/gjk/quick_epa.hpp>
+#include <graze/gjk/quick_gjk.hpp>
 #include <graze/penetration.hpp>
 #include <graze/portal/mpr.hpp>
 #include <graze/queries/line.hpp>
 #include <graze/standard/refine_axis.hpp>
 #include <graze/standard/witness.hpp>
+#include <graze/support/prepared_body.hpp>
 #include <graze/support/validate.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
@@ -67,10 +70,152 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
 }
 
 template <Scalar S>
-PenetrationResult<S> apart(PenetrationResult<S>& out, const Vec3<S>& n) {
+PenetrationResult<S>& no_contact(PenetrationResult<S>& out, const Vec3<S>& n) {
   out.outcome = Outcome::miss;
   out.upper = 0;
   out.normal = n;
+  return out;
+}
+
+// Of two polytopes. False: nothing is claimed, and of `out` only the counters have changed.
+template <Scalar S>
+[[nodiscard]] bool quick_penetration(const GuidedPair<S>& pair, const PenetrationOptions<S>& options,
+                                     PenetrationResult<S>& out) {
+  PairSupport<S> support(pair, out.counters);
+  QuickGjk<S> gjk(support, out.counters);
+  const double gap = options.tolerance > 0
+                         ? std::max(support.noise(), double(options.tolerance) * pair.size())
+                         : support.fine();
+  const QuickState state = gjk.run({}, gap, true, options.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  if (state == QuickState::apart && gjk.separated()) {
+    no_contact(out, Vec3<S>(unit(gjk.axis().vector()).template cast<S>()));
+    return true;
+  }
+  const int k = pair.length_exponent();
+  const auto fill = [&](double lower, double upper, const Triple& n, const std::array<std::uint32_t, 4>& of_a,
+                        const std::array<std::uint32_t, 4>& of_b, const std::array<double, 4>& lambda,
+                        int size) {
+    out.outcome = Outcome::initially_overlapping;
+    // A depth below zero, or a bound above the other, is rounding.
+    upper = std::max(upper, 0.0);
+    out.upper = static_cast<S>(upper * power_of_two(k));
+    out.lower = static_cast<S>(std::min(std::max(lower, 0.0), upper) * power_of_two(k));
+    if (asks_for(options.request, Request::normal)) out.normal = n.vector().template cast<S>();
+    if (asks_for(options.request, Request::witnesses)) {
+      out.point_a = pair_witness<S>(pair.a(), of_a, lambda, size, k);
+      out.point_b = pair_witness<S>(pair.b(), of_b, lambda, size, k);
+    }
+    return true;
+  };
+  QuickEpa<S> epa(support, out.counters);
+  std::array<PairVertex, 4> corner;
+  const auto expand = [&] {
+    if (!epa.run(corner, gap, options.max_iterations - out.counters.supports)) return false;
+    const PairVertex &a = epa.point(0), &b = epa.point(1), &c = epa.point(2);
+    return fill(epa.lower(), epa.upper(), epa.normal(), {a.vertex_a, b.vertex_a, c.vertex_a},
+                {a.vertex_b, b.vertex_b, c.vertex_b}, {epa.lambda()[0], epa.lambda()[1], epa.lambda()[2]}, 3);
+  };
+  const auto touches = [&](double h, const Triple& n) {
+    return fill(0, h, n, gjk.vertices(true), gjk.vertices(false), gjk.lambda(), gjk.size());
+  };
+  int size = gjk.size();
+  for (int i = 0; i < size; ++i) corner[static_cast<std::size_t>(i)] = gjk.point(i);
+  if (state == QuickState::enclosed) return expand();
+  if (state == QuickState::apart) {
+    // By less than rounding can tell from contact; the axis is one of depth nothing.
+    if (gjk.upper() <= support.noise() && !(gjk.lower() > support.fine()))
+      return touches(-gjk.lower(), gjk.axis());
+    if (!(gjk.lower() > 0)) return false;
+    no_contact(out, Vec3<S>(gjk.axis().vector().template cast<S>()));
+    return true;
+  }
+  if (state != QuickState::touching) return false;
+  // The origin on the simplex. C on one side of it: a depth of nothing. The axis before may show it.
+  if (const Triple& last = gjk.axis_before(); !is_small_direction(last)) {
+    const Triple n = (1 / std::sqrt(dot(last, last))) * last;
+    PairVertex farthest;
+    support.sure(n, farthest);
+    if (const double h = dot(n, farthest.w); h <= support.fine()) return touches(h, n);
+  }
+  // Else a tetrahedron with the simplex in it.
+  const auto widen = [&](const Triple& n) {
+    support.sure(n, corner[static_cast<std::size_t>(size)]);
+    ++size;
+  };
+  const auto across = [](const Triple& e) {
+    const Triple x = magnitude(e);
+    return cross(e, x.x <= x.y && x.x <= x.z ? Triple{1, 0, 0}
+                    : x.y <= x.z             ? Triple{0, 1, 0}
+                                             : Triple{0, 0, 1});
+  };
+  if (size == 1) widen({1, 0, 0});
+  if (size == 2) {
+    const Triple n = across(corner[1].w - corner[0].w);
+    if (is_small_direction(n)) return false;
+    widen(n);
+  }
+  const Triple &a = corner[0].w, &b = corner[1].w, &c = corner[2].w;
+  const Triple n = triple(unit(face_normal<double>(a.vector(), b.vector(), c.vector())));
+  for (const Triple& side : {n, -n}) {
+    if (is_small_direction(side)) return false;
+    support.sure(side, corner[3]);
+    if (const double h = dot(side, corner[3].w); h <= support.fine() && dot(side, a) >= -support.fine())
+      return touches(h, side);
+  }
+  return expand();
+}
+
+// For every pair of shapes, validated.
+template <Scalar S>
+PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
+                                          const PenetrationOptions<S>& options, const CastOptions<S>& checked,
+                                          PenetrationResult<S>& out) {
+  const Cso<S> cso(a, b);
+  const SweepLimits<S> limits = sweep_limits(cso, checked);
+  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
+  Simplex<S> simplex;
+  Distance<S> d =
+      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+  if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
+  const S apart = d.upper - R;
+  const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
+  if (!contact && d.lower - R > 0) return no_contact(out, d.n);
+  if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
+    // The origin outside the core: its distance, seen from inside.
+    refine_axis(cso, simplex, d, gap, out.counters);
+    if (d.upper - d.lower > std::max(gap, limits.noise)) {
+      steady_axis(d, cso, simplex, limits, out.counters);
+    }
+    out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
+    fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+    return out;
+  }
+  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
+  // its faces as to their neighbours.
+  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
+  const Epa<S> least =
+      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
+             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
+  if (!contact && !least.enclosed) {
+    // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
+    if (least.upper + R < -limits.noise) return no_contact(out, least.n);
+    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
+    if (overlap.outcome == Outcome::miss) return no_contact(out, overlap.n);
+    if (overlap.outcome != Outcome::initially_overlapping) {
+      out.outcome = Outcome::not_converged;
+      out.stalled = true;
+      return out;
+    }
+  }
+  // In contact no depth is below zero.
+  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
+                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
+  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
+  const bool touching = least.contact.size == 0 ||
+                        !(combination(least.contact).norm() <= std::max(least.upper, S(0)) + limits.noise);
+  fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
+                   touching ? simplex : least.contact);
   return out;
 }
 
@@ -82,53 +227,23 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   const CastOptions<S> checked = detail::checked(options);
   out.invalid = validate(a, b, checked);
   if (detail::refused(out, a, b, checked)) return out;
-  const Cso<S> cso(a, b);
-  const SweepLimits<S> limits = sweep_limits(cso, checked);
-  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
-  Simplex<S> simplex;
-  Distance<S> d =
-      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
-  if (d.stalled && d.upper - d.lower > limits.noise)
-    detail::steady_axis(d, cso, simplex, limits, out.counters);
-  const S apart = d.upper - R;
-  const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
-  if (!contact && d.lower - R > 0) return detail::apart(out, d.n);
-  if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
-    // The origin outside the core: its distance, seen from inside.
-    detail::refine_axis(cso, simplex, d, gap, out.counters);
-    if (d.upper - d.lower > std::max(gap, limits.noise)) {
-      detail::steady_axis(d, cso, simplex, limits, out.counters);
-    }
-    out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
-    detail::fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+  if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
+      detail::quick_penetration(GuidedPair<S>(a, b), options, out))
     return out;
-  }
-  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
-  // its faces as to their neighbours.
-  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
-  const Epa<S> least =
-      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
-             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
-  if (!contact && !least.enclosed) {
-    // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
-    if (least.upper + R < -limits.noise) return detail::apart(out, least.n);
-    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
-    if (overlap.outcome == Outcome::miss) return detail::apart(out, overlap.n);
-    if (overlap.outcome != Outcome::initially_overlapping) {
-      out.outcome = Outcome::not_converged;
-      out.stalled = true;
-      return out;
-    }
-  }
-  // In contact no depth is below zero.
-  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
-                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
-  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
-  const bool touching = least.contact.size == 0 || !(detail::combination(least.contact).norm() <=
-                                                     std::max(least.upper, S(0)) + limits.noise);
-  detail::fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
-                           touching ? simplex : least.contact);
-  return out;
+  return detail::careful_penetration(a, b, options, checked, out);
+}
+
+template <Scalar S>
+PenetrationResult<S> penetration(const Prepared<S>& a, const Prepared<S>& b,
+                                 const PenetrationOptions<S>& options) {
+  PenetrationResult<S> out;
+  const CastOptions<S> checked = detail::checked(options);
+  out.invalid = detail::validate_prepared(a, b, checked);
+  if (detail::refused(out, a.body(), b.body(), checked)) return out;
+  if (detail::both_guided(a, b) &&
+      detail::quick_penetration(GuidedPair<S>(*a.inner().guide, *b.inner().guide), options, out))
+    return out;
+  return detail::careful_penetration(a.body(), b.body(), options, checked, out);
 }
 
 template <Scalar S>
@@ -148,7 +263,7 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
   out.counters.iterations = out.counters.portal_steps;
   if (end.state == State::missed || (end.state == State::entered && -end.lower < -limits.noise))
-    return detail::apart(out, end.n);
+    return detail::no_contact(out, end.n);
   const detail::PortalView<S> view{cso, frame, S(1), out.counters};
   PortalSearch<S> begin = find_portal(view, limits.budget);
   if (begin.state == State::entered) {
@@ -157,13 +272,13 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   out.counters.iterations = out.counters.portal_steps;
   const bool undecided =
       begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
-  if (undecided && !holds_origin(begin, limits.noise)) return detail::apart(out, begin.facing);
+  if (undecided && !holds_origin(begin, limits.noise)) return detail::no_contact(out, begin.facing);
   const bool in_contact =
       begin.state == State::accepted ||
       (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);
   if (begin.state == State::rejected || begin.state == State::missed ||
       (begin.state == State::entered && !in_contact)) {
-    return detail::apart(out, begin.n);
+    return detail::no_contact(out, begin.n);
   }
   if (!in_contact) {
     out.outcome = Outcome::not_converged;

@@ -1,6 +1,7 @@
 // How a hull is prepared: its scan, declared in graze/hull.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <graze/hull.hpp>
 
@@ -30,9 +31,16 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     const S middle_i = low[i] / 2 + high[i] / 2, half_i = high[i] / 2 - low[i] / 2;
     if (std::abs(middle_i) > S(2.5) * half_i) center[i] = middle_i;
   }
-  S reach = 0;
-  for (const Vec3<S>& v : vertices) reach = std::max(reach, (v - center).cwiseAbs().maxCoeff());
-  exponent = reach > 0 ? std::ilogb(reach) : 0;
+  S most_of_all = 0;
+  for (const Vec3<S>& v : vertices)
+    most_of_all = std::max(most_of_all, (v - center).cwiseAbs().maxCoeff());
+  for (int i = 0; i < 3; ++i) {
+    const auto less = [i](const Vec3<S>& x, const Vec3<S>& y) { return x[i] < y[i]; };
+    const auto [least, greatest] = std::minmax_element(vertices.begin(), vertices.end(), less);
+    // Sixths are added: no sum of large numbers overflows.
+    for (const auto at : {least, greatest}) inside += (*at - center).template cast<double>() / 6;
+  }
+  exponent = most_of_all > 0 ? std::ilogb(most_of_all) : 0;
   // x 2^-exponent, rounded once if at all: by a product, where the power is a normal number.
   const bool normal = std::abs(exponent) < std::numeric_limits<S>::max_exponent - 2;
   const S power = normal ? static_cast<S>(power_of_two(-exponent)) : S(1);
@@ -52,6 +60,10 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     half[i] = (h - l) / 2;
     middle[i] = l + half[i];
   }
+  const Vec3<double> extent =
+      power_of_two(exponent) * (half.template cast<double>() + middle.cwiseAbs().template cast<double>());
+  size = extent.maxCoeff();
+  reach = std::sqrt(extent[0] * extent[0] + extent[1] * extent[1] + extent[2] * extent[2]) * (1 + 0x1p-50);
   // An offset below an eighth of the extent costs no more than that: not worth a second scan.
   if (!((middle.cwiseAbs() - half / 8).maxCoeff() <= 0)) {
     choice = scan;

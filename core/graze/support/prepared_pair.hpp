@@ -71,8 +71,8 @@ class Guide {
       guess_ = hull->guess_scan(0);
       padded_ = hull->padded_size();
       center_ = triple(hull->center());
-      const Triple half = triple(hull->scan_half_extents()), middle = triple(hull->scan_middle());
-      set_reach(power_of_two(hull->exponent()) * (half + magnitude(middle)));
+      size_ = hull->size_about_center();
+      reach_ = hull->reach_about_center();
     } else if (const auto* box = std::get_if<Box<S>>(&body.shape)) {
       kind_ = Kind::box;
       few_[0] = triple(box->half_extents);
@@ -98,6 +98,7 @@ class Guide {
     blur_ = side_->blur;
   }
 
+  [[nodiscard]] const Body<S>& body() const { return body_; }
   [[nodiscard]] double reach() const { return reach_; }
   // The largest of its bounds' coordinates, about the centre.
   [[nodiscard]] double size() const { return size_; }
@@ -182,6 +183,35 @@ class Guide {
     return to_world({x, y, z});
   }
   [[nodiscard, gnu::always_inline]] Triple at(std::uint32_t vertex) const { return to_world(own(vertex)); }
+  [[nodiscard]] bool has_vertex(std::uint32_t vertex) const {
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb:
+        return vertex < hull_->size();
+      case Kind::box:
+        return vertex < 8;
+      case Kind::few:
+        return vertex < count_;
+      case Kind::side:
+        return false;
+    }
+    return false;
+  }
+  // A point of the body, mostly of its inside, in world axes about the centre: within 8 u of the reach, and error().
+  [[nodiscard]] Triple inside() const {
+    switch (kind_) {
+      case Kind::hull:
+      case Kind::climb:
+        return to_world(unit_ * triple(hull_->inside()));
+      case Kind::few: {
+        if (count_ == 1) return to_world(few_[0]);
+        if (count_ == 2) return to_world(0.5 * (few_[0] + few_[1]));
+        return to_world((1.0 / 3) * (few_[0] + few_[1] + few_[2]));
+      }
+      default:
+        return {0, 0, 0};
+    }
+  }
   // In its own axes, about the centre, internal length; exact but for shapes through their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
     // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
@@ -307,7 +337,26 @@ class Guide {
 template <Scalar S>
 class GuidedPair {
  public:
-  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) {
+  GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) { prepare(a, b); }
+  // Of guides that nothing was prepared with.
+  GuidedPair(const Guide<S>& a, const Guide<S>& b) : a_(a), b_(b) { prepare(a.body(), b.body()); }
+
+  [[nodiscard]] const Guide<S>& a() const { return a_; }
+  [[nodiscard]] const Guide<S>& b() const { return b_; }
+  [[nodiscard]] const Triple& offset() const { return offset_; }
+  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
+  // pair's scale.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
+  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
+  // r = v 2^-j, within u per component; zero if nothing moves.
+  [[nodiscard]] const Triple& direction() const { return r_; }
+  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
+  [[nodiscard]] int length_exponent() const { return k_; }
+  [[nodiscard]] int speed_exponent() const { return j_; }
+
+ private:
+  [[gnu::always_inline]] void prepare(const Body<S>& a, const Body<S>& b) {
     const Triple& c_a = a_.center();
     const Triple& c_b = b_.center();
     Triple d;
@@ -334,21 +383,6 @@ class GuidedPair {
     r_ = power_of_two(-j_) * v;
   }
 
-  [[nodiscard]] const Guide<S>& a() const { return a_; }
-  [[nodiscard]] const Guide<S>& b() const { return b_; }
-  [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
-  // pair's scale.
-  [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
-  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
-  // r = v 2^-j, within u per component; zero if nothing moves.
-  [[nodiscard]] const Triple& direction() const { return r_; }
-  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
-  [[nodiscard]] int length_exponent() const { return k_; }
-  [[nodiscard]] int speed_exponent() const { return j_; }
-
- private:
   Guide<S> a_, b_;
   Triple offset_{}, r_{};
   double extent_ = 0, size_ = 0, offset_error_ = 0;
