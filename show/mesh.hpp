@@ -21,8 +21,14 @@ struct Mesh {
   bool curved = false;
 };
 
+// Of the directions in which a curved shape is sampled: so many around, a multiple of four, and from pole to pole.
+struct Grid {
+  int meridians = 40, parallels = 20;
+};
+inline constexpr Grid kFine = {}, kCoarse = {24, 12};
+
 // In the shape's frame. `towards`: the direction, in that frame, in which the shape touches; zero for none.
-[[nodiscard]] Mesh mesh_of(const Shape<double>& shape, const draw::Vec& towards);
+[[nodiscard]] Mesh mesh_of(const Shape<double>& shape, const draw::Vec& towards, Grid grid = kFine);
 
 // C = A - B + ball(margin) of the bodies as they stand; `normal` is that of C where it touches, zero for none.
 [[nodiscard]] Mesh mesh_of_difference(const Shape<double>& a, const draw::Pose& at_a, const Shape<double>& b,

@@ -18,6 +18,7 @@
 #include "properties/judge/judge.hpp"
 #include "show/features.hpp"
 #include "show/mesh.hpp"
+#include "show/mesh_json.hpp"
 
 namespace graze::show {
 namespace {
@@ -39,20 +40,6 @@ Json triple(const Vec3<double>& x) { return {x[0], x[1], x[2]}; }
 Json triple(const Vec& x) { return triple(Vec3<double>(x.cast<double>())); }
 Json interval(double lower, double upper) { return {{"lower", number(lower)}, {"upper", number(upper)}}; }
 Json enclosure(const oracle::Enclosure& x) { return interval(x.low, x.high); }
-
-Json mesh_json(const Mesh& mesh) {
-  Json vertices = Json::array(), triangles = Json::array(), edges = Json::array();
-  for (const Vec3<double>& x : mesh.vertices) {
-    for (int i = 0; i < 3; ++i) vertices.push_back(x[i]);
-  }
-  for (const auto& triangle : mesh.triangles) {
-    for (const int i : triangle) triangles.push_back(i);
-  }
-  for (const auto& edge : mesh.edges) {
-    for (const int i : edge) edges.push_back(i);
-  }
-  return {{"curved", mesh.curved}, {"vertices", vertices}, {"triangles", triangles}, {"edges", edges}};
-}
 
 struct ShapeName {
   const char* operator()(const Point<double>&) const { return "point"; }
@@ -114,7 +101,7 @@ class Document {
       : problem_(problem), settings_(settings), scene_(draw::make_scene(problem)), truth_(problem) {}
 
   Json operator()(std::span<const Method* const> claimed) {
-    out_ = {{"schema", "graze.scene/1"},
+    out_ = {{"schema", "graze.shown/1"},
             {"id", problem_.id},
             {"family", problem_.family},
             {"comment", problem_.comment},

@@ -1,20 +1,21 @@
-// The page: what its data says it is. graze.page/1: {"kind": "show", "certify" or "price", "title", "scenes": […], …}.
+// The page: what its data says it is. graze.page/1: {"kind": "show", "play", "certify" or "price", "title", "scenes": […], …}.
 import { h } from "./dom.js";
 import { sceneView } from "./scene.js";
+import { playView } from "./play.js";
 import { reportPage } from "./report.js";
 
-// One case, or one of several that are chosen by a list.
-function showPage(page, data) {
+// One of what there is to see, or of several the one that is chosen from a list.
+function showPage(page, data, viewOf) {
   const holder = h("div", { class: "holder" });
   let open = null;
   const show = (scene) => {
     open?.dispose();
-    open = sceneView(scene, data.scenes.length > 1 ? "h2" : "h1");
+    open = viewOf(scene, data.scenes.length > 1 ? "h2" : "h1");
     holder.replaceChildren(open.element);
   };
   if (data.scenes.length > 1) {
     page.append(h("h1", {}, data.title));
-    const choose = h("select", { "aria-label": "case", onchange: () => show(data.scenes[Number(choose.value)]) },
+    const choose = h("select", { "aria-label": data.kind === "play" ? "scene" : "case", onchange: () => show(data.scenes[Number(choose.value)]) },
       data.scenes.map((scene, i) => h("option", { value: i },
         `${scene.id}${scene.answers?.some((answer) => answer.fault) ? ": an answer is at fault" : ""}`)));
     const step = (by) => () => {
@@ -30,7 +31,8 @@ function showPage(page, data) {
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const page = document.getElementById("page");
-if (data.kind === "show") showPage(page, data);
+if (data.kind === "show") showPage(page, data, sceneView);
+else if (data.kind === "play") showPage(page, data, playView);
 else reportPage(page, data);
 page.append(h("footer", { class: "small" }, h("details", {}, h("summary", {}, "Licences of what draws this page"),
   h("pre", { class: "licences", tabindex: 0 }, document.getElementById("licences").textContent))));

@@ -14,7 +14,7 @@ const kMostZoom = 1e7, kLeastZoom = 0.05;
 const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
 
 // A mesh of a scene, ready to be placed again and again.
-class Solid {
+export class Solid {
   constructor(mesh, name) {
     this.name = name;
     this.vertices = triples(mesh.vertices);
@@ -98,6 +98,7 @@ export class Stage {
     this.view = view;
     this.solids = [];
     this.draw = () => {};
+    this.before = () => {};
     this.everything = () => [[0, 0, 0]];
     this.svg = h("svg:svg", { class: "over", "aria-hidden": "true" });
     this.corner = h("div", { class: "corner" });
@@ -146,6 +147,12 @@ export class Stage {
     this.solids.push(solid);
     this.scene.add(solid.group);
     return solid;
+  }
+
+  remove(solid) {
+    this.solids = this.solids.filter((one) => one !== solid);
+    this.scene.remove(solid.group);
+    solid.dispose();
   }
 
   // From the scene's own view, turned by so many radians to the side and up.
@@ -265,12 +272,14 @@ export class Stage {
     this.direct = (d) => [e[0] * d[0] + e[4] * d[1] + e[8] * d[2], -(e[1] * d[0] + e[5] * d[1] + e[9] * d[2])];
     for (const solid of this.solids) {
       const clear = this.seeThrough;
+      if (!solid.placed) continue;
       solid.material.color.set(this.colour(solid.name));
       solid.lineMaterial.color.set(this.colour(`${solid.name}-line`));
       solid.material.transparent = clear || solid.pale === true;
       solid.material.opacity = clear ? 0.3 : solid.pale ? 0.55 : 1;
       solid.material.depthWrite = !clear && !solid.pale;
     }
+    this.before();
     this.renderer?.render(this.scene, this.camera);
     this.svg.replaceChildren();
     if (!this.renderer) for (const solid of this.solids) this.outline(solid.placed, `body ${solid.name}`);
