@@ -73,6 +73,7 @@ export class Crowd {
         instances.setColorAt(k, colour.set(of.get(member.kind)));
       });
       if (instances.instanceColor) instances.instanceColor.needsUpdate = true;
+      if (material.transparent !== clear) material.needsUpdate = true; // its shader knows whether it is opaque
       material.transparent = clear;
       material.opacity = clear ? 0.16 : 1;
       material.depthWrite = !clear;

@@ -67,7 +67,7 @@ class Play {
       return most;
     });
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    const corners = [];
+    const corners = [], moving = [];
     for (const body of bodies) {
       for (const t of moves(body) ? [0, this.last] : [0]) {
         const middle = poseAt(body, t).position, r = reach[body.shape];
@@ -78,14 +78,23 @@ class Play {
       }
       for (let i = 0; i < data.shapes[body.shape].mesh.vertices.length && corners.length < 20000; i += 3) {
         const x = data.shapes[body.shape].mesh.vertices.slice(i, i + 3);
-        for (const t of moves(body) ? [0, this.last] : [0]) corners.push(place(poseAt(body, t), x));
+        for (const t of moves(body) ? [0, this.last] : [0]) (moves(body) ? moving : corners).push(place(poseAt(body, t), x));
       }
     }
     const focus = bodies.length ? times(0.5, add(low, high)) : [0, 0, 0];
     const size = bodies.length ? norm(sub(high, low)) : 1;
     const stage = (this.stage = new Stage({ label: "All bodies at the time of the slider", name: "bodies", focus, size, view: kView }));
-    const all = corners.map(stage.to);
-    stage.everything = () => (all.length ? all : [[0, 0, 0]]);
+    const that_moves = moving.map(stage.to), all = [...corners.map(stage.to), ...that_moves];
+    const whole = () => (all.length ? all : [[0, 0, 0]]);
+    stage.everything = whole;
+    // At first what moves, where the rest would make it small.
+    stage.ready = () => {
+      const reach = stage.reach();
+      stage.everything = () => that_moves;
+      const { middle } = stage.extent(), own = that_moves.length ? stage.reach() : Infinity;
+      stage.everything = whole;
+      if (own < 0.6 * reach) stage.aim(middle, stage.half / (1.3 * own));
+    };
     this.reach = reach;
     this.members = new Map(bodies.map((body) => [body, { mesh: body.shape, poseAt: (t) => poseAt(body, t),
       kind: !moves(body) ? "c" : norm(body.rotation) > 0 ? "turning" : "moving" }]));
@@ -116,6 +125,11 @@ class Play {
         stage.outline(points, "ghost");
       }
       for (const hit of line ? hits : []) stage.dot(stage.to(hit), "contact", 2.5);
+    }
+    // Of a body that is too small to be seen, where it is.
+    for (const [body, member] of this.members) {
+      if ((this.reach[body.shape] / stage.size) * stage.pixels < 2 && !this.crowd.hidden.has(member))
+        stage.dot(stage.to(member.poseAt(event?.of_probe ? 0 : this.time).position), `small ${member.kind}`, 1.8);
     }
     for (const one of this.events) {
       if (one.of_probe || !one.point_a || one.time > this.time || this.time - one.time > kFlash * this.last) continue;
@@ -211,12 +225,13 @@ class Play {
     const line = this.lines[i];
     line.setAttribute("aria-selected", "true");
     this.list.setAttribute("aria-activedescendant", line.id);
-    const top = line.offsetTop - this.list.offsetTop;
-    if (top < this.list.scrollTop || top + line.offsetHeight > this.list.scrollTop + this.list.clientHeight) this.list.scrollTop = top - this.list.clientHeight / 3;
     const pair = this.who(event);
     this.pair = pair.map((body, k) => Object.assign(stage.add(this.data.shapes[body.shape].mesh, "ab"[k]), { body }));
     for (const name of event.of_probe ? [event.b] : [event.a, event.b]) crowd.hidden.add(this.members.get(this.byName.get(name)));
     this.about.replaceChildren(...this.tell(event));
+    // Within the list, whose height the words beside it have changed; the page itself stays.
+    const top = line.offsetTop;
+    if (top < this.list.scrollTop || top + line.offsetHeight > this.list.scrollTop + this.list.clientHeight) this.list.scrollTop = top - this.list.clientHeight / 3;
     this.show(event.time);
     this.frame("pair");
   }
@@ -260,7 +275,7 @@ class Play {
       else this.show(Math.max(0, Math.min(last, (last * x) / width)));
     } }, marks.map(({ event, i }) => h("i", { style: `left: ${(100 * event.time) / last}%`, class: event.outcome, "data-event": i })));
     const step = (by) => () => this.choose((Math.max(this.chosen, by > 0 ? -1 : 0) + by + events.length) % events.length);
-    return h("div", { class: "timeline" }, this.strip, h("div", { class: "slide" }, this.button, this.slider, this.clock),
+    return h("div", { class: "timeline" }, h("div", { class: "slide low" }, this.button, h("div", { class: "track" }, this.strip, this.slider), this.clock),
       events.length > 0 && h("div", { class: "marks" }, h("button", { type: "button", class: "tool", onclick: step(-1) }, "Event before"),
         h("button", { type: "button", class: "tool", onclick: step(1) }, "Next event"),
         h("button", { type: "button", class: "tool", onclick: () => this.choose(-1) }, "All bodies"),
