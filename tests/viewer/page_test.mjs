@@ -127,6 +127,8 @@ async function checkPlay(page, name) {
   await page.settle();
   const next = await page.value(`[...document.querySelectorAll('[role="option"]')].findIndex((line) => line.getAttribute("aria-selected") === "true")`);
   check(next === Number(lone.event) + 1, `${name}: after event ${lone.event} ArrowDown takes ${next}`);
+  await page.key("End", { keyCode: 35 });
+  await page.settle();
   check(await page.value(`(() => { const line = document.querySelector('[aria-selected="true"]').getBoundingClientRect(), list = document.querySelector('[role="listbox"]').getBoundingClientRect(); return line.top >= list.top - 1 && line.bottom <= list.bottom + 1; })()`), `${name}: the chosen line is out of sight`);
   await page.value(`[...document.querySelectorAll(".marks button")].find((one) => one.textContent === "All bodies").click()`);
   await page.value(`document.querySelector(".slide button").click()`);

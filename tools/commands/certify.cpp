@@ -205,7 +205,8 @@ int show_laws(const Arguments& arguments) {
                              .seed = arguments.seed,
                              .threads = arguments.threads,
                              .corpus = arguments.corpus,
-                             .save = arguments.save});
+                             .save = arguments.save,
+                             .report = arguments.report});
   return with_left_behind(engines, code);
 }
 
@@ -519,8 +520,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--report", arguments->report,
                    "Write the report into this folder: index.html, one file to look at, which needs no "
-                   "network, and what "
-                   "was counted, certification.json")
+                   "network, and what was counted, certification.json; with --laws, the smallest broken cases, "
+                   "cases.jsonl")
       ->type_name("DIR");
   command
       ->add_option(

@@ -17,7 +17,7 @@ function showPage(page, data, viewOf) {
     page.append(h("h1", {}, data.title));
     const choose = h("select", { "aria-label": data.kind === "play" ? "scene" : "case", onchange: () => show(data.scenes[Number(choose.value)]) },
       data.scenes.map((scene, i) => h("option", { value: i },
-        `${scene.id}${scene.answers?.some((answer) => answer.fault) ? ": an answer is at fault" : ""}`)));
+        `${scene.id}${scene.broken ? `: ${scene.broken.law} is broken` : scene.answers?.some((answer) => answer.fault) ? ": an answer is at fault" : ""}`)));
     const step = (by) => () => {
       choose.value = String((Number(choose.value) + by + data.scenes.length) % data.scenes.length);
       show(data.scenes[Number(choose.value)]);
@@ -26,7 +26,8 @@ function showPage(page, data, viewOf) {
       h("button", { type: "button", class: "tool", onclick: step(1) }, "Next")));
   }
   page.append(holder);
-  show(data.scenes[0]);
+  if (data.scenes.length === 0) page.append(h("h1", {}, data.title));
+  else show(data.scenes[0]);
 }
 
 const data = JSON.parse(document.getElementById("data").textContent);

@@ -60,6 +60,7 @@ class SceneView {
     return h("header", {},
       h(this.heading, {}, scene.id),
       h("p", { class: "result" }, scene.result, scene.margin ? `; ${scene.margin.name}: ${short(scene.margin.length)}` : ""),
+      scene.broken && h("p", { class: "fault" }, h("strong", {}, `Broken: ${scene.broken.law}. `), `${scene.broken.sentence} ${plain(scene.broken.words)}`),
       this.wrong.map((answer) => h("p", { class: "fault" },
         h("strong", {}, answer.label), answer.failed ? " gives no answer that can be taken" : ` claims ${words(answer.outcome)}`,
         Number.isFinite(lower(answer)) ? ` at t = ${full(lower(answer))}` : "", `: ${plain(answer.fault)}`)),
