@@ -18,8 +18,9 @@ using draw::Real;
 using draw::Vec;
 using Support = std::function<Vec(const Vec&)>;
 
-// Of the rings: 20 of them halve the angle to 3e-5 degrees, where the mesh is off by 1e-13 of a radius.
-constexpr int kRings = 20, kRingDirections = 12;
+constexpr int kLeastRings = 4, kMostRings = 20, kRingDirections = 12;
+// Of a difference, whose contact nobody magnifies as they do the bodies': the last ring is at 0.1 degrees.
+constexpr Grid kOfDifference = {28, 14, 8};
 constexpr Real kFirstRing = 0.3L;  // radians
 // The hull of more differences than these is not formed; the difference is then sampled as a curved shape is.
 constexpr std::size_t kMostDifferences = 4096;
@@ -121,7 +122,7 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards, Gr
     const Vec n = towards.normalized(), first = n.unitOrthogonal(), second = n.cross(first);
     points.emplace_back(support(n).cast<double>());
     Real angle = kFirstRing;
-    for (int k = 0; k < kRings; ++k, angle /= 2) {
+    for (int k = 0; k < grid.rings; ++k, angle /= 2) {
       for (int i = 0; i < kRingDirections; ++i) {
         const Real turn = 2 * std::numbers::pi_v<Real> * (i + Real(k % 2) / 2) / kRingDirections;
         const Vec side = std::cos(turn) * first + std::sin(turn) * second;
@@ -133,6 +134,14 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards, Gr
 }
 
 }  // namespace
+
+int rings_for(double length, double size) {
+  // Within the last ring, at the angle a, the mesh is short by a^2/2 of a radius, of half the size at most.
+  int rings = 1;
+  for (Real angle = kFirstRing; rings < kMostRings && angle * angle / 4 * Real(size) >= Real(length); angle /= 2)
+    ++rings;
+  return std::max(rings, kLeastRings);
+}
 
 Mesh mesh_of(const Shape<double>& shape, const Vec& towards, Grid grid) {
   if (const std::optional<std::vector<Vec>> vertices = draw::polytope_vertices(shape)) {
@@ -164,7 +173,7 @@ Mesh mesh_of_difference(const Shape<double>& a, const Pose& at_a, const Shape<do
     return Vec(at_a.rotation * in_a - at_b.rotation * in_b + (at_a.position - at_b.position) +
                Real(margin) * n.normalized());
   };
-  return hull_mesh(sampled(support, normal, kFine), true);
+  return hull_mesh(sampled(support, normal, kOfDifference), true);
 }
 
 }  // namespace graze::show

@@ -169,8 +169,7 @@ class SceneView {
 
   makeDifference() {
     const { scene } = this;
-    // The creases of a sampled difference are where samples happen to lie.
-    const mesh = scene.cso.mesh.curved ? { ...scene.cso.mesh, edges: [] } : scene.cso.mesh;
+    const mesh = scene.cso.mesh;
     const xs = [0, 1, 2].map((i) => mesh.vertices.filter((_, k) => k % 3 === i));
     const low = xs.map((x) => Math.min(...x)), high = xs.map((x) => Math.max(...x));
     const size = norm(sub(high, low));
