@@ -138,7 +138,8 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards, Gr
 int rings_for(double length, double size) {
   // Within the last ring, at the angle a, the mesh is short by a^2/2 of a radius, of half the size at most.
   int rings = 1;
-  for (Real angle = kFirstRing; rings < kMostRings && angle * angle / 4 * Real(size) >= Real(length); angle /= 2)
+  for (Real angle = kFirstRing; rings < kMostRings && angle * angle / 4 * Real(size) >= Real(length);
+       angle /= 2)
     ++rings;
   return std::max(rings, kLeastRings);
 }

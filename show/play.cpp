@@ -55,8 +55,9 @@ std::vector<bool> drawn(std::size_t n, const scene::Report& report, std::size_t 
 // What was cast and what was not, in a sentence; the counts behind it are the lines of to_text(Counts).
 std::string spared_sentence(const Counts& counts) {
   const std::uint64_t casts = counts.effects[1] + counts.effects[2] + counts.effects[3];
-  std::string text = fmt::format("Of {} pairs {} were simulated: {} by a static overlap, {} linear, {} rotating.",
-                                 counts.pairs, casts, counts.effects[1], counts.effects[2], counts.effects[3]);
+  std::string text =
+      fmt::format("Of {} pairs {} were simulated: {} by a static overlap, {} linear, {} rotating.",
+                  counts.pairs, casts, counts.effects[1], counts.effects[2], counts.effects[3]);
   std::string why;
   const auto add = [&](std::uint64_t number, const char* words) {
     if (number > 0) why += fmt::format("{}{} {}", why.empty() ? "" : ", ", number, words);
@@ -68,7 +69,8 @@ std::string spared_sentence(const Counts& counts) {
   add(counts.moot, "were made moot by an earlier event");
   add(counts.unfinished, "were left undone when the run was interrupted");
   if (!why.empty()) text += " Of the others " + why + ".";
-  if (counts.shortened > 0) text += fmt::format(" {} were cast no farther than to an earlier event.", counts.shortened);
+  if (counts.shortened > 0)
+    text += fmt::format(" {} were cast no farther than to an earlier event.", counts.shortened);
   return text;
 }
 

@@ -230,7 +230,8 @@ TEST_P(LawSins, BreakLaws) {
 TEST(LawsOfAnEngine, BrokenMakeAPageThatShowsThem) {
   const Folder folder;
   write_balls(folder);
-  const CommandRun run = folder.graze("certify --laws --law never_late --report out balls.jsonl " + engine("late"));
+  const CommandRun run =
+      folder.graze("certify --laws --law never_late --report out balls.jsonl " + engine("late"));
   expect_says(run, 1, {"broken: never_late by bad/double", "The report is out/index.html"});
   // The command that it names shows the saved case.
   const std::size_t begin = run.out.find("  look     graze ");

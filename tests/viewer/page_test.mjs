@@ -209,6 +209,7 @@ try {
         check(!other || (await page.value(`Boolean(document.querySelector("dialog[open]"))`)), `${name}: a cell of the table opens nothing`);
       }
       if (kind === "price" && first) {
+        check(/^A table has (\d+ to )?\d+ cases/.test(await page.value(`document.querySelector("#sizes")?.textContent ?? ""`)), `${name}: the number of cases is not said`);
         const marks = await page.value(`document.querySelectorAll(".point > [tabindex]").length`);
         check(marks > 0, `${name}: no mark of a figure can be pointed at`);
         const before = await page.value(`document.querySelector("#diagrams svg").outerHTML.length`);

@@ -131,7 +131,8 @@ std::vector<corpus::Case> smallest_cases(const LawCertification& certification) 
 }
 
 void write_cases(OutputFile& file, const LawCertification& certification) {
-  for (const corpus::Case& problem : smallest_cases(certification)) file.write_line(corpus::write_case(problem));
+  for (const corpus::Case& problem : smallest_cases(certification))
+    file.write_line(corpus::write_case(problem));
   file.close();
 }
 
@@ -149,8 +150,8 @@ void write_report(const LawArguments& arguments, const LawCertification& certifi
   std::string plain;
   for (const LawBreach& breach : certification.breaches) {
     const law::Finding& finding = breach.finding;
-    const std::string words = fmt::format("{} broke {}, {} times: {}", finding.method, finding.law, breach.times,
-                                          finding.reason);
+    const std::string words =
+        fmt::format("{} broke {}, {} times: {}", finding.method, finding.law, breach.times, finding.reason);
     plain += fmt::format("{}\n  {}\n", words, look_command(breach, file));
     if (scenes.size() == kMostShown) continue;
     std::vector<const engine::Method*> asked;
@@ -158,16 +159,18 @@ void write_report(const LawArguments& arguments, const LawCertification& certifi
       if (selects(finding.method, method)) asked.push_back(&method);
     }
     for (const engine::Method& method : others) {
-      if (method.full_name() == finding.method || method.question_name() == finding.method) asked.push_back(&method);
+      if (method.full_name() == finding.method || method.question_name() == finding.method)
+        asked.push_back(&method);
     }
     show::Json scene = show::scene_of(law::as_case(finding), asked, {.command = look_command(breach, file)});
     scene["broken"] = {{"law", finding.law}, {"words", words}, {"sentence", finding.sentence}};
     scenes.push_back(std::move(scene));
   }
-  const std::string title = certification.breaches.empty() ? "graze: every law holds"
-                            : certification.breaches.size() == 1
-                                ? "graze: a law is broken"
-                                : fmt::format("graze: laws are broken {} times", certification.breaches.size());
+  const std::string title =
+      certification.breaches.empty() ? "graze: every law holds"
+      : certification.breaches.size() == 1
+          ? "graze: a law is broken"
+          : fmt::format("graze: laws are broken {} times", certification.breaches.size());
   OutputFile page((folder / "index.html").string());
   const std::string html = show::page_html(
       title, {{"schema", "graze.page/1"}, {"kind", "show"}, {"title", title}, {"scenes", std::move(scenes)}},
@@ -264,9 +267,10 @@ int run_laws(const LawArguments& arguments) {
   fmt::print("{} laws over {} cases\n\n", settings.laws.size(), certification.cases);
   if (!others.empty()) fmt::print("{}\n", other_law_table(certification, settings));
   if (!arguments.methods.empty()) print_ours(certification, settings);
-  const std::string file = !arguments.save.empty()     ? arguments.save
-                           : !arguments.report.empty() ? (std::filesystem::path(arguments.report) / "cases.jsonl").string()
-                                                       : "";
+  const std::string file = !arguments.save.empty() ? arguments.save
+                           : !arguments.report.empty()
+                               ? (std::filesystem::path(arguments.report) / "cases.jsonl").string()
+                               : "";
   for (const LawBreach& breach : certification.breaches) print_breach(breach, file);
   const bool held = certification.breaches.empty();
   fmt::print("{}\n", held ? "Every law holds." : "A law is broken.");

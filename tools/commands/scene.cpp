@@ -171,7 +171,8 @@ class Run {
                                                  : fmt::format("graze: {} scenes", plays_.size());
     const std::string html = show::page_html(
         title,
-        {{"schema", "graze.page/1"}, {"kind", "play"}, {"title", title}, {"scenes", std::move(plays_)}}, plain_);
+        {{"schema", "graze.page/1"}, {"kind", "play"}, {"title", title}, {"scenes", std::move(plays_)}},
+        plain_);
     OutputFile out(page_file());
     out.write_line(html.substr(0, html.size() - 1));
     out.close();
