@@ -71,6 +71,7 @@ std::string report(const Finding& finding) {
   if (kTarget.judge) {
     text += fmt::format("case: {}\nnumbers:{}\n", corpus::write_case(finding.problem),
                         hexfloats(finding.problem));
+    text += "look: graze show case.json --method all --out case.html, the case saved as case.json\n";
   }
   return text + finding.sides;
 }

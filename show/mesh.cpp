@@ -18,10 +18,9 @@ using draw::Real;
 using draw::Vec;
 using Support = std::function<Vec(const Vec&)>;
 
-// Of the grid of directions; a multiple of four, so that it has the axes.
-constexpr int kMeridians = 40, kParallels = 20;
-// Of the rings: 20 of them halve the angle to 3e-5 degrees, where the mesh is off by 1e-13 of a radius.
-constexpr int kRings = 20, kRingDirections = 12;
+constexpr int kLeastRings = 4, kMostRings = 20, kRingDirections = 12;
+// Of a difference, whose contact nobody magnifies as they do the bodies': the last ring is at 0.1 degrees.
+constexpr Grid kOfDifference = {28, 14, 8};
 constexpr Real kFirstRing = 0.3L;  // radians
 // The hull of more differences than these is not formed; the difference is then sampled as a curved shape is.
 constexpr std::size_t kMostDifferences = 4096;
@@ -89,7 +88,7 @@ Mesh hull_mesh(const std::vector<Vec3<double>>& points, bool curved) {
 }
 
 // Points of a curved set, by its support mapping.
-std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards) {
+std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards, Grid grid) {
   Vec half;
   for (int i = 0; i < 3; ++i) half[i] = (support(Vec::Unit(i))[i] - support(Vec(-Vec::Unit(i)))[i]) / 2;
   const Real most = half.maxCoeff();
@@ -110,11 +109,11 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards) {
                      n[2] / std::max(half[2], most / 1000));
     if (half.minCoeff() < Real(0.7) * most) add_coarse(scaled);
   };
-  for (int j = 0; j <= kParallels; ++j) {
-    const Real latitude = std::numbers::pi_v<Real> * (Real(j) / kParallels - Real(0.5));
-    const int around = j == 0 || j == kParallels ? 1 : kMeridians;
+  for (int j = 0; j <= grid.parallels; ++j) {
+    const Real latitude = std::numbers::pi_v<Real> * (Real(j) / grid.parallels - Real(0.5));
+    const int around = j == 0 || j == grid.parallels ? 1 : grid.meridians;
     for (int i = 0; i < around; ++i) {
-      const Real longitude = 2 * std::numbers::pi_v<Real> * i / kMeridians;
+      const Real longitude = 2 * std::numbers::pi_v<Real> * i / grid.meridians;
       const Real across = around == 1 ? 0 : std::cos(latitude);
       add_both(Vec(across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude)));
     }
@@ -123,7 +122,7 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards) {
     const Vec n = towards.normalized(), first = n.unitOrthogonal(), second = n.cross(first);
     points.emplace_back(support(n).cast<double>());
     Real angle = kFirstRing;
-    for (int k = 0; k < kRings; ++k, angle /= 2) {
+    for (int k = 0; k < grid.rings; ++k, angle /= 2) {
       for (int i = 0; i < kRingDirections; ++i) {
         const Real turn = 2 * std::numbers::pi_v<Real> * (i + Real(k % 2) / 2) / kRingDirections;
         const Vec side = std::cos(turn) * first + std::sin(turn) * second;
@@ -136,13 +135,22 @@ std::vector<Vec3<double>> sampled(const Support& support, const Vec& towards) {
 
 }  // namespace
 
-Mesh mesh_of(const Shape<double>& shape, const Vec& towards) {
+int rings_for(double length, double size) {
+  // Within the last ring, at the angle a, the mesh is short by a^2/2 of a radius, of half the size at most.
+  int rings = 1;
+  for (Real angle = kFirstRing; rings < kMostRings && angle * angle / 4 * Real(size) >= Real(length);
+       angle /= 2)
+    ++rings;
+  return std::max(rings, kLeastRings);
+}
+
+Mesh mesh_of(const Shape<double>& shape, const Vec& towards, Grid grid) {
   if (const std::optional<std::vector<Vec>> vertices = draw::polytope_vertices(shape)) {
     std::vector<Vec3<double>> points;
     for (const Vec& vertex : *vertices) points.emplace_back(vertex.cast<double>());
     return hull_mesh(points, false);
   }
-  return hull_mesh(sampled([&](const Vec& n) { return draw::support_point(shape, n); }, towards), true);
+  return hull_mesh(sampled([&](const Vec& n) { return draw::support_point(shape, n); }, towards, grid), true);
 }
 
 Mesh mesh_of_difference(const Shape<double>& a, const Pose& at_a, const Shape<double>& b, const Pose& at_b,
@@ -166,7 +174,7 @@ Mesh mesh_of_difference(const Shape<double>& a, const Pose& at_a, const Shape<do
     return Vec(at_a.rotation * in_a - at_b.rotation * in_b + (at_a.position - at_b.position) +
                Real(margin) * n.normalized());
   };
-  return hull_mesh(sampled(support, normal), true);
+  return hull_mesh(sampled(support, normal, kOfDifference), true);
 }
 
 }  // namespace graze::show

@@ -120,4 +120,11 @@ class Findings:
     def _save_case(self, target: Target, name: str) -> None:
         text = self._call([self.programs.replay(target), "--print", str(self.root / target.name / name)])
         if text.lstrip().startswith("{"):
-            (self.root / "reports" / f"{target.name}.{name}.json").write_text(text, encoding="utf-8")
+            file = self.root / "reports" / f"{target.name}.{name}.json"
+            file.write_text(text, encoding="utf-8")
+            with self.report(target, name).open("a", encoding="utf-8") as report:
+                report.write(f"\nlook: graze show {self._shown(file)} --method all --out case.html\n")
+
+    def _shown(self, file: Path) -> Path:
+        """As from the project's root, if it lies there."""
+        return file.relative_to(self.programs.source) if file.is_relative_to(self.programs.source) else file

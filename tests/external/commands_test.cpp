@@ -227,6 +227,24 @@ TEST_P(LawSins, BreakLaws) {
               {words, "A law is broken"});
   EXPECT_FALSE(corpus::read_file(folder.path() / "bad.jsonl").cases.empty());
 }
+TEST(LawsOfAnEngine, BrokenMakeAPageThatShowsThem) {
+  const Folder folder;
+  write_balls(folder);
+  const CommandRun run =
+      folder.graze("certify --laws --law never_late --report out balls.jsonl " + engine("late"));
+  expect_says(run, 1, {"broken: never_late by bad/double", "The report is out/index.html"});
+  // The command that it names shows the saved case.
+  const std::size_t begin = run.out.find("  look     graze ");
+  ASSERT_NE(begin, std::string::npos) << run.out;
+  const std::string look = run.out.substr(begin + 17, run.out.find('\n', begin) - begin - 17);
+  EXPECT_EQ(folder.graze(look).exit_code, 0) << look;
+  EXPECT_NE(folder.read("case.html"), "");
+  ASSERT_EQ(corpus::read_file(folder.path() / "out" / "cases.jsonl").cases.size(), 1U);
+  EXPECT_NE(folder.read("out/index.html").find("never_late"), std::string::npos);
+  // Without a folder the same command, for the case that is printed.
+  expect_says(folder.graze("certify --laws --law never_late balls.jsonl " + engine("late")), 1,
+              {"look     graze show case.json --out case.html (the smallest, saved as case.json)"});
+}
 INSTANTIATE_TEST_SUITE_P(Every, LawSins,
                          testing::Values(std::pair{"segfault", "crashed: SIGSEGV"},
                                          std::pair{"late", "broken: never_late by bad/double"},

@@ -104,6 +104,9 @@ class MadeUp(unittest.TestCase):
         self.assertEqual(saved.read_text(), "badx", "the minimised input, since its mechanism is the same")
         self.assertEqual(work.findings.mechanism_of(self.targets[1], name), "some_law: wrong x at #")
         self.assertIn("fuzz/one", (self.root / "findings" / "reports" / f"wild.{name}.json").read_text())
+        # The report names the command that shows it.
+        said = (self.root / "findings" / "reports" / f"wild.{name}.txt").read_text()
+        self.assertRegex(said, f"(?m)^look: graze show .*reports/wild.{name}.json --method all --out case.html$")
         self.assertIn(f"- new: wild/{name}: some_law: wrong x at #", summary(self.targets, work.state, work.findings.mechanism_of))
         self.assertLessEqual(count(self.root / "corpora" / "shared"), 5, "minimised at the end of the last round")
 

@@ -92,6 +92,28 @@ TEST(Mesh, is_finest_where_the_shape_touches) {
   }
 }
 
+TEST(Mesh, has_as_many_rings_as_a_length_asks_for) {
+  const Vec towards = Vec(1, 2, 2).normalized();
+  const Vec side = towards.unitOrthogonal();
+  std::size_t last = 0;
+  for (const double length : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const int rings = show::rings_for(length, 2);
+    const Mesh mesh = show::mesh_of(Sphere<double>{1}, towards, {32, 16, rings});
+    EXPECT_GE(mesh.vertices.size(), last);
+    last = mesh.vertices.size();
+    // Anywhere within a hundredth of the first ring, and at the contact, it is off by less.
+    for (Real angle = 1e-7L; angle < 0.003L; angle *= 2) {
+      const Vec3<double> n = (std::cos(angle) * towards + std::sin(angle) * side).cast<double>();
+      double height = 0;
+      for (const Vec3<double>& x : mesh.vertices) height = std::max(height, n.dot(x));
+      const auto square = static_cast<double>(angle * angle);
+      EXPECT_GE(height, 1 - length - 0.15 * square) << length << " at " << static_cast<double>(angle);
+    }
+  }
+  EXPECT_EQ(show::rings_for(1, 1), 4);
+  EXPECT_EQ(show::rings_for(0, 1), 20);
+}
+
 TEST(Mesh, of_a_difference_is_the_sum_of_one_and_the_other_reflected) {
   Pose a, b;
   b.position = Vec(0, 0, 10);

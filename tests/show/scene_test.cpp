@@ -74,7 +74,7 @@ TEST(Scene, sets_what_is_claimed_beside_what_is_true) {
   late.holds.witnesses = false;
   const engine::Method* const methods[] = {engine::find_method(engine::Kind::linear, "mpr"), &late};
   const Json scene = show::scene_of(problem, methods, {.command = "again", .has_still = true});
-  EXPECT_EQ(scene["schema"], "graze.scene/1");
+  EXPECT_EQ(scene["schema"], "graze.shown/1");
   EXPECT_EQ(scene["truth"]["outcome"], "hit");
   EXPECT_EQ(scene["truth"]["toi"]["lower"], 0.5);
   EXPECT_EQ(scene["moment"], 0.5);

@@ -1,4 +1,4 @@
-// A page in a real browser: `node page_test.mjs CHROMIUM show|report|price PAGE.html`. Every check says what it saw.
+// A page in a real browser: `node page_test.mjs CHROMIUM show|play|report|price PAGE.html`. Every check says what it saw.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
@@ -84,6 +84,61 @@ async function checkScene(page, name, root = "document") {
   check((await drawn()) !== plain, `${name}: seen through, the bodies look the same`);
 }
 
+// A scene plays: the slider, the marks of events, the list of them and the button move what they should.
+async function checkPlay(page, name) {
+  const drawn = async () => (await page.value(canvasDigest("bodies", "document")))[1];
+  const clock = () => page.value(`document.querySelector(".clock").textContent`);
+  const [seen, , all] = await page.value(canvasDigest("bodies", "document"));
+  check(seen > all / 500, `${name}: the stage shows ${seen} pixels of ${all}`);
+  const start = await drawn();
+  check((await clock()) === "t = 0", `${name}: it begins at ${await clock()}`);
+  await page.value(`document.querySelector('input[type="range"]').focus()`);
+  await page.key("End", { keyCode: 35 });
+  await page.settle();
+  check((await drawn()) !== start, `${name}: the slider moves no body`);
+  await page.key("Home", { keyCode: 36 });
+  await page.settle();
+  check((await drawn()) === start, `${name}: back at the start, the bodies are elsewhere`);
+  const marks = await page.value(`document.querySelectorAll(".strip i").length`);
+  const events = await page.value(`JSON.parse(document.getElementById("data").textContent).scenes[0].events`);
+  check(marks === events.length && marks > 0, `${name}: ${marks} marks for ${events.length} events`);
+  // An event whose mark has no other near it, pressed by the mouse.
+  const lone = await page.value(`(() => {
+    const marks = [...document.querySelectorAll(".strip i")].map((mark) => { const r = mark.getBoundingClientRect(); return { x: r.x + r.width / 2, y: r.y + r.height / 2, event: mark.dataset.event }; });
+    return marks.find((one) => marks.every((other) => other === one || Math.abs(other.x - one.x) > 3));
+  })()`);
+  check(Boolean(lone), `${name}: every mark has another beside it`);
+  if (!lone) return;
+  await page.mouse("mousePressed", lone.x, lone.y);
+  await page.mouse("mouseReleased", lone.x, lone.y);
+  await page.settle();
+  const chosen = events[Number(lone.event)], about = () => page.value(`document.querySelector(".about")?.textContent`);
+  check((await about()).includes(chosen.a) && (await about()).includes(chosen.b), `${name}: the mark of ${chosen.a} and ${chosen.b} shows ${await about()}`);
+  check((await about()).includes(String(chosen.toi.lower)), `${name}: the time of the event is not said`);
+  check(Number((await clock()).slice(4)) === Number(chosen.toi.lower.toPrecision(6)), `${name}: the clock says ${await clock()} at ${chosen.toi.lower}`);
+  check(await page.value(`Boolean(document.querySelector(".over path.contact")) && document.querySelectorAll(".over circle.touch").length === 2`), `${name}: no normal, or no witnesses, at the event`);
+  check((await drawn()) !== start, `${name}: the pair of an event looks like all`);
+  // The case to copy is that pair.
+  const copied = await page.value(`JSON.parse(document.querySelector(".about pre").textContent)`);
+  check(copied.schema === "graze.case/1" && copied.a.shape && copied.b.shape, `${name}: the case of an event is ${JSON.stringify(copied).slice(0, 80)}`);
+  // By the keys, from the list.
+  await page.value(`document.querySelector('[role="listbox"]').focus()`);
+  await page.key("ArrowDown", { keyCode: 40 });
+  await page.settle();
+  const next = await page.value(`[...document.querySelectorAll('[role="option"]')].findIndex((line) => line.getAttribute("aria-selected") === "true")`);
+  check(next === Number(lone.event) + 1, `${name}: after event ${lone.event} ArrowDown takes ${next}`);
+  await page.key("End", { keyCode: 35 });
+  await page.settle();
+  check(await page.value(`(() => { const line = document.querySelector('[aria-selected="true"]').getBoundingClientRect(), list = document.querySelector('[role="listbox"]').getBoundingClientRect(); return line.top >= list.top - 1 && line.bottom <= list.bottom + 1; })()`), `${name}: the chosen line is out of sight`);
+  await page.value(`[...document.querySelectorAll(".marks button")].find((one) => one.textContent === "All bodies").click()`);
+  await page.value(`document.querySelector(".slide button").click()`);
+  await new Promise((done) => setTimeout(done, 400));
+  const running = await clock();
+  await page.value(`document.querySelector(".slide button").click()`);
+  check(running !== "t = 0" && (await page.value(`document.querySelector(".slide button").textContent`)) === "Play", `${name}: Play does not play`);
+  check(/Of \d+ pairs/.test(await page.value(`document.querySelector(".spared").textContent`)), `${name}: what was spared is not said`);
+}
+
 // Tab reaches everything that can be used, and shows where it is.
 async function checkKeyboard(page, name, root = "document") {
   const usable = `[...${root}.querySelectorAll('button, input, select, summary, a[href], [tabindex="0"]')].filter((e) => e.checkVisibility() && !e.disabled && e.tabIndex >= 0)`;
@@ -128,7 +183,8 @@ try {
       await checkNames(page, name);
       const first = screen === "wide" && !dark;
       if (kind === "show" && (first || (phone && dark))) await checkScene(page, name);
-      if (kind === "show" && first) await checkKeyboard(page, name);
+      if (kind === "play" && (first || (phone && dark))) await checkPlay(page, name);
+      if ((kind === "show" || kind === "play") && first) await checkKeyboard(page, name);
       if (kind === "report" && first) {
         check((await page.value(`document.querySelector("h1").textContent.length`)) > 0, `${name}: there is no verdict`);
         check((await page.value(`document.querySelector("main > :first-child").matches(".verdict")`)), `${name}: the verdict is not first`);
@@ -153,6 +209,7 @@ try {
         check(!other || (await page.value(`Boolean(document.querySelector("dialog[open]"))`)), `${name}: a cell of the table opens nothing`);
       }
       if (kind === "price" && first) {
+        check(/^A table has (\d+ to )?\d+ cases/.test(await page.value(`document.querySelector("#sizes")?.textContent ?? ""`)), `${name}: the number of cases is not said`);
         const marks = await page.value(`document.querySelectorAll(".point > [tabindex]").length`);
         check(marks > 0, `${name}: no mark of a figure can be pointed at`);
         const before = await page.value(`document.querySelector("#diagrams svg").outerHTML.length`);

@@ -16,6 +16,13 @@ case $kind in
     "$graze" show "$here/pair.json" --method mpr/float --answers "$here/pair_answers.jsonl" --out "$page"
     grep -q '"faults":\["late"' "$page" || { echo "FAILED: the late answer is not said to be late"; exit 1; }
     ;;
+  play)
+    # One scene that turns, one of two on a page with rays and casts.
+    page=$folder/index.html
+    "$graze" scene "$here/../../examples/scenes/fan.json" "$here/../../examples/scenes/crowd.json" --report "$folder" > "$folder/out.txt"
+    size=$(wc -c < "$page")
+    [ "$size" -lt 2000000 ] || { echo "FAILED: the page has $size bytes"; exit 1; }
+    ;;
   report)
     page=$folder/index.html
     "$graze" certify --family random --family slow_spin --count 6 --rotating 2 --queries 4 --report-cases 6 \

@@ -43,7 +43,7 @@ constexpr double kSmallerSeconds = 20;
 
 // Cases that a report holds in full: a page of more takes long to make, and to open.
 struct ReportDefaults {
-  static constexpr std::size_t kCases = 40, kMost = 1000;
+  static constexpr std::size_t kCases = 20, kMost = 1000;
 };
 
 struct Arguments {
@@ -205,7 +205,8 @@ int show_laws(const Arguments& arguments) {
                              .seed = arguments.seed,
                              .threads = arguments.threads,
                              .corpus = arguments.corpus,
-                             .save = arguments.save});
+                             .save = arguments.save,
+                             .report = arguments.report});
   return with_left_behind(engines, code);
 }
 
@@ -517,10 +518,11 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   add_engine_options(*command, arguments->engines);
   command
-      ->add_option("--report", arguments->report,
-                   "Write the report into this folder: index.html, one file to look at, which needs no "
-                   "network, and what "
-                   "was counted, certification.json")
+      ->add_option(
+          "--report", arguments->report,
+          "Write the report into this folder: index.html, one file to look at, which needs no "
+          "network, and what was counted, certification.json; with --laws, the smallest broken cases, "
+          "cases.jsonl")
       ->type_name("DIR");
   command
       ->add_option(

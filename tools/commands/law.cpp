@@ -13,6 +13,9 @@
 #include "certify/suites.hpp"
 #include "corpus/curate/location.hpp"
 #include "report/inputs.hpp"
+#include "show/page.hpp"
+#include "show/scene.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -91,16 +94,93 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments) {
   return one;
 }
 
-void print_breach(const LawBreach& breach) {
+// How the smallest case of a breach is looked at; `file` holds it, empty: nothing was saved.
+std::string look_command(const LawBreach& breach, const std::string& file) {
+  const law::Finding& finding = breach.finding;
+  const bool is_ours = std::ranges::any_of(
+      engine::methods(), [&](const engine::Method& method) { return selects(finding.method, method); });
+  std::string text = "graze show " + shell_word(file.empty() ? "case.json" : file);
+  if (!file.empty()) text += " --id " + shell_word(law::as_case(finding).id);
+  if (is_ours) text += " --method " + shell_word(finding.method);
+  return text + " --out case.html";
+}
+
+void print_breach(const LawBreach& breach, const std::string& file) {
   const law::Finding& finding = breach.finding;
   fmt::print(
       "broken: {} by {}, {} times: {}\n"
       "  first    {}\n"
       "  again    {}\n"
       "  reason   {}\n"
-      "  smallest {}\n",
+      "  smallest {}\n"
+      "  look     {}{}\n",
       finding.law, finding.method, breach.times, finding.sentence, breach.first, finding.seed, finding.reason,
-      corpus::write_case(law::as_case(finding)));
+      corpus::write_case(law::as_case(finding)), look_command(breach, file),
+      file.empty() ? " (the smallest, saved as case.json)" : "");
+}
+
+// The smallest cases, one of each id: two methods may break a law on the same one.
+std::vector<corpus::Case> smallest_cases(const LawCertification& certification) {
+  std::vector<corpus::Case> out;
+  for (const LawBreach& breach : certification.breaches) {
+    corpus::Case problem = law::as_case(breach.finding);
+    const auto same = [&](const corpus::Case& one) { return one.id == problem.id; };
+    if (std::none_of(out.begin(), out.end(), same)) out.push_back(std::move(problem));
+  }
+  return out;
+}
+
+void write_cases(OutputFile& file, const LawCertification& certification) {
+  for (const corpus::Case& problem : smallest_cases(certification))
+    file.write_line(corpus::write_case(problem));
+  file.close();
+}
+
+// A page of more cases takes longer to open than to make.
+constexpr std::size_t kMostShown = 40;
+
+// --report: the smallest broken cases, cases.jsonl, and a page on which they are looked at, index.html.
+void write_report(const LawArguments& arguments, const LawCertification& certification,
+                  std::span<const engine::Method> others) {
+  const std::filesystem::path folder = arguments.report;
+  const std::string file = (folder / "cases.jsonl").string();
+  OutputFile cases(file);
+  write_cases(cases, certification);
+  show::Json scenes = show::Json::array();
+  std::string plain;
+  for (const LawBreach& breach : certification.breaches) {
+    const law::Finding& finding = breach.finding;
+    const std::string words =
+        fmt::format("{} broke {}, {} times: {}", finding.method, finding.law, breach.times, finding.reason);
+    plain += fmt::format("{}\n  {}\n", words, look_command(breach, file));
+    if (scenes.size() == kMostShown) continue;
+    std::vector<const engine::Method*> asked;
+    for (const engine::Method& method : engine::methods()) {
+      if (selects(finding.method, method)) asked.push_back(&method);
+    }
+    for (const engine::Method& method : others) {
+      if (method.full_name() == finding.method || method.question_name() == finding.method)
+        asked.push_back(&method);
+    }
+    show::Json scene = show::scene_of(law::as_case(finding), asked, {.command = look_command(breach, file)});
+    scene["broken"] = {{"law", finding.law}, {"words", words}, {"sentence", finding.sentence}};
+    scenes.push_back(std::move(scene));
+  }
+  const std::string title =
+      certification.breaches.empty() ? "graze: every law holds"
+      : certification.breaches.size() == 1
+          ? "graze: a law is broken"
+          : fmt::format("graze: laws are broken {} times", certification.breaches.size());
+  OutputFile page((folder / "index.html").string());
+  const std::string html = show::page_html(
+      title, {{"schema", "graze.page/1"}, {"kind", "show"}, {"title", title}, {"scenes", std::move(scenes)}},
+      plain.empty() ? "Every law holds.\n" : plain);
+  page.write_line(html.substr(0, html.size() - 1));
+  page.close();
+  if (certification.breaches.size() > kMostShown)
+    complain(fmt::format("the page holds {} of {} broken cases; {} has all", kMostShown,
+                         certification.breaches.size(), file));
+  fmt::print("The report is {}.\n", (folder / "index.html").string());
 }
 
 void print_idle(const LawCertification& certification, const LawSettings& settings) {
@@ -150,6 +230,11 @@ int run_laws(const LawArguments& arguments) {
   const std::vector<const corpus::Family*> families =
       wanted_families(arguments.families, !arguments.files.empty());
   std::unique_ptr<OutputFile> save;
+  if (!arguments.report.empty()) {
+    require_folder(arguments.report);
+    for (const char* name : {"index.html", "cases.jsonl"})
+      require_own_file((std::filesystem::path(arguments.report) / name).string());
+  }
   if (!arguments.save.empty()) save = std::make_unique<OutputFile>(arguments.save);
 
   std::vector<LawSuite> suites;
@@ -182,20 +267,15 @@ int run_laws(const LawArguments& arguments) {
   fmt::print("{} laws over {} cases\n\n", settings.laws.size(), certification.cases);
   if (!others.empty()) fmt::print("{}\n", other_law_table(certification, settings));
   if (!arguments.methods.empty()) print_ours(certification, settings);
-  for (const LawBreach& breach : certification.breaches) print_breach(breach);
+  const std::string file = !arguments.save.empty() ? arguments.save
+                           : !arguments.report.empty()
+                               ? (std::filesystem::path(arguments.report) / "cases.jsonl").string()
+                               : "";
+  for (const LawBreach& breach : certification.breaches) print_breach(breach, file);
   const bool held = certification.breaches.empty();
   fmt::print("{}\n", held ? "Every law holds." : "A law is broken.");
-  if (save) {
-    std::vector<std::string> written;
-    for (const LawBreach& breach : certification.breaches) {
-      // Two methods may break a law on the same smallest case.
-      const corpus::Case problem = law::as_case(breach.finding);
-      if (std::find(written.begin(), written.end(), problem.id) != written.end()) continue;
-      written.push_back(problem.id);
-      save->write_line(corpus::write_case(problem));
-    }
-    save->close();
-  }
+  if (save) write_cases(*save, certification);
+  if (!arguments.report.empty()) write_report(arguments, certification, others);
   if (bad) return 2;
   return held ? 0 : 1;
 }

@@ -17,7 +17,7 @@ struct LawArguments {
   std::optional<std::size_t> count, rotating;
   std::uint64_t seed = 1;
   unsigned threads = 0;  // 0: as many as the machine has
-  std::string corpus, save;
+  std::string corpus, save, report;
 };
 
 // The exit code: 1 if a law is broken, 2 for bad input or nothing to judge.

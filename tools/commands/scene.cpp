@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -11,6 +12,8 @@
 #include "report/stop.hpp"
 #include "report/table.hpp"
 #include "scene/format/report_json.hpp"
+#include "show/page.hpp"
+#include "show/play.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 
@@ -19,7 +22,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> files, economies, without;
-  std::string tier, ask, proofs;
+  std::string tier, ask, proofs, report;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::uint64_t most_pairs = scene::Options{}.most_pairs;
   bool json = false, plan = false, gains = false;
@@ -77,6 +80,12 @@ class Run {
     will_read(given.files);
     if (given.plan && given.gains)
       throw std::runtime_error("--plan: nothing is cast, so --gains has no meaning beside it");
+    if (given.plan && !given.report.empty())
+      throw std::runtime_error("--plan: nothing is cast, so there is nothing for --report to play");
+    if (!given.report.empty()) {
+      require_folder(given.report);
+      require_own_file(page_file());
+    }
     if (!given.tier.empty()) tier_ = choice<Tier>("--tier", given.tier, 3);
     if (!given.ask.empty()) ask_ = choice<scene::Ask>("--ask", given.ask, scene::kAsks);
     if (!given.proofs.empty()) proofs_ = std::make_unique<OutputFile>(given.proofs);
@@ -91,6 +100,7 @@ class Run {
       if (read.document) play(file, *read.document);
     }
     if (proofs_) proofs_->close();
+    if (!settings_.report.empty()) write_page();
     if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
     return bad_ ? 2 : 0;
   }
@@ -122,6 +132,10 @@ class Run {
                            report.counts.unfinished));
     }
     if (proofs_) write_proofs(document, report);
+    if (!settings_.report.empty()) {
+      plays_.push_back(show::play_of(document, report, {.command = command_for(file)}));
+      plain_ += fmt::format("{}\n{}\n", document.id, scene::to_text(report.counts));
+    }
     if (settings_.gains && report.status == scene::Status::complete) show_gains(document);
   }
 
@@ -135,6 +149,35 @@ class Run {
       return StopBySignal::received() == 0;
     };
     return scene::run(document.scene, options);
+  }
+
+  [[nodiscard]] std::string page_file() const {
+    return (std::filesystem::path(settings_.report) / "index.html").string();
+  }
+  // The command that plays the file again.
+  [[nodiscard]] std::string command_for(const std::string& file) const {
+    std::string text = "graze scene " + shell_word(file == "-" ? "scene.json" : file);
+    for (const std::string& name : settings_.economies) text += " --economy " + name;
+    for (const std::string& name : settings_.without) text += " --without " + name;
+    if (!settings_.tier.empty()) text += " --tier " + settings_.tier;
+    if (!settings_.ask.empty()) text += " --ask " + settings_.ask;
+    return text + " --report report";
+  }
+
+  // A page of no scene is none: what could not be read has been said.
+  void write_page() {
+    if (plays_.empty()) return;
+    const std::string title = plays_.size() == 1 ? "graze: " + plays_[0].value("id", "")
+                                                 : fmt::format("graze: {} scenes", plays_.size());
+    const std::string html = show::page_html(
+        title,
+        {{"schema", "graze.page/1"}, {"kind", "play"}, {"title", title}, {"scenes", std::move(plays_)}},
+        plain_);
+    OutputFile out(page_file());
+    out.write_line(html.substr(0, html.size() - 1));
+    out.close();
+    if (!show::has_viewer())
+      complain("this graze was built without Node: the page lacks the player (docs/show.md)");
   }
 
   void show_plan(const std::string& file, const scene::Document& document) {
@@ -247,6 +290,8 @@ class Run {
   std::optional<Tier> tier_;
   std::optional<scene::Ask> ask_;
   std::unique_ptr<OutputFile> proofs_;
+  nlohmann::ordered_json plays_ = nlohmann::ordered_json::array();
+  std::string plain_;
   const StopBySignal signals_;
   bool bad_ = false;
 };
@@ -282,6 +327,10 @@ void add_scene_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--proof,--proofs", settings->proofs, "Also write the events' proofs, for `graze check`")
       ->type_name("OUT.jsonl");
+  command
+      ->add_option("--report", settings->report,
+                   "Write a page that plays the scenes, with their events: index.html in this folder")
+      ->type_name("DIR");
   command->add_option("--threads", settings->threads, "By default as many as the machine runs at once")
       ->check(whole_number(1, kMostThreads))
       ->type_name("N");
@@ -299,7 +348,8 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       ".\nNone changes a verdict; docs/scenes.md says what each spares.\n\n"
       "  graze scene examples/scenes/*.json\n"
       "  graze scene --plan examples/scenes/fan.json\n"
-      "  graze scene --ask first --gains examples/scenes/bullets.json\n\n"
+      "  graze scene --ask first --gains examples/scenes/bullets.json\n"
+      "  graze scene examples/scenes/*.json --report played     a page to look at: played/index.html\n\n"
       "Exit code: 0, or 2 if a scene could not be read or run; after an interruption, which shows what is "
       "known, "
       "128\nand the signal's number.");

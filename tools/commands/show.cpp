@@ -17,6 +17,7 @@
 #include "show/scene.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -47,17 +48,6 @@ external::RecordedLines read_answers(const std::string& name, const std::vector<
     if (lines.contains(problem->id)) return lines;
   }
   throw std::runtime_error(name + ": none of its ids is that of a case that is shown");
-}
-
-// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./:=,+@%") == std::string::npos;
-  if (plain) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 class Run {
@@ -127,14 +117,14 @@ class Run {
     const std::string generated = *files_[i] == "-" ? show::generating_command(*cases_[i]) : "";
     std::string text = !generated.empty()  ? generated + " | graze show -"
                        : *files_[i] == "-" ? "graze show case.json"
-                                           : "graze show " + quoted(*files_[i]);
+                                           : "graze show " + shell_word(*files_[i]);
     if (*files_[i] == "-") {
       // It holds this case alone.
     } else if (inputs_.files.size() > 1 || inputs_.files.front().cases.size() > 1)
-      text += " --id " + quoted(cases_[i]->id);
-    for (const std::string& method : arguments_.methods) text += " --method " + quoted(method);
-    for (const std::string& engine : arguments_.engines.commands) text += " --engine " + quoted(engine);
-    if (!arguments_.answers.empty()) text += " --answers " + quoted(arguments_.answers);
+      text += " --id " + shell_word(cases_[i]->id);
+    for (const std::string& method : arguments_.methods) text += " --method " + shell_word(method);
+    for (const std::string& engine : arguments_.engines.commands) text += " --engine " + shell_word(engine);
+    if (!arguments_.answers.empty()) text += " --answers " + shell_word(arguments_.answers);
     return text + " --out case.html";
   }
 

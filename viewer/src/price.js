@@ -22,8 +22,17 @@ export function pricePage(page, price, open, data) {
     h("header", { class: "verdict plain" }, h("p", { class: "small" }, "graze price"), h("h1", {}, "What accuracy costs in time"),
       h("p", { class: "small" }, `${price.machine.processor}, ${plural(price.machine.cores, "core")}; ${price.machine.compiler}, ${price.machine.build}; ${plural(price.rounds, "round")}, seed ${price.seed}` +
         (price.machine.load === null ? "" : `; load ${short(price.machine.load)}`) + (price.finished ? "" : "; not finished")),
-      data?.command && block(data.command, "command")),
+      tableSizes(price.tables), data?.command && block(data.command, "command")),
     answers(price), diagrams(of("family"), style, state, open), growth(of("growth"), style, open), requests(of("request"), open), queries(of("query"), open), more(price));
+}
+
+// On how many cases it all stands: of so few a p99 is the worst, and "never" is of these.
+function tableSizes(tables) {
+  const sizes = tables.map(({ cases }) => cases).filter((n) => n > 0);
+  if (sizes.length === 0) return "";
+  const [least, most] = [Math.min(...sizes), Math.max(...sizes)];
+  return h("p", { class: "small", id: "sizes" }, `A table has ${least === most ? plural(least, "case") : `${least} to ${plural(most, "case")}`}` +
+    (most < 100 ? ": a p99 is the worst of them, and “never” means of these." : "."));
 }
 
 // What the run says in words: what to choose first, the rest below the figures.

@@ -60,6 +60,7 @@ class SceneView {
     return h("header", {},
       h(this.heading, {}, scene.id),
       h("p", { class: "result" }, scene.result, scene.margin ? `; ${scene.margin.name}: ${short(scene.margin.length)}` : ""),
+      scene.broken && h("p", { class: "fault" }, h("strong", {}, `Broken: ${scene.broken.law}. `), `${scene.broken.sentence} ${plain(scene.broken.words)}`),
       this.wrong.map((answer) => h("p", { class: "fault" },
         h("strong", {}, answer.label), answer.failed ? " gives no answer that can be taken" : ` claims ${words(answer.outcome)}`,
         Number.isFinite(lower(answer)) ? ` at t = ${full(lower(answer))}` : "", `: ${plain(answer.fault)}`)),
@@ -168,8 +169,7 @@ class SceneView {
 
   makeDifference() {
     const { scene } = this;
-    // The creases of a sampled difference are where samples happen to lie.
-    const mesh = scene.cso.mesh.curved ? { ...scene.cso.mesh, edges: [] } : scene.cso.mesh;
+    const mesh = scene.cso.mesh;
     const xs = [0, 1, 2].map((i) => mesh.vertices.filter((_, k) => k % 3 === i));
     const low = xs.map((x) => Math.min(...x)), high = xs.map((x) => Math.max(...x));
     const size = norm(sub(high, low));

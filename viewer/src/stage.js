@@ -14,7 +14,7 @@ const kMostZoom = 1e7, kLeastZoom = 0.05;
 const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => flat.slice(3 * i, 3 * i + 3));
 
 // A mesh of a scene, ready to be placed again and again.
-class Solid {
+export class Solid {
   constructor(mesh, name) {
     this.name = name;
     this.vertices = triples(mesh.vertices);
@@ -98,6 +98,7 @@ export class Stage {
     this.view = view;
     this.solids = [];
     this.draw = () => {};
+    this.before = () => {};
     this.everything = () => [[0, 0, 0]];
     this.svg = h("svg:svg", { class: "over", "aria-hidden": "true" });
     this.corner = h("div", { class: "corner" });
@@ -146,6 +147,12 @@ export class Stage {
     this.solids.push(solid);
     this.scene.add(solid.group);
     return solid;
+  }
+
+  remove(solid) {
+    this.solids = this.solids.filter((one) => one !== solid);
+    this.scene.remove(solid.group);
+    solid.dispose();
   }
 
   // From the scene's own view, turned by so many radians to the side and up.
@@ -265,14 +272,20 @@ export class Stage {
     this.direct = (d) => [e[0] * d[0] + e[4] * d[1] + e[8] * d[2], -(e[1] * d[0] + e[5] * d[1] + e[9] * d[2])];
     for (const solid of this.solids) {
       const clear = this.seeThrough;
+      if (!solid.placed) continue;
       solid.material.color.set(this.colour(solid.name));
       solid.lineMaterial.color.set(this.colour(`${solid.name}-line`));
-      solid.material.transparent = clear || solid.pale === true;
+      const thin = clear || solid.pale === true;
+      if (solid.material.transparent !== thin) solid.material.needsUpdate = true; // its shader knows whether it is opaque
+      solid.material.transparent = thin;
       solid.material.opacity = clear ? 0.3 : solid.pale ? 0.55 : 1;
       solid.material.depthWrite = !clear && !solid.pale;
     }
+    this.before();
     this.renderer?.render(this.scene, this.camera);
     this.svg.replaceChildren();
+    // What words must keep clear of: the corner's, the axes, the scale. Boxes of pixels: left, top, right, bottom.
+    this.taken = [[0, 0, 230, 24], [0, this.height - 84, 84, this.height], [this.width - 160, this.height - 34, this.width, this.height]];
     if (!this.renderer) for (const solid of this.solids) this.outline(solid.placed, `body ${solid.name}`);
     this.draw(this);
     this.axes();
@@ -325,11 +338,20 @@ export class Stage {
     this.put("path", { d: `M${x} ${y}L${u} ${v}M${wing(1)}L${u} ${v}L${wing(-1)}`, class: kind });
     if (name) this.text([u + 9 * a[0], v + 9 * a[1] + 4], name, kind);
   }
+  // Moved, up to a few lines, off what is written there already; where there is no room it stays.
   text([x, y], words, kind, anchor = "middle") {
-    this.put("text", { x, y, class: `name ${kind}`, "text-anchor": anchor }, words);
+    const big = /\bbig\b/.test(kind), half = (words.length * (big ? 9 : 6.8)) / 2 + 2, line = big ? 17 : 14;
+    const box = ([dx, dy]) => [x + dx - half, y + dy - line + 3, x + dx + half, y + dy + 3];
+    const free = (b) => b[0] >= 0 && b[1] >= 0 && b[2] <= this.width && b[3] <= this.height &&
+      this.taken.every((o) => b[2] <= o[0] || o[2] <= b[0] || b[3] <= o[1] || o[3] <= b[1]);
+    const tries = [0, 1, 2, 3].flatMap((k) => (k === 0 ? [[0, 0]] : [[0, -k * line], [0, k * line], [k * half, 0], [-k * half, 0]]));
+    const move = tries.find((by) => free(box(by))) ?? [0, 0];
+    this.taken.push(box(move));
+    this.put("text", { x: x + move[0], y: y + move[1], class: `name ${kind}`, "text-anchor": anchor }, words);
   }
 
   axes() {
+    this.taken = []; // this corner, and the scale's, are their own
     const middle = [44, this.height - 42];
     for (const [i, name] of ["x", "y", "z"].entries()) {
       const d = this.direct([0, 1, 2].map((k) => (k === i ? 1 : 0)));
