@@ -33,6 +33,13 @@ std::string read_stdin() {
   return text;
 }
 
+std::string read_text(const std::string& name) {
+  if (name == "-") return read_stdin();
+  corpus::FileText file = corpus::read_whole_file(name);
+  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
+  return std::move(file.text);
+}
+
 CaseFiles read_case_files(const std::vector<std::string>& names) {
   CaseFiles files;
   corpus::Ids ids;
