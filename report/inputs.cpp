@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "corpus/format/case_json.hpp"
+
 namespace graze::tool {
 namespace {
 
