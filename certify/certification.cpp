@@ -152,9 +152,9 @@ void time_suite(const Suite& suite, std::span<Tally* const> tallies) {
 }
 
 // One run, suite by suite.
-class Run {
+class CertificationRun {
  public:
-  Run(const std::vector<Suite>& suites, const Settings& settings)
+  CertificationRun(const std::vector<Suite>& suites, const Settings& settings)
       : settings_(settings), progress_("certify", total_cost(suites), 0, Progress::Show::percent) {
     for (const Method* method : settings.methods) {
       for (const Suite& suite : suites) {
@@ -280,7 +280,7 @@ Tally Certification::total(const Method& method) const {
 }
 
 Certification certify(const std::vector<Suite>& suites, const Settings& settings) {
-  return Run(suites, settings)(suites);
+  return CertificationRun(suites, settings)(suites);
 }
 
 }  // namespace graze::tool

@@ -19,8 +19,6 @@ using engine::Failure;
 using engine::Method;
 using Json = nlohmann::ordered_json;
 
-std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
-
 std::size_t faults_of(const Tally& tally, std::string_view name) {
   for (std::size_t k = 0; k < law::kFaults; ++k) {
     if (law::kFaultKinds[k].name == name) return tally.faults[k];

@@ -19,8 +19,6 @@ namespace {
 using engine::Kind;
 using engine::Method;
 
-std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
-
 std::string ns_text(double ns) { return std::isnan(ns) ? "-" : fmt::format("{:.0f}", ns); }
 
 std::string unseen_text(engine::Unseen unseen) {

@@ -23,8 +23,6 @@ std::string in_u(double error, double unit_roundoff) {
   return std::isnan(u) || !(u < 1e4) ? short_number(u) : fmt::format("{:.3g}", u);
 }
 
-std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
-
 double worst_backward(const Curve& curve) {
   const LevelErrors* hardest = curve.hardest();
   return hardest == nullptr ? kNotMeasured : worst(hardest->backward);

@@ -8,8 +8,6 @@ namespace {
 
 constexpr std::size_t kMostVertices = 4096;
 
-Vec wide(const Vec3<double>& x) { return x.cast<Real>(); }
-
 // x -> q x conj(q) / |q|^2.
 Mat rotation_of(const Quaternion<double>& q) {
   const Real w = q.w;

@@ -16,6 +16,7 @@ using Real = long double;
 using Vec = Eigen::Matrix<Real, 3, 1>;
 using Mat = Eigen::Matrix<Real, 3, 3>;
 inline constexpr Real kUnbounded = std::numeric_limits<Real>::infinity();
+inline Vec wide(const Vec3<double>& x) { return x.cast<Real>(); }
 using Flat = Eigen::Matrix<Real, 2, 1>;  // in the plane of a view: (along right, along up)
 
 // x -> rotation x + position.

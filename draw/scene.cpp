@@ -16,8 +16,6 @@
 namespace graze::draw {
 namespace {
 
-Vec wide(const Vec3<double>& x) { return x.cast<Real>(); }
-
 // Steps of a golden section: each leaves 0.618 of the interval, so 90 leave 2^-62 of it.
 constexpr int kGoldenSteps = 90;
 

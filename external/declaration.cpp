@@ -122,7 +122,7 @@ std::string read_name(const Fields& fields) {
   return name;
 }
 
-Declaration read(const JsonValue& value) {
+Declaration read_declared(const JsonValue& value) {
   const Fields fields(
       value, "",
       {"schema", "name", "version", "about", "scalar", "shapes", "queries", "margin", "lengths",
@@ -185,7 +185,7 @@ Declaration parse_declaration(std::string_view line) {
   const corpus::ParsedJson parsed = corpus::parse_json(line);
   try {
     if (parsed.error) throw *parsed.error;
-    return read(parsed.value);
+    return read_declared(parsed.value);
   } catch (const Malformed& bad) {
     throw std::runtime_error(bad.path.empty() ? bad.what : bad.path + ": " + bad.what);
   }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "corpus/format/case_json.hpp"
+
 namespace graze::tool {
 namespace {
 
@@ -31,6 +33,13 @@ std::string read_stdin() {
   }
   if (std::ferror(stdin) != 0) throw std::runtime_error("standard input: cannot be read; give a file");
   return text;
+}
+
+std::string read_text(const std::string& name) {
+  if (name == "-") return read_stdin();
+  corpus::FileText file = corpus::read_whole_file(name);
+  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
+  return std::move(file.text);
 }
 
 CaseFiles read_case_files(const std::vector<std::string>& names) {

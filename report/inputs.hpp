@@ -30,6 +30,8 @@ struct CaseFiles {
 
 // The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
 [[nodiscard]] std::string read_stdin();
+// The whole of a file, or of standard input for "-". Throws std::runtime_error that names the file.
+[[nodiscard]] std::string read_text(const std::string& name);
 
 // Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their
 // question and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those

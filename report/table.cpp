@@ -77,4 +77,6 @@ std::string short_number(double x) {
   return fmt::format("{:.1e}", x);
 }
 
+std::string count_text(std::size_t count) { return count > 0 ? fmt::to_string(count) : "-"; }
+
 }  // namespace graze::tool

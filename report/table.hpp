@@ -1,6 +1,7 @@
 // A table of text: columns as wide as their widest cell, words to the left, numbers to the right.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -28,5 +29,7 @@ class Table {
 
 // 3.2e-16; "0" for an exact 0, "inf", and "-" for what is absent (NaN).
 [[nodiscard]] std::string short_number(double x);
+// Digits; "-" for 0.
+[[nodiscard]] std::string count_text(std::size_t count);
 
 }  // namespace graze::tool

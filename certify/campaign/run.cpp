@@ -18,9 +18,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // What the threads share. They meet here once a block.
-class Run {
+class CampaignRun {
  public:
-  Run(const CampaignJob& job, CampaignState& state)
+  CampaignRun(const CampaignJob& job, CampaignState& state)
       : job_(job),
         state_(state),
         next_(state.share().lower()),
@@ -135,6 +135,6 @@ void run_block(const CampaignJob& job, const CampaignSettings& settings, std::ui
   }
 }
 
-void run_campaign(const CampaignJob& job, CampaignState& state) { Run(job, state).go(); }
+void run_campaign(const CampaignJob& job, CampaignState& state) { CampaignRun(job, state).go(); }
 
 }  // namespace graze::tool

@@ -17,7 +17,7 @@ namespace graze::tool {
 namespace {
 
 // Findings of a kind that the text shows; the file holds more.
-constexpr std::size_t kShown = 10;
+constexpr std::size_t kMostFindings = 10;
 
 // What is counted of the cells that `wanted` picks.
 template <class Wanted>
@@ -113,7 +113,7 @@ std::string method_table(const CampaignState& state, const PartSettings& part, c
 }
 
 void show_findings(std::string& text, const std::vector<Finding>& findings, const char* what, bool named) {
-  for (std::size_t i = 0; i < std::min(kShown, findings.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostFindings, findings.size()); ++i) {
     text += fmt::format("{}: {}{} (cast {}): {}\n", what, named ? findings[i].method + " " : "",
                         findings[i].id(), findings[i].index, findings[i].reason);
   }

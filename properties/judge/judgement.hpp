@@ -26,7 +26,8 @@ struct Errors {
   double passed = kNone;    // of casts of turning bodies: the depth of a contact that a miss denies or that
                             // toi_lower has passed
   double scale = kNone;     // of the question, a length
-  // Not over scale: `backward` over what the guarantee grants it, of an answer that converged.
+  // Not over scale: what is surely wrong, the lower end of `backward` where the oracle has a bracket of its own, over
+  // what the guarantee grants; of an answer that converged. Above 1 only of a faulty one.
   double over_limit = kNone;
 };
 

@@ -39,7 +39,7 @@ constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
 // Of a case of turning bodies the oracle takes 10 ms and more, the casts and the checks of their proofs 1 ms.
 constexpr std::uint64_t kRotatingOracleEvery = 64;
 
-struct Arguments {
+struct CampaignArguments {
   std::optional<std::uint64_t> casts, rotating, per_family, rotating_per_family, queries;
   std::optional<std::uint64_t> oracle_every, block;
   std::uint64_t judge_every = 1;
@@ -68,7 +68,7 @@ std::vector<const corpus::Family*> chosen_families(const std::vector<std::string
   return chosen;
 }
 
-void check_families(const Arguments& arguments) {
+void check_families(const CampaignArguments& arguments) {
   for (const std::string& name : arguments.families) {
     const corpus::Family* family = corpus::find_family(name);
     if (family == nullptr) {
@@ -112,7 +112,7 @@ void require_writable(const std::string& name) {
 }
 
 // The state to begin with: what the file holds, or nothing done.
-CampaignState initial_state(const Arguments& arguments, const CampaignState& fresh) {
+CampaignState initial_state(const CampaignArguments& arguments, const CampaignState& fresh) {
   if (arguments.state.empty() || !std::filesystem::exists(arguments.state)) return fresh;
   CampaignState kept = read_state(arguments.state);
   std::string what = difference(fresh.settings, kept.settings);
@@ -151,7 +151,7 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
 }
 
 // What is asked, part by part.
-CampaignPlan plan_of(const Arguments& arguments, const Engines& engines) {
+CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines) {
   for (const auto& [option, count] : {std::pair("--casts", arguments.casts),
                                       {"--per-family", arguments.per_family},
                                       {"--rotating", arguments.rotating},
@@ -203,7 +203,7 @@ CampaignPlan plan_of(const Arguments& arguments, const Engines& engines) {
   return plan;
 }
 
-int run(const Arguments& arguments) {
+int run_campaign_command(const CampaignArguments& arguments) {
   const Shard shard = parse_shard(arguments.shard);
   for (const std::string* name : {&arguments.state, &arguments.outputs.json, &arguments.outputs.save,
                                   &arguments.outputs.save_undecided})
@@ -245,7 +245,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_campaign_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CampaignArguments>();
   CLI::App* command =
       app.add_subcommand("campaign", "Millions of generated casts, each judged; can be stopped and resumed.");
   command
@@ -340,7 +340,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       "  graze campaign --state part3.json --shard 3/8      on one of eight machines; graze merge "
       "part*.json\n\n"
       "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input; 130 or 143 if stopped by a signal.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_campaign_command(*arguments); });
 }
 
 }  // namespace graze::tool

@@ -16,7 +16,7 @@
 namespace graze::tool {
 namespace {
 
-struct Settings {
+struct CastSettings {
   std::vector<std::string> files;
   std::string method, scalar = "double", tier = "standard", proofs;
   double tolerance = 0;
@@ -27,7 +27,7 @@ struct Settings {
   [[nodiscard]] bool asks_ours() const { return engines.commands.empty() || !method.empty(); }
 };
 
-void check(const Settings& settings) {
+void check(const CastSettings& settings) {
   if (settings.tier != "standard" && settings.tier != "certified" && settings.tier != "exact") {
     throw std::runtime_error(
         fmt::format("--tier: {} is no tier; it is standard, certified or exact", settings.tier));
@@ -60,7 +60,7 @@ void check(const Settings& settings) {
 
 // Does --method select this one? A name with its scalar ("mpr/float") leaves --scalar aside. Without a name,
 // the default is.
-bool selected(const Settings& settings, const engine::Method& method, const char* by_default) {
+bool selected(const CastSettings& settings, const engine::Method& method, const char* by_default) {
   if (settings.method.empty()) return method.scalar == settings.scalar && method.name == by_default;
   if (settings.method == method.full_name()) return true;
   return method.scalar == settings.scalar && (settings.method == "all" || settings.method == method.name);
@@ -75,9 +75,9 @@ std::vector<const engine::Method*> methods_for(corpus::Query query) {
   return out;
 }
 
-class Run {
+class CastRun {
  public:
-  explicit Run(const Settings& given) : settings_(given) {
+  explicit CastRun(const CastSettings& given) : settings_(given) {
     check(given);
     will_read(given.files);
     if (given.tier != "standard") settings_.method = given.tier;
@@ -274,7 +274,7 @@ class Run {
                        corpus::name_of(problem.query), fmt::join(names, " or ")));
   }
 
-  Settings settings_;
+  CastSettings settings_;
   std::vector<const engine::Method*> linear_;
   std::vector<const engine::Method*> rotating_;
   engine::Ask ask_;
@@ -287,7 +287,7 @@ class Run {
 }  // namespace
 
 void add_cast_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<CastSettings>();
   CLI::App* command =
       app.add_subcommand("cast", "When do the bodies of a case first touch? Answers each case of the files.");
   command
@@ -363,7 +363,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "the "
       "other\ncases are answered all the same. 1 if an engine of others crashed, hung or wrote what is no "
       "answer; what it does not\ntake is said and counted.");
-  command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
+  command->callback([settings, &exit_code] { exit_code = CastRun(*settings)(); });
 }
 
 }  // namespace graze::tool

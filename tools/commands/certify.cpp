@@ -46,7 +46,7 @@ struct ReportDefaults {
   static constexpr std::size_t kCases = 20, kMost = 1000;
 };
 
-struct Arguments {
+struct CertifyArguments {
   std::vector<std::string> files, families, methods, law_names;
   EngineArguments engines;
   std::optional<std::size_t> count, rotating, queries;  // defaults: see above
@@ -71,7 +71,7 @@ struct Arguments {
 // The methods that the command line selects, each with the row that it is held to.
 class Selection {
  public:
-  explicit Selection(const Arguments& arguments) : engines_(arguments.engines) {
+  explicit Selection(const CertifyArguments& arguments) : engines_(arguments.engines) {
     if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
     if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
       for (const engine::Method* method : select_methods(names)) {
@@ -135,7 +135,7 @@ class Selection {
   std::vector<engine::Method> methods_;
 };
 
-std::filesystem::path curated_directory(const Arguments& arguments) {
+std::filesystem::path curated_directory(const CertifyArguments& arguments) {
   return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
                                   : std::filesystem::path(arguments.corpus);
 }
@@ -175,7 +175,7 @@ int with_left_behind(const Engines& engines, int code) {
 }
 
 // --stability: curves of error against hardness instead.
-int show_stability(const Arguments& arguments, const Settings& settings, const Selection& selection) {
+int show_stability(const CertifyArguments& arguments, const Settings& settings, const Selection& selection) {
   if (!arguments.files.empty()) {
     throw std::runtime_error("--stability: takes families, not files: a file has no levels of hardness");
   }
@@ -193,7 +193,7 @@ int show_stability(const Arguments& arguments, const Settings& settings, const S
 }
 
 // --laws: every law instead.
-int show_laws(const Arguments& arguments) {
+int show_laws(const CertifyArguments& arguments) {
   const Engines engines(arguments.engines);
   const int code = run_laws({.files = arguments.files,
                              .families = arguments.families,
@@ -211,7 +211,7 @@ int show_laws(const Arguments& arguments) {
 }
 
 // The curated corpus, the files and the families that are asked for. True if something could not be read.
-bool take_all(Intake& intake, const Arguments& arguments, const Selection& selection) {
+bool take_all(Intake& intake, const CertifyArguments& arguments, const Selection& selection) {
   bool bad = false;
   if (arguments.takes_curated()) {
     const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
@@ -256,7 +256,7 @@ void print_screen(const Certification& certification, const Settings& settings) 
 }
 
 // What asks for the same judgement again; what is written where is left out.
-std::string command_line(const Arguments& arguments) {
+std::string certify_line(const CertifyArguments& arguments) {
   std::string text = "graze certify";
   const auto add = [&](const char* option, const std::string& value) {
     const bool plain = value.find_first_of(" '\"$&|;<>()") == std::string::npos;
@@ -299,7 +299,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
   return is_any;
 }
 
-int run(const Arguments& arguments) {
+int run_certify_command(const CertifyArguments& arguments) {
   if (arguments.laws) return show_laws(arguments);
   const auto start = std::chrono::steady_clock::now();
   const Selection selection(arguments);
@@ -376,7 +376,7 @@ int run(const Arguments& arguments) {
                         .worst = worst,
                         .findings = findings,
                         .seconds = took.count(),
-                        .command = command_line(arguments),
+                        .command = certify_line(arguments),
                         .plain = plain,
                         .most_scenes = arguments.report_cases});
   }
@@ -433,7 +433,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_certify_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CertifyArguments>();
   CLI::App* command = app.add_subcommand(
       "certify", "How accurate, fast and safe is each method? Judges it against its guarantee.");
   command
@@ -558,7 +558,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "  graze certify --laws --family grazing_edge --count 500   every law instead, for every method\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table (--laws: every law holds), 1 if one "
       "does not,\n2 for bad input, and if there is nothing to judge.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_certify_command(*arguments); });
 }
 
 }  // namespace graze::tool

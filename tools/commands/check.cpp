@@ -15,12 +15,12 @@ namespace {
 // Exit codes, the gravest that applies.
 constexpr int kAllAccepted = 0, kRefused = 1, kUnreadable = 2, kInPart = 3;
 
-struct Arguments {
+struct CheckArguments {
   std::vector<std::string> files;
   double kappa = 0;
 };
 
-int run(const Arguments& arguments) {
+int run_check_command(const CheckArguments& arguments) {
   will_read(arguments.files);
   const oracle::DefaultEnvironment environment;  // for what reads numbers, too
   std::size_t accepted = 0, within = 0, in_part = 0, refused = 0;
@@ -56,7 +56,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = app.add_subcommand(
       "check",
       "Is each proof of the files true, and does it prove what its record says? Exact, in balls where bodies "
@@ -98,7 +98,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "none "
       "is\n"
       "refused and some are proved in part.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_check_command(*arguments); });
 }
 
 }  // namespace graze::tool

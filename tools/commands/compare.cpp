@@ -12,7 +12,7 @@
 namespace graze::tool {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string before, after;
   double threshold = 0.1, error_factor = 2;
   bool all = false;
@@ -24,7 +24,7 @@ price::Document read(const std::string& name) {
   return price::read_document(file.text, name);
 }
 
-int run(const Arguments& arguments) {
+int run_compare_command(const CompareArguments& arguments) {
   will_read({arguments.before, arguments.after});
   const price::Document before = read(arguments.before), after = read(arguments.after);
   const price::Comparison found = price::compare(
@@ -42,7 +42,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       app.add_subcommand("compare", "What got slower or less accurate between two runs of graze price?");
   command->add_option("old", arguments->before, "What graze price --json wrote before")
@@ -67,7 +67,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "machines.\n\n"
       "  graze compare old.json new.json --threshold 0.2\n\n"
       "Exit code: 0; 1 if something got worse; 2 for bad input.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_compare_command(*arguments); });
 }
 
 }  // namespace graze::tool

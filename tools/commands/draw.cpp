@@ -17,10 +17,10 @@
 namespace graze::tool {
 namespace {
 
-struct Settings {
+struct DrawSettings {
   std::vector<std::string> files;
   std::string out = "-", view = "auto", families;
-  int width = draw::DrawSettings{}.width;
+  int width = draw::Settings{}.width;
 };
 
 constexpr const char* kViews = "it is x, y, z, auto, or a direction such as 1,0,2.5";
@@ -43,8 +43,8 @@ Vec3<double> parse_direction(const std::string& text) {
   return direction / most;
 }
 
-draw::DrawSettings draw_settings(const Settings& settings) {
-  draw::DrawSettings out{.view = {}, .width = settings.width};
+draw::Settings draw_settings(const DrawSettings& settings) {
+  draw::Settings out{.view = {}, .width = settings.width};
   if (settings.width < draw::kLeastWidth || settings.width > draw::kGreatestWidth) {
     throw std::runtime_error(fmt::format("--width: {} pixels are not drawn; give {} to {}", settings.width,
                                          draw::kLeastWidth, draw::kGreatestWidth));
@@ -91,7 +91,7 @@ std::string why_refused(const corpus::Case& problem) {
   return "no method answers its query";
 }
 
-int draw_families(const Settings& settings, const draw::DrawSettings& how) {
+int draw_families(const DrawSettings& settings, const draw::Settings& how) {
   require_folder(settings.families);
   for (draw::FamilyPicture picture : draw::family_pictures()) {
     picture.settings.width = how.width;
@@ -101,8 +101,8 @@ int draw_families(const Settings& settings, const draw::DrawSettings& how) {
   return 0;
 }
 
-int run(const Settings& settings) {
-  const draw::DrawSettings how = draw_settings(settings);
+int run_draw_command(const DrawSettings& settings) {
+  const draw::Settings how = draw_settings(settings);
   if (!settings.families.empty()) {
     if (!settings.files.empty()) {
       throw std::runtime_error(
@@ -149,7 +149,7 @@ int run(const Settings& settings) {
 }  // namespace
 
 void add_draw_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<DrawSettings>();
   CLI::App* command = app.add_subcommand("draw", "Draws cases as SVG: the bodies, the path, the contact.");
   command
       ->add_option("files", settings->files,
@@ -181,7 +181,7 @@ void add_draw_command(CLI::App& app, int& exit_code) {
       "  graze generate grazing_edge --hardness 9 --count 1 | graze draw - --out graze.svg\n"
       "  graze draw corpus/cases/reported.jsonl --out pictures\n\n"
       "Exit code: 0, or 2 if a case could not be read or drawn; the others are drawn all the same.");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+  command->callback([settings, &exit_code] { exit_code = run_draw_command(*settings); });
 }
 
 }  // namespace graze::tool

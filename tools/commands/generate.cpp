@@ -14,7 +14,7 @@
 namespace graze::tool {
 namespace {
 
-struct Settings {
+struct GenerateSettings {
   std::string family;
   std::optional<double> hardness;
   std::uint64_t count = 10, seed = 1;
@@ -34,7 +34,7 @@ std::string family_list() {
   return text;
 }
 
-int run(const Settings& settings) {
+int run_generate_command(const GenerateSettings& settings) {
   const corpus::Family* family = corpus::find_family(settings.family);
   if (family == nullptr) {
     throw std::runtime_error(
@@ -57,7 +57,7 @@ int run(const Settings& settings) {
 }  // namespace
 
 void add_generate_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<GenerateSettings>();
   CLI::App* command =
       app.add_subcommand("generate", "Writes cases of a family, one a line, to standard output.");
   command->add_option("family", settings->family, "The family's name, see below")
@@ -76,7 +76,7 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   command->footer(
       "A case is a pure function of family, hardness and seed: the same bits on every machine.\n\n" +
       family_list() + "\n  graze generate grazing_edge --hardness 12 --count 5 | graze cast - --json");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+  command->callback([settings, &exit_code] { exit_code = run_generate_command(*settings); });
 }
 
 }  // namespace graze::tool

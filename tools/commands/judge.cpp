@@ -27,7 +27,7 @@ namespace {
 using corpus::Case;
 using engine::Kind;
 
-struct Arguments {
+struct JudgeArguments {
   std::string answers, engine_file, json;
   std::vector<std::string> cases;
   external::Held held;
@@ -53,7 +53,7 @@ class Complaints {
   std::map<std::string, std::size_t> counts_;
 };
 
-std::vector<Case> read_cases(const Arguments& arguments, bool& bad) {
+std::vector<Case> read_cases(const JudgeArguments& arguments, bool& bad) {
   std::vector<Case> cases;
   if (arguments.cases.empty()) {
     corpus::ReadResult curated = corpus::read_directory(corpus::corpus_directory() / "cases");
@@ -69,19 +69,12 @@ std::vector<Case> read_cases(const Arguments& arguments, bool& bad) {
   return cases;
 }
 
-std::string text_of(const std::string& name) {
-  if (name == "-") return read_stdin();
-  corpus::FileText file = corpus::read_whole_file(name);
-  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
-  return std::move(file.text);
-}
-
 // By id. Unknown ids, ids that are there twice and lines without one are complained about.
 external::RecordedLines read_answers(const std::string& name, const std::vector<Case>& cases,
                                      Complaints& complaints) {
   std::map<std::string, const Case*> known;
   for (const Case& problem : cases) known.emplace(problem.id, &problem);
-  const std::string text = text_of(name);
+  const std::string text = read_text(name);
   external::RecordedLines lines;
   std::map<std::string, int> first;
   for (const corpus::TextLine& line : corpus::split_lines(text)) {
@@ -113,7 +106,7 @@ external::RecordedLines read_answers(const std::string& name, const std::vector<
 }
 
 external::Declaration read_declaration(const std::string& name) {
-  const std::string text = text_of(name);
+  const std::string text = read_text(name);
   try {
     return external::parse_declaration(text);
   } catch (const std::runtime_error& error) {
@@ -163,7 +156,7 @@ std::vector<Suite> suites_of(const std::vector<Case>& cases, const external::Rec
   return suites;
 }
 
-int run(const Arguments& arguments) {
+int run_judge_command(const JudgeArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   will_read({arguments.answers});
   will_read(arguments.cases);
@@ -222,7 +215,7 @@ CLI::Option* add_limit(CLI::App& command, const char* name, std::optional<double
 }  // namespace
 
 void add_judge_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<JudgeArguments>();
   CLI::App* command = app.add_subcommand(
       "judge", "Judges answers that were made elsewhere, by any program at any time, as certify does.");
   command
@@ -255,7 +248,7 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       "answer to no case and\na second answer are errors. docs/engines.md has the documents.\n\n"
       "  graze judge answers.jsonl --cases cases.jsonl --tolerance 1e-6\n\n"
       "Exit code: 0 if it keeps what it promises, 1 if it does not, 2 for bad input.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_judge_command(*arguments); });
 }
 
 }  // namespace graze::tool

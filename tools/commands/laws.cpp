@@ -12,12 +12,12 @@
 namespace graze::tool {
 namespace {
 
-struct Settings {
+struct LawsSettings {
   bool page = false;
   std::string defects;  // empty: of the source tree
 };
 
-int run(const Settings& settings) {
+int run_laws_command(const LawsSettings& settings) {
   const std::span<const law::Law> laws = law::laws();
   if (!settings.page) {
     fmt::print("{}", law_list(laws));
@@ -36,7 +36,7 @@ int run(const Settings& settings) {
 }  // namespace
 
 void add_laws_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<LawsSettings>();
   CLI::App* command =
       app.add_subcommand("laws", "Lists the laws that every answer of every method must obey.");
   CLI::Option* page = command->add_flag("--page", settings->page,
@@ -49,7 +49,7 @@ void add_laws_command(CLI::App& app, int& exit_code) {
       "  graze laws\n"
       "  graze laws --page > docs/laws.md\n\n"
       "Exit codes: 0; 2 for bad input.");
-  command->callback([settings, &exit_code] { exit_code = run(*settings); });
+  command->callback([settings, &exit_code] { exit_code = run_laws_command(*settings); });
 }
 
 }  // namespace graze::tool

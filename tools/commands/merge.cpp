@@ -10,13 +10,13 @@
 namespace graze::tool {
 namespace {
 
-struct Arguments {
+struct MergeArguments {
   std::vector<std::string> parts;
   bool partial = false;
   CampaignOutputs outputs;
 };
 
-int run(const Arguments& arguments) {
+int run_merge_command(const MergeArguments& arguments) {
   will_read(arguments.parts);
   // A state is written beside its place first.
   const std::string& json = arguments.outputs.json;
@@ -33,7 +33,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_merge_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", "Joins the shards of a campaign into its summary.");
   command
       ->add_option("parts", arguments->parts,
@@ -59,7 +59,7 @@ void add_merge_command(CLI::App& app, int& exit_code) {
       "  graze merge --partial part*.json --json campaign.json\n"
       "  graze campaign --state campaign.json          then casts what was missing\n\n"
       "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_merge_command(*arguments); });
 }
 
 }  // namespace graze::tool

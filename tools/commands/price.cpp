@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint64_t kQuickRounds = 5, kThoroughRounds = 9, kMostRounds = 999;
 
-struct Arguments {
+struct PriceArguments {
   std::vector<std::string> only;
   EngineArguments engines;
   bool quick = false, thorough = false, full = false, goes_on = false;
@@ -35,7 +35,7 @@ struct Arguments {
 };
 
 // As it would be typed again.
-std::string command_line(const Arguments& arguments) {
+std::string price_line(const PriceArguments& arguments) {
   std::string text = "graze price";
   for (const std::string& name : arguments.only) text += fmt::format(" --only '{}'", name);
   for (const std::string& engine : arguments.engines.commands) text += fmt::format(" --engine '{}'", engine);
@@ -45,13 +45,13 @@ std::string command_line(const Arguments& arguments) {
   return text;
 }
 
-int rounds_of(const Arguments& arguments) {
+int rounds_of(const PriceArguments& arguments) {
   const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kQuickRounds;
   return static_cast<int>(arguments.rounds > 0 ? arguments.rounds : usual);
 }
 
 // What a stopped run left in the file that this one writes.
-price::Document begun(const Arguments& arguments) {
+price::Document begun(const PriceArguments& arguments) {
   if (!arguments.goes_on) return {};
   if (arguments.json.empty() || arguments.json == "-")
     throw std::runtime_error("--continue: needs --json FILE, the file of the run that was stopped");
@@ -82,24 +82,24 @@ void write_whole(const std::string& name, const std::string& text) {
 }
 
 // index.html, and what was measured, price.json.
-void write_report(const Arguments& arguments, const price::Document& document) {
+void write_report(const PriceArguments& arguments, const price::Document& document) {
   if (arguments.report.empty()) return;
   const std::filesystem::path folder = arguments.report;
   const std::string measured = price::write_document(document);
   write_whole((folder / "price.json").string(), measured);
   const std::string page = show::price_page(
       show::read_price(measured),
-      {.command = command_line(arguments), .plain = price::screen_of(document, arguments.full)});
+      {.command = price_line(arguments), .plain = price::screen_of(document, arguments.full)});
   write_whole((folder / "index.html").string(), page.substr(0, page.size() - 1));
   if (!show::has_viewer())
     complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
 }
 
-void write_json(const Arguments& arguments, const price::Document& document) {
+void write_json(const PriceArguments& arguments, const price::Document& document) {
   if (!arguments.json.empty()) write_whole(arguments.json, price::write_document(document));
 }
 
-int run(const Arguments& arguments) {
+int run_price_command(const PriceArguments& arguments) {
   if (arguments.quick && arguments.thorough)
     throw std::runtime_error("--quick and --thorough: a run is one of the two");
   require_own_files({arguments.json, arguments.csv});
@@ -162,7 +162,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_price_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<PriceArguments>();
   CLI::App* command =
       app.add_subcommand("price", "What accuracy costs in time: every method's error against its time.");
   command->add_flag("--quick", arguments->quick,
@@ -218,7 +218,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "  python3 price/figures.py price.json figures          every figure\n"
       "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
       "Exit code: 0; 2 for bad input; 130 if it was stopped.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_price_command(*arguments); });
 }
 
 }  // namespace graze::tool

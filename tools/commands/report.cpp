@@ -13,23 +13,16 @@
 namespace graze::tool {
 namespace {
 
-struct Arguments {
+struct ReportArguments {
   std::string file, out = "-";
 };
 
-std::string text_of(const std::string& name) {
-  if (name == "-") return read_stdin();
-  corpus::FileText file = corpus::read_whole_file(name);
-  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
-  return std::move(file.text);
-}
-
-int run(const Arguments& arguments) {
+int run_report_command(const ReportArguments& arguments) {
   will_read({arguments.file});
   OutputFile out(arguments.out);
   std::string html;
   try {
-    html = show::price_page(show::read_price(text_of(arguments.file)));
+    html = show::price_page(show::read_price(read_text(arguments.file)));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(arguments.file + ": " + error.what());
   }
@@ -43,7 +36,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_report_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReportArguments>();
   CLI::App* command =
       app.add_subcommand("report", "Makes the page of a price list: figures, and the cases behind them.");
   command
@@ -59,7 +52,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
       "what it stands for where it is pointed at, and shows its case where it is pressed.\n\n"
       "  graze report price.json --out price.html\n\n"
       "Exit code: 0, or 2 if the file is no price list.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_report_command(*arguments); });
 }
 
 }  // namespace graze::tool

@@ -20,7 +20,7 @@
 namespace graze::tool {
 namespace {
 
-struct Settings {
+struct SceneSettings {
   std::vector<std::string> files, economies, without;
   std::string tier, ask, proofs, report;
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -48,7 +48,7 @@ scene::Economy economy_of(const std::string& option, const std::string& name) {
       fmt::format("{}: {} is no economy; it is one of {}", option, name, economy_names()));
 }
 
-scene::Economies economies_of(const Settings& settings) {
+scene::Economies economies_of(const SceneSettings& settings) {
   scene::Economies out;
   if (!settings.economies.empty()) {
     out = scene::Economies::none();
@@ -74,9 +74,9 @@ std::string vector_text(const Vec3<double>& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
 }
 
-class Run {
+class SceneRun {
  public:
-  explicit Run(const Settings& given) : settings_(given), economies_(economies_of(given)) {
+  explicit SceneRun(const SceneSettings& given) : settings_(given), economies_(economies_of(given)) {
     will_read(given.files);
     if (given.plan && given.gains)
       throw std::runtime_error("--plan: nothing is cast, so --gains has no meaning beside it");
@@ -285,7 +285,7 @@ class Run {
             fmt::to_string(report.events.size() + report.probe_events.size())};
   }
 
-  Settings settings_;
+  SceneSettings settings_;
   scene::Economies economies_;
   std::optional<Tier> tier_;
   std::optional<scene::Ask> ask_;
@@ -299,7 +299,7 @@ class Run {
 }  // namespace
 
 void add_scene_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<Settings>();
+  const auto settings = std::make_shared<SceneSettings>();
   CLI::App* command = app.add_subcommand(
       "scene", "What first touches what in a scene of many bodies, rays and casts, and when?");
   command->add_option("files", settings->files, "Scenes, graze.scene/1, one a file; - is standard input")
@@ -353,7 +353,7 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       "Exit code: 0, or 2 if a scene could not be read or run; after an interruption, which shows what is "
       "known, "
       "128\nand the signal's number.");
-  command->callback([settings, &exit_code] { exit_code = Run(*settings)(); });
+  command->callback([settings, &exit_code] { exit_code = SceneRun(*settings)(); });
 }
 
 }  // namespace graze::tool

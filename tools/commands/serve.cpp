@@ -25,12 +25,12 @@ using engine::Kind;
 using engine::Method;
 using external::Question;
 
-struct Arguments {
+struct ServeArguments {
   std::string method = "mpr", scalar = "double";
 };
 
 // What answers a question: the method of the name given, or the default of the question.
-const Method* method_for(Question question, const Arguments& arguments) {
+const Method* method_for(Question question, const ServeArguments& arguments) {
   const std::string name = arguments.method + "/" + arguments.scalar;
   switch (question) {
     case Question::cast:
@@ -80,7 +80,7 @@ std::string promise_of(const Method& method) {
 }
 
 // graze.engine/1
-std::string declaration(const Arguments& arguments) {
+std::string declaration(const ServeArguments& arguments) {
   std::string queries;
   for (const Question question : kQuestions) {
     const Method* method = method_for(question, arguments);
@@ -197,7 +197,7 @@ std::string answer_line(const Asked& asked, const Method& method) {
   return out + "}";
 }
 
-int run(const Arguments& arguments) {
+int run_serve_command(const ServeArguments& arguments) {
   std::cout << declaration(arguments) << std::endl;
   for (std::string line; std::getline(std::cin, line);) {
     const corpus::ParsedJson parsed = corpus::parse_json(line);
@@ -222,7 +222,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_serve_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = app.add_subcommand(
       "serve", "Answers questions as an engine does, by a method of ours: a line in, a line out.");
   command->add_option("--method", arguments->method, "A method by its name (mpr)")->type_name("NAME");
@@ -231,7 +231,7 @@ void add_serve_command(CLI::App& app, int& exit_code) {
       "docs/engines.md is the protocol. Our methods are judged as any engine is:\n\n"
       "  graze certify --engine \"graze serve --method gjk\"\n\n"
       "Exit code: 0 at the end of its input, or 2 for a line that is no question.");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] { exit_code = run_serve_command(*arguments); });
 }
 
 }  // namespace graze::tool

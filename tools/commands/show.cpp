@@ -25,7 +25,7 @@ namespace {
 // A page of more cases takes longer to open than to make.
 constexpr std::size_t kMostScenes = 64;
 
-struct Arguments {
+struct ShowArguments {
   std::vector<std::string> files, methods, ids;
   std::string answers, out = "-";
   EngineArguments engines;
@@ -50,9 +50,9 @@ external::RecordedLines read_answers(const std::string& name, const std::vector<
   throw std::runtime_error(name + ": none of its ids is that of a case that is shown");
 }
 
-class Run {
+class ShowRun {
  public:
-  explicit Run(const Arguments& arguments) : arguments_(arguments), engines_(arguments.engines) {
+  explicit ShowRun(const ShowArguments& arguments) : arguments_(arguments), engines_(arguments.engines) {
     will_read(arguments.files);
     if (!arguments.answers.empty()) will_read({arguments.answers});
     if (!arguments.methods.empty()) claimed_ = select_methods(arguments.methods);
@@ -166,7 +166,7 @@ class Run {
     out.close();
   }
 
-  const Arguments& arguments_;
+  const ShowArguments& arguments_;
   CaseFiles inputs_;
   std::vector<const corpus::Case*> cases_;
   std::vector<const std::string*> files_;  // of each case
@@ -179,7 +179,7 @@ class Run {
 }  // namespace
 
 void add_show_command(CLI::App& app, int& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ShowArguments>();
   CLI::App* command = app.add_subcommand(
       "show", "Makes a page on which cases are looked at from all sides: bodies, time, proof, and answers.");
   command
@@ -220,7 +220,7 @@ void add_show_command(CLI::App& app, int& exit_code) {
       "  graze show cases.jsonl --id c17 --engine ./mine --out c17.html\n"
       "  graze show pair.json --answers answers.jsonl --svg --out pair.svg   for an issue thread\n\n"
       "Exit code: 0, or 2 if a case could not be read; what an answer is worth does not change it.");
-  command->callback([arguments, &exit_code] { exit_code = Run(*arguments)(); });
+  command->callback([arguments, &exit_code] { exit_code = ShowRun(*arguments)(); });
 }
 
 }  // namespace graze::tool

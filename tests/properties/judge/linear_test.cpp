@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
+#include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
 #include "engines/guarantees.hpp"
 
@@ -191,6 +194,26 @@ TEST(Judge, what_has_not_converged_is_over_no_limit) {
   const Judgement open = judged(answer);
   EXPECT_EQ(open.errors.backward, hit.errors.backward);
   EXPECT_TRUE(std::isnan(open.errors.over_limit));
+}
+
+// Two cones, apex to apex: the oracle's own bracket of the time is 1e-5 wide, what tier certified promises 1e-12.
+TEST(Judge, what_the_oracle_leaves_open_is_over_no_limit) {
+  const corpus::ReadResult cases =
+      corpus::read_file((corpus::corpus_directory() / "cases" / "round.jsonl").string());
+  const auto found = std::find_if(cases.cases.begin(), cases.cases.end(), [](const corpus::Case& problem) {
+    return problem.id == "round/cone-on-cone-apexes";
+  });
+  ASSERT_NE(found, cases.cases.end());
+  const std::span<const engine::Method> all = engine::methods();
+  const auto certified = std::find_if(all.begin(), all.end(), [](const engine::Method& method) {
+    return method.kind == engine::Kind::linear && method.full_name() == "certified/double";
+  });
+  ASSERT_NE(certified, all.end());
+  Truth truth(*found);
+  const Judgement judgement = judge(truth, *certified, certified->answer(*found), Request::everything, true);
+  EXPECT_FALSE(judgement.faulty());
+  EXPECT_GT(judgement.errors.backward, 1e-6);
+  EXPECT_LE(judgement.errors.over_limit, 1);
 }
 
 TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
