@@ -35,6 +35,8 @@ if(NOT GRAZE_UNITY)  # there a file's local names hide another file's
   target_compile_options(graze_own INTERFACE -Wshadow)
 endif()
 target_include_directories(graze_own INTERFACE ${PROJECT_SOURCE_DIR})
+# Where assertions are on, what we install holds names of files: as the sources name them, not where they were built.
+target_compile_options(graze_own INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 drops the rounding of double(float(x)) on neighbouring doubles when it packs them (seen at -O2 and -O3), and
   # warns falsely of overlap and bounds in "x" + std::string (GCC 105651, 105329).
