@@ -131,6 +131,10 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
   out.n = n_begin;
   const Vec3<S>& r = cso.direction();
   const S R = cso.radius();
+  // On a core that is no point or segment a distance takes as many supports as a portal, and the next six digits as
+  // many distances: there the bracket is closed by a portal, and the search spared.
+  constexpr S kDigits = S(0x1p20);
+  const bool portal_pays = !(R > 0) && limits.target > kDigits * limits.noise;
   S apart = kInfinity<S>;
   while (counters.supports < limits.budget) {
     ++counters.iterations;
@@ -142,6 +146,7 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
     const S least = apart <= limits.noise ? limits.fine() : S(0);
     if (apart <= limits.fine() || !(d.lower - R > least)) break;
     if (detail::closes_in_hand(out, cso, limits, apart)) return out;
+    if (portal_pays && out.lower > 0 && apart <= limits.target) break;
     if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
     apart = kInfinity<S>;  // not known there
   }
