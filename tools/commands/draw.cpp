@@ -17,10 +17,10 @@
 namespace graze::tool {
 namespace {
 
-struct DrawSettings {
+struct DrawArguments {
   std::vector<std::string> files;
   std::string out = "-", view = "auto", families;
-  int width = draw::Settings{}.width;
+  int width = draw::DrawSettings{}.width;
 };
 
 constexpr const char* kViews = "it is x, y, z, auto, or a direction such as 1,0,2.5";
@@ -43,8 +43,8 @@ Vec3<double> parse_direction(const std::string& text) {
   return direction / most;
 }
 
-draw::Settings draw_settings(const DrawSettings& settings) {
-  draw::Settings out{.view = {}, .width = settings.width};
+draw::DrawSettings draw_settings(const DrawArguments& settings) {
+  draw::DrawSettings out{.view = {}, .width = settings.width};
   if (settings.width < draw::kLeastWidth || settings.width > draw::kGreatestWidth) {
     throw std::runtime_error(fmt::format("--width: {} pixels are not drawn; give {} to {}", settings.width,
                                          draw::kLeastWidth, draw::kGreatestWidth));
@@ -91,7 +91,7 @@ std::string why_refused(const corpus::Case& problem) {
   return "no method answers its query";
 }
 
-int draw_families(const DrawSettings& settings, const draw::Settings& how) {
+int draw_families(const DrawArguments& settings, const draw::DrawSettings& how) {
   require_folder(settings.families);
   for (draw::FamilyPicture picture : draw::family_pictures()) {
     picture.settings.width = how.width;
@@ -101,8 +101,8 @@ int draw_families(const DrawSettings& settings, const draw::Settings& how) {
   return 0;
 }
 
-int run_draw_command(const DrawSettings& settings) {
-  const draw::Settings how = draw_settings(settings);
+int run_draw_command(const DrawArguments& settings) {
+  const draw::DrawSettings how = draw_settings(settings);
   if (!settings.families.empty()) {
     if (!settings.files.empty()) {
       throw std::runtime_error(
@@ -149,7 +149,7 @@ int run_draw_command(const DrawSettings& settings) {
 }  // namespace
 
 void add_draw_command(CLI::App& app, int& exit_code) {
-  const auto settings = std::make_shared<DrawSettings>();
+  const auto settings = std::make_shared<DrawArguments>();
   CLI::App* command = app.add_subcommand("draw", "Draws cases as SVG: the bodies, the path, the contact.");
   command
       ->add_option("files", settings->files,
