@@ -67,13 +67,6 @@ TEST(SearchParts, AQuaternionOfZeroIsRefusedWhateverTheShape) {
 
 // --- where a search by distance may stop
 
-TEST(SearchParts, ATargetIsEnoughOnlyPastTheStartAndAboveTheNoise) {
-  const SweepLimits<double> to_noise{.noise = 8, .target = 8}, to_target{.noise = 8, .target = 64};
-  EXPECT_EQ(to_noise.enough(1), to_noise.fine());
-  EXPECT_EQ(to_target.enough(1), 64);
-  EXPECT_EQ(to_target.enough(0), to_target.fine());
-}
-
 // A ray cast that is in contact where the clip lets it begin keeps the clip's axis.
 TEST(SearchParts, ARayCastThatEndsWhereItBeginsKeepsItsAxis) {
   const Body<double> a{.shape = Box<double>{{1, 1, 1}}};
