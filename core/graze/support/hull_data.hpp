@@ -32,8 +32,7 @@ Hull<S>::Data::Data(std::span<const Vec3<S>> given) : vertices(given.begin(), gi
     if (std::abs(middle_i) > S(2.5) * half_i) center[i] = middle_i;
   }
   S most_of_all = 0;
-  for (const Vec3<S>& v : vertices)
-    most_of_all = std::max(most_of_all, (v - center).cwiseAbs().maxCoeff());
+  for (const Vec3<S>& v : vertices) most_of_all = std::max(most_of_all, (v - center).cwiseAbs().maxCoeff());
   for (int i = 0; i < 3; ++i) {
     const auto less = [i](const Vec3<S>& x, const Vec3<S>& y) { return x[i] < y[i]; };
     const auto [least, greatest] = std::minmax_element(vertices.begin(), vertices.end(), less);
