@@ -104,7 +104,16 @@ template <Scalar S>
       const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
       const double way = v.norm() * (lower - double(out.toi_lower));
       out.distance = exact::round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
-      fill_round_contact(a, b, options, pair, walk, found, double(out.toi_lower), out);
+      // Witnesses at toi_lower are of what is nearest then: on a path nearly along C's border the feature slides by more
+      // than the bodies are apart. The normal is the axis of the lower bound.
+      RoundSweep then = found;
+      const Triple x = (double(out.toi_lower) * power_of_two(j - k)) * pair.direction();
+      then.n = x - walk.nearest(x, then.lambda);
+      then.length = std::sqrt(dot(then.n, then.n));
+      if (!(then.length > 0)) return false;
+      fill_round_contact(a, b, options, pair, walk, then, double(out.toi_lower), out);
+      if (asks_for(options.request, Request::normal))
+        out.normal = ((1 / found.length) * found.n).vector().template cast<S>();
       return true;
     }
     default:
