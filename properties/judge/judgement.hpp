@@ -27,7 +27,7 @@ struct Errors {
                             // toi_lower has passed
   double scale = kNone;     // of the question, a length
   // Not over scale: what is surely wrong, the lower end of `backward` where the oracle has a bracket of its own, over
-  // what the guarantee grants; of an answer that converged. Above 1 only of a faulty one.
+  // what the guarantee grants; of an answer that converged. Of a linear cast above 1 only where it is faulty.
   double over_limit = kNone;
 };
 
