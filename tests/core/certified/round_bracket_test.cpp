@@ -75,6 +75,10 @@ void judge_brackets(int rounds) {
     EXPECT_LE(double(r.toi_lower), truth.toi_upper()) << round;
     EXPECT_GE(double(r.toi_upper), truth.toi_lower()) << round;
     EXPECT_NEAR(double(r.normal.norm()), 1, 8 * double(kUnitRoundoff<S>));
+    // Witnesses are of toi_lower, where the bodies are r.distance apart at most, and each within 64 u scale of its body.
+    EXPECT_LE((r.point_a - r.point_b).template cast<double>().norm(),
+              double(target) + double(r.distance) + 128 * double(kUnitRoundoff<S>) * truth.scale().low)
+        << round;
   }
   EXPECT_GT(hits, rounds / 5);
   EXPECT_GT(misses, rounds / 5);
