@@ -1,6 +1,8 @@
 #include "properties/scenes/law.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 #include "properties/scenes/generate.hpp"
@@ -41,6 +43,36 @@ struct First {
     }
   }
 };
+
+void add(scene::Counts& sum, const scene::Counts& more) {
+  sum.pairs += more.pairs;
+  sum.filtered += more.filtered;
+  sum.apart += more.apart;
+  sum.never_meet += more.never_meet;
+  sum.parted += more.parted;
+  sum.kept += more.kept;
+  sum.moot += more.moot;
+  sum.shortened += more.shortened;
+  for (std::size_t k = 0; k < sum.effects.size(); ++k) sum.effects[k] += more.effects[k];
+  for (std::size_t k = 0; k < sum.reasons.size(); ++k) sum.reasons[k] += more.reasons[k];
+  sum.probe_casts += more.probe_casts;
+  sum.probe_moot += more.probe_moot;
+}
+
+std::string text(const Event& event) {
+  return std::to_string(event.a) + " - " + std::to_string(event.b) + " " +
+         std::string(to_text(event.outcome)) + " [" + std::to_string(event.toi_lower) + ", " +
+         std::to_string(event.toi_upper) + "]";
+}
+
+// Every pair is counted once.
+std::string counted(const scene::Counts& counts) {
+  const std::uint64_t sum = counts.filtered + counts.apart + counts.never_meet + counts.moot + counts.parted +
+                            counts.kept + counts.unfinished + counts.simulated();
+  return sum == counts.pairs
+             ? std::string()
+             : std::to_string(sum) + " of " + std::to_string(counts.pairs) + " pairs are counted";
+}
 
 class Comparison {
  public:
@@ -137,25 +169,6 @@ class Comparison {
       if (event.a == probe) out.push_back(event);
     }
     return out;
-  }
-
-  static void add(scene::Counts& sum, const scene::Counts& more) {
-    sum.pairs += more.pairs;
-    sum.filtered += more.filtered;
-    sum.apart += more.apart;
-    sum.never_meet += more.never_meet;
-    sum.moot += more.moot;
-    sum.shortened += more.shortened;
-    for (std::size_t k = 0; k < sum.effects.size(); ++k) sum.effects[k] += more.effects[k];
-    for (std::size_t k = 0; k < sum.reasons.size(); ++k) sum.reasons[k] += more.reasons[k];
-    sum.probe_casts += more.probe_casts;
-    sum.probe_moot += more.probe_moot;
-  }
-
-  static std::string text(const Event& event) {
-    return std::to_string(event.a) + " - " + std::to_string(event.b) + " " +
-           std::string(to_text(event.outcome)) + " [" + std::to_string(event.toi_lower) + ", " +
-           std::to_string(event.toi_upper) + "]";
   }
 
   [[nodiscard]] bool meet(double lower, double upper, double other_lower, double other_upper) const {
@@ -260,21 +273,54 @@ class Comparison {
     return {};
   }
 
-  // Every pair is counted once.
-  [[nodiscard]] std::string counted(const scene::Counts& counts) const {
-    const std::uint64_t sum = counts.filtered + counts.apart + counts.never_meet + counts.moot +
-                              counts.unfinished + counts.simulated();
-    return sum == counts.pairs
-               ? std::string()
-               : std::to_string(sum) + " of " + std::to_string(counts.pairs) + " pairs are counted";
-  }
-
   const Scene& scene_;
   const Options& options_;
   double slack_;
 };
 
+bool same_bits(const Vec3<double>& l, const Vec3<double>& r) {
+  return std::memcmp(l.data(), r.data(), 3 * sizeof(double)) == 0;
+}
+bool same_bits(const Event& l, const Event& r) {
+  return l.a == r.a && l.b == r.b && l.outcome == r.outcome &&
+         std::bit_cast<std::uint64_t>(l.toi_lower) == std::bit_cast<std::uint64_t>(r.toi_lower) &&
+         std::bit_cast<std::uint64_t>(l.toi_upper) == std::bit_cast<std::uint64_t>(r.toi_upper) &&
+         std::bit_cast<std::uint64_t>(l.distance) == std::bit_cast<std::uint64_t>(r.distance) &&
+         l.effects == r.effects && l.reasons == r.reasons && same_bits(l.normal, r.normal) &&
+         same_bits(l.point_a, r.point_a) && same_bits(l.point_b, r.point_b) && !l.proof == !r.proof;
+}
+std::string same_events(const std::vector<Event>& with, const std::vector<Event>& without) {
+  for (std::size_t k = 0; k < std::max(with.size(), without.size()); ++k) {
+    if (k >= with.size()) return text(without[k]) + " is a miss with a memory";
+    if (k >= without.size()) return text(with[k]) + " is a miss without a memory";
+    if (!same_bits(with[k], without[k]))
+      return text(with[k]) + " with a memory is " + text(without[k]) + " without";
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string memory_law(const Scene& scene, const Options& options, scene::Memory& memory, SceneTally& tally) {
+  constexpr int kSteps = 4;
+  Options step = options;
+  step.t_max = options.t_max / kSteps;
+  Scene now = scene;
+  for (int k = 0; k < kSteps; ++k) {
+    if (k > 0) now = scene::at_time(now, step.t_max);
+    if (k == 2) now.bodies[scene.bodies.size() / 2].body.body.position[0] += 0.125;
+    if (k == 3 && options.tier != Tier::exact) step.target_distance += 0.125;
+    const Report with = scene::run(now, step, memory), without = scene::run(now, step);
+    std::string broken =
+        with.wrong.empty() ? same_events(with.events, without.events) : "says: " + with.wrong;
+    if (broken.empty()) broken = same_events(with.probe_events, without.probe_events);
+    if (broken.empty()) broken = counted(with.counts);
+    if (!broken.empty()) return "step " + std::to_string(k) + ": " + broken;
+    ++tally.scenes;
+    add(tally.spared, with.counts);
+  }
+  return {};
+}
 
 std::string scene_law(const Scene& scene, const Options& options, SceneTally& tally) {
   return Comparison(scene, options)(tally);
@@ -282,6 +328,7 @@ std::string scene_law(const Scene& scene, const Options& options, SceneTally& ta
 
 SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count) {
   SceneLawRun out;
+  scene::Memory memory;  // from one scene to the next, too, where it is of other bodies
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
     const RandomScene drawn = random_scene(seed);
     Options options = drawn.options;
@@ -294,6 +341,12 @@ SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count) {
                    (all ? "" : " without " + std::string(to_text(one))) + ": " + broken;
       return out;
     }
+    options.economies = {};
+    const std::string broken = memory_law(drawn.scene, options, memory, out.tally);
+    if (broken.empty()) continue;
+    out.broken = "scene " + std::to_string(seed) + " in tier " + std::string(to_text(options.tier)) +
+                 ", in steps: " + broken;
+    return out;
   }
   return out;
 }

@@ -15,7 +15,7 @@
 // ones: its brackets may miss each other by kStandardSlack, which is for scenes in general position.
 #pragma once
 
-#include <graze/scene.hpp>
+#include <graze/scene/memory.hpp>
 
 namespace graze::law {
 
@@ -31,7 +31,13 @@ struct SceneTally {
 [[nodiscard]] std::string scene_law(const scene::Scene& scene, const scene::Options& options,
                                     SceneTally& tally);
 
-// As many scenes from this seed on, each with every economy on and with one of them off.
+// The scene's step cut into four, one after the other, each run twice: by itself, and with the memory of the step
+// before, whatever that was of at first. Events are the same to the bit. On the way somebody moves a body by hand, and
+// asks for another target distance. The runs with a memory are counted into the tally.
+[[nodiscard]] std::string memory_law(const scene::Scene& scene, const scene::Options& options,
+                                     scene::Memory& memory, SceneTally& tally);
+
+// As many scenes from this seed on, each with every economy on and with one of them off, and in steps.
 struct SceneLawRun {
   SceneTally tally;
   std::string broken;  // the first break, with its seed; empty if there is none

@@ -9,6 +9,7 @@
 #include "candidates.hpp"
 #include "events.hpp"
 #include "parallel.hpp"
+#include "recall.hpp"
 
 namespace graze::scene {
 namespace {
@@ -75,7 +76,9 @@ class Horizon {
 
 class Run {
  public:
-  Run(const Scene& scene, const Options& options) : scene_(scene), options_(options) {}
+  // Without a memory nothing is kept.
+  Run(const Scene& scene, const Options& options, Memory* memory)
+      : scene_(scene), options_(options), memory_(memory) {}
 
   Report operator()() {
     Report& out = report_;
@@ -95,7 +98,9 @@ class Run {
     out.status = Status::complete;
     const Clock::time_point begin = Clock::now();
     work_ = found.pairs.size() + scene_.probes.size();
+    if (memory_) recall_.emplace(scene_, options_, *memory_);
     cast_pairs(found.pairs);
+    if (recall_) recall_->end();
     if (out.status == Status::complete) cast_probes(tree);
     out.times.casts = seconds_since(begin);
     return std::move(out);
@@ -117,45 +122,71 @@ class Run {
                 [](const Candidate& l, const Candidate& r) { return l.before(r); });
     }
     Horizon horizon(options_, scene_.bodies.size());
-    std::vector<std::optional<Answer>> answers(std::min(kMostPart, pairs.size()));
+    std::vector<Looked> looked(std::min(kMostPart, pairs.size()));
     std::size_t done = 0, size = ordered ? kFirstPart : kMostPart;
     while (done < pairs.size() && go_on(done)) {
       const std::size_t count = std::min(size, pairs.size() - done);
       const std::span<const Candidate> part = std::span<const Candidate>(pairs).subspan(done, count);
       if (horizon.settled() && ordered) {
         report_.counts.moot += pairs.size() - done;
+        for (const Candidate& pair : std::span<const Candidate>(pairs).subspan(done)) {
+          if (recall_) recall_->keep(recall_->pass_over(pair));
+        }
         done = pairs.size();
         break;
       }
       for_each_index(count, options_.threads, [&](std::size_t k) {
-        const double until = ordered ? horizon.of(part[k].a, part[k].b) : options_.t_max;
-        answers[k].reset();
-        if (part[k].begin > until) return;
-        answers[k] = answer(scene_.bodies[part[k].a].body, scene_.bodies[part[k].b].body, options_, until);
+        looked[k] = look(part[k], ordered ? horizon.of(part[k].a, part[k].b) : options_.t_max);
       });
       for (std::size_t k = 0; k < count; ++k) {
-        if (ordered && answers[k] && horizon.of(part[k].a, part[k].b) < options_.t_max)
+        if (ordered && looked[k].answer && horizon.of(part[k].a, part[k].b) < options_.t_max)
           ++report_.counts.shortened;
       }
-      for (std::size_t k = 0; k < count; ++k) take(part[k], answers[k], horizon);
+      for (std::size_t k = 0; k < count; ++k) take(part[k], looked[k], horizon);
       done += count;
       size = std::min(2 * size, kMostPart);
     }
     report_.counts.unfinished = pairs.size() - done;
     done_ = done;
+    for (std::size_t k = done; recall_ && k < pairs.size(); ++k) recall_->keep(recall_->pass_over(pairs[k]));
     std::erase_if(report_.events, [&](const Event& event) { return !horizon.counts(event); });
     sort(report_.events);
   }
 
-  void take(const Candidate& pair, std::optional<Answer>& answer, Horizon& horizon) {
-    if (!answer) {
-      ++report_.counts.moot;
-      return;
+  // Over [0, until].
+  [[nodiscard]] Looked look(const Candidate& pair, double until) const {
+    if (recall_) return recall_->look(pair, until);
+    Looked out;
+    if (pair.begin > until) return out;
+    out.how = Looked::How::cast;
+    out.answer = answer(scene_.bodies[pair.a].body, scene_.bodies[pair.b].body, options_, until);
+    return out;
+  }
+
+  void take(const Candidate& pair, Looked& looked, Horizon& horizon) {
+    Counts& counts = report_.counts;
+    if (recall_) recall_->keep(looked);
+    report_.counters += looked.counters;
+    switch (looked.how) {
+      case Looked::How::moot:
+        ++counts.moot;
+        return;
+      case Looked::How::parted:
+        ++counts.parted;
+        return;
+      case Looked::How::kept:
+        ++counts.kept;
+        if (looked.kept) add(Event(*looked.kept), horizon);
+        return;
+      case Looked::How::cast:
+        counts.add(looked.answer->result.plan);
+        report_.counters += looked.answer->result.counters;
+        if (is_event(looked.answer->result.outcome))
+          add(event_of(pair.a, pair.b, std::move(*looked.answer)), horizon);
+        return;
     }
-    report_.counts.add(answer->result.plan);
-    report_.counters += answer->result.counters;
-    if (!is_event(answer->result.outcome)) return;
-    Event event = event_of(pair.a, pair.b, std::move(*answer));
+  }
+  void add(Event&& event, Horizon& horizon) {
     horizon.add(event);
     if (horizon.counts(event)) report_.events.push_back(std::move(event));
   }
@@ -254,6 +285,8 @@ class Run {
 
   const Scene& scene_;
   const Options& options_;
+  Memory* memory_;
+  std::optional<Recall> recall_;
   Report report_;
   std::uint64_t work_ = 0, done_ = 0;
 };
@@ -273,6 +306,10 @@ Probe ray(std::string name, const Vec3<double>& origin, const Vec3<double>& disp
   return out;
 }
 
-Report run(const Scene& scene, const Options& options) { return Run(scene, options)(); }
+Report run(const Scene& scene, const Options& options) { return Run(scene, options, nullptr)(); }
+
+Report run(const Scene& scene, const Options& options, Memory& memory) {
+  return Run(scene, options, &memory)();
+}
 
 }  // namespace graze::scene

@@ -18,18 +18,20 @@ struct PairPlan {
   }
 };
 
-// Every pair of bodies is counted once: filtered, apart at rest, never_meet, moot, unfinished, or by what was
-// simulated. Probes are counted by themselves.
+// Every pair of bodies is counted once: filtered, apart at rest, never_meet, moot, parted or kept by a memory,
+// unfinished, or by what was simulated. Probes are counted by themselves.
 struct Counts {
   std::uint64_t bodies = 0, resting = 0, turning = 0;
-  std::uint64_t pairs = 0;                    // n (n - 1) / 2
-  std::uint64_t filtered = 0;                 // by groups and masks
-  std::uint64_t apart = 0;                    // at rest, bounds apart
-  std::uint64_t never_meet = 0;               // one moves, swept bounds never meet
-  std::uint64_t moot = 0;                     // an earlier event had settled what was asked
-  std::uint64_t unfinished = 0;               // interrupted before
-  std::uint64_t shortened = 0;                // cast with a horizon that an earlier event had bounded
-  std::array<std::uint64_t, 4> effects = {};  // by graze::Effects
+  std::uint64_t pairs = 0;       // n (n - 1) / 2
+  std::uint64_t filtered = 0;    // by groups and masks
+  std::uint64_t apart = 0;       // at rest, bounds apart
+  std::uint64_t never_meet = 0;  // one moves, swept bounds never meet
+  std::uint64_t moot = 0;        // an earlier event had settled what was asked
+  std::uint64_t parted = 0;      // an axis parts them that did in the step before, or one near it
+  std::uint64_t kept = 0;        // they rest as in the step before, and so does their overlap
+  std::uint64_t unfinished = 0;  // interrupted before
+  std::uint64_t shortened = 0;   // cast with a horizon that an earlier event had bounded
+  std::array<std::uint64_t, 4> effects = {};                  // by graze::Effects
   std::array<std::uint64_t, kPlanReasons> reasons = {};       // by graze::PlanReason
   std::uint64_t probes = 0, probe_casts = 0, probe_moot = 0;  // probes; pairs with a body: cast, moot
 
