@@ -16,6 +16,7 @@
 #include "show/play.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
+#include "tools/commands/scene_steps.hpp"
 
 namespace graze::tool {
 namespace {
@@ -26,6 +27,7 @@ struct SceneSettings {
   unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::uint64_t most_pairs = scene::Options{}.most_pairs;
   bool json = false, plan = false, gains = false;
+  int steps = 0;
 };
 
 // Of --gains: so many rounds, or until so much processor time is spent.
@@ -80,6 +82,8 @@ class SceneRun {
     will_read(given.files);
     if (given.plan && given.gains)
       throw std::runtime_error("--plan: nothing is cast, so --gains has no meaning beside it");
+    if (given.plan && given.steps > 0)
+      throw std::runtime_error("--plan: nothing is cast, so --steps has no meaning beside it");
     if (given.plan && !given.report.empty())
       throw std::runtime_error("--plan: nothing is cast, so there is nothing for --report to play");
     if (!given.report.empty()) {
@@ -136,7 +140,12 @@ class SceneRun {
       plays_.push_back(show::play_of(document, report, {.command = command_for(file)}));
       plain_ += fmt::format("{}\n{}\n", document.id, scene::to_text(report.counts));
     }
-    if (settings_.gains && report.status == scene::Status::complete) show_gains(document);
+    if (report.status != scene::Status::complete) return;
+    if (settings_.gains) show_gains(document);
+    if (settings_.steps > 0) {
+      SceneSteps steps(document, settings_.steps);
+      if (steps.run()) fmt::print("{}", steps.table().text());
+    }
   }
 
   // With progress on stderr, and a stop by signal between two parts.
@@ -313,6 +322,12 @@ void add_scene_command(CLI::App& app, int& exit_code) {
   command->add_flag(
       "--gains", settings->gains,
       "Also run with each economy off, alone and together: what each spares, in casts and in time");
+  command
+      ->add_option("--steps", settings->steps,
+                   "Also cut the scene's step into so many, each after the one before, with a memory and "
+                   "without: what a memory spares, in casts and in time")
+      ->check(whole_number(1, 100'000))
+      ->type_name("N");
   command->add_option("--economy", settings->economies, "Only these economies, or none; see below")
       ->type_name("NAME...");
   command->add_option("--without", settings->without, "All economies but these")->type_name("NAME...");
@@ -349,6 +364,7 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       "  graze scene examples/scenes/*.json\n"
       "  graze scene --plan examples/scenes/fan.json\n"
       "  graze scene --ask first --gains examples/scenes/bullets.json\n"
+      "  graze scene --steps 100 examples/scenes/fan.json\n"
       "  graze scene examples/scenes/*.json --report played     a page to look at: played/index.html\n\n"
       "Exit code: 0, or 2 if a scene could not be read or run; after an interruption, which shows what is "
       "known, "

@@ -1,0 +1,33 @@
+// graze scene --steps: what a memory of the step before spares.
+#pragma once
+
+#include "report/table.hpp"
+#include "scene/format/scene_io.hpp"
+
+namespace graze::tool {
+
+// The scene's step cut into so many, one after the other, with a memory and without. One thread, processor time; the two
+// take turns, and each one's best run counts. The table has a row for either; empty where a signal stopped it.
+class SceneSteps {
+ public:
+  SceneSteps(const scene::Document& document, int steps);
+
+  // False: stopped by a signal.
+  [[nodiscard]] bool run();
+  [[nodiscard]] Table table() const;
+
+ private:
+  struct Sum {
+    scene::Counts counts;
+    std::uint64_t supports = 0, events = 0;
+    double seconds = kInfinity<double>;
+    std::size_t bytes = 0;
+  };
+  [[nodiscard]] bool go_through(bool with_memory, Sum& best) const;
+
+  scene::Options options_;
+  std::vector<scene::Scene> scenes_;
+  Sum without_, with_;
+};
+
+}  // namespace graze::tool
