@@ -1,149 +1,211 @@
-// Notation (cso.hpp): C = A - B grown by the target distance, h(n) its support; n unit, g(t) = -(h(n) - t n.v), the gap
-// along n at time t, is what n proves. Internal lengths; what an axis has to clear beyond 0 is `margin`.
+// Notation: C = A - B grown by the target distance, h(n) its support, n unit; the gap along n is -h(n), and v(t) the way
+// from A's centre to B's. Internal lengths.
 //
-//   neither turns   g is linear in t: g(0) and g(T) above the margin prove all between.
-//   one turns       along an axis fixed in the world or in a body, every point of the bodies stays within
-//                   M t (T - t) / 2 of its chord, so sqrt(g(0)) + sqrt(g(T)) > T sqrt(M / 2) proves all between
-//                   (rotating/slice.hpp).
+// An axis. With the gaps s_0 and s_1 at the two ends, less the margin,
+//   neither turns   the gap is linear in t: s_0 > 0 and s_1 > 0 prove all between;
+//   one turns       every point stays within M t (T - t) / 2 of its chord along n, M <= |w| |n x w| rho of each body, so
+//                   sqrt(s_0) + sqrt(s_1) > T sqrt(M / 2) proves all between (rotating/slice.hpp).
+// A body that turns by more than kMostAngle is a ball about its pivot, and does not turn.
 //
-// Rounding. Of h: Cso::reach_error, and 8 u of the radius and the offset, as MovingPair::error has it. n may be off its
-// length by 48 u where it was turned into a body's axes: a gap is then wrong by as much of itself. n.r of a sum of three
-// products, r within u: 8 u sum |n_i r_i|.
+// Contact. Points w_i of C, each within e of where it is computed. If the computed ones' hull holds a ball of radius
+// e + d about the origin, the true ones' holds one of radius d: h(n) falls by e at most. For a core with a ball of radius
+// R about it: a convex combination v of the w_i with |v| <= R - e - d is as good.
 //
-// The margin. A cast answers miss where the clearance exceeds the tier's width: kLinearCertifiedWidth of scale, and 2^10
-// roundings of a named point, which is of points' error; of turning bodies 1e-9, or the caller's tolerance. Standard
-// methods answer within kappa u scale, below 2^-36 of it (swept_box.hpp). The margins are above all of them, thrice as
-// cso.scale() may be a third of scale.
+// Rounding. Entries of R are within 9 u, those of the turned one within (48 + 8 angle) u: the half angle within 2 u of
+// itself, a product of quaternions, and 9 u. A point, three products of a row, a direction turned back at either of two
+// vertices that are compared: (288 + 48 angle) u of the core's size; positions, ways and pivots are sums of at most six
+// terms. All are below 512 u (1 + angle) of L, the sum of the lengths. What a side chooses or rounds itself is its slip
+// and its blur (side.hpp), taken four times for three coordinates and two points.
+//
+// The margin. A cast answers by the verdict where clearance and depth exceed the tier's width: kLinearCertifiedWidth of
+// scale; of turning bodies 1e-9 (kCertifiedTurningWidth), or the caller's tolerance. Standard methods answer within
+// kappa u scale, below 2^-36 of it (swept_box.hpp). scale is at most the sum of the sizes and the distance.
 #include "apart.hpp"
 
+#include <Eigen/Geometry>
 #include <graze/gjk/gjk.hpp>
-#include <graze/rotating/slice.hpp>
+#include <graze/rotating/mobility.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze::scene {
 namespace {
 
 constexpr double u = kUnitRoundoff<double>;
-constexpr int kBudget = 24;  // supports of a search; what needs more is cast
-constexpr double kTilt = 1 - 0x1p-46;
+constexpr double kUp = 1 + 0x1p-40;  // above what a few roundings leave
+constexpr double kMostAngle = 1;     // radians of a step
+constexpr int kBudget = 24;          // supports of a search; what needs more is cast
 
 Vec3<double> zero() { return Vec3<double>::Zero(); }
 
-// Neither body turns.
-class Sliding {
- public:
-  Sliding(const Body<double>& a, const Body<double>& b, const StepLimits& limits, Counters& counters)
-      : cso_(a, b, limits.target_distance),
-        counters_(counters),
-        s_end_(cso_.moves() ? cso_.to_parameter(limits.t_end) : 0.0) {
-    error_ = cso_.reach_error() + 8 * u * (cso_.radius() + cso_.offset().norm());
-    margin_ = (0x1p-36 + limits.tolerance) * (3 * cso_.scale() + cso_.radius() + cso_.extent()) +
-              0x1p12 * cso_.point_error();
-  }
-
-  [[nodiscard]] bool is_parted_by(const Vec3<double>& n) const {
-    ++counters_.supports;
-    const double gap = -n.dot(cso_.support(n).w) - cso_.radius() - error_;
-    const Vec3<double>& r = cso_.direction();
-    const double closing = n.dot(r) - 8 * u * n.cwiseProduct(r).cwiseAbs().sum();
-    return gap * kTilt > margin_ && (gap + s_end_ * closing * (1 + 4 * u)) * kTilt > margin_;
-  }
-
-  // GJK on C swept along -r, from the hint.
-  [[nodiscard]] Vec3<double> search(const Vec3<double>& hint) const {
-    const Vec3<double> way = s_end_ * cso_.direction();
-    const auto swept = [&](const Vec3<double>& n) {
-      CsoPoint<double> p = cso_.support(n);
-      if (n.dot(way) < 0) {
-        p.w -= way;
-        p.e = Vec3<double>::UnitX();  // tells the two ends of a sweep apart
-      }
-      return p;
-    };
-    Simplex<double> simplex;
-    const Vec3<double> start = hint != zero() ? hint : Vec3<double>(way / 2 - cso_.middle());
-    return gjk_distance(swept, zero(), start, simplex, 0x1p-20 * cso_.scale(), cso_.radius() + margin_,
-                        kBudget, counters_)
-        .n;
-  }
-
- private:
-  const Cso<double> cso_;
-  Counters& counters_;
-  double s_end_, error_ = 0, margin_ = 0;
-};
-
-class Turning {
- public:
-  Turning(const RotatingBody<double>& a, const RotatingBody<double>& b, const StepLimits& limits,
-          Counters& counters)
-      : pair_(a, b, limits.target_distance), t_end_(limits.t_end), counters_(counters) {
-    const Cso<double>& cso = pair_.cso();
-    margin_ = (2e-9 + limits.tolerance) * (3 * cso.scale() + pair_.radius() + cso.extent());
-  }
-
-  [[nodiscard]] bool is_parted_by(const PartingAxis& by) {
-    const double start = gap_at(0, by), end = start > 0 ? gap_at(t_end_, by) : 0;
-    if (!(start > 0 && end > 0)) return false;
-    const double bend = pair_.bend(by.frame, pair_.to_world(by.frame, by.axis), t_end_) * (1 + 0x1p-40);
-    return (std::sqrt(start) + std::sqrt(end)) * (1 - 0x1p-10) > t_end_ * std::sqrt(bend / 2);
-  }
-
-  // The axis of the least distance half way, fixed where it lets points bend least.
-  [[nodiscard]] bool find(PartingAxis& out) {
-    pair_.place(t_end_ / 2);
-    const Cso<double>& cso = pair_.cso();
-    Simplex<double> simplex;
-    const Vec3<double> start =
-        out.is_known() ? pair_.to_world(out.frame, out.axis) : Vec3<double>(-cso.middle());
-    const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
-    const Vec3<double> n = gjk_distance(support, zero(), start, simplex, 0x1p-20 * cso.scale(),
-                                        pair_.radius() + margin_, kBudget, counters_)
-                               .n;
-    if (n == zero()) return false;
-    const std::array<double, 3> bends = pair_.bends(n, t_end_);
-    std::array<int, 3> order = {0, 1, 2};
-    std::stable_sort(order.begin(), order.end(), [&](int l, int r) {
-      return bends[static_cast<std::size_t>(l)] < bends[static_cast<std::size_t>(r)];
-    });
-    std::array<Vec3<double>, 3> own;
-    for (const int k : order) own[static_cast<std::size_t>(k)] = pair_.to_own(static_cast<AxisFrame>(k), n);
-    for (const int k : order) {
-      const PartingAxis one{own[static_cast<std::size_t>(k)], static_cast<AxisFrame>(k)};
-      if (!is_parted_by(one)) continue;
-      out = one;
-      return true;
-    }
-    return false;
-  }
-
- private:
-  double gap_at(double t, const PartingAxis& by) {
-    if (pair_.time() != t) pair_.place(t);
-    const double gap = pair_.gap(pair_.to_world(by.frame, by.axis), counters_);
-    return gap * kTilt - pair_.frame_error(by.frame) - margin_ - 8 * pair_.error();
-  }
-
-  detail::MovingPair pair_;
-  double t_end_, margin_ = 0;
-  Counters& counters_;
-};
-
 }  // namespace
 
-bool stays_apart(const RotatingBody<double>& a, const RotatingBody<double>& b, const StepLimits& limits,
-                 PartingAxis& hint, Counters& counters) {
-  if (a.rotation == zero() && b.rotation == zero()) {
-    const Sliding pair(a.body, b.body, limits, counters);
-    if (hint.is_known() && hint.frame == AxisFrame::world && pair.is_parted_by(hint.axis)) return true;
-    const Vec3<double> n = pair.search(hint.frame == AxisFrame::world ? hint.axis : zero());
-    if (n == zero() || !pair.is_parted_by(n)) return false;
-    hint = {n, AxisFrame::world};
-    return true;
+StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits) : w(moving.rotation) {
+  const Body<double>& body = moving.body;
+  const double unit = power_of_two(-limits.exponent);
+  const detail::Bounds bounds = detail::bounds(body.shape);
+  side = detail::make_side<double>(body, bounds, limits.exponent, detail::Turning::quick);
+  const Vec3<double> middle = bounds.center + bounds.middle;
+  const Vec3<double> arm = bounds.center - moving.pivot, position = unit * body.position,
+                     way = unit * limits.t_end * body.displacement;
+  rate = w.norm() * kUp;
+  radius = side.radius;
+  const double core = bounds.half.norm() + detail::beyond_bounds(body.shape, bounds);
+  rho = unit * ((middle - moving.pivot).norm() + core) * kUp;
+  size = 2 * (unit * core + 2 * radius) * kUp;
+  const double angle = rate * limits.t_end;
+  turns = angle > 0;
+  is_ball = turns && !(angle <= kMostAngle);
+
+  rotation[0] = detail::rotation_matrix(body.orientation);
+  rotation[1] = rotation[0];
+  if (is_ball) {
+    center[0] = position + unit * (rotation[0] * moving.pivot);
+    center[1] = center[0] + way;
+    radius += rho;
+    turns = false;
+  } else {
+    center[0] = position + unit * (rotation[0] * bounds.center);
+    center[1] = center[0] + way;
+    if (turns) {
+      const Quaternion<double>& q = body.orientation;
+      const double most = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+      const Eigen::Quaterniond start =
+          Eigen::Quaterniond(q.w / most, q.x / most, q.y / most, q.z / most).normalized();
+      const Eigen::Quaterniond end = Eigen::AngleAxisd(limits.t_end * w.norm(), w.normalized()) * start;
+      rotation[1] = detail::rotation_matrix(Quaternion<double>{end.w(), end.x(), end.y(), end.z()});
+      center[1] += unit * (rotation[1] * arm - rotation[0] * arm);
+    }
   }
-  Turning pair(a, b, limits, counters);
-  return (hint.is_known() && pair.is_parted_by(hint)) || pair.find(hint);
+  const double lengths = position.cwiseAbs().sum() + way.cwiseAbs().sum() + rho + radius +
+                         unit * (bounds.center.cwiseAbs().sum() + moving.pivot.cwiseAbs().sum() +
+                                 bounds.middle.cwiseAbs().sum() + core);
+  error = 512 * u * (1 + (turns ? angle : 0.0)) * lengths + 4 * (side.slip + side.blur);
+}
+
+StepPair::StepPair(const StepBody& a, const StepBody& b, const StepLimits& limits, Counters& counters)
+    : a_(a), b_(b), side_a_(a.side), side_b_(b.side), limits_(limits), counters_(counters) {
+  for (const std::size_t end : {0u, 1u}) apart_[end] = b.center[end] - a.center[end];
+  const double target = limits.target_distance * power_of_two(-limits.exponent);
+  radius_ = (a.radius + b.radius + target) * kUp;
+  error_ = a.error + b.error;
+  const double scale = a.size + b.size + target + apart_[0].cwiseAbs().sum();
+  const bool turns = a.rate > 0 || b.rate > 0;
+  margin_ = ((turns ? 2e-9 : 0x1p-36) + limits.tolerance) * scale + error_;
+}
+
+StepPair::Ends StepPair::support(const Vec3<double>& n, bool both) {
+  ++counters_.supports;
+  Ends out;
+  const auto point = [&](const StepBody& body, const detail::Side<double>& side, const Vec3<double>& d,
+                         std::size_t end, std::uint32_t& vertex) -> Vec3<double> {
+    if (body.is_ball) return zero();
+    const detail::SidePoint<double> p = side.support(side, body.rotation[end].transpose() * d, nullptr);
+    vertex = p.vertex;
+    return body.rotation[end] * p.x;
+  };
+  const Vec3<double> a = point(a_, side_a_, n, 0, out.vertex_a), b = point(b_, side_b_, -n, 0, out.vertex_b);
+  out.w[0] = a - b - apart_[0];
+  if (!both) return out;
+  std::uint32_t unnamed = 0;
+  const Vec3<double> a_end = a_.turns ? point(a_, side_a_, n, 1, unnamed) : a,
+                     b_end = b_.turns ? point(b_, side_b_, -n, 1, unnamed) : b;
+  out.w[1] = a_end - b_end - apart_[1];
+  return out;
+}
+
+bool StepPair::is_parted_by(const Vec3<double>& n) {
+  const Ends ends = support(n, true);
+  const double lost = radius_ + error_ + margin_;
+  const double s_0 = -n.dot(ends.w[0]) - lost, s_1 = -n.dot(ends.w[1]) - lost;
+  if (!(s_0 > 0 && s_1 > 0)) return false;
+  double bend = 0;
+  for (const StepBody* body : {&a_, &b_}) {
+    if (body->turns) bend += body->rate * detail::length_of_cross(n, body->w) * body->rho;
+  }
+  return (std::sqrt(s_0) + std::sqrt(s_1)) * (1 - 0x1p-20) > limits_.t_end * std::sqrt(bend / 2);
+}
+
+// The axis of C at both ends, taken as one: GJK.
+Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
+  const auto farther = [&](const Vec3<double>& n) {
+    const Ends ends = support(n, true);
+    const bool is_end = n.dot(ends.w[1]) > n.dot(ends.w[0]);
+    CsoPoint<double> p;
+    p.w = ends.w[is_end ? 1 : 0];
+    p.vertex_a = ends.vertex_a;
+    p.vertex_b = ends.vertex_b;
+    p.e = is_end ? Vec3<double>(Vec3<double>::UnitX()) : zero();
+    p.n = n;
+    return p;
+  };
+  Simplex<double> simplex;
+  const Vec3<double> start = hint != zero() ? hint : Vec3<double>((apart_[0] + apart_[1]) / 2);
+  const Vec3<double> n = gjk_distance(farther, zero(), start, simplex, 0x1p-10 * (a_.size + b_.size),
+                                      radius_ + margin_, kBudget, counters_)
+                             .n;
+  return n != zero() && is_parted_by(n) ? n : zero();
+}
+
+bool StepPair::holds_origin(const std::array<Vec3<double>, 4>& w, int size) const {
+  const double most = 2 * error_ + margin_;  // what a point may be off, and the depth
+  Simplex<double> simplex;
+  double longest = 0;
+  for (int i = 0; i < size; ++i) {
+    CsoPoint<double> p;
+    p.w = w[static_cast<std::size_t>(i)];
+    simplex.add(p);
+    longest = std::max(longest, p.w.cwiseAbs().sum());
+  }
+  if (radius_ > 0) {
+    const Closest<double> closest = closest_to_origin(simplex, zero());
+    if (closest.v.norm() * kUp + 16 * u * longest + most <= radius_ * (1 - 0x1p-38)) return true;
+  }
+  if (size != 4) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3<double>&p = w[i], &q = w[(i + 1) % 4], &r = w[(i + 2) % 4], &opposite = w[(i + 3) % 4];
+    const Vec3<double> m = (q - p).cross(r - p);
+    // The height of the origin over the face, times |m|; products of three lengths round by 64 u of their cube.
+    const double height = -m.dot(p), lost = most * m.norm() * kUp + 64 * u * longest * longest * longest;
+    const double altitude = m.dot(opposite - p);
+    if (!(altitude > 0 ? altitude > lost && height > lost : altitude < -lost && height < -lost)) return false;
+  }
+  return true;
+}
+
+bool StepPair::is_held_by(const Touching& features) {
+  if (a_.is_ball || b_.is_ball) return false;
+  std::array<Vec3<double>, 4> w;
+  for (int i = 0; i < features.size; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    w[k] = support(features.direction[k], false).w[0];
+  }
+  return holds_origin(w, features.size);
+}
+
+std::optional<Touching> StepPair::find_touching() {
+  if (a_.is_ball || b_.is_ball) return {};
+  const auto at_start = [&](const Vec3<double>& n) {
+    const Ends ends = support(n, false);
+    CsoPoint<double> p;
+    p.w = ends.w[0];
+    p.n = n;
+    p.vertex_a = ends.vertex_a;
+    p.vertex_b = ends.vertex_b;
+    return p;
+  };
+  Simplex<double> simplex;
+  gjk_distance(at_start, zero(), apart_[0], simplex, 0.0, radius_ / 2, kBudget, counters_);
+  Touching out;
+  out.size = simplex.size;
+  std::array<Vec3<double>, 4> w;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+    out.direction[i] = simplex.point[i].n;
+    w[i] = simplex.point[i].w;
+  }
+  if (!holds_origin(w, out.size)) return {};
+  return out;
 }
 
 }  // namespace graze::scene

@@ -1,29 +1,63 @@
-// Does one axis part two bodies for a whole step? A test of one or two supports for each body, with every rounding
-// counted, and a search for such an axis.
+// A pair over a step, by a test of a support or two instead of a cast: does one axis part it from the beginning to the
+// end, or do a few of its points show that it is in contact at the beginning? With every rounding counted; and a short
+// search for such an axis, or such points.
 #pragma once
 
 #include <graze/result.hpp>
 #include <graze/rotating_body.hpp>
-#include <graze/rotating_proof.hpp>
+#include <graze/scene/memory.hpp>
+#include <graze/support/side.hpp>
 
 namespace graze::scene {
 
-// Unit, from A to B: fixed in the world, or turning with a body, then in the body's own axes.
-struct PartingAxis {
-  Vec3<double> axis = Vec3<double>::Zero();  // 0: none
-  AxisFrame frame = AxisFrame::world;
-
-  [[nodiscard]] bool is_known() const { return axis != Vec3<double>::Zero(); }
-};
-
 struct StepLimits {
   double t_end = 1, target_distance = 0, tolerance = 0;
+  int exponent = 0;  // internal length = world length 2^-exponent
 };
 
-// The bodies stay farther apart than the target distance over [0, t_end] along `hint`; or else along an axis that a
-// short search from there finds, which hint then is. By more than any method's rounding and the width of any tier's
-// answer, so that the pair's cast is a miss too. False: nothing is known. The bodies are valid.
-[[nodiscard]] bool stays_apart(const RotatingBody<double>& a, const RotatingBody<double>& b,
-                               const StepLimits& limits, PartingAxis& hint, Counters& counters);
+// One body over a step, prepared once for all its pairs. Valid while the body lives.
+struct StepBody {
+  StepBody(const RotatingBody<double>& moving, const StepLimits& limits);
+
+  detail::Side<double> side;
+  std::array<Mat3<double>, 2>
+      rotation;  // at 0 and t_end; the same where nothing turns, or a ball stands for it
+  std::array<Vec3<double>, 2> center;   // of the side
+  Vec3<double> w;                       // rotation vector
+  double rate = 0, rho = 0;             // |w|, and how far the core's points are from the pivot, at most
+  double radius = 0, size = 0;          // of what is added to the core; of the whole
+  double error = 0;                     // of a point, and of h(n)
+  bool turns = false, is_ball = false;  // the core turns so far that the ball about the pivot stands for it
+};
+
+class StepPair {
+ public:
+  StepPair(const StepBody& a, const StepBody& b, const StepLimits& limits, Counters& counters);
+
+  // n, unit, parts the bodies over [0, t_end], by more than any method's rounding and the width of any tier's answer: the
+  // pair's cast is a miss.
+  [[nodiscard]] bool is_parted_by(const Vec3<double>& n);
+  // Such an n, from a hint or from nothing (0); 0 where a short search finds none.
+  [[nodiscard]] Vec3<double> find_axis(const Vec3<double>& hint);
+
+  // Points of A - B along these directions hold the origin at t = 0, as deep: the pair's cast is initially_overlapping.
+  [[nodiscard]] bool is_held_by(const Touching& features);
+  [[nodiscard]] std::optional<Touching> find_touching();
+
+ private:
+  struct Ends {
+    std::array<Vec3<double>, 2> w;  // of C = A - B at 0 and t_end
+    std::uint32_t vertex_a = 0, vertex_b = 0;
+  };
+  [[nodiscard]] Ends support(const Vec3<double>& n, bool both);
+  [[nodiscard]] bool holds_origin(const std::array<Vec3<double>, 4>& w, int size) const;
+
+  const StepBody &a_, &b_;
+  detail::Side<double> side_a_, side_b_;  // a climb remembers where it ended: each pair's own
+  const StepLimits& limits_;
+  Counters& counters_;
+  std::array<Vec3<double>, 2> apart_;  // of the centres, B's from A's
+  double radius_, error_, margin_;
+};
 
 }  // namespace graze::scene

@@ -29,6 +29,7 @@ std::string to_text(const Counts& counts) {
   line(counts.never_meet, "nothing: their swept bounds never meet");
   line(counts.moot, "nothing: an earlier event settles what is asked");
   line(counts.parted, "a test: parted along the axis of the step before");
+  line(counts.held, "a test: in contact along the directions of the step before");
   line(counts.kept, "nothing: they rest as in the step before");
   for (std::size_t k = 0; k < counts.effects.size(); ++k) {
     line(counts.effects[k], std::string("simulated: ").append(to_text(static_cast<Effects>(k))));

@@ -8,7 +8,7 @@
 namespace graze::scene {
 namespace {
 
-constexpr std::uint8_t kMostWait = 63;
+constexpr int kMostWait = 63;
 
 // [Steele, Lea, Flood 2014: the mix of SplitMix64]
 std::size_t hash_of(std::uint32_t a, std::uint32_t b) {
@@ -32,7 +32,8 @@ Recall::Recall(const Scene& scene, const Options& options, Memory& memory)
       options_(options),
       memory_(memory),
       settings_{options.tier, options.request, options.target_distance, options.tolerance, options.economies},
-      rests_as_it_did_(scene.bodies.size(), 0) {
+      rests_as_it_did_(scene.bodies.size(), 0),
+      limits_{options.t_max, options.target_distance, options.tolerance, 0} {
   if (!(settings_ == memory.settings_)) return;
   for (const Memory::Resting& before : memory.resting_) {
     if (before.index >= scene.bodies.size()) continue;
@@ -55,9 +56,32 @@ Memory::Pair Recall::known(const Candidate& pair) const {
   }
 }
 
+void Recall::prepare(std::span<const Candidate> pairs) {
+  constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  places_.assign(scene_.bodies.size(), kNone);
+  std::vector<std::uint32_t> needed;
+  for (const Candidate& pair : pairs) {
+    if (both_rest(pair)) continue;
+    for (const std::uint32_t k : {pair.a, pair.b}) {
+      if (places_[k] != kNone) continue;
+      places_[k] = static_cast<std::uint32_t>(needed.size());
+      needed.push_back(k);
+    }
+  }
+  double largest = 0;
+  for (const std::uint32_t k : needed) {
+    const detail::Bounds bounds = detail::bounds(scene_.bodies[k].body.body.shape);
+    largest = std::max(largest, bounds.half.maxCoeff() + bounds.radius);
+  }
+  limits_.exponent = largest > 0 ? exponent_of(largest) : 0;
+  bodies_.reserve(needed.size());
+  for (const std::uint32_t k : needed) bodies_.emplace_back(scene_.bodies[k].body, limits_);
+}
+
 Looked Recall::pass_over(const Candidate& pair) const {
   Looked out;
   out.next = known(pair);
+  if (out.next.touching != Memory::kNothing) out.touching = memory_.touching_[out.next.touching];
   if (out.next.answer == Memory::kNothing) return out;
   if (!rests_as_it_did_[pair.a] || !rests_as_it_did_[pair.b]) {
     out.next.answer = Memory::kNothing;
@@ -70,58 +94,67 @@ Looked Recall::pass_over(const Candidate& pair) const {
 Looked Recall::look(const Candidate& pair, double until) const {
   Looked out = pass_over(pair);
   if (pair.begin > until) return out;
-  Memory::Pair& next = out.next;
-  if (next.answer != Memory::kNothing) {
+  if (out.next.answer != Memory::kNothing) {
     out.how = Looked::How::kept;
     return out;
   }
-  const RotatingBody<double>&a = scene_.bodies[pair.a].body, &b = scene_.bodies[pair.b].body;
-  PartingAxis hint{next.axis, next.frame};
-  if (hint.is_known() || (next.failures > 0 && --next.wait == 0)) {
-    if (stays_apart(a, b, limits(until), hint, out.counters)) {
-      out.how = Looked::How::parted;
-      next.axis = hint.axis;
-      next.frame = hint.frame;
-      next.failures = next.wait = 0;
-      return out;
-    }
-    next.axis = Vec3<double>::Zero();
-    next.failures = static_cast<std::uint8_t>(std::min<int>(2 * next.failures + 1, kMostWait));
-    next.wait = next.failures;
-  }
+  if (!both_rest(pair) && follows(pair, out)) return out;
   out.how = Looked::How::cast;
-  out.answer = answer(a, b, options_, until);
-  learn(pair, until, out);
+  out.answer = answer(scene_.bodies[pair.a].body, scene_.bodies[pair.b].body, options_, until);
+  learn(pair, out);
   return out;
 }
 
+// By what the step before knew, or by what is near it.
+bool Recall::follows(const Candidate& pair, Looked& looked) const {
+  Memory::Pair& next = looked.next;
+  if (next.axis != Vec3<double>::Zero()) {
+    StepPair step = step_of(pair, looked.counters);
+    if (!step.is_parted_by(next.axis)) next.axis = step.find_axis(next.axis);
+    looked.how = Looked::How::parted;
+    if (next.axis == Vec3<double>::Zero()) next.failures = next.wait = 2;
+    return next.axis != Vec3<double>::Zero();
+  }
+  if (looked.touching && !asks_for(options_.request, Request::proof)) {
+    StepPair step = step_of(pair, looked.counters);
+    if (!step.is_held_by(*looked.touching)) looked.touching = step.find_touching();
+    looked.how = Looked::How::held;
+    return looked.touching.has_value();
+  }
+  return false;
+}
+
 // Of what has been cast.
-void Recall::learn(const Candidate& pair, double until, Looked& looked) const {
-  const RotatingBody<double>&a = scene_.bodies[pair.a].body, &b = scene_.bodies[pair.b].body;
+void Recall::learn(const Candidate& pair, Looked& looked) const {
   const Answer& found = *looked.answer;
   Memory::Pair& next = looked.next;
-  if (is_at_rest(a) && is_at_rest(b) && is_plain(found)) {
-    next.answer = Memory::kMiss;  // of a contact keep() says which
-    return;
-  }
-  if (found.result.outcome != Outcome::miss) {
-    next.failures = next.wait = 0;
-    return;
-  }
-  // A miss by bounds alone costs no more than an axis.
-  if (next.failures > 0 || found.result.plan.effects == Effects::nothing) return;
-  PartingAxis axis;
-  if (stays_apart(a, b, limits(until), axis, looked.counters)) {
-    next.axis = axis.axis;
-    next.frame = axis.frame;
+  looked.touching.reset();
+  const bool rest = both_rest(pair);
+  if (rest && is_plain(found)) next.answer = Memory::kMiss;  // of a contact keep() says which
+  const Outcome outcome = found.result.outcome;
+  if (rest || (outcome != Outcome::miss && outcome != Outcome::initially_overlapping)) return;
+  if (next.failures > 0 && --next.wait > 0) return;
+  StepPair step = step_of(pair, looked.counters);
+  if (outcome == Outcome::miss) {
+    next.axis = step.find_axis(Vec3<double>::Zero());
   } else {
-    next.failures = next.wait = 1;
+    looked.touching = step.find_touching();
   }
+  const bool is_found = next.axis != Vec3<double>::Zero() || looked.touching;
+  next.failures =
+      is_found ? std::uint8_t{0} : static_cast<std::uint8_t>(std::min(2 * next.failures + 1, kMostWait));
+  next.wait = next.failures;
 }
 
 void Recall::keep(const Looked& looked) {
   Memory::Pair pair = looked.next;
-  if (pair.answer == Memory::kNothing && pair.failures == 0 && pair.axis == Vec3<double>::Zero()) return;
+  const bool is_axis_known = pair.axis != Vec3<double>::Zero();
+  if (pair.answer == Memory::kNothing && pair.failures == 0 && !is_axis_known && !looked.touching) return;
+  pair.touching = Memory::kNothing;
+  if (looked.touching) {
+    pair.touching = static_cast<std::uint32_t>(touching_.size());
+    touching_.push_back(*looked.touching);
+  }
   if (pair.answer != Memory::kNothing) {
     const bool found_contact =
         looked.answer && looked.answer->result.outcome == Outcome::initially_overlapping;
@@ -136,6 +169,7 @@ void Recall::keep(const Looked& looked) {
 
 void Recall::end() {
   memory_.pairs_ = std::move(pairs_);
+  memory_.touching_ = std::move(touching_);
   memory_.events_ = std::move(events_);
   memory_.settings_ = settings_;
   memory_.resting_.clear();

@@ -11,18 +11,21 @@ namespace graze::scene {
 
 // What was found about one pair, and by what.
 struct Looked {
-  enum class How : std::uint8_t { moot, cast, kept, parted };
+  enum class How : std::uint8_t { moot, cast, kept, parted, held };
   How how = How::moot;
   std::optional<Answer> answer;  // of a cast
   const Event* kept = nullptr;   // of bodies that rest as they did, in contact
-  Memory::Pair next;             // what the next step may know of it
-  Counters counters;             // beside the answer's
+  Memory::Pair next;             // what the next step may know of it; its touching is the one below
+  std::optional<Touching> touching;
+  Counters counters;  // beside the answer's
 };
 
 class Recall {
  public:
   Recall(const Scene& scene, const Options& options, Memory& memory);
 
+  // Which pairs are going to be looked at.
+  void prepare(std::span<const Candidate> pairs);
   // Over [0, until]. Reads only, so that many threads may look at once.
   [[nodiscard]] Looked look(const Candidate& pair, double until) const;
   // A pair that nobody looks at.
@@ -34,10 +37,15 @@ class Recall {
 
  private:
   [[nodiscard]] Memory::Pair known(const Candidate& pair) const;
-  [[nodiscard]] StepLimits limits(double until) const {
-    return {until, options_.target_distance, options_.tolerance};
+  [[nodiscard]] bool both_rest(const Candidate& pair) const {
+    return is_at_rest(scene_.bodies[pair.a].body) && is_at_rest(scene_.bodies[pair.b].body);
   }
-  void learn(const Candidate& pair, double until, Looked& looked) const;
+  // Of bodies that do not both rest.
+  [[nodiscard]] StepPair step_of(const Candidate& pair, Counters& counters) const {
+    return {bodies_[places_[pair.a]], bodies_[places_[pair.b]], limits_, counters};
+  }
+  [[nodiscard]] bool follows(const Candidate& pair, Looked& looked) const;
+  void learn(const Candidate& pair, Looked& looked) const;
   void index();
 
   const Scene& scene_;
@@ -46,7 +54,11 @@ class Recall {
   Memory::Settings settings_;
   std::vector<char> rests_as_it_did_;  // of each body
   std::vector<Memory::Pair> pairs_;    // of this step
+  std::vector<Touching> touching_;
   std::vector<Event> events_;
+  StepLimits limits_;
+  std::vector<std::uint32_t> places_;  // of each body in the next
+  std::vector<StepBody> bodies_;
 };
 
 }  // namespace graze::scene

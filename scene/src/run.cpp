@@ -98,7 +98,10 @@ class Run {
     out.status = Status::complete;
     const Clock::time_point begin = Clock::now();
     work_ = found.pairs.size() + scene_.probes.size();
-    if (memory_) recall_.emplace(scene_, options_, *memory_);
+    if (memory_) {
+      recall_.emplace(scene_, options_, *memory_);
+      recall_->prepare(found.pairs);
+    }
     cast_pairs(found.pairs);
     if (recall_) recall_->end();
     if (out.status == Status::complete) cast_probes(tree);
@@ -174,6 +177,16 @@ class Run {
       case Looked::How::parted:
         ++counts.parted;
         return;
+      case Looked::How::held: {
+        ++counts.held;
+        Event event;
+        event.a = pair.a;
+        event.b = pair.b;
+        event.outcome = Outcome::initially_overlapping;
+        event.effects = Effects::nothing;
+        add(std::move(event), horizon);
+        return;
+      }
       case Looked::How::kept:
         ++counts.kept;
         if (looked.kept) add(Event(*looked.kept), horizon);

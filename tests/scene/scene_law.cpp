@@ -22,6 +22,7 @@ std::uint64_t never_drawn(const graze::law::SceneTally& tally) {
   need(spared.never_meet, "a pair whose bounds never meet");
   need(spared.moot, "a pair that is moot");
   need(spared.parted, "a pair that its last axis still parts");
+  need(spared.held, "a pair whose last points still touch");
   need(spared.kept, "a pair at rest whose overlap is known");
   need(spared.shortened, "a pair with a shortened horizon");
   need(spared.probe_moot, "a moot cast of a probe");

@@ -46,6 +46,7 @@ bool SceneSteps::go_through(bool with_memory, Sum& best) const {
       sum.counts.effects[k] += report.counts.effects[k];
     sum.counts.probe_casts += report.counts.probe_casts;
     sum.counts.parted += report.counts.parted;
+    sum.counts.held += report.counts.held;
     sum.counts.kept += report.counts.kept;
     sum.supports += static_cast<std::uint64_t>(report.counters.supports);
     sum.events += report.events.size() + report.probe_events.size();
@@ -61,6 +62,7 @@ Table SceneSteps::table() const {
              {"casts"},
              {"of turning"},
              {"by an axis"},
+             {"by points"},
              {"at rest, kept"},
              {"supports"},
              {"ms"},
@@ -72,7 +74,7 @@ Table SceneSteps::table() const {
     out.add_row({sum == &with_ ? "with a memory" : "each by itself",
                  fmt::to_string(counts.simulated() - counts.effects[0] + counts.probe_casts),
                  fmt::to_string(counts.effects[3]), fmt::to_string(counts.parted),
-                 fmt::to_string(counts.kept), fmt::to_string(sum->supports),
+                 fmt::to_string(counts.held), fmt::to_string(counts.kept), fmt::to_string(sum->supports),
                  fmt::format("{:.3g}", 1e3 * sum->seconds),
                  fmt::format("{:.2f}", sum->seconds / without_.seconds), fmt::to_string(sum->events),
                  fmt::to_string(sum->bytes)});

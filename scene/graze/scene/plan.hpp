@@ -18,7 +18,7 @@ struct PairPlan {
   }
 };
 
-// Every pair of bodies is counted once: filtered, apart at rest, never_meet, moot, parted or kept by a memory,
+// Every pair of bodies is counted once: filtered, apart at rest, never_meet, moot, parted, held or kept by a memory,
 // unfinished, or by what was simulated. Probes are counted by themselves.
 struct Counts {
   std::uint64_t bodies = 0, resting = 0, turning = 0;
@@ -28,6 +28,7 @@ struct Counts {
   std::uint64_t never_meet = 0;  // one moves, swept bounds never meet
   std::uint64_t moot = 0;        // an earlier event had settled what was asked
   std::uint64_t parted = 0;      // an axis parts them that did in the step before, or one near it
+  std::uint64_t held = 0;        // in contact along the directions of the step before
   std::uint64_t kept = 0;        // they rest as in the step before, and so does their overlap
   std::uint64_t unfinished = 0;  // interrupted before
   std::uint64_t shortened = 0;   // cast with a horizon that an earlier event had bounded
