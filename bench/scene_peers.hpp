@@ -1,0 +1,54 @@
+// Whole scenes as others answer them: their broad phase over the bodies' swept boxes, and their cast of every pair that
+// it finds.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <graze/scene.hpp>
+
+#include <memory>
+
+namespace graze::bench {
+
+struct PeerContact {
+  std::uint32_t a = 0, b = 0;  // a < b
+  double time = 0;
+};
+
+struct PeerAnswer {
+  std::size_t pairs = 0;  // that the broad phase hands to the casts
+  std::vector<PeerContact> contacts;
+};
+
+// A scene in the other's own terms; what its users keep from step to step (shapes, transforms) is made once.
+class PeerScene {
+ public:
+  PeerScene() = default;
+  PeerScene(const PeerScene&) = delete;
+  PeerScene& operator=(const PeerScene&) = delete;
+  virtual ~PeerScene() = default;
+  // Bounds, broad phase and casts, all anew.
+  [[nodiscard]] virtual PeerAnswer run() const = 0;
+};
+
+// Nothing where the other has no such shape or motion: a combinator, a segment, a turn about a point that is not the
+// body's origin, of pi or more.
+[[nodiscard]] std::unique_ptr<PeerScene> bullet_scene(const scene::Scene& scene, double t_max);
+[[nodiscard]] std::unique_ptr<PeerScene> fcl_scene(const scene::Scene& scene, double t_max);
+
+// What is seen of a body's turn: none of a solid of revolution about its axis.
+[[nodiscard]] inline Vec3<double> seen_rotation(const RotatingBody<double>& body) {
+  const bool revolves = std::holds_alternative<Sphere<double>>(body.body.shape) ||
+                        std::holds_alternative<Capsule<double>>(body.body.shape) ||
+                        std::holds_alternative<Cylinder<double>>(body.body.shape);
+  const Quaternion<double>& q = body.body.orientation;
+  const Vec3<double> axis = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized() * Vec3<double>::UnitZ();
+  const bool about_axis = body.rotation.cross(axis).norm() <= 1e-12 * body.rotation.norm();
+  return revolves && about_axis && body.pivot == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::Zero())
+                                                                      : body.rotation;
+}
+[[nodiscard]] inline bool is_common(const RotatingBody<double>& body, double t_max) {
+  return seen_rotation(body) == Vec3<double>::Zero() ||
+         (body.pivot == Vec3<double>::Zero() && body.rotation.norm() * t_max < 3.14);
+}
+
+}  // namespace graze::bench
