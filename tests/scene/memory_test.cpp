@@ -1,0 +1,120 @@
+// What a memory keeps from step to step, and that it may be of anything. The law (scene_law.cpp) has the rest.
+#include <gtest/gtest.h>
+#include <graze/scene/memory.hpp>
+
+#include "properties/scenes/generate.hpp"
+#include "properties/scenes/law.hpp"
+
+namespace graze::scene {
+namespace {
+
+Member box(std::string name, const Vec3<double>& position,
+           const Vec3<double>& displacement = Vec3<double>::Zero()) {
+  Member out;
+  out.name = std::move(name);
+  out.body.body = {.shape = Box<double>{{0.5, 0.5, 0.5}}, .position = position, .displacement = displacement};
+  return out;
+}
+
+TEST(Memory, BodiesThatRestAsTheyDidAreNotCastAgain) {
+  Scene scene{{box("a", {0, 0, 0}), box("b", {1, 0, 0}), box("c", {0.5, 1.0000000001, 0})}, {}};
+  Options options;
+  options.tier = Tier::exact;
+  Memory memory;
+  EXPECT_EQ(run(scene, options, memory).counts.simulated(), 3u);
+  const Report again = run(scene, options, memory);
+  EXPECT_EQ(again.counts.kept, 3u);
+  EXPECT_EQ(again.counts.simulated(), 0u);
+  ASSERT_EQ(again.events.size(), 1u);
+  EXPECT_EQ(again.events[0].b, 1u);
+
+  scene.bodies[1].body.body.position[0] = std::nextafter(1.0, 2.0);
+  const Report moved = run(scene, options, memory);
+  EXPECT_EQ(moved.counts.kept, 1u);  // a and c
+  EXPECT_TRUE(moved.events.empty());
+}
+
+TEST(Memory, AMissIsKnownByItsAxisAndAContactByItsPoints) {
+  // One slides past the other at a distance; the third is in it, and goes with it.
+  Scene scene{{box("still", {0, 0, 0}), box("past", {-0.9, 1.1, 0}, {1, 0, 0}),
+               box("in", {-0.6, 1.3, 0}, {0.9, 0, 0})},
+              {}};
+  Options options;
+  options.tier = Tier::certified;
+  options.t_max = 0.125;
+  Memory memory;
+  EXPECT_EQ(run(scene, options, memory).counts.simulated(), 3u);
+  std::uint64_t casts = 0;
+  for (int step = 1; step < 10; ++step) {
+    scene = at_time(scene, options.t_max);
+    const Report report = run(scene, options, memory);
+    casts += report.counts.simulated();
+    ASSERT_EQ(report.events.size(), 1u);
+    EXPECT_EQ(report.events[0].outcome, Outcome::initially_overlapping);
+    EXPECT_GT(report.counters.supports, 0);
+  }
+  EXPECT_EQ(casts, 0u);
+}
+
+TEST(Memory, IsTheSameInAnyNumberOfThreadsAndAfterAnInterruption) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const law::RandomScene drawn = law::random_scene(seed);
+    Options options = drawn.options;
+    Memory one, four;
+    for (int step = 0; step < 3; ++step) {
+      const Scene now = at_time(drawn.scene, 0.1 * step);
+      options.threads = 1;
+      const Report single = run(now, options, one);
+      options.threads = 4;
+      options.progress = [](std::uint64_t done, std::uint64_t) { return done > 0; };
+      if (step == 1) {
+        EXPECT_NE(run(now, options, four).status, Status::invalid);  // stops at once
+      }
+      options.progress = {};
+      const Report many = run(now, options, four);
+      ASSERT_EQ(single.events.size(), many.events.size()) << "scene " << seed;
+      for (std::size_t k = 0; k < many.events.size(); ++k) {
+        EXPECT_EQ(single.events[k].toi_lower, many.events[k].toi_lower);
+        EXPECT_EQ(single.events[k].a, many.events[k].a);
+        EXPECT_EQ(single.events[k].b, many.events[k].b);
+      }
+      if (step == 0) {
+        EXPECT_EQ(one.pairs(), four.pairs()) << "scene " << seed;
+        EXPECT_EQ(single.counters.supports, many.counters.supports);
+      }
+    }
+  }
+}
+
+TEST(Memory, OfLargerBodiesThanTheSceneHasIsHarmless) {
+  Scene large;
+  for (int k = 0; k < 40; ++k) large.bodies.push_back(box("", {0.4 * k, 0, 0}, {0, 0.1 * k, 0}));
+  Memory memory;
+  EXPECT_TRUE(run(large, {}, memory).wrong.empty());
+  EXPECT_GT(memory.pairs(), 20u);
+  EXPECT_GT(memory.bytes(), 40 * memory.pairs());
+  Scene small{{box("a", {0, 0, 0}), box("b", {0.5, 0, 0})}, {}};
+  small.bodies[1].body.body.shape = Point<double>{};
+  const Report report = run(small, {}, memory);
+  ASSERT_EQ(report.events.size(), 1u);
+  EXPECT_LE(memory.pairs(), 1u);
+}
+
+TEST(AtTime, ABodyTurnsAboutItsPivotAndGoesItsWay) {
+  Scene scene{{box("a", {1, 2, 3})}, {}};
+  RotatingBody<double>& body = scene.bodies[0].body;
+  body.body.displacement = {4, 0, 0};
+  body.body.orientation = {2, 0, 0, 0};
+  body.rotation = {0, 0, std::acos(-1.0)};
+  body.pivot = {1, 0, 0};
+  const Body<double> later = at_time(scene, 0.5).bodies[0].body.body;
+  // A quarter of a turn about (2, 2, 3), which has gone on by 2.
+  EXPECT_NEAR((later.position - Vec3<double>(4, 1, 3)).norm(), 0, 1e-14);
+  EXPECT_NEAR(later.orientation.w, std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(later.orientation.z, std::sqrt(0.5), 1e-15);
+  const Scene still{{box("b", {0.1, 0.2, 0.3})}, {}};
+  EXPECT_EQ(at_time(still, 0.7).bodies[0].body.body.position, still.bodies[0].body.body.position);
+}
+
+}  // namespace
+}  // namespace graze::scene
