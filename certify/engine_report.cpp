@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "corpus/format/names.hpp"
+#include "corpus/format/xml_text.hpp"
 #include "report/statistics.hpp"
 #include "report/table.hpp"
 
@@ -77,53 +78,6 @@ Json tally_json(const Tally& tally) {
           {"least_tolerance", number_or_null(tally.least_length.value)},
           {"least_by", tally.least_relative.id},
           {"ns_median", number_or_null(median(tally.ns))}};
-}
-
-// Text within XML 1.0, also within quotes. Bytes that are none of its characters become U+FFFD.
-std::string xml_text(std::string_view text) {
-  constexpr std::string_view kNone = "\xEF\xBF\xBD";
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = c < 0x80                ? 1
-                               : c >= 0xC2 && c < 0xE0 ? 2
-                               : c >= 0xE0 && c < 0xF0 ? 3
-                               : c >= 0xF0 && c < 0xF5 ? 4
-                                                       : 0;
-    bool is_whole = length > 0 && i + length <= text.size();
-    for (std::size_t k = 1; is_whole && k < length; ++k)
-      is_whole = (static_cast<unsigned char>(text[i + k]) & 0xC0U) == 0x80U;
-    if (!is_whole) {
-      out += kNone;
-      ++i;
-      continue;
-    }
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\n':
-        out += "&#10;";
-        break;
-      default:
-        if (c < 0x20 && c != '\t') {
-          out += kNone;
-        } else {
-          out += text.substr(i, length);
-        }
-    }
-    i += length;
-  }
-  return out;
 }
 
 // What broke on a family: the lines of the verdict, then the first case of each fault.
@@ -327,13 +281,13 @@ std::string certification_junit(const Certification& certification, const Settin
     for (const Tally& tally : certification.tallies) {
       if (tally.method != method || (tally.cases == 0 && tally.not_asked == 0)) continue;
       ++count;
-      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(method->question_name()),
-                           xml_text(tally.family));
+      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", corpus::xml_text(method->question_name()),
+                           corpus::xml_text(tally.family));
       if (const std::vector<std::string> lines = breaches(tally); !lines.empty()) {
         ++failed;
         told.insert(told.end(), lines.begin(), lines.end());
         tests += fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",
-                             xml_text(lines.front()), xml_text(why_failed(tally, lines)));
+                             corpus::xml_text(lines.front()), corpus::xml_text(why_failed(tally, lines)));
       } else if (tally.cases == 0) {
         ++skipped;
         tests +=
@@ -348,7 +302,7 @@ std::string certification_junit(const Certification& certification, const Settin
     all_failed += failed;
     suites += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
-        xml_text(method->question_name()), count, failed, skipped, tests);
+        corpus::xml_text(method->question_name()), count, failed, skipped, tests);
   }
   std::vector<std::string> others;
   for (const std::string& breach : certification.breaches) {
@@ -361,7 +315,7 @@ std::string certification_junit(const Certification& certification, const Settin
         "  <testsuite name=\"run\" tests=\"1\" failures=\"1\">\n    <testcase classname=\"run\" "
         "name=\"ends\">\n      "
         "<failure message=\"{}\">{}</failure>\n    </testcase>\n  </testsuite>\n",
-        xml_text(others.front()), xml_text(fmt::format("{}\n", fmt::join(others, "\n"))));
+        corpus::xml_text(others.front()), corpus::xml_text(fmt::format("{}\n", fmt::join(others, "\n"))));
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"graze certify\" tests=\"{}\" "

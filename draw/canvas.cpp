@@ -4,29 +4,10 @@
 
 #include <algorithm>
 
+#include "corpus/format/xml_text.hpp"
+
 namespace graze::draw {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else if (byte >= 0x20 || c == '\t') {  // XML allows no other control character
-      out += c;
-    } else {
-      out += ' ';
-    }
-  }
-  return out;
-}
 
 // A tenth of a pixel; "-0" and ".0" say nothing.
 std::string pixel(Real x) {
@@ -106,7 +87,7 @@ void Canvas::text(Real x, Real y, const std::string& words, double size, std::st
   body_ += fmt::format(R"(<text x="{}" y="{}" font-size="{}" fill="{}")", pixel(x), pixel(y), size, colour);
   if (bold) body_ += R"( font-weight="bold")";
   if (anchor != "start") body_ += fmt::format(R"( text-anchor="{}")", anchor);
-  body_ += ">" + escaped(words) + "</text>\n";
+  body_ += ">" + corpus::xml_text(words) + "</text>\n";
 }
 
 void Canvas::label(Real x, Real y, const std::string& words, double size, std::string_view colour) {
@@ -114,7 +95,7 @@ void Canvas::label(Real x, Real y, const std::string& words, double size, std::s
       R"(<text x="{}" y="{}" font-size="{}" fill="{}" stroke="#fff" stroke-width="3" stroke-opacity="0.8" )"
       R"(stroke-linejoin="round" paint-order="stroke">{}</text>)"
       "\n",
-      pixel(x), pixel(y), size, colour, escaped(words));
+      pixel(x), pixel(y), size, colour, corpus::xml_text(words));
 }
 
 void Canvas::polygon(const std::vector<Flat>& points, std::string_view fill, double fill_opacity,
@@ -181,7 +162,7 @@ std::string Canvas::document(int width, int height, const std::string& title) co
       R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" )"
       R"(font-family="Helvetica, Arial, 'DejaVu Sans', sans-serif">)"
       "\n<title>{2}</title>\n{3}</svg>\n",
-      width, height, escaped(title), body_);
+      width, height, corpus::xml_text(title), body_);
 }
 
 }  // namespace graze::draw

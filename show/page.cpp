@@ -4,33 +4,11 @@
 
 #include <stdexcept>
 
+#include "corpus/format/xml_text.hpp"
 #include "viewer/viewer_text.hpp"
 
 namespace graze::show {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 // JSON within a script element: no "<" is left that could end it, or begin a comment.
 std::string within_script(const nlohmann::ordered_json& data) {
@@ -58,8 +36,8 @@ std::string plain_page(const std::string& title, const nlohmann::ordered_json& d
   std::string pictures;
   if (data.contains("scenes")) {
     for (const auto& scene : data["scenes"]) {
-      pictures += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", escaped(scene.value("id", "")),
-                              escaped(scene.value("result", "")));
+      pictures += fmt::format("<h2>{}</h2>\n<p>{}</p>\n", corpus::xml_text(scene.value("id", "")),
+                              corpus::xml_text(scene.value("result", "")));
       pictures += scene.value("still", "");
     }
   }
@@ -71,7 +49,7 @@ std::string plain_page(const std::string& title, const nlohmann::ordered_json& d
       "<h1>{0}</h1>\n<p>This graze was built without Node, so this page lacks the viewer: no figures to "
       "point at, no\n"
       "shapes to turn. docs/show.md says how to build it.</p>\n<pre>{1}</pre>\n{2}</html>\n",
-      escaped(title), escaped(plain), pictures);
+      corpus::xml_text(title), corpus::xml_text(plain), pictures);
 }
 
 }  // namespace
@@ -81,7 +59,7 @@ bool has_viewer() { return *kViewerText != 0; }
 std::string page_html(const std::string& title, const nlohmann::ordered_json& data,
                       const std::string& plain) {
   if (!has_viewer()) return plain_page(title, data, plain);
-  const std::string page = replaced(kViewerText, "GRAZE_TITLE", escaped(title));
+  const std::string page = replaced(kViewerText, "GRAZE_TITLE", corpus::xml_text(title));
   return replaced(page, "GRAZE_DATA", within_script(data));
 }
 

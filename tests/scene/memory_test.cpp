@@ -35,10 +35,12 @@ TEST(Memory, BodiesThatRestAsTheyDidAreNotCastAgain) {
 }
 
 TEST(Memory, AMissIsKnownByItsAxisAndAContactByItsPoints) {
-  // One slides past the other at a distance; the third is in it, and goes with it.
-  Scene scene{{box("still", {0, 0, 0}), box("past", {-0.9, 1.1, 0}, {1, 0, 0}),
-               box("in", {-0.6, 1.3, 0}, {0.9, 0, 0})},
+  // One slides along a corner of the still one; the third is in it, and goes with it.
+  Scene scene{{box("still", {0, 0, 0}), box("past", {-0.75, 1.1, 0}, {0, 0, 0.05}),
+               box("in", {-0.7, 1.2, 0.2}, {0, 0, 0.06})},
               {}};
+  scene.bodies[0].body.body.orientation = {0.92387953251128674, 0, 0,
+                                           0.38268343236508978};  // an eighth of a turn
   Options options;
   options.tier = Tier::certified;
   options.t_max = 0.125;
