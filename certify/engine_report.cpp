@@ -281,8 +281,8 @@ std::string certification_junit(const Certification& certification, const Settin
     for (const Tally& tally : certification.tallies) {
       if (tally.method != method || (tally.cases == 0 && tally.not_asked == 0)) continue;
       ++count;
-      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", corpus::xml_text(method->question_name()),
-                           corpus::xml_text(tally.family));
+      tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                           corpus::xml_text(method->question_name()), corpus::xml_text(tally.family));
       if (const std::vector<std::string> lines = breaches(tally); !lines.empty()) {
         ++failed;
         told.insert(told.end(), lines.begin(), lines.end());
