@@ -82,7 +82,10 @@ function(graze_precompile target name)
   endif()
 endfunction()
 
-# The many small files of a room, ten at a time.
+# The many small files of a room, ten at a time, where GRAZE_UNITY says so; SEPARATE s...: files that stay by themselves,
+# since what they include is large.
 function(graze_unite target)
+  cmake_parse_arguments(arg "" "" "SEPARATE" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRAZE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
+  set_source_files_properties(${arg_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

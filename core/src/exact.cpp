@@ -15,4 +15,6 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
+#undef GRAZE_INSTANCES
+
 }  // namespace graze::inline GRAZE_LINKAGE

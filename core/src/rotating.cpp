@@ -12,4 +12,6 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
+#undef GRAZE_INSTANCES
+
 }  // namespace graze::inline GRAZE_LINKAGE
