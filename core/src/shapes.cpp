@@ -17,6 +17,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-#undef GRAZE_INSTANCES
-
 }  // namespace graze::inline GRAZE_LINKAGE
