@@ -36,7 +36,6 @@
 namespace graze::oracle {
 namespace {
 
-
 using OptionalTime = std::optional<Rational>;  // nothing: infinity
 
 HomogeneousPoint along(const IntVec& v, const Rational& t) { return {t.get_num() * v, t.get_den()}; }

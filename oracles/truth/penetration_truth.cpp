@@ -28,7 +28,6 @@
 namespace graze::oracle {
 namespace {
 
-
 // n over the greatest common divisor of its components: equal for parallel vectors of the same sense.
 IntVec primitive(const IntVec& n) {
   const Integer divisor = gcd(gcd(n.x, n.y), n.z);

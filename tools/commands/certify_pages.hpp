@@ -15,7 +15,8 @@
 
 namespace graze::tool {
 
-// The files that the command line names. All are opened before anything is judged: what cannot be written is said at once.
+// The files that the command line names. All are opened before anything is judged: what cannot be written is said
+// at once.
 class CertifyFiles {
  public:
   explicit CertifyFiles(const CertifyArguments& arguments);
