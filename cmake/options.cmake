@@ -82,7 +82,19 @@ function(graze_precompile target name)
   endif()
 endfunction()
 
-# The many small files of a room, ten at a time.
+# The many small files of a room, ten at a time, where GRAZE_UNITY says so. FOLDERS f...: instead, those of each of these
+# folders; the others, which include much, stay by themselves.
 function(graze_unite target)
+  cmake_parse_arguments(arg "" "" "FOLDERS" ${ARGN})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRAZE_UNITY} UNITY_BUILD_BATCH_SIZE 10)
+  if(arg_FOLDERS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      cmake_path(GET source PARENT_PATH folder)
+      if(folder IN_LIST arg_FOLDERS)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+      endif()
+    endforeach()
+  endif()
 endfunction()

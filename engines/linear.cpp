@@ -68,7 +68,7 @@ Method engine_of(const char* name) {
 }
 
 template <Scalar S>
-void add_methods(std::vector<Method>& out) {
+void add_casts(std::vector<Method>& out) {
   using By = graze::Method;
   out.push_back(engine_of<S, Tier::standard, By::conservative_advancement>("ca"));
   out.push_back(engine_of<S, Tier::standard, By::gjk_ray_cast>("gjk"));
@@ -80,9 +80,9 @@ void add_methods(std::vector<Method>& out) {
 }  // namespace
 
 void add_linear_methods(std::vector<Method>& out) {
-  add_methods<double>(out);
+  add_casts<double>(out);
 #ifndef GRAZE_DOUBLE_ALONE  // half the compilation, for the trial of the laws
-  add_methods<float>(out);
+  add_casts<float>(out);
 #endif
 }
 

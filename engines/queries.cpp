@@ -140,7 +140,7 @@ Method method_of(Query query, const char* name, const char* tier, const Call& ca
 // An overlap and a swept overlap have nothing to ask for: their axis comes with the verdict. They have no
 // tolerance, either, and tier exact needs none.
 template <Scalar S>
-void add_methods(std::vector<Method>& out) {
+void add_queries(std::vector<Method>& out) {
   using B = Body<S>;
   const auto add = [&](Query query, const char* name, const char* tier, auto call, auto widen) {
     out.push_back(method_of<S>(query, name, tier, call, widen));
@@ -205,9 +205,9 @@ void add_methods(std::vector<Method>& out) {
 }  // namespace
 
 void add_query_methods(std::vector<Method>& out) {
-  add_methods<double>(out);
+  add_queries<double>(out);
 #ifndef GRAZE_DOUBLE_ALONE  // half the compilation, for the trial of the laws
-  add_methods<float>(out);
+  add_queries<float>(out);
 #endif
 }
 

@@ -107,7 +107,7 @@ Method engine_of() {
 }
 
 template <Scalar S>
-void add_methods(std::vector<Method>& out) {
+void add_rotating(std::vector<Method>& out) {
   out.push_back(engine_of<S, Name::steps>());
   out.push_back(engine_of<S, Name::spheres>());
   out.push_back(engine_of<S, Name::ca>());
@@ -120,9 +120,9 @@ void add_methods(std::vector<Method>& out) {
 }  // namespace
 
 void add_rotating_methods(std::vector<Method>& out) {
-  add_methods<double>(out);
+  add_rotating<double>(out);
 #ifndef GRAZE_DOUBLE_ALONE  // half the compilation, for the trial of the laws
-  add_methods<float>(out);
+  add_rotating<float>(out);
 #endif
 }
 

@@ -2,6 +2,8 @@
 #include <graze/certified/cast.hpp>
 #include <graze/numeric/flags.hpp>
 
+#include "elsewhere.hpp"
+
 namespace graze::inline GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S) \

@@ -2,6 +2,8 @@
 #include <graze/numeric/flags.hpp>
 #include <graze/standard/cast.hpp>
 
+#include "elsewhere.hpp"
+
 namespace graze::inline GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                    \

@@ -2,36 +2,28 @@
 // Brackets: nothing that is not a root. Costs: about a microsecond. Cannot be trusted: beyond 2^(2^30).
 #include "oracles/arithmetic/rational.hpp"
 
-#include <mpfr.h>
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "oracles/arithmetic/real.hpp"
 
 namespace graze::oracle {
 namespace {
 
 // Enough that a root rounded down here and down again to 53 bits is rounded down once, except where 200 zero
 // or one bits follow; there the enclosure is still valid.
-constexpr mpfr_prec_t kBits = 256;
-
-struct Real {
-  mpfr_t value;
-  Real() { mpfr_init2(value, kBits); }
-  ~Real() { mpfr_clear(value); }
-  Real(const Real&) = delete;
-  Real& operator=(const Real&) = delete;
-};
+constexpr mpfr_prec_t kRootBits = 256;
 
 double rounded(const Rational& q, mpfr_rnd_t mode) {
-  Real x;
+  Real x(kRootBits);
   mpfr_set_q(x.value, q.get_mpq_t(), mode);
   return mpfr_get_d(x.value, mode);
 }
 
 double rounded_sqrt(const Rational& q, mpfr_rnd_t mode) {
-  Real x;
+  Real x(kRootBits);
   mpfr_set_q(x.value, q.get_mpq_t(), mode);
   mpfr_sqrt(x.value, x.value, mode);
   return mpfr_get_d(x.value, mode);
@@ -39,7 +31,7 @@ double rounded_sqrt(const Rational& q, mpfr_rnd_t mode) {
 
 // r + sqrt(q), or, for sign < 0, (r^2 - q) / (r + sqrt(q)): one exact numerator over a sum of like signs.
 double rounded_sum(const Rational& r, int sign, const Rational& q, mpfr_rnd_t mode) {
-  Real root, radius;
+  Real root(kRootBits), radius(kRootBits);
   const Rational numerator = r * r - q;
   const bool divides = sign < 0;
   mpfr_rnd_t inner = mode;

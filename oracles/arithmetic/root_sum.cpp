@@ -6,21 +6,13 @@
 // two is ever met, and more bits always decide (Ziv's loop ends).
 #include "oracles/arithmetic/root_sum.hpp"
 
-#include <mpfr.h>
-
 #include <optional>
 #include <utility>
 
+#include "oracles/arithmetic/real.hpp"
+
 namespace graze::oracle {
 namespace {
-
-struct Real {
-  mpfr_t value;
-  explicit Real(mpfr_prec_t bits) { mpfr_init2(value, bits); }
-  ~Real() { mpfr_clear(value); }
-  Real(const Real&) = delete;
-  Real& operator=(const Real&) = delete;
-};
 
 std::optional<Rational> rational_root(const Rational& q) {
   if (mpz_perfect_square_p(q.get_num_mpz_t()) == 0 || mpz_perfect_square_p(q.get_den_mpz_t()) == 0) return {};

@@ -17,7 +17,7 @@
 namespace graze::oracle {
 namespace {
 
-constexpr std::array<long, 3> kBits = {128, 256, 512};
+constexpr std::array<long, 3> kPrecisions = {128, 256, 512};
 
 class Claims {
  public:
@@ -27,7 +27,7 @@ class Claims {
 
   [[nodiscard]] RotatingVerdict chain() {
     if (proof_.chain.empty()) return {};
-    const WorkingPrecision working(kBits[0]);
+    const WorkingPrecision working(kPrecisions[0]);
     const PairMotion& motion = at_precision(0);
     std::optional<SliceFilter> filter;
     SliceFilter::Instant first;
@@ -69,8 +69,8 @@ class Claims {
       return {RotatingRefusal::weights_missing,
               "fewer than four pairs need finite weights of at least 0, one of them above it"};
     ContactAnswer answer{ContactFinding::open};
-    for (std::size_t k = 0; k < kBits.size() && answer.finding == ContactFinding::open; ++k) {
-      const WorkingPrecision working(kBits[k]);
+    for (std::size_t k = 0; k < kPrecisions.size() && answer.finding == ContactFinding::open; ++k) {
+      const WorkingPrecision working(kPrecisions[k]);
       if (k == 1) ++cost_.raised;
       const PairMotion& motion = at_precision(k);
       answer = proof_.crossing ? CrossingClaim(motion, proof_).prove() : prove_contact(motion, proof_);
@@ -100,8 +100,8 @@ class Claims {
 
   [[nodiscard]] SliceAnswer in_balls(const TimeSlice& slice, double begin) {
     SliceAnswer answer{SliceFinding::open};
-    for (std::size_t k = 0; k < kBits.size() && answer.finding == SliceFinding::open; ++k) {
-      const WorkingPrecision working(kBits[k]);
+    for (std::size_t k = 0; k < kPrecisions.size() && answer.finding == SliceFinding::open; ++k) {
+      const WorkingPrecision working(kPrecisions[k]);
       if (k == 1) ++cost_.raised;
       ++cost_.pieces;
       const PairMotion& motion = at_precision(k);
@@ -121,7 +121,7 @@ class Claims {
       return {RotatingRefusal::slice_false, name + ", not above 0"};
     if (answer.finding == SliceFinding::open)
       return {RotatingRefusal::undecided,
-              name + ", too near 0 for " + std::to_string(kBits.back()) + " bits"};
+              name + ", too near 0 for " + std::to_string(kPrecisions.back()) + " bits"};
     return {RotatingRefusal::slice_not_proved,
             name + "; " + std::to_string(kMostPieces) + " pieces do not show that it stays above 0"};
   }
@@ -160,7 +160,7 @@ class Claims {
         break;
     }
     return {RotatingRefusal::undecided, (proof_.crossing ? seen : values + ", ") + "too close for " +
-                                            std::to_string(kBits.back()) + " bits"};
+                                            std::to_string(kPrecisions.back()) + " bits"};
   }
 
   const corpus::Case& problem_;
@@ -168,7 +168,7 @@ class Claims {
   const RotatingProof& proof_;
   RotatingCheckCost& cost_;
   Stages stages_;
-  std::array<std::unique_ptr<PairMotion>, kBits.size()> motions_;
+  std::array<std::unique_ptr<PairMotion>, kPrecisions.size()> motions_;
 };
 
 }  // namespace

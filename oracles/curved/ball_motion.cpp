@@ -38,7 +38,7 @@ BallVec exact_difference(const Vec3<double>& l, const Vec3<double>& r) {
   return BallVec(l) - BallVec(r);
 }
 
-const Vec3<double>& finite(const Vec3<double>& x, const char* what) {
+const Vec3<double>& checked(const Vec3<double>& x, const char* what) {
   if (!(x.cwiseAbs().maxCoeff() < kInfinity<double> && x == x)) {
     throw std::invalid_argument(std::string(what) + ": not a finite number");
   }
@@ -297,17 +297,17 @@ struct BallMotion::Naming {
 BallMotion::BallMotion(const Body<double>& body, const corpus::Spin& spin, const Vec3<double>& reference)
     : body_(body),
       naming_(std::make_unique<Naming>(body)),
-      spin_{finite(spin.rotation, "rotation"), Vec3<double>::Zero()},
+      spin_{checked(spin.rotation, "rotation"), Vec3<double>::Zero()},
       velocity_(body_.displacement()),
       rotation_(spin_.rotation),
       rate_(norm(rotation_)) {
   const BallRotation orientation(body.orientation);
   orientation_ = orientation.mid_double();
   Blobs blobs = Blobs::of(body.shape);
-  spin_.pivot = finite(spin.pivot, "pivot");
+  spin_.pivot = checked(spin.pivot, "pivot");
   if (!turns()) spin_.pivot = blobs.middle();
   arm_ = orientation.apply(BallVec(spin_.pivot));
-  pivot_ = exact_difference(body.position, finite(reference, "reference")) + arm_;
+  pivot_ = exact_difference(body.position, checked(reference, "reference")) + arm_;
   magnitude_ = body_.magnitude() + 2 * spin_.pivot.cwiseAbs().maxCoeff();
 
   ball_ = blobs.ball.high();

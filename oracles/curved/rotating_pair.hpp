@@ -74,6 +74,8 @@ class RotatingPair {
   // depth <= (1 + slack) lower or both are about `fine`.
   [[nodiscard]] Contact contact(const PairPose& pose, const Vec3<double>& start, const Ball& fine,
                                 const Ball& near, double slack) const;
+  // A slack of contact() for whoever needs no depth of an overlap but that it is proved: within a factor of 16.
+  static constexpr double kAnyDepth = 15;
   // The distance at a time: within `fine` or that part of itself.
   [[nodiscard]] Nearest3 distance(const PairPose& pose, const Ball& fine, double relative) const;
   // From body 'a' or 'b' of a world point, from the reference: A's position at t = 0.

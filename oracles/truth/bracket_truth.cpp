@@ -35,18 +35,13 @@
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/curved/ball_body.hpp"
 #include "oracles/curved/ball_search.hpp"
+#include "oracles/truth/unbounded.hpp"
 
 namespace graze::oracle {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr Enclosure kUnbounded = {kInf, kInf};
 constexpr long kExactBits = ARF_PREC_EXACT;
 constexpr double kRelativeDistance = 0x1p-45;
-
-bool finite(const Vec3<double>& x) {
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 
 BallVec exact_difference(const BallVec& l, const BallVec& r) {
   const WorkingPrecision exact(kExactBits);

@@ -16,10 +16,9 @@
 #include <stdexcept>
 
 #include "oracles/arithmetic/default_environment.hpp"
+#include "oracles/truth/unbounded.hpp"
 namespace graze::oracle {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 Rational exact(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("a number is not finite");

@@ -31,12 +31,10 @@
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/polytope/integer_scene.hpp"
 #include "oracles/truth/first_contact.hpp"
+#include "oracles/truth/unbounded.hpp"
 
 namespace graze::oracle {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr Enclosure kUnbounded = {kInf, kInf};
 
 using OptionalTime = std::optional<Rational>;  // nothing: infinity
 

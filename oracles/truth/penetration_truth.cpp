@@ -23,12 +23,10 @@
 #include "oracles/polytope/integer_scene.hpp"
 #include "oracles/truth/first_contact.hpp"
 #include "oracles/truth/linear_truth.hpp"
+#include "oracles/truth/unbounded.hpp"
 
 namespace graze::oracle {
 namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr Enclosure kUnbounded = {kInf, kInf};
 
 // n over the greatest common divisor of its components: equal for parallel vectors of the same sense.
 IntVec primitive(const IntVec& n) {
@@ -45,7 +43,7 @@ Vec3<double> unit_vector(const IntVec& n) {
   return {component(n.x), component(n.y), component(n.z)};
 }
 
-corpus::Case at_rest(corpus::Case problem) {
+corpus::Case without_motion(corpus::Case problem) {
   problem.a.displacement.setZero();
   problem.b.displacement.setZero();
   problem.target_distance = 0;
@@ -89,7 +87,7 @@ struct PenetrationTruth::Impl : IntegerScene {
 };
 
 PenetrationTruth::Impl::Impl(const corpus::Case& given)
-    : IntegerScene(at_rest(given)), problem(at_rest(given)) {
+    : IntegerScene(without_motion(given)), problem(without_motion(given)) {
   const Slack at_origin = slack({{0, 0, 0}, 1});
   depth = depth_at(at_origin);
   contact = sign(depth) >= 0;

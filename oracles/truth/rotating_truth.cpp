@@ -27,26 +27,19 @@
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/curved/rotating_pair.hpp"
 #include "oracles/truth/case_truth.hpp"
+#include "oracles/truth/unbounded.hpp"
 
 namespace graze::oracle {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr Enclosure kUnbounded = {kInf, kInf};
 // Distances are as good as this part of themselves.
-constexpr double kRelativeDistance = 0x1p-45;
+constexpr double kRelativeGap = 0x1p-45;
 // The greatest depth that an open slice may hide, and the distance at which slices are open; over the width.
 constexpr double kDeepest = 0.9, kNearest = 0.25;
-// Of an overlap that the march meets, any depth will do that is proved: within a factor of 16.
-constexpr double kAnyDepth = 15;
 // Slices that may pass with the bodies closer than can be told: where they slide, these are short.
 constexpr int kOpenSlices = 4096;
 // Nodes of a subdivision for a clearance or a depth.
 constexpr int kNodes = 200;
-
-bool finite(const Vec3<double>& x) {
-  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
 
 void refuse_what_is_no_case(const corpus::Case& problem, double width) {
   if (!(problem.t_max >= 0) || std::isinf(problem.t_max)) {
@@ -92,7 +85,7 @@ struct RotatingTruth::Impl {
   Impl(const corpus::Case& given, double asked, int most, bool searches = true);
   void measure();
   void march();
-  [[nodiscard]] Contact contact_at(const PairPose& pose, double slack = kAnyDepth) const {
+  [[nodiscard]] Contact contact_at(const PairPose& pose, double slack = RotatingPair::kAnyDepth) const {
     return pair->contact(pose, axis, fine, near, slack);
   }
   struct Step {
@@ -427,7 +420,7 @@ Enclosure RotatingTruth::distance_at(double t) const {
   const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
   const WorkingPrecision precision(impl_->bits);
-  const Nearest3 found = impl_->pair->distance(impl_->pair->at(t), impl_->fine, kRelativeDistance);
+  const Nearest3 found = impl_->pair->distance(impl_->pair->at(t), impl_->fine, kRelativeGap);
   return {found.lower.low_double(), found.upper.high_double()};
 }
 
@@ -480,7 +473,7 @@ Enclosure RotatingTruth::distance_from_body(char body, double t, const Vec3<doub
     point = BallVec(world_point) - BallVec(impl_->problem.a.position);
   }
   const Nearest3 found =
-      impl_->pair->distance_from_body(body, impl_->pair->at(t), point, impl_->fine, kRelativeDistance);
+      impl_->pair->distance_from_body(body, impl_->pair->at(t), point, impl_->fine, kRelativeGap);
   return {found.lower.low_double(), found.upper.high_double()};
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 // Over scale: overlaps this deep are told from none.
 constexpr double kFine = 1e-12;
-constexpr double kAnyDepth = 15;  // of an overlap: within a factor of 16, as the march of RotatingTruth asks
 // Steps towards the time of a nearest approach, of each of the kApproaches nearest ones.
 constexpr int kSteps = 6, kApproaches = 2;
 
@@ -58,7 +57,7 @@ struct SampledContact::Impl {
   double look(double t) {
     const WorkingPrecision precision(bits);
     const PairPose pose = pair->at(Ball(t));
-    const Contact found = pair->contact(pose, axis, fine, near, kAnyDepth);
+    const Contact found = pair->contact(pose, axis, fine, near, RotatingPair::kAnyDepth);
     if (found.kind == Contact::Kind::overlapping) {
       earliest = std::min(earliest, t);
       return 0;

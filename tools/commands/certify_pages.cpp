@@ -1,0 +1,164 @@
+// What `graze certify` prints and writes of what was judged.
+#include "tools/commands/certify_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "certify/engine_report.hpp"
+#include "certify/report.hpp"
+#include "certify/report_page.hpp"
+#include "corpus/curate/location.hpp"
+#include "corpus/format/case_json.hpp"
+#include "report/inputs.hpp"
+#include "show/page.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
+
+namespace graze::tool {
+namespace {
+
+// What is known to be wrong and not mended yet: judged and shown in every run, and held against no row. A
+// case leaves this file for corpus/cases when its mechanism is mended.
+void print_known_failures(const Settings& settings, bool in_full) {
+  const std::filesystem::path file = known_failures();
+  if (!std::filesystem::exists(file)) return;
+  const corpus::ReadResult known = corpus::read_file(file.string());
+  for (const corpus::ReadError& error : known.errors) complain(error.text());
+  if (known.cases.empty()) return;
+  Intake intake;
+  intake.take("known failures", known.cases, true);
+  const Certification failing = certify(intake.suites, settings);
+  fmt::print("{} of {} known failures fail, held against no row (corpus/{}; --full says how).\n",
+             failing.convicted.size(), known.cases.size(), file.filename().string());
+  if (!in_full) return;
+  for (const std::string& line : failing.breaches) fmt::print("known: {}\n", line);
+}
+
+// What was given beside casts, and what of all that nothing judges.
+void print_intake(const Intake& intake) {
+  if (intake.questions > 0) {
+    fmt::print("{} questions beside the cast are judged as they are asked.\n", intake.questions);
+  }
+  if (intake.recast > 0) fmt::print("{} of contact are judged as casts, too.\n", intake.recast);
+  if (intake.left_out > 0) fmt::print("{} cases are not judged.\n", intake.left_out);
+}
+
+void print_screen(const Certification& certification, const Settings& settings) {
+  fmt::print("\n{}", summary_table(certification, settings));
+  fmt::print(
+      "answers in both scalars; stalls: not converged, or a bracket that says of itself that it is wide; "
+      "proofs: "
+      "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
+      "guarantee "
+      "grants. --full: all.\n");
+}
+
+// What asks for the same judgement again; what is written where is left out.
+std::string certify_line(const CertifyArguments& arguments) {
+  std::string text = "graze certify";
+  const auto add = [&](const char* option, const std::string& value) {
+    const bool plain = value.find_first_of(" '\"$&|;<>()") == std::string::npos;
+    text += fmt::format("{}{}{}{}{}", *option == 0 ? "" : " ", option, plain ? " " : " '", value,
+                        plain ? "" : "'");
+  };
+  for (const std::string& file : arguments.files) add("", file);
+  for (const std::string& family : arguments.families) add("--family", family);
+  for (const std::string& method : arguments.methods) add("--method", method);
+  for (const std::string& engine : arguments.engines.commands) add("--engine", engine);
+  if (arguments.thorough) text += " --thorough";
+  if (arguments.count) add("--count", fmt::to_string(*arguments.count));
+  if (arguments.rotating) add("--rotating", fmt::to_string(*arguments.rotating));
+  if (arguments.queries) add("--queries", fmt::to_string(*arguments.queries));
+  if (arguments.seed != 1) add("--seed", fmt::to_string(arguments.seed));
+  if (arguments.oracle_every != kOracleEvery) add("--oracle-every", fmt::to_string(arguments.oracle_every));
+  if (!arguments.guarantees.empty()) add("--guarantees", arguments.guarantees);
+  if (!arguments.corpus.empty()) add("--corpus", arguments.corpus);
+  return text;
+}
+
+}  // namespace
+
+std::filesystem::path known_failures() { return corpus::corpus_directory() / "known_failures.jsonl"; }
+
+CertifyFiles::CertifyFiles(const CertifyArguments& arguments) : report_(arguments.report) {
+  const auto open = [](const std::string& name) {
+    return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
+  };
+  save_ = open(arguments.save);
+  json_ = open(arguments.json);
+  if (!report_.empty()) {
+    page_ = open((std::filesystem::path(report_) / "index.html").string());
+    beside_page_ = open((std::filesystem::path(report_) / "certification.json").string());
+  }
+  junit_ = open(arguments.junit);
+}
+
+void CertifyFiles::write(const Certification& certification, const Settings& settings, double seconds,
+                         const std::string& html) {
+  if (json_) {
+    json_->write_line(certification_json(certification, settings, seconds));
+    json_->close();
+  }
+  if (page_) {
+    if (!show::has_viewer())
+      complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
+    page_->write_line(html.substr(0, html.size() - 1));
+    page_->close();
+    beside_page_->write_line(certification_json(certification, settings, seconds));
+    beside_page_->close();
+    fmt::print("The report is {}.\n", (std::filesystem::path(report_) / "index.html").string());
+  }
+  if (junit_) {
+    junit_->write_line(certification_junit(certification, settings, seconds));
+    junit_->close();
+  }
+  if (save_) {
+    for (const corpus::Case& problem : with_own_ids(certification.convicted))
+      save_->write_line(corpus::write_case(problem));
+    save_->close();
+  }
+}
+
+std::string certify_page(const CertifyArguments& arguments, const Selection& selection,
+                         const Certification& certification, const Settings& settings,
+                         const WorstCases& worst, const std::vector<EngineFinding>& findings,
+                         double seconds) {
+  std::string plain = verdict_line(certification, seconds);
+  if (selection.has_ours()) plain += "\n" + summary_table(certification, settings);
+  if (!selection.engines().empty()) plain += "\n" + certificates(certification, settings);
+  return report_page({.certification = certification,
+                      .settings = settings,
+                      .worst = worst,
+                      .findings = findings,
+                      .seconds = seconds,
+                      .command = certify_line(arguments),
+                      .plain = plain,
+                      .most_scenes = arguments.report_cases});
+}
+
+void print_certification(const CertifyArguments& arguments, const Selection& selection,
+                         const Certification& certification, const Settings& settings, const Intake& intake,
+                         double seconds) {
+  fmt::print("{}", verdict_line(certification, seconds));
+  for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
+  if (!certification.unfinished.empty()) {
+    fmt::print("Not finished: {}\n", fmt::join(certification.unfinished, ", "));
+  }
+  // What is known of our own methods.
+  if (arguments.takes_curated() && !settings.stop() && arguments.engines.commands.empty())
+    print_known_failures(settings, arguments.full || arguments.thorough);
+  print_intake(intake);
+  if (arguments.full || arguments.thorough) {
+    fmt::print("\n{}", full_tables(certification, settings));
+  } else {
+    if (selection.has_ours()) print_screen(certification, settings);
+  }
+  if (!selection.engines().empty()) {
+    fmt::print("\n{}", certificates(certification, settings));
+    if (const std::string times = time_table(certification, settings); !times.empty())
+      fmt::print("\n{}", times);
+  }
+}
+
+}  // namespace graze::tool

@@ -1,0 +1,47 @@
+// What `graze certify` prints and writes of what was judged.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "certify/certification.hpp"
+#include "certify/engine_findings.hpp"
+#include "certify/intake.hpp"
+#include "certify/worst_cases.hpp"
+#include "report/outputs.hpp"
+#include "tools/commands/certify_selection.hpp"
+
+namespace graze::tool {
+
+// The files that the command line names. All are opened before anything is judged: what cannot be written is said
+// at once.
+class CertifyFiles {
+ public:
+  explicit CertifyFiles(const CertifyArguments& arguments);
+  [[nodiscard]] bool has_page() const { return page_ != nullptr; }
+  // `html`: the report, where there is to be one.
+  void write(const Certification& certification, const Settings& settings, double seconds,
+             const std::string& html);
+
+ private:
+  std::string report_;
+  std::unique_ptr<OutputFile> save_, json_, page_, beside_page_, junit_;
+};
+
+// The report that one looks at, as HTML.
+[[nodiscard]] std::string certify_page(const CertifyArguments& arguments, const Selection& selection,
+                                       const Certification& certification, const Settings& settings,
+                                       const WorstCases& worst, const std::vector<EngineFinding>& findings,
+                                       double seconds);
+
+// The verdict, each breach, and the tables.
+void print_certification(const CertifyArguments& arguments, const Selection& selection,
+                         const Certification& certification, const Settings& settings, const Intake& intake,
+                         double seconds);
+
+// What is known to be wrong and not mended yet.
+[[nodiscard]] std::filesystem::path known_failures();
+
+}  // namespace graze::tool

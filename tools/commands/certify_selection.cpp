@@ -1,0 +1,115 @@
+// What `graze certify` judges.
+#include "tools/commands/certify_selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "corpus/curate/location.hpp"
+#include "corpus/format/case_json.hpp"
+#include "report/inputs.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
+
+namespace graze::tool {
+
+using engine::Kind;
+
+Selection::Selection(const CertifyArguments& arguments) : engines_(arguments.engines) {
+  if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
+  if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
+    for (const engine::Method* method : select_methods(names)) {
+      methods_.push_back(*method);
+      if (!arguments.guarantees.empty()) {
+        methods_.back().guarantee = engine::find_guarantee(table_, *method);
+      }
+    }
+  }
+  for (const engine::Method* method : engines_.methods()) methods_.push_back(*method);
+}
+
+std::vector<const engine::Method*> Selection::all() const {
+  std::vector<const engine::Method*> out;
+  for (const engine::Method& method : methods_) out.push_back(&method);
+  return out;
+}
+
+bool Selection::has_ours() const {
+  return std::any_of(methods_.begin(), methods_.end(),
+                     [](const engine::Method& method) { return method.is_ours(); });
+}
+
+bool Selection::has(Kind kind) const {
+  return std::any_of(methods_.begin(), methods_.end(),
+                     [&](const engine::Method& method) { return method.kind == kind; });
+}
+
+bool Selection::takes(const corpus::Case& problem) const {
+  return std::any_of(methods_.begin(), methods_.end(), [&](const engine::Method& method) {
+    return (engine::turns(problem) ? method.kind == Kind::rotating : method.kind != Kind::rotating) &&
+           method.refuses(problem).empty();
+  });
+}
+
+std::string Selection::why_not(const corpus::Case& problem) const {
+  for (const engine::Method& method : methods_) {
+    if (engine::turns(problem) != (method.kind == Kind::rotating)) continue;
+    if (std::string why = method.refuses(problem); !why.empty())
+      return fmt::format("{}: {}", method.question_name(), why);
+  }
+  return fmt::format("no method is one for {}",
+                     engine::turns(problem) ? "bodies that turn" : "bodies that do not turn");
+}
+
+void Selection::read_table(const std::string& name) {
+  will_read({name});
+  const corpus::FileText file = corpus::read_whole_file(name);
+  if (!file.error.empty()) throw std::runtime_error(name + ": " + file.error);
+  try {
+    table_ = engine::parse_guarantees(file.text);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(name + ": " + error.what());
+  }
+}
+
+std::filesystem::path curated_directory(const CertifyArguments& arguments) {
+  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
+                                  : std::filesystem::path(arguments.corpus);
+}
+
+bool take_all(Intake& intake, const CertifyArguments& arguments, const Selection& selection) {
+  bool bad = false;
+  if (arguments.takes_curated()) {
+    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
+    for (const corpus::ReadError& error : curated.errors) complain(error.text());
+    bad = !curated.ok();
+    intake.take("curated", curated.cases, true);
+  }
+  const CaseFiles files = read_case_files(arguments.files);
+  for (const CaseFile& file : files.files) intake.take(file.name, file.cases, false);
+  const Counts counts = arguments.counts();
+  const std::vector<const corpus::Family*> families =
+      wanted_families(arguments.families, !arguments.files.empty());
+  if (selection.has_ours()) {
+    take_families(intake, families, counts, arguments.seed, arguments.oracle_every);
+  } else {
+    for (const corpus::Family* family : families) {
+      const std::size_t count = family->rotating ? counts.rotating : counts.linear;
+      if (count == 0) continue;
+      Suite suite = sought_suite(*family, family->levels, count, arguments.seed,
+                                 [&](const corpus::Case& problem) { return selection.takes(problem); });
+      suite.oracle_every = arguments.oracle_every;
+      if (suite.size() == 0) {
+        const corpus::Case first = family->generate(family->levels.front(), arguments.seed);
+        intake.why.push_back(fmt::format("{}: none of its cases is asked; the first, {}: {}", family->name,
+                                         first.id, selection.why_not(first)));
+      }
+      intake.suites.push_back(std::move(suite));
+    }
+  }
+  if (selection.has(Kind::query)) take_queries(intake, counts);
+  return bad || files.bad;
+}
+
+}  // namespace graze::tool
