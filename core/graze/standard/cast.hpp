@@ -125,14 +125,16 @@ CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
       });
 }
 
-// The GJK ray cast of spheres, capsules and rounded polytopes: the round walk first.
+// The GJK ray cast: of polytopes the quick one first, of spheres, capsules and rounded polytopes the round walk.
 template <Scalar S>
 CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   CastResult<S> out;
   out.method = Method::gjk_ray_cast;
   out.invalid = validate(a, b, options);
   if (detail::refused(out, a, b, options)) return out;
-  if (detail::is_round_pair(a, b, options) && detail::round_cast(a, b, options, out)) return out;
+  if (detail::is_round_pair(a, b, options) ? detail::round_cast(a, b, options, out)
+                                           : detail::quick_ray_cast(a, b, options, out))
+    return out;
   detail::search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
