@@ -25,12 +25,18 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   if (exact::refused(out, a, b, options)) return out;
 
   exact::PassageSearch<S> cast(a, b, out.counters);
-  const exact::Scene<S>& scene = cast.scene();
   const double t_max = static_cast<double>(options.t_max);
   const exact::Answer answer = cast.pass(t_max);
   exact::TimeBracket toi{kInfinity<double>, kInfinity<double>};
-  std::optional<exact::Meeting<S>> meeting;
   out.outcome = Outcome::miss;
+  if (!cast.has_scene()) {
+    out.toi_lower = out.toi_upper = kInfinity<S>;
+    if (asks_for(options.request, Request::proof))
+      out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
+    return out;
+  }
+  const exact::Scene<S>& scene = cast.scene();
+  std::optional<exact::Meeting<S>> meeting;
   if (answer.passage == Passage::contact) {
     out.passed_over = options.start_policy == StartPolicy::pass_over && cast.leaves_or_slides();
     if (!out.passed_over) {

@@ -294,20 +294,33 @@ class Guide {
                                   }},
                body.shape);
   }
-  // About their bounds' centre where the offset exceeds the extent: the differences are then exact
-  // (hull.hpp).
+  // About their bounds' centre where they lie farther out than they are large: along the axes where the offset exceeds
+  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be turned.
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
     kind_ = Kind::few;
     count_ = count;
-    Vec3<double> low = points[0].vector(), high = low;
-    for (const Triple& p : points) {
-      low = low.cwiseMin(p.vector());
-      high = high.cwiseMax(p.vector());
+    Triple low, middle, half;
+    const auto bounds = [](double x, double y, double z, double& least, double& at, double& reach) {
+      const double most = std::max(std::max(x, y), z);
+      least = std::min(std::min(x, y), z);
+      at = least / 2 + most / 2;
+      reach = most / 2 - least / 2;
+    };
+    const Triple &p = points[0], &q = points[1], &r = points[2];
+    bounds(p.x, q.x, r.x, low.x, middle.x, half.x);
+    bounds(p.y, q.y, r.y, low.y, middle.y, half.y);
+    bounds(p.z, q.z, r.z, low.z, middle.z, half.z);
+    if (largest(middle) > 2.5 * largest(half)) {
+      const auto center = [](double& at, double least, double reach) {
+        const double out = std::abs(at) > 2.5 * reach ? at : 0.0;
+        at = (least - out) + reach;
+        return out;
+      };
+      center_ = {center(middle.x, low.x, half.x), center(middle.y, low.y, half.y),
+                 center(middle.z, low.z, half.z)};
     }
-    const detail::Bounds bounds = detail::bounds_between(low, high);
-    center_ = triple(bounds.center);
     for (std::size_t i = 0; i < 3; ++i) few_[i] = points[i] - center_;
-    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+    set_reach(half + magnitude(middle));
   }
   void set_rotation() {
     const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
