@@ -16,8 +16,8 @@
 // advancement.hpp answers.
 // [van den Bergen 2004]
 //
-// Rounding: margin as in quick_walk.hpp. That x is the product s r, within 2 u |x| of where the path is, is in it: of
-// what is claimed only the bound of a miss compares with n.x, |x| <= 2 M, where it has 12 u M for that.
+// Rounding: margin as in quick_walk.hpp, of which 16 u M are for n.(s r) as rounded, s <= 2 M: there s is where the path
+// ends, here also where the axis before has proved that nothing is met.
 #pragma once
 
 #include <graze/gjk/quick_simplex.hpp>
@@ -33,8 +33,7 @@ class QuickRay {
  public:
   // `horizon` may be infinite. `tolerance` over scale, 0 for the noise.
   QuickRay(const GuidedPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters)
-      : pair_(pair),
-        support_(pair, counters),
+      : support_(pair, counters),
         counters_(counters),
         r_(pair.direction()),
         budget_(std::min(budget, kQuickRaySteps)) {
@@ -51,7 +50,7 @@ class QuickRay {
   }
 
   [[nodiscard]] const QuickSweep& run() {
-    Triple n = quick_first_direction(pair_);
+    Triple n = quick_first_direction(support_.pair());
     if (is_small_direction(n)) return out_;
     support_.guess(n, slot_[0]);
     feature_.at[0] = 0;
@@ -66,9 +65,8 @@ class QuickRay {
       ++counters_.gjk_iterations;
       QuickSimplex::closest(y_, at, size, feature_);
       if (feature_.size == 4 || feature_.dist_sq <= fine_sq) {
-        if (!meet() || out_.outcome != Outcome::not_converged) return out_;
-        nearest = kInfinity<double>;
-        continue;
+        meet();
+        return out_;
       }
       n = feature_.n;
       if (is_small_direction(n)) return out_;
@@ -194,26 +192,24 @@ class QuickRay {
     out_.n = n;
     out_.size = static_cast<int>(feature_.size);
   }
-  // The simplex holds x within the noise: a contact, or x went too far by a guess, and goes back. False: given up.
-  [[nodiscard, gnu::noinline]] bool meet() {
+  // The simplex holds x within the noise: contact, unless a guess let x go too far.
+  [[gnu::noinline]] void meet() {
     const Triple v = QuickSimplex::weighted(y_, feature_, out_.lambda);
-    if (!(largest(v) <= noise_ / 4)) return false;
+    if (!(largest(v) <= noise_ / 4)) return;
     if (!(s_ > 0)) {
       out_.outcome = Outcome::initially_overlapping;
-      return true;
+      return;
     }
     if (makes_sure_) make_sure_of_axis();
     const double lower = std::min(reach_ / dot(axis_, r_), s_);
-    if (!is_hit(lower, s_)) return false;
-    claim(axis_, lower, s_);
-    return true;
+    if (is_hit(lower, s_)) claim(axis_, lower, s_);
   }
 
-  const GuidedPair<S>& pair_;
   PairSupport<S> support_;
   Counters& counters_;
   Triple r_, x_{0, 0, 0}, axis_{0, 0, 0};
-  double r_sq_ = 1, s_ = 0, s_end_ = 0, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0, reach_ = 0;
+  double r_sq_ = 1, s_ = 0, s_end_ = 0, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0,
+         reach_ = 0;
   int budget_;
   bool makes_sure_ = true, sure_ = false, axis_is_sure_ = false;
   std::array<PairVertex, 5> slot_;
