@@ -181,7 +181,9 @@ class Guide {
     } else if (kind_ == Kind::few) {
       // The places that a segment or a point leaves hold its last: nothing to guess for the machine.
       const double h0 = dot(d, few_[0]), h1 = dot(d, few_[1]), h2 = dot(d, few_[2]);
-      vertex = unsigned(h1 > h0) & unsigned(h1 >= h2) | (unsigned(h2 > h0) & unsigned(h2 > h1)) << 1;
+      const unsigned second = unsigned(h1 > h0) & unsigned(h1 >= h2),
+                     third = unsigned(h2 > h0) & unsigned(h2 > h1);
+      vertex = second | third << 1;
       x = few_[vertex].x;
       y = few_[vertex].y;
       z = few_[vertex].z;
