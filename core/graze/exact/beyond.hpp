@@ -7,7 +7,7 @@
 // beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
 //
 // Ties by construction. A step across an axis that n is parallel to. Where two vertices of C in n's plane
-// differ in one leaf only, their vertices of that leaf tie. A box: x_0's three neighbours are enough, n being
+// differ in one leaf only, their vertices of that leaf tie. One of these steps after the other. A box: x_0's three neighbours are enough, n being
 // separable. A hull with adjacency: x_0's neighbours are.
 #pragma once
 
@@ -167,7 +167,7 @@ class BeyondSearch {
       accept(s, k, height);
       return;
     }
-    if (ties_by_axes(s, step) || ties_by_index(s, k)) return;
+    if (ties_by_axes(s, step) || ties_by_index(s, k) || ties_by_both(s, k)) return;
     if (scene_.determinant_sign(Term::step(s.index, s.at, k), s.n.f1, s.n.f2) * s.n.sign > 0)
       accept(s, k, height);
   }
@@ -190,6 +190,17 @@ class BeyondSearch {
     if (in_plane(s.leaf.with(s.from, k))) return true;
     return std::any_of(s.ties.begin(), s.ties.end(), [&](const Vertex& v) {
       return s.leaf.vertex(v) == s.at && in_plane(s.leaf.with(v, k));
+    });
+  }
+
+  // A step across such axes from a vertex that ties by its index: the corner of a prism's side that no corner of the
+  // portal has.
+  [[nodiscard]] bool ties_by_both(const Search& s, std::uint32_t k) const {
+    if (s.error[0] != 0 && s.error[1] != 0 && s.error[2] != 0) return false;
+    return std::any_of(s.ties.begin(), s.ties.end(), [&](const Vertex& v) {
+      const std::uint32_t other = s.leaf.vertex(v);
+      return other != s.at && ties_by_axes(s, vertex(s.leaf, k) - vertex(s.leaf, other)) &&
+             ties_by_index(s, other);
     });
   }
 

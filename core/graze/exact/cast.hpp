@@ -25,42 +25,46 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   if (exact::refused(out, a, b, options)) return out;
 
   exact::PassageSearch<S> cast(a, b, out.counters);
-  const exact::Scene<S>& scene = cast.scene();
   const double t_max = static_cast<double>(options.t_max);
   const exact::Answer answer = cast.pass(t_max);
   exact::TimeBracket toi{kInfinity<double>, kInfinity<double>};
-  std::optional<exact::Meeting<S>> meeting;
   out.outcome = Outcome::miss;
+  out.toi_lower = out.toi_upper = kInfinity<S>;
+  if (!cast.has_scene()) {
+    if (asks_for(options.request, Request::proof))
+      out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
+    return out;
+  }
+  const exact::Scene<S>& scene = cast.scene();
   if (answer.passage == Passage::contact) {
     out.passed_over = options.start_policy == StartPolicy::pass_over && cast.leaves_or_slides();
     if (!out.passed_over) {
       out.outcome = Outcome::initially_overlapping;
       toi = {0, 0};
+      out.toi_lower = out.toi_upper = 0;
     }
   } else if (answer.passage == Passage::ahead && cast.pair().moves()) {
     // t_max is a double: t_in <= t_max iff the least double not below t_in is.
-    meeting.emplace(cast.pair(), scene, answer.facet, cast.v());
-    const exact::TimeBracket t_in = meeting->time();
+    exact::Meeting<S> meeting(cast.pair(), scene, answer.facet, cast.v());
+    const exact::TimeBracket t_in = meeting.time();
     if (t_in.upper <= t_max) {
       out.outcome = Outcome::hit;
       toi = t_in;
+      out.toi_lower = exact::round_down<S>(toi.lower);
+      out.toi_upper = exact::round_up<S>(toi.upper);
+      const Triple& r = cast.pair().direction();
+      const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
+      out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
+      if (asks_for(options.request, Request::normal))
+        out.normal = Vec3<double>(-meeting.normal()).template cast<S>();
+      if (asks_for(options.request, Request::witnesses)) {
+        const double t = double(out.toi_lower);
+        out.point_a = meeting.witness(a, true, t).template cast<S>();
+        out.point_b = meeting.witness(b, false, t).template cast<S>();
+      }
     }
   }
-  out.toi_lower = exact::round_down<S>(toi.lower);
-  out.toi_upper = exact::round_up<S>(toi.upper);
   GRAZE_ASSERT(!scene.valid() || out.toi_lower <= out.toi_upper);
-  if (out.outcome == Outcome::hit) {
-    const Triple& r = cast.pair().direction();
-    const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
-    out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
-    if (asks_for(options.request, Request::normal))
-      out.normal = Vec3<double>(-meeting->normal()).template cast<S>();
-    if (asks_for(options.request, Request::witnesses)) {
-      const double t = double(out.toi_lower);
-      out.point_a = meeting->witness(a, true, t).template cast<S>();
-      out.point_b = meeting->witness(b, false, t).template cast<S>();
-    }
-  }
   if (asks_for(options.request, Request::proof) && !out.passed_over)
     out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
   out.counters.exact_decisions = scene.exact_decisions();

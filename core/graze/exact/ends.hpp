@@ -3,6 +3,7 @@
 #pragma once
 
 #include <graze/exact/answer.hpp>
+#include <graze/support/prepared_pair.hpp>
 #include <graze/support/validate.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::exact {
@@ -12,7 +13,8 @@ template <Scalar S>
 Invalid refusal(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   const Invalid invalid = validate(a, b, options);
   if (invalid != Invalid::none) return invalid;
-  const bool known = is_exact(a.shape) && is_exact(b.shape) && !(options.target_distance > 0);
+  const auto takes = [](const Shape<S>& shape) { return detail::is_quick(shape) || is_exact(shape); };
+  const bool known = takes(a.shape) && takes(b.shape) && !(options.target_distance > 0);
   return known ? Invalid::none : Invalid::not_exact;
 }
 

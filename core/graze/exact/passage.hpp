@@ -36,17 +36,16 @@ template <Scalar S>
 class PassageSearch {
  public:
   PassageSearch(const Body<S>& a, const Body<S>& b, Counters& counters)
-      : pair_(a, b),
-        scene_(a, b, pair_.length_exponent(), pair_.speed_exponent()),
-        line_(line_of(pair_)),
+      : a_(a),
+        b_(b),
+        pair_(a, b),
         counters_(counters),
         is_quick_(detail::is_quick(a.shape) && detail::is_quick(b.shape)) {}
 
   // As far as t in [0, t_max] goes: a line that is met later only may come out as one that is beside C.
   [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
     Seeds seeds;
-    Answer miss;
-    if (seek(t_max, seeds, miss)) return miss;
+    if (Answer miss; seek(t_max, seeds, miss)) return miss;
     return with_walk(false, seeds, [&](auto& walk) {
       Answer out;
       const int height = walk.height_sign();
@@ -79,10 +78,10 @@ class PassageSearch {
   // In contact at t = 0: does the motion leave or slide as it begins? At rest: is the origin on C's border?
   [[nodiscard]] bool leaves_or_slides() {
     const Answer out = end(1);
-    if (compare_time(scene_, out.facet, line_.v, 0.0) == 0) return true;
+    if (compare_time(scene(), out.facet, v(), 0.0) == 0) return true;
     if (!pair_.moves()) {
       const Answer in = end(-1);
-      if (compare_time(scene_, in.facet, line_.v, 0.0) == 0) return true;
+      if (compare_time(scene(), in.facet, v(), 0.0) == 0) return true;
     }
     return with_walk(true, {}, [](auto&) {
              Answer inside;
@@ -92,10 +91,19 @@ class PassageSearch {
   }
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }
-  [[nodiscard]] const Scene<S>& scene() const { return scene_; }
-  [[nodiscard]] const Term& v() const { return line_.v; }
+  [[nodiscard]] const Scene<S>& scene() const {
+    if (!scene_) scene_.emplace(a_, b_, pair_.length_exponent(), pair_.speed_exponent());
+    return *scene_;
+  }
+  // False: the quick walk told, and no number but doubles was needed.
+  [[nodiscard]] bool has_scene() const { return scene_.has_value(); }
+  [[nodiscard]] const Term& v() const { return line().v; }
 
  private:
+  const Line& line() const {
+    if (!line_) line_.emplace(line_of(pair_));
+    return *line_;
+  }
   // A path, or, at rest, a line from the origin to about the middle of C.
   static Line line_of(const GuidedPair<S>& pair) {
     if (pair.moves()) return {Term::motion(), pair.direction()};
@@ -154,18 +162,20 @@ class PassageSearch {
       out.miss_sign = walk.miss_sign();
       return out;
     };
-    PortalWalk<S> walk(pair_, scene_, line_, counters_);
+    PortalWalk<S> walk(pair_, scene(), line(), counters_);
     const WalkState state = walk.find(outward, seeds);
     if (state == WalkState::beside) return missed(walk);
     if (state == WalkState::through) return go(walk);
-    EdgeOnWalk<S> flat(scene_, walk.beyond(), line_, walk.first(), walk.second(), counters_);
+    EdgeOnWalk<S> flat(scene(), walk.beyond(), line(), walk.first(), walk.second(), counters_);
     if (flat.find(outward) == WalkState::beside) return missed(flat);
     return go(flat);
   }
 
+  const Body<S>&a_, &b_;
   GuidedPair<S> pair_;
-  Scene<S> scene_;
-  Line line_;
+  // Made when they are asked for: a miss that the quick walk proves asks for neither.
+  mutable std::optional<Scene<S>> scene_;
+  mutable std::optional<Line> line_;
   Counters& counters_;
   bool is_quick_;
 };

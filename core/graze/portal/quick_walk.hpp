@@ -27,17 +27,12 @@
 // as the farthest for `lower`; wherever else it decides, a scan in doubles makes sure.
 #pragma once
 
-#include <graze/portal/sweep.hpp>
-#include <graze/support/prepared_pair.hpp>
+#include <graze/portal/quick_path.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
 // Steps of the walk; what takes longer is no common case.
 inline constexpr int kQuickSteps = 48;
-// How often weights are corrected.
-inline constexpr int kQuickCorrections = 2;
-// The half width of a cube over its half diagonal.
-inline constexpr double kQuickBall = 0.58;
 // A direction of this length or below is out of the range that the scans in float keep.
 inline constexpr double kQuickLeast = 0x1p-80;
 
@@ -56,14 +51,6 @@ struct QuickCorner {
 // `passed`: the next portal lies on the other side of the origin; else it was the last.
 enum class Seed : std::uint8_t { none, miss, portal, passed };
 
-// outcome not_converged: it gave up.
-struct QuickSweep {
-  Outcome outcome = Outcome::not_converged;
-  double lower = 0, upper = 0;  // hit: of s
-  Triple n{0, 0, 0};            // hit, miss: the axis, of any length
-  std::array<double, 3> lambda{};
-};
-
 // kSeeks: it seeks a seed, for seek(); else it answers, for run().
 template <Scalar S, bool kSeeks = false>
 class QuickWalk {
@@ -72,9 +59,8 @@ class QuickWalk {
   QuickWalk(const GuidedPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters)
       : pair_(pair), r_(pair.direction()), counters_(counters), budget_(std::min(budget, kQuickSteps)) {
     constexpr double kU = kUnitRoundoff<double>;
-    const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
+    const double extent = pair.extent();
     r_sq_ = dot(r_, r_);
-    ball_ = kQuickBall * reach;
     // Beyond its extent nothing of C is met.
     end_ = std::min(horizon, 2 * extent) * r_;
     s_max_ = horizon;
@@ -152,18 +138,11 @@ class QuickWalk {
     return true;
   }
 
-  // About where a ball as large as C would be met, and across the path where it passes beside: with p the
-  // ball's centre beside the line, of radius R, along -(R p + (R^2 - p^2) r), |r| taken for 1.
-  Triple first_direction() const {
-    const Triple c = -pair_.offset(), beside = r_sq_ * c - dot(c, r_) * r_;
-    const double radius = ball_ * r_sq_, room = std::max(radius * radius - dot(beside, beside), 0.0);
-    return -(radius * beside + room * r_);
-  }
   // A triangle around the line, seen along it: det of every edge, in turn, >= 0. The line is to the left of
   // i -> j.
   bool find() {
     QuickCorner *i = &slot_[0], *j = &slot_[1], *k = &slot_[2];
-    Triple n = first_direction();
+    Triple n = quick_first_direction(pair_);
     if (separates(n, support(n, i))) return false;
     n = cross(i->m, r_);
     if (is_small(n) || separates(n, support(n, j))) return false;
@@ -265,43 +244,12 @@ class QuickWalk {
   }
 
   // Where the line passes the portal: s, with the weights of it; NaN if it does not within the noise.
-  //
-  // The weights are quotients of determinants of corners, which round by u of the square of how far away C is, over
-  // the triangle's area as seen: of a path far longer than C is large, the point p that they make is off the line. Its
-  // distance g = p - s r tells by how much: with e, f the edges from c_0, N = e x f, the weights of c_1 and c_2 that
-  // take g off are g.(r x f) / N.r and g.(e x r) / N.r. g is small and rounds by u of what it is the difference of.
-  double pass(const Portal& portal, std::array<double, 3>& lambda) const {
-    const QuickCorner &c0 = *portal[0], &c1 = *portal[1], &c2 = *portal[2];
-    const double l0 = std::max(det(c1, c2), 0.0), l1 = std::max(det(c2, c0), 0.0),
-                 l2 = std::max(det(c0, c1), 0.0), one = 1 / (l0 + l1 + l2);
-    lambda = {l0 * one, l1 * one, l2 * one};
-    Triple g;
-    double s = place(portal, lambda, g);
-    for (int round = 0; round < kQuickCorrections && largest(g) > noise_ / 4; ++round) {
-      correct(portal, g, lambda);
-      s = place(portal, lambda, g);
-    }
-    return largest(g) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
-  }
-  // Of the portal's point at these weights: s, and how far it is off the line.
-  double place(const Portal& portal, const std::array<double, 3>& lambda, Triple& g) const {
-    const Triple p = lambda[0] * portal[0]->w + lambda[1] * portal[1]->w + lambda[2] * portal[2]->w;
-    const double s = dot(p, r_) / r_sq_;
-    g = p - s * r_;
-    return s;
-  }
-  [[gnu::noinline]] void correct(const Portal& portal, const Triple& g, std::array<double, 3>& lambda) const {
-    const Triple e = portal[1]->w - portal[0]->w, f = portal[2]->w - portal[0]->w, a = cross(r_, f),
-                 b = cross(e, r_);
-    const double one = 1 / dot(cross(e, f), r_);
-    const double l1 = std::max(lambda[1] + dot(g, a) * one, 0.0),
-                 l2 = std::max(lambda[2] + dot(g, b) * one, 0.0), l0 = std::max(1 - l1 - l2, 0.0),
-                 all = 1 / (l0 + l1 + l2);
-    lambda = {l0 * all, l1 * all, l2 * all};
+  double pass(const Portal& portal, std::array<double, 4>& lambda) const {
+    return QuickTriangle{portal[0]->w, portal[1]->w, portal[2]->w, r_, r_sq_}.pass(noise_ / 4, lambda);
   }
   // The portal before the last step and this one lie on either side of the start.
   void touch() {
-    std::array<double, 3> lambda;
+    std::array<double, 4> lambda;
     const double s = pass(at_, lambda), before = before_[0] ? pass(before_, lambda) : s;
     if (s * before <= 0) out_.outcome = Outcome::initially_overlapping;
   }
@@ -314,6 +262,7 @@ class QuickWalk {
     out_.lower = lower;
     out_.upper = upper;
     out_.n = n;
+    out_.size = 3;
   }
 
   const GuidedPair<S>& pair_;
@@ -321,7 +270,7 @@ class QuickWalk {
   Counters& counters_;
   int budget_;
   bool passed_ = false;
-  double ball_ = 1, r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  double r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   // Three of the portal, the one that is new, the one that the last step took out.
   std::array<QuickCorner, 5> slot_;
   Portal at_{}, before_{};

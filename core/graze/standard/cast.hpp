@@ -125,24 +125,18 @@ CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
       });
 }
 
-// The GJK ray cast of spheres, capsules and rounded polytopes: the round walk first.
+namespace detail {
+
+// The GJK ray cast without a quick search: what cast_gjk_ray falls back to. The bodies have passed validate().
 template <Scalar S>
-CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  CastResult<S> out;
-  out.method = Method::gjk_ray_cast;
-  out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options)) return out;
-  if (detail::is_round_pair(a, b, options) && detail::round_cast(a, b, options, out)) return out;
-  detail::search_with(
+void careful_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
       },
       out);
-  return out;
 }
-
-namespace detail {
 
 // MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
 template <Scalar S>
@@ -163,6 +157,19 @@ void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
       out);
 }
 }  // namespace detail
+
+// The GJK ray cast: of polytopes the quick one first, of spheres, capsules and rounded polytopes the round walk.
+template <Scalar S>
+CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  CastResult<S> out;
+  out.method = Method::gjk_ray_cast;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options)) return out;
+  const bool answered = detail::is_round_pair(a, b, options) ? detail::round_cast(a, b, options, out)
+                                                             : detail::quick_ray_cast(a, b, options, out);
+  if (!answered) detail::careful_gjk_ray(a, b, options, out);
+  return out;
+}
 
 template <Scalar S>
 CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {

@@ -1,9 +1,10 @@
-// The quick walk's answer as a cast's: times, normal, witnesses, in the caller's units.
+// A quick search's answer as a cast's: times, normal, witnesses, in the caller's units.
 //
 // Point, segment, triangle, box and hull, without a target distance; the careful search answers the rest, and
-// whatever the walk gives up on.
+// whatever the search gives up on.
 #pragma once
 
+#include <graze/gjk/quick_ray.hpp>
 #include <graze/portal/quick_walk.hpp>
 #include <graze/result.hpp>
 #include <graze/standard/prove.hpp>
@@ -24,28 +25,30 @@ template <Scalar S>
 }
 
 // sum lambda_i x_i of the body at time t, world coordinates.
-template <Scalar S>
-[[nodiscard]] Vec3<S> quick_witness(const Body<S>& body, const Guide<S>& guide,
-                                    const std::array<std::uint32_t, 3>& vertex,
-                                    const std::array<double, 3>& lambda, int k, double t) {
+template <Scalar S, class Search>
+[[nodiscard]] Vec3<S> quick_witness(const Body<S>& body, const Guide<S>& guide, const Search& search,
+                                    const QuickSweep& found, bool of_a, int k, double t) {
   Triple own{0, 0, 0};
-  for (std::size_t i = 0; i < 3; ++i) own = own + lambda[i] * guide.own(vertex[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.size); ++i) {
+    const auto& corner = search.corner(i);
+    own = own + found.lambda[i] * guide.own(of_a ? corner.vertex_a : corner.vertex_b);
+  }
   const Triple turned = guide.to_world(power_of_two(k) * own);
   return (guide.placed_center() + (t * triple(body.displacement) + turned)).vector().template cast<S>();
 }
 
-// False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().
-template <Scalar S>
-[[nodiscard]] bool quick_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                              CastResult<S>& out) {
+// By `Search`, one of QuickWalk and QuickRay. False: nothing is claimed, and of `out` only the counters have changed.
+// The bodies have passed validate().
+template <template <Scalar> class Search, Scalar S>
+[[nodiscard]] bool quick_cast_by(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                 CastResult<S>& out) {
   if (options.target_distance > 0 || !is_quick(a.shape) || !is_quick(b.shape)) return false;
   const GuidedPair<S> pair(a, b);
   if (!pair.moves() || !(options.t_max > 0)) return false;
   const int k = pair.length_exponent(), j = pair.speed_exponent();
-  QuickWalk<S> walk(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),
-                    options.max_iterations, out.counters);
-  const QuickSweep& found = walk.run();
-  out.counters.iterations = out.counters.portal_steps;
+  Search<S> search(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),
+                   options.max_iterations, out.counters);
+  const QuickSweep& found = search.run();
   if (found.outcome == Outcome::not_converged) return false;
   if (found.outcome == Outcome::initially_overlapping && options.start_policy == StartPolicy::pass_over)
     return false;
@@ -73,18 +76,31 @@ template <Scalar S>
   }
   if (hit && asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
   if (hit && asks_for(options.request, Request::witnesses)) {
-    const QuickCorner &c0 = walk.corner(0), &c1 = walk.corner(1), &c2 = walk.corner(2);
-    const auto witness = [&](const Body<S>& body, const Guide<S>& guide,
-                             const std::array<std::uint32_t, 3>& vertex) {
-      return quick_witness(body, guide, vertex, found.lambda, k, double(lower));
-    };
-    out.point_a = witness(a, pair.a(), {c0.vertex_a, c1.vertex_a, c2.vertex_a});
-    out.point_b = witness(b, pair.b(), {c0.vertex_b, c1.vertex_b, c2.vertex_b});
+    out.point_a = quick_witness(a, pair.a(), search, found, true, k, double(lower));
+    out.point_b = quick_witness(b, pair.b(), search, found, false, k, double(lower));
   }
   if (proof) {
     out.proof = prove(a, b, options, out.outcome, upper, Vec3<S>(n.template cast<S>()), out.counters);
   }
   return true;
+}
+
+template <Scalar S>
+using AnsweringWalk = QuickWalk<S>;
+
+template <Scalar S>
+[[nodiscard]] bool quick_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                              CastResult<S>& out) {
+  const bool answered = quick_cast_by<AnsweringWalk>(a, b, options, out);
+  out.counters.iterations = out.counters.portal_steps;
+  return answered;
+}
+template <Scalar S>
+[[nodiscard]] bool quick_ray_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                  CastResult<S>& out) {
+  const bool answered = quick_cast_by<QuickRay>(a, b, options, out);
+  out.counters.iterations = out.counters.gjk_iterations;
+  return answered;
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -77,6 +77,10 @@ class Guide {
       kind_ = Kind::box;
       few_[0] = triple(box->half_extents);
       set_reach(few_[0]);
+    } else if (const auto* triangle = std::get_if<Triangle<S>>(&body.shape)) {
+      set_few({triple(triangle->a), triple(triangle->b), triple(triangle->c)}, 3);
+    } else if (const auto* segment = std::get_if<Segment<S>>(&body.shape)) {
+      set_few({triple(segment->a), triple(segment->b), triple(segment->b)}, 2);
     } else {
       set_other(body);
     }
@@ -90,8 +94,9 @@ class Guide {
     unit_ *= scale;
     reach_ *= scale;
     size_ *= scale;
-    if (kind_ == Kind::box || kind_ == Kind::few) {
-      for (std::uint32_t i = 0; i < count_; ++i) few_[i] = scale * few_[i];
+    if (kind_ == Kind::box) few_[0] = scale * few_[0];
+    if (kind_ == Kind::few) {
+      for (Triple& x : few_) x = scale * x;
     }
     if (kind_ != Kind::side) return;
     side_ = detail::make_side<double>(body_, detail::bounds(body_.shape), k, detail::Turning::quick);
@@ -173,6 +178,15 @@ class Guide {
       x = std::copysign(few_[0].x, d.x);
       y = std::copysign(few_[0].y, d.y);
       z = std::copysign(few_[0].z, d.z);
+    } else if (kind_ == Kind::few) {
+      // The places that a segment or a point leaves hold its last: nothing to guess for the machine.
+      const double h0 = dot(d, few_[0]), h1 = dot(d, few_[1]), h2 = dot(d, few_[2]);
+      const unsigned second = unsigned(h1 > h0) & unsigned(h1 >= h2),
+                     third = unsigned(h2 > h0) & unsigned(h2 > h1);
+      vertex = second | third << 1;
+      x = few_[vertex].x;
+      y = few_[vertex].y;
+      z = few_[vertex].z;
     } else {
       vertex = other_support(d.x, d.y, d.z);
       const Triple v = own(vertex);
@@ -255,13 +269,6 @@ class Guide {
   }
   [[nodiscard, gnu::noinline]] std::uint32_t other_support(double x, double y, double z) const {
     const Triple d{x, y, z};
-    if (kind_ == Kind::few) {
-      std::uint32_t vertex = 0;
-      for (std::uint32_t k = 1; k < count_; ++k) {
-        if (dot(d, few_[k] - few_[vertex]) > 0) vertex = k;
-      }
-      return vertex;
-    }
     if (kind_ == Kind::climb) return last_ = climb_support<double, S>(*hull_, d.vector(), last_);
     return side_->support(*side_, d.vector(), nullptr).vertex;
   }
@@ -270,44 +277,45 @@ class Guide {
     reach_ = std::sqrt(dot(extent, extent)) * (1 + 0x1p-50);
   }
   [[gnu::noinline]] void set_other(const Body<S>& body) {
-    std::visit(detail::Overloaded{[&](const Point<S>&) {
-                                    few_[0] = {0, 0, 0};
-                                  },
-                                  [&](const Sphere<S>&) {
-                                    few_[0] = {0, 0, 0};
-                                  },
-                                  [&](const Capsule<S>& s) {
-                                    const Triple up{0, 0, double(s.half_height)};
-                                    set_few({-up, up, up}, 2);
-                                  },
-                                  [&](const Segment<S>& s) {
-                                    set_few({triple(s.a), triple(s.b), triple(s.b)}, 2);
-                                  },
-                                  [&](const Triangle<S>& s) {
-                                    set_few({triple(s.a), triple(s.b), triple(s.c)}, 3);
-                                  },
-                                  [&](const auto&) {
-                                    kind_ = Kind::side;
-                                    const detail::Bounds bounds = detail::bounds(body.shape);
-                                    center_ = triple(bounds.center);
-                                    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
-                                  }},
-               body.shape);
+    if (std::holds_alternative<Point<S>>(body.shape) || std::holds_alternative<Sphere<S>>(body.shape)) {
+      few_.fill({0, 0, 0});
+    } else if (const auto* capsule = std::get_if<Capsule<S>>(&body.shape)) {
+      const Triple up{0, 0, double(capsule->half_height)};
+      set_few({-up, up, up}, 2);
+    } else {
+      kind_ = Kind::side;
+      const detail::Bounds bounds = detail::bounds(body.shape);
+      center_ = triple(bounds.center);
+      set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+    }
   }
-  // About their bounds' centre where the offset exceeds the extent: the differences are then exact
-  // (hull.hpp).
+  // About their bounds' centre where they lie farther out than they are large: along the axes where the offset exceeds
+  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be turned.
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
     kind_ = Kind::few;
     count_ = count;
-    Vec3<double> low = points[0].vector(), high = low;
-    for (const Triple& p : points) {
-      low = low.cwiseMin(p.vector());
-      high = high.cwiseMax(p.vector());
+    Triple low, middle, half;
+    const auto bounds = [](double x, double y, double z, double& least, double& at, double& reach) {
+      const double most = std::max(std::max(x, y), z);
+      least = std::min(std::min(x, y), z);
+      at = least / 2 + most / 2;
+      reach = most / 2 - least / 2;
+    };
+    const Triple &p = points[0], &q = points[1], &r = points[2];
+    bounds(p.x, q.x, r.x, low.x, middle.x, half.x);
+    bounds(p.y, q.y, r.y, low.y, middle.y, half.y);
+    bounds(p.z, q.z, r.z, low.z, middle.z, half.z);
+    if (largest(middle) > 2.5 * largest(half)) {
+      const auto center = [](double& at, double least, double reach) {
+        const double out = std::abs(at) > 2.5 * reach ? at : 0.0;
+        at = (least - out) + reach;
+        return out;
+      };
+      center_ = {center(middle.x, low.x, half.x), center(middle.y, low.y, half.y),
+                 center(middle.z, low.z, half.z)};
     }
-    const detail::Bounds bounds = detail::bounds_between(low, high);
-    center_ = triple(bounds.center);
     for (std::size_t i = 0; i < 3; ++i) few_[i] = points[i] - center_;
-    set_reach(triple(Vec3<double>(bounds.half + bounds.middle.cwiseAbs())));
+    set_reach(half + magnitude(middle));
   }
   void set_rotation() {
     const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
@@ -329,7 +337,7 @@ class Guide {
   mutable std::uint32_t last_ = kNoStart;
   double unit_ = 1, reach_ = 0, size_ = 0, blur_ = 0;
   Triple center_{0, 0, 0};
-  std::array<Triple, 3> few_, row_;  // as far as they are used
+  std::array<Triple, 3> few_, row_;  // as far as they are used; few_ repeats its last
   std::optional<detail::Side<double>> side_;
 };
 

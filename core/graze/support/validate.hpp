@@ -115,6 +115,11 @@ bool is_common(const Body<S>& body) {
   }
   if (const auto* box = std::get_if<Box<S>>(&body.shape))
     return is_common(box->half_extents) && box->half_extents.minCoeff() >= 0;
+  if (const auto* triangle = std::get_if<Triangle<S>>(&body.shape))
+    return unsigned(is_common(triangle->a)) & unsigned(is_common(triangle->b)) &
+           unsigned(is_common(triangle->c));
+  if (const auto* segment = std::get_if<Segment<S>>(&body.shape))
+    return unsigned(is_common(segment->a)) & unsigned(is_common(segment->b));
   return std::holds_alternative<Point<S>>(body.shape);
 }
 
