@@ -18,7 +18,6 @@
 // conservative slice. No root finder can stall, and none is believed.
 #pragma once
 
-#include <algorithm>
 #include <graze/rotating/nearest.hpp>
 #include <graze/rotating/whole_turns.hpp>
 #include <optional>
@@ -125,8 +124,13 @@ class SliceSearch {
       const auto of = static_cast<AxisFrame>(i);
       out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Frame& l, const Frame& r) { return l.bend_root < r.bend_root; });
+    // Three, in place, and stable.
+    const auto in_order = [&](std::size_t i) {
+      if (out[i + 1].bend_root < out[i].bend_root) std::swap(out[i], out[i + 1]);
+    };
+    in_order(0);
+    in_order(1);
+    in_order(0);
     return out;
   }
   static bool proves(double h, double s_0, double s_1, double bend_root) {
