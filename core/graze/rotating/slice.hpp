@@ -69,7 +69,7 @@ class SliceSearch {
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
-    if (before && towards_contact(now, *before, safe, out)) return out;
+    if (towards_contact(now, before, safe, out)) return out;
     // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
     for (const Frame& frame : frames(now.near.n)) {
       const double longest = out.end - now.t;
@@ -87,6 +87,8 @@ class SliceSearch {
   static constexpr double kShort = 1 - 0x1p-10;
   // An axis that turns costs rounding, here and in every proof: it must give as many times the length.
   static constexpr double kWorthAFrame = 2;
+  // Of the longest slice that ends at contact.
+  static constexpr double kTowards = 0.9;
 
   void place(double t) {
     if (pair_.time() != t) pair_.place(t);
@@ -137,19 +139,61 @@ class SliceSearch {
     return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
   }
   // What may be left at the end of a slice towards contact: less and less, so that the search is superlinear.
-  [[nodiscard]] double wished(double gap) const {
-    return std::max(gap * std::min(1.0 / 64, gap), limits_.stop / 2);
+  [[nodiscard]] double wished(double gap, const std::optional<Seen>& before) const {
+    const double known = before ? std::min(1.0, before->near.gap) : 1.0;
+    return std::max(gap * std::min(1.0 / 64, gap * known), limits_.stop / 2);
   }
 
-  bool towards_contact(const Seen& now, const Seen& before, double safe, Slice& out) {
-    const double gap = now.near.gap, fallen = before.near.gap - gap;
-    if (!(fallen > 0)) return false;
-    const double to_root = (now.t - before.t) / fallen;                        // time per length
-    const double most = 2 * std::sqrt(gap) / frames(now.near.n)[0].bend_root;  // of any axis alike
-    for (const double left : {wished(gap), gap / 8}) {
-      const double h = (gap - left) * to_root;
-      if (!(h > safe && h < most && h < limits_.end - now.t)) return false;
-      const double end = not_after(now.t, h);
+  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
+  double approach(const Seen& now) {
+    place(now.t);
+    const Cso<double>& cso = pair_.cso();
+    const auto& side_b = cso.side_b();
+    const Simplex<double>& closest = now.near.simplex;
+    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
+      const CsoPoint<double>& p = closest.point[i];
+      const Vec3<double> d_b = -p.n;
+      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+      apart += closest.lambda[i] * p.w;
+    }
+    b = side_b.to_world(b) + pair_.center_b();
+    const Vec3<double> a = b + apart;  // from A's pivot
+    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
+                                pair_.mobility_a().w.cross(a);
+    return -now.near.n.dot(faster);
+  }
+  // When the gap is due to be `left`, from now: of the polynomial of second degree in the gap through the time before,
+  // where there is one, and now, with what the gap changes by now; infinite where none is due.
+  struct Due {
+    double slope = 0, bend = 0;  // of the time over the gap
+    [[nodiscard]] double at(double fallen) const { return (slope + bend * fallen) * fallen; }
+  };
+  Due due(const Seen& now, const std::optional<Seen>& before) {
+    const double fast = approach(now);
+    if (!(fast > 0)) return {kInfinity<double>, 0};
+    Due out{1 / fast, 0};
+    if (!before) return out;
+    const double fallen = before->near.gap - now.near.gap;
+    if (!(fallen > 0)) return out;
+    // At the time before, -fallen: t - t_now = -slope fallen + bend fallen^2.
+    const double bend = (out.slope * fallen - (now.t - before->t)) / (fallen * fallen);
+    // Only what turns the guess by less than half of itself is a correction.
+    if (std::abs(bend) * now.near.gap < out.slope / 2) out.bend = bend;
+    return out;
+  }
+
+  bool towards_contact(const Seen& now, const std::optional<Seen>& before, double safe, Slice& out) {
+    const double gap = now.near.gap, rest = limits_.end - now.t;
+    const Due guess = due(now, before);
+    if (!(guess.slope < kInfinity<double>)) return false;
+    // Of any axis alike; and where the gap at the end is next to nothing.
+    const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
+    for (const double left : {wished(gap, before), gap / 8}) {
+      double h = guess.at(gap - left);
+      h = std::min({h, most, rest});
+      if (!(h > safe)) return false;
+      const double end = h >= rest ? limits_.end : not_after(now.t, h);
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
@@ -184,7 +228,7 @@ class SliceSearch {
   };
 
   void along_axis(const Along& from, double safe, Slice& out) {
-    const double gap = from.gap, rest = limits_.end - from.t, left = wished(gap), root = from.frame.bend_root;
+    const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
     double good = 0, good_gap = gap;  // the longest slice proved so far
