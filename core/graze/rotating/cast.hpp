@@ -398,6 +398,7 @@ class RotatingCast {
     proof.toi_lower = found.lower;
     proof.chain = std::move(found.chain);
     if (!found.contact.proved) return proof;
+    if (found.contact.unweighed) weigh(found.contact.pairs);
     pair_->place(found.upper);
     const Cso<double>& cso = pair_->cso();
     const Vec3<double> none = Vec3<double>::Zero();

@@ -56,7 +56,7 @@ Quaternion<double> near_one(const Quaternion<S>& given) {
 
 // R(orientation) x, within 2^-98.
 inline TwoDoubles3 posed(const Quaternion<double>& q, const Vec3<double>& x) {
-  return q.is_identity() ? exactly(x) : rotate_accurately(q, x);
+  return q.is_identity() || x == Vec3<double>::Zero() ? exactly(x) : rotate_accurately(q, x);
 }
 
 // Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point
@@ -99,6 +99,8 @@ class MovingPair {
     compute(t, placed_[oldest_]);
     ++poses_;
     stand(oldest_);
+    placed_[oldest_].error =
+        cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
   }
 
   [[nodiscard]] double time() const { return t_; }
@@ -138,7 +140,7 @@ class MovingPair {
   [[nodiscard]] const Vec3<double>& pivot_b_now() const { return now().pivot_b; }
 
   // A bound of the rounding of the gap along any unit axis.
-  [[nodiscard]] double error() const { return error_; }
+  [[nodiscard]] double error() const { return now().error; }
   // Of the offset, where it is what is left of lengths that cancel. Turned arms are within turn_error of
   // their lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
   [[nodiscard]] double offset_error() const {
@@ -232,6 +234,7 @@ class MovingPair {
     Mat3<double> rotation_a, rotation_b;
     TwoDoubles3 arm_a, arm_b;
     Vec3<double> pivot_b, offset;
+    double error;
   };
   void compute(double t, Stand& out) const {
     TwoDoubles3 d = pivots_;
@@ -262,7 +265,6 @@ class MovingPair {
     t_ = now.t;
     cso_.place(a_.turns.turns() ? &now.rotation_a : nullptr, b_.turns.turns() ? &now.rotation_b : nullptr,
                now.offset);
-    error_ = cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + now.offset.norm()) + offset_error();
   }
   [[nodiscard]] const Stand& now() const { return placed_[at_]; }
   // |w_A x c| + |w_A x v| t of the above.
@@ -323,7 +325,6 @@ class MovingPair {
   TwoDoubles3 pivots_{}, velocity_{};
   std::array<Stand, 3> placed_;
   std::size_t at_ = 0, oldest_ = 2;
-  double error_ = 0;
   double radius_ = 0, target_ = 0, t_ = 0;
   Vec3<double> start_offset_ = Vec3<double>::Zero();
   double start_lengths_ = 0, lengths_ = 0, speed_ = 0;

@@ -134,13 +134,20 @@ inline bool quick_distance(const Cso<double>& cso, Simplex<double>& simplex, dou
     const int size = closest.size();
     if (size == 0 || !(closest.dist_sq() < before)) return false;
     before = closest.dist_sq();
-    // In place where the feature's points keep their order.
-    Simplex<double> kept;
+    // In place: the feature's points keep their order.
+    std::array<double, 4> weight{};
+    std::array<bool, 4> kept{};
     for (int i = 0; i < size; ++i) {
-      kept.add(simplex.point[closest.index(i)]);
-      kept.lambda[static_cast<std::size_t>(i)] = closest.lambda(i);
+      weight[closest.index(i)] = closest.lambda(i);
+      kept[closest.index(i)] = true;
     }
-    simplex = kept;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!kept[i]) continue;
+      if (k != i) simplex.point[k] = simplex.point[i];
+      simplex.lambda[k++] = weight[i];
+    }
+    simplex.size = size;
     out.upper = closest.weighted();
     if (out.upper <= near_enough || size == 4) return true;
     const double length_sq = dot(closest.n(), closest.n());

@@ -61,7 +61,11 @@ inline double not_after(double t, double h) {
 class SliceSearch {
  public:
   SliceSearch(MovingPair& pair, const MarchLimits& limits, Counters& counters)
-      : pair_(pair), limits_(limits), counters_(counters) {}
+      : pair_(pair),
+        limits_(limits),
+        counters_(counters),
+        speed_in_a_(pair.relative_speed(AxisFrame::a, limits.end)),
+        speed_in_b_(pair.relative_speed(AxisFrame::b, limits.end)) {}
 
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
@@ -71,7 +75,8 @@ class SliceSearch {
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (towards_contact(now, before, safe, out)) return out;
     // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
-    for (const Frame& frame : frames(now.near.n)) {
+    const std::array<Frame, 3> all = frames(now.near.n);
+    for (const Frame& frame : all) {
       const double longest = out.end - now.t;
       if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > 2 * longest)) continue;
       place(now.t);
@@ -103,7 +108,7 @@ class SliceSearch {
     out.axis = now.near.n;
     for (const AxisFrame frame : {AxisFrame::a, AxisFrame::b}) {
       const double gap = now.near.gap - pair_.frame_error(frame);
-      const double h = length(gap, pair_.relative_speed(frame, limits_.end));
+      const double h = length(gap, frame == AxisFrame::a ? speed_in_a_ : speed_in_b_);
       if (!(best < rest && gap > 0 && h > kWorthAFrame * best)) continue;
       place(now.t);
       best = h;
@@ -119,9 +124,11 @@ class SliceSearch {
     double bend_root = 0;
   };
   // For an axis n as it stands now; the one that lets points bend least first.
-  [[nodiscard]] std::array<Frame, 3> frames(const Vec3<double>& n) const {
+  [[nodiscard]] const std::array<Frame, 3>& frames(const Vec3<double>& n) {
+    if (n == frames_of_) return frames_;  // of the last slice's end
+    frames_of_ = n;
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);
-    std::array<Frame, 3> out;
+    std::array<Frame, 3>& out = frames_;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto of = static_cast<AxisFrame>(i);
       out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
@@ -298,6 +305,9 @@ class SliceSearch {
   MovingPair& pair_;
   const MarchLimits& limits_;
   Counters& counters_;
+  double speed_in_a_, speed_in_b_;
+  Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::array<Frame, 3> frames_;
   int wait_ = 0, failures_ = 0;  // of whole turns
 };
 

@@ -200,32 +200,7 @@ class TurnedRotation {
  public:
   TurnedRotation() = default;
   TurnedRotation(const TurnsAbout& turns, const Quaternion<double>& q) {
-    using exact::Pair;
-    using exact::product;
-    const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z),
-               norm = (ww + xx) + (yy + zz);
-    const TwoDoubles inverse = TwoDoubles{1, 0} / two_sum(norm.hi, norm.lo);
-    const Pair over{inverse.hi, inverse.lo}, twice_over{2 * over.hi, 2 * over.lo};
-    const auto mixed = [&](double a, double b, double c, double d) {
-      return (product(a, b) + product(c, d)) * twice_over;
-    };
-    const std::array<exact::Pair3, 3> column = {
-        exact::Pair3{((ww + xx) - (yy + zz)) * over, mixed(q.x, q.y, q.w, q.z), mixed(q.x, q.z, -q.w, q.y)},
-        exact::Pair3{mixed(q.x, q.y, -q.w, q.z), ((ww + yy) - (xx + zz)) * over, mixed(q.y, q.z, q.w, q.x)},
-        exact::Pair3{mixed(q.x, q.z, q.w, q.y), mixed(q.y, q.z, -q.w, q.x), ((ww + zz) - (xx + yy)) * over}};
-    exact::Pair3 axis;
-    for (std::size_t i = 0; i < 3; ++i) axis[i] = {turns.axis()[i].hi, turns.axis()[i].lo};
-    for (std::size_t j = 0; j < 3; ++j) {
-      const exact::Pair3 lasting = exact::scaled(axis, exact::dot(axis, column[j])),
-                         turned = exact::cross(axis, column[j]);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto r = static_cast<int>(i), c = static_cast<int>(j);
-        start_(r, c) = exact::rounded(column[j][i]);
-        along_(r, c) = exact::rounded(lasting[i]);
-        across_(r, c) = exact::rounded(column[j][i] - lasting[i]);
-        aside_(r, c) = exact::rounded(turned[i]);
-      }
-    }
+    exact::fuses() ? prepare<true>(turns, q) : prepare<false>(turns, q);
   }
   // R(q), each entry within 0.6 u.
   [[nodiscard]] const Mat3<double>& start() const { return start_; }
@@ -236,6 +211,37 @@ class TurnedRotation {
   }
 
  private:
+  template <bool kFused>
+  [[gnu::flatten]] void prepare(const TurnsAbout& turns, const Quaternion<double>& q) {
+    using Pair = exact::PairOf<kFused>;
+    using Pair3 = exact::Pair3Of<kFused>;
+    const auto product = [](double a, double b) { return exact::product<kFused>(a, b); };
+    const auto scaled = [](const Pair3& x, const Pair& by) { return Pair3{x[0] * by, x[1] * by, x[2] * by}; };
+    const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z),
+               norm = (ww + xx) + (yy + zz);
+    const TwoDoubles inverse = TwoDoubles{1, 0} / two_sum(norm.hi, norm.lo);
+    const Pair over{inverse.hi, inverse.lo}, twice_over{2 * over.hi, 2 * over.lo};
+    const auto mixed = [&](double a, double b, double c, double d) {
+      return (product(a, b) + product(c, d)) * twice_over;
+    };
+    const std::array<Pair3, 3> column = {
+        Pair3{((ww + xx) - (yy + zz)) * over, mixed(q.x, q.y, q.w, q.z), mixed(q.x, q.z, -q.w, q.y)},
+        Pair3{mixed(q.x, q.y, -q.w, q.z), ((ww + yy) - (xx + zz)) * over, mixed(q.y, q.z, q.w, q.x)},
+        Pair3{mixed(q.x, q.z, q.w, q.y), mixed(q.y, q.z, -q.w, q.x), ((ww + zz) - (xx + yy)) * over}};
+    Pair3 axis;
+    for (std::size_t i = 0; i < 3; ++i) axis[i] = {turns.axis()[i].hi, turns.axis()[i].lo};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Pair3 lasting = scaled(axis, exact::dot(axis, column[j])), turned = exact::cross(axis, column[j]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto r = static_cast<int>(i), c = static_cast<int>(j);
+        start_(r, c) = exact::rounded(column[j][i]);
+        along_(r, c) = exact::rounded(lasting[i]);
+        across_(r, c) = exact::rounded(column[j][i] - lasting[i]);
+        aside_(r, c) = exact::rounded(turned[i]);
+      }
+    }
+  }
+
   Mat3<double> start_ = Mat3<double>::Identity();
   Mat3<double> along_ = Mat3<double>::Zero(), across_ = Mat3<double>::Zero(), aside_ = Mat3<double>::Zero();
 };
