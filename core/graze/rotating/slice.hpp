@@ -78,7 +78,7 @@ class SliceSearch {
     const std::array<Frame, 3> all = frames(now.near.n);
     for (const Frame& frame : all) {
       const double longest = out.end - now.t;
-      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > 2 * longest)) continue;
+      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > kWorthTrying * longest)) continue;
       place(now.t);
       const Vec3<double> own = pair_.to_own(frame.of, now.near.n);
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
@@ -92,6 +92,8 @@ class SliceSearch {
   static constexpr double kShort = 1 - 0x1p-10;
   // An axis that turns costs rounding, here and in every proof: it must give as many times the length.
   static constexpr double kWorthAFrame = 2;
+  // And what another may give at best, for it to be tried.
+  static constexpr double kWorthTrying = 4;
   // Of the longest slice that ends at contact.
   static constexpr double kTowards = 0.9;
 
@@ -196,10 +198,11 @@ class SliceSearch {
     if (!(guess.slope < kInfinity<double>)) return false;
     // Of any axis alike; and where the gap at the end is next to nothing.
     const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
+    double last = kInfinity<double>, longest = kInfinity<double>;
     for (const double left : {wished(gap, before), gap / 8}) {
-      double h = guess.at(gap - left);
-      h = std::min({h, most, rest});
-      if (!(h > safe)) return false;
+      const double h = std::min({guess.at(gap - left), most, rest, longest});
+      if (!(h > safe && h < last)) return false;
+      last = h;
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
@@ -220,6 +223,7 @@ class SliceSearch {
         out.there = there;
         return true;
       }
+      longest = h / 2;
     }
     return false;
   }
@@ -238,8 +242,8 @@ class SliceSearch {
     const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
-    double good = 0, good_gap = gap;  // the longest slice proved so far
-    double bad = kInfinity<double>, bad_gap = 0;
+    double good = 0, good_gap = gap;  // of what is proved
+    double bad, bad_gap;              // of the try before
     constexpr int kTries = 8;
     for (int i = 0; i < kTries && h > safe; ++i) {
       h = h >= rest ? rest : not_after(from.t, h) - from.t;
@@ -250,19 +254,17 @@ class SliceSearch {
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
-        // Far enough: the end, all that the bend allows, or near the root.
-        if (h >= rest || s <= 4 * left || !(bad < kInfinity<double>)) break;
-      } else {
-        bad = h;
-        bad_gap = s;
+        break;  // what is longer failed, or there is none: the next slice has an axis of its own
       }
+      bad = h;
+      bad_gap = s;
       if (bad_gap > 0) {
         h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
         if (!(h < bad)) h = bad / 2;
       } else {
-        // The secant between the last proved and the first failed, towards the gap wished for.
-        h = good + (bad - good) * (good_gap - left) / (good_gap - bad_gap);
-        if (!(h > good && h < bad)) h = good + (bad - good) / 2;
+        // The secant between the beginning and what failed, towards the gap wished for.
+        h = bad * (gap - left) / (gap - bad_gap);
+        if (!(h > 0 && h < bad)) h = bad / 2;
       }
     }
     if (!(good > safe)) return;
