@@ -181,6 +181,10 @@ class AxisOfRotation {
   bool permutes_ = false;
   Vec3<double> w_ = Vec3<double>::Zero();  // own axes, where those are the world's in another order
 };
+template <Scalar S>
+bool is_on_axis(const RotatingBody<S>& moving, const Arm& arm) {
+  return AxisOfRotation<S>(moving).holds(arm);
+}
 
 // Calls visit(base, rest) for points base + rest in the body's own frame whose hull holds the core, as far as
 // `beyond_bounds` says: its vertices, or the corners of its bounds.
