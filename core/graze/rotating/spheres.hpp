@@ -57,6 +57,12 @@ struct OuterSphere {
   Vec3<double> pivot = Vec3<double>::Zero();  // world
   double reach = 0;                           // about it, the ball included
   double lengths = 0;                         // of what the pivot is made from
+
+  // Of the distance of the body's points from the pivot above, however both round.
+  [[nodiscard]] double bound() const {
+    constexpr double u = kUnitRoundoff<double>;
+    return reach * (1 + 32 * u) + 64 * u * lengths;
+  }
 };
 template <Scalar S>
 OuterSphere outer_sphere(const RotatingBody<S>& moving) {
@@ -80,8 +86,7 @@ bool outer_spheres_never_meet(const RotatingBody<S>& a, const RotatingBody<S>& b
   const Vec3<double> c = s_b.pivot - s_a.pivot, v = wide(b.body.displacement) - wide(a.body.displacement);
   // Not below the scale: of boxes' diagonals, and of their centres' distance.
   const double sizes = s_a.reach + s_b.reach, scale = 2 * sizes + c.norm();
-  const double R =
-      (sizes + target) * (1 + 32 * u) + (32 + 2 * more) * u * scale + 64 * u * (s_a.lengths + s_b.lengths);
+  const double R = s_a.bound() + s_b.bound() + target * (1 + 32 * u) + (32 + 2 * more) * u * scale;
   return !cast_spheres(c, v, R, t_end).meet;
 }
 
