@@ -93,7 +93,9 @@ TEST(QuickNearest, FromAnotherTimeItFindsTheSame) {
         gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
     EXPECT_LE(warm.gap, careful.upper) << round;
     EXPECT_GE(warm.apart, careful.lower) << round;
-    if (careful.lower > stop) EXPECT_GE(warm.gap, careful.lower - stop) << round;
+    if (careful.lower > stop) {
+      EXPECT_GE(warm.gap, careful.lower - stop) << round;
+    }
   }
 }
 
