@@ -200,7 +200,9 @@ class SliceSearch {
     const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
     double last = kInfinity<double>, longest = kInfinity<double>;
     for (const double left : {wished(gap, before), gap / 8}) {
-      const double h = std::min({guess.at(gap - left), most, rest, longest});
+      const double due_in = guess.at(gap - left), h = std::min({due_in, most, rest, longest});
+      // What spins on before contact is due is left to the cylinder that it sweeps.
+      if (due_in > most && spins(rest)) return false;
       if (!(h > safe && h < last)) return false;
       last = h;
       const double end = h >= rest ? limits_.end : not_after(now.t, h);
@@ -274,11 +276,16 @@ class SliceSearch {
     out.expected = good_gap;
   }
 
+  // Has a body more than a turn to go?
+  static constexpr double kTurn = 6.3;
+  [[nodiscard]] bool spins(double rest) const {
+    return std::max(pair_.mobility_a().rate, pair_.mobility_b().rate) * rest > kTurn;
+  }
   // A body with more than a turn to go, in a slice of less than a radian of it. The cylinder is seldom clear
   // where it was not a moment ago: after a failure the next tries wait for as many slices as there were
   // failures.
   void by_whole_turns(const Seen& now, Slice& out) {
-    constexpr double kTurn = 6.3, kLittle = 1;
+    constexpr double kLittle = 1;
     const double rest = limits_.end - now.t, h = out.end - now.t;
     const auto fast = [&](const Mobility& m) { return m.rate * rest > kTurn && m.rate * h < kLittle * 2; };
     const WholeTurns whole{limits_.may_sweep.a && fast(pair_.mobility_a()),
