@@ -1,7 +1,7 @@
 // btSubsimplexConvexCast as its users call it: shapes built once, margin 0, a Voronoi simplex solver,
 // transforms from and to; if that is wanted, btGjkPairDetector with EPA at the start where the cast answers nothing.
-// It hands out time, normal and point with every contact. Of bodies that turn btContinuousConvexCollision. Compiled as one module for each of Bullet's scalars
-// (BT_USE_DOUBLE_PRECISION).
+// It hands out time, normal and point with every contact. Of bodies that turn btContinuousConvexCollision. Compiled as
+// one module for each of Bullet's scalars (BT_USE_DOUBLE_PRECISION).
 #include "bench/bullet_casts.hpp"
 
 #include <btBulletCollisionCommon.h>

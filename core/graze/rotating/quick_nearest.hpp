@@ -7,8 +7,8 @@
 //   upper   the length of a convex combination of support points, as rounded
 //   lower   -n.w of the support point w along a unit n: the pair's error() is of any n
 // But the regions of a simplex are told by signs in plain doubles, and only the feature that is kept is given a
-// unit normal. Where rounding shows, by no feature or no nearer one, a support that was known, a tetrahedron too flat to
-// have a sign, it gives up, and gjk.hpp begins anew. [Ericson, Real-Time Collision Detection, 2005, 5.1]
+// unit normal. Where rounding shows, by no feature or no nearer one, a support that was known, a tetrahedron
+// too flat to have a sign, it gives up, and gjk.hpp begins anew. [Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/gjk/gjk.hpp>
@@ -118,8 +118,8 @@ class QuickClosest {
   std::array<double, 4> lambda_{};
 };
 
-// The distance of the origin from the core of a placed pair; the arguments are those of gjk_distance. False: it gave up,
-// and the simplex is of no more use.
+// The distance of the origin from the core of a placed pair; the arguments are those of gjk_distance. False: it
+// gave up, and the simplex is of no more use.
 inline bool quick_distance(const Cso<double>& cso, Simplex<double>& simplex, double gap, double near_enough,
                            int budget, Distance<double>& out, Counters& counters) {
   constexpr int kSteps = 24;  // what takes longer is no common case
