@@ -10,6 +10,11 @@ namespace graze::bench {
 // Contact in [0, 1]?
 enum class Verdict : std::uint8_t { miss, contact, none };
 
+struct Answer {
+  Verdict verdict = Verdict::none;
+  double toi = 0;  // of a contact
+};
+
 enum class PlainKind : std::uint8_t { hull, box, sphere, capsule, cylinder, cone };
 
 struct PlainShape {
@@ -23,6 +28,7 @@ struct PlainBody {
   std::size_t shape = 0;
   double position[3] = {0, 0, 0}, displacement[3] = {0, 0, 0};
   double orientation[4] = {1, 0, 0, 0};  // w, x, y, z
+  double rotation[3] = {0, 0, 0};        // rotation vector over the step, about the position
 };
 
 struct PlainPair {
@@ -33,14 +39,23 @@ struct PlainPair {
 class PreparedCasts {
  public:
   virtual ~PreparedCasts() = default;
-  // Casts the cases order[0] .. order[count - 1], and notes each verdict under the case's index.
-  virtual void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const = 0;
+  // Casts the cases order[0] .. order[count - 1], and notes each answer under the case's index.
+  virtual void cast_all(const std::uint32_t* order, std::size_t count, Answer* answers) const = 0;
 };
 
-// What a module exports under kMakeBulletCasts; delete the result before closing the module. `penetration`: where a
-// cast answers nothing, its start is asked for the penetration, as who needs an answer there must.
+// Which of Bullet's casts.
+enum class BulletCast : std::uint8_t {
+  subsimplex,            // of bodies that do not turn
+  subsimplex_and_depth,  // where it answers nothing, the start is asked for the penetration, as who needs that must
+  // Of bodies that turn. It is asked from pose to pose: a step of more than half a turn in equal pieces, in order.
+  continuous,
+  // The same in pieces of an eighth of a turn at most: beyond that Bullet's own poses stop turning on the way.
+  continuous_in_pieces,
+};
+
+// What a module exports under kMakeBulletCasts; delete the result before closing the module.
 using MakeBulletCasts = PreparedCasts* (*)(const PlainShape* shapes, std::size_t shape_count,
-                                           const PlainPair* pairs, std::size_t pair_count, bool penetration);
+                                           const PlainPair* pairs, std::size_t pair_count, BulletCast which);
 inline constexpr const char* kMakeBulletCasts = "graze_make_bullet_casts";
 
 }  // namespace graze::bench

@@ -1,15 +1,18 @@
-// What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast, side by side.
+// What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast and btContinuousConvexCollision, side
+// by side.
 //
 // One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, cast() with
 // its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of a family; its
 // processor time over the number of cases is the round's time, the median over the rounds is the number shown, and a
-// ratio is the median of the rounds' ratios. Three sets of families:
+// ratio is the median of the rounds' ratios. Four sets of families:
 //
 //   response   what an engine hands out, time, normal and contact points: ten families, bodies turned or not, in the
 //              same order each round (the processor learns branches) and in a new random one each. Wrong: where a
 //              verdict is not tier exact's. Starts in contact, of which Bullet's cast answers none: beside that, its
 //              cast followed by its penetration query.
 //   curved     the same of curved bodies, with a tolerance and with a proof, too (curved_families.cpp).
+//   rotation   the same of bodies that turn (rotating_families.cpp). Late: a contact that tier certified proves to be
+//              over kLate of the step earlier.
 //   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
 //              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
 //              the 99th percentile of that over the cases, over its median.
@@ -17,15 +20,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <functional>
 #include <graze/cast.hpp>
+#include <graze/rotating_cast.hpp>
 #include <map>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 #include "bench/bullet_casts.hpp"
 #include "bench/cast_families.hpp"
@@ -46,6 +52,19 @@ double processor_ns() {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
+template <class Result>
+Answer answer_of(const Result& result) {
+  switch (result.outcome) {
+    case Outcome::miss:
+      return {Verdict::miss, 0};
+    case Outcome::hit:
+    case Outcome::initially_overlapping:
+      return {Verdict::contact, static_cast<double>(result.toi_lower)};
+    default:
+      return {};
+  }
+}
+
 template <Scalar S>
 class OurCasts final : public PreparedCasts {
  public:
@@ -56,15 +75,10 @@ class OurCasts final : public PreparedCasts {
       pairs_.push_back({body_of<S>(c.a, shapes), body_of<S>(c.b, shapes)});
   }
 
-  void cast_all(const std::uint32_t* order, std::size_t count, Verdict* verdicts) const override {
+  void cast_all(const std::uint32_t* order, std::size_t count, Answer* answers) const override {
     for (std::size_t k = 0; k < count; ++k) {
       const Pair& pair = pairs_[order[k]];
-      const CastResult<S> result = cast(pair.a, pair.b, options_);
-      const Outcome outcome = result.outcome;
-      verdicts[order[k]] = outcome == Outcome::miss ? Verdict::miss
-                           : outcome == Outcome::hit || outcome == Outcome::initially_overlapping
-                               ? Verdict::contact
-                               : Verdict::none;
+      answers[order[k]] = answer_of(cast(pair.a, pair.b, options_));
     }
   }
 
@@ -73,6 +87,31 @@ class OurCasts final : public PreparedCasts {
     Body<S> a, b;
   };
   CastOptions<S> options_;
+  std::vector<Pair> pairs_;
+};
+
+template <Scalar S>
+class OurTurningCasts final : public PreparedCasts {
+ public:
+  OurTurningCasts(const CastFamily& family, const RotatingOptions<S>& options) : options_(options) {
+    std::vector<Shape<S>> shapes;
+    for (const Shape<double>& shape : family.shapes) shapes.push_back(engine::round_to<S>(shape));
+    for (const CastCase& c : family.cases)
+      pairs_.push_back({turning_body_of<S>(c.a, shapes), turning_body_of<S>(c.b, shapes)});
+  }
+
+  void cast_all(const std::uint32_t* order, std::size_t count, Answer* answers) const override {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pair& pair = pairs_[order[k]];
+      answers[order[k]] = answer_of(cast(pair.a, pair.b, options_));
+    }
+  }
+
+ private:
+  struct Pair {
+    RotatingBody<S> a, b;
+  };
+  RotatingOptions<S> options_;
   std::vector<Pair> pairs_;
 };
 
@@ -86,16 +125,32 @@ MakeBulletCasts open_bullet(const char* path) {
   return reinterpret_cast<MakeBulletCasts>(dlsym(module, kMakeBulletCasts));
 }
 
-// The vertices of what is neither a hull nor a box.
+// The vertices of what is no hull, nor round.
 std::vector<Vec3<double>> few_vertices(const Shape<double>& shape) {
+  if (const auto* box = std::get_if<Box<double>>(&shape)) {
+    std::vector<Vec3<double>> corners;
+    for (const double x : {-1., 1.}) {
+      for (const double y : {-1., 1.}) {
+        for (const double z : {-1., 1.})
+          corners.push_back(box->half_extents.cwiseProduct(Vec3<double>(x, y, z)));
+      }
+    }
+    return corners;
+  }
   if (const auto* segment = std::get_if<Segment<double>>(&shape)) return {segment->a, segment->b};
   if (const auto* triangle = std::get_if<Triangle<double>>(&shape))
     return {triangle->a, triangle->b, triangle->c};
   return {Vec3<double>::Zero()};
 }
 
+std::vector<Vec3<double>> vertices_of(const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  if (hull == nullptr) return few_vertices(shape);
+  return {hull->vertices().begin(), hull->vertices().end()};
+}
+
 std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFamily& family,
-                                            bool penetration) {
+                                            BulletCast which) {
   std::vector<PlainShape> shapes;
   std::vector<std::vector<Vec3<double>>> kept;  // until the module has copied them
   for (const Shape<double>& shape : family.shapes) {
@@ -115,19 +170,26 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
       round(PlainKind::cylinder, s->radius, s->half_height);
     if (const auto* s = std::get_if<Cone<double>>(&shape)) round(PlainKind::cone, s->radius, s->half_height);
     if (plain.kind != PlainKind::hull) continue;
-    std::span<const Vec3<double>> vertices;
-    if (const auto* hull = std::get_if<Hull<double>>(&shape)) {
-      vertices = hull->vertices();
-    } else {
-      vertices = kept.emplace_back(few_vertices(shape));
-    }
+    const std::vector<Vec3<double>>& vertices = kept.emplace_back(vertices_of(shape));
     plain.xyz = vertices.data()->data();
     plain.vertices = vertices.size();
   }
-  const auto plain_body = [](const Placed& placed) {
+  const auto plain_body = [&](const Placed& placed) {
     PlainBody out;
     out.shape = placed.shape;
-    Eigen::Map<Vec3<double>>(out.position) = placed.position;
+    Vec3<double> position = placed.position;
+    if (placed.pivot != Vec3<double>::Zero()) {
+      // Bullet turns a body about the origin of its frame: which the pivot becomes.
+      std::vector<Vec3<double>>& vertices = kept.emplace_back(vertices_of(family.shapes[placed.shape]));
+      for (Vec3<double>& x : vertices) x -= placed.pivot;
+      out.shape = shapes.size();
+      shapes.push_back(
+          {.kind = PlainKind::hull, .xyz = vertices.data()->data(), .vertices = vertices.size()});
+      const Quaternion<double>& q = placed.orientation;
+      position += Eigen::Quaterniond(q.w, q.x, q.y, q.z) * placed.pivot;
+    }
+    Eigen::Map<Vec3<double>>(out.position) = position;
+    Eigen::Map<Vec3<double>>(out.rotation) = placed.rotation;
     Eigen::Map<Vec3<double>>(out.displacement) = placed.displacement;
     const Quaternion<double>& q = placed.orientation;
     Eigen::Map<Eigen::Vector4d>(out.orientation) = Eigen::Vector4d(q.w, q.x, q.y, q.z);
@@ -136,7 +198,7 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
   std::vector<PlainPair> pairs;
   for (const CastCase& c : family.cases) pairs.push_back({plain_body(c.a), plain_body(c.b)});
   return std::unique_ptr<PreparedCasts>(
-      make(shapes.data(), shapes.size(), pairs.data(), pairs.size(), penetration));
+      make(shapes.data(), shapes.size(), pairs.data(), pairs.size(), which));
 }
 
 struct Contestant {
@@ -152,15 +214,33 @@ Contestant ours(std::string name, Request request, CastOptions<S> options) {
           [options](const CastFamily& family) { return std::make_unique<OurCasts<S>>(family, options); }};
 }
 
-void add_bullet(std::vector<Contestant>& out, bool penetration) {
+template <Scalar S>
+Contestant ours_turning(std::string name, RotatingOptions<S> options) {
+  options.request = Request::normal | Request::witnesses;
+  return {std::move(name), [options](const CastFamily& family) {
+            return std::make_unique<OurTurningCasts<S>>(family, options);
+          }};
+}
+
+// `beside`: another of its casts, asked for where the first is not enough.
+struct BulletAsked {
+  BulletCast which = BulletCast::subsimplex;
+  std::optional<BulletCast> beside = {};
+  const char* suffix = "";
+  bool only_in_contact = false;
+};
+
+void add_bullet(std::vector<Contestant>& out, const BulletAsked& asked) {
   [[maybe_unused]] const auto add = [&](const std::string& scalar, const char* path) {
     const MakeBulletCasts make = open_bullet(path);
     if (make == nullptr) return;
-    const auto prepare = [make](bool deep) {
-      return [make, deep](const CastFamily& family) { return bullet_casts(make, family, deep); };
+    const auto prepare = [make](BulletCast which) {
+      return [make, which](const CastFamily& family) { return bullet_casts(make, family, which); };
     };
-    out.push_back({"bullet/" + scalar, prepare(false)});
-    if (penetration) out.push_back({"bullet+depth/" + scalar, prepare(true), true});
+    out.push_back({"bullet/" + scalar, prepare(asked.which)});
+    if (asked.beside)
+      out.push_back({"bullet" + std::string(asked.suffix) + "/" + scalar, prepare(*asked.beside),
+                     asked.only_in_contact});
   };
 #ifdef GRAZE_BULLET_FLOAT
   add("float", GRAZE_BULLET_FLOAT);
@@ -182,7 +262,7 @@ std::vector<Contestant> verdict_contestants() {
       ours<double>("exact/double", kAsked, {.tier = Tier::exact}),
       ours<float>("exact/float", kAsked, {.tier = Tier::exact}),
   };
-  add_bullet(out, false);
+  add_bullet(out, {});
   return out;
 }
 
@@ -196,7 +276,7 @@ std::vector<Contestant> response_contestants() {
       ours<double>("certified/double", kAsked, {.tier = Tier::certified}),
       ours<double>("gjk/double", kAsked, {.method = Method::gjk_ray_cast}),
   };
-  add_bullet(out, true);
+  add_bullet(out, {BulletCast::subsimplex, BulletCast::subsimplex_and_depth, "+depth", true});
   return out;
 }
 
@@ -217,7 +297,18 @@ std::vector<Contestant> curved_contestants() {
       ours<double>("standard, proof", Request::everything, {}),
       ours<double>("certified, proof", Request::everything, {.tier = Tier::certified}),
   };
-  add_bullet(out, false);
+  add_bullet(out, {});
+  return out;
+}
+
+std::vector<Contestant> rotating_contestants() {
+  std::vector<Contestant> out = {
+      ours_turning<double>("standard/double", {}),
+      ours_turning<float>("standard/float", {}),
+      ours_turning<double>("certified/double", {.tier = Tier::certified}),
+      ours_turning<double>("standard 1e-4", {.tolerance = 1e-4}),
+  };
+  add_bullet(out, {BulletCast::continuous, BulletCast::continuous_in_pieces, " in pieces"});
   return out;
 }
 
@@ -233,6 +324,7 @@ struct Measured {
   std::vector<double> round_ns;  // a cast, by round
   std::vector<double> case_ns;   // the least of five, by case
   std::size_t wrong = 0;         // verdicts that differ from the case's
+  std::size_t late = 0;          // contacts later than the case's
   [[nodiscard]] double ns() const { return quantile(round_ns, 0.5); }
   [[nodiscard]] double tail() const { return quantile(case_ns, 0.99) / quantile(case_ns, 0.5); }
 };
@@ -249,6 +341,7 @@ double clock_ns() {
 }
 
 constexpr int kTailRepeats = 5;
+constexpr double kLate = 1e-3;  // of the step
 
 struct Manner {
   bool shuffled = true;  // a new random order each round
@@ -273,12 +366,12 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& given, i
   };
 
   Report report;
-  std::vector<std::vector<Verdict>> verdicts(field.size(), std::vector<Verdict>(n, Verdict::none));
+  std::vector<std::vector<Answer>> answers(field.size(), std::vector<Answer>(n));
   for (int round = -1; round < rounds; ++round) {  // the first only warms up
     if (manner.shuffled) shuffle();
     for (std::size_t i = 0; i < field.size(); ++i) {
       const double start = processor_ns();
-      prepared[i]->cast_all(order.data(), n, verdicts[i].data());
+      prepared[i]->cast_all(order.data(), n, answers[i].data());
       const double ns = (processor_ns() - start) / static_cast<double>(n);
       if (round >= 0) report[field[i].name].round_ns.push_back(ns);
     }
@@ -291,12 +384,16 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& given, i
       shuffle();
       for (const std::uint32_t k : order) {
         const auto start = Clock::now();
-        prepared[i]->cast_all(&k, 1, verdicts[i].data());
+        prepared[i]->cast_all(&k, 1, answers[i].data());
         m.case_ns[k] = std::min(m.case_ns[k], nanoseconds(Clock::now() - start) - clock);
       }
     }
     for (std::size_t k = 0; k < n; ++k) {
-      m.wrong += verdicts[i][k] != (family.cases[k].contact ? Verdict::contact : Verdict::miss) ? 1 : 0;
+      const CastCase& c = family.cases[k];
+      const Answer& answer = answers[i][k];
+      const bool right = answer.verdict == (c.contact ? Verdict::contact : Verdict::miss);
+      m.wrong += right ? 0 : 1;
+      m.late += right && c.contact && answer.toi > c.latest + kLate ? 1 : 0;
     }
   }
   return report;
@@ -480,6 +577,19 @@ void run_curved(const Asked& asked) {
               [](const Measured& m) { return fmt::format("{}", m.wrong); });
 }
 
+void run_rotating(const Asked& asked) {
+  const std::vector<Contestant> field = chosen(rotating_contestants(), asked);
+  const std::vector<Measurement> measurements =
+      measure_all(rotating_families(asked.size), field, asked, {.shuffled = true, .tail = false});
+  if (asked.csv) return print_csv("rotation", field, measurements);
+  fmt::print("\n---- bodies that turn: time, normal, witnesses; shuffled\n");
+  print_table("ns a cast", field, measurements,
+              [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
+  print_ratios("bullet/float", field, measurements);
+  print_table("wrong verdicts + late contacts", field, measurements,
+              [](const Measured& m) { return fmt::format("{} + {}", m.wrong, m.late); });
+}
+
 int run(int argc, char** argv) {
   CLI::App app("What a cast costs, beside Bullet's.");
   Asked asked;
@@ -489,8 +599,8 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(2, 1 << 20));
   app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
       ->check(CLI::PositiveNumber);
-  app.add_option("--set", asked.set, "only this set of families: response, curved or verdict")
-      ->check(CLI::IsMember({"response", "curved", "verdict"}));
+  app.add_option("--set", asked.set, "only this set of families: response, curved, rotation or verdict")
+      ->check(CLI::IsMember({"response", "curved", "rotation", "verdict"}));
   app.add_option("--family", asked.family_part, "only families whose name contains this");
   app.add_option("--only", asked.contestant_part, "only contestants whose name contains this");
   app.add_flag("--csv", asked.csv, "one line a family and contestant");
@@ -503,6 +613,7 @@ int run(int argc, char** argv) {
   const auto wants = [&](const char* set) { return asked.set.empty() || asked.set == set; };
   if (wants("response")) run_responses(asked);
   if (wants("curved")) run_curved(asked);
+  if (wants("rotation")) run_rotating(asked);
   if (wants("verdict")) run_verdicts(asked);
   return 0;
 }

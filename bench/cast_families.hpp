@@ -6,7 +6,7 @@
 #pragma once
 
 #include <algorithm>
-#include <graze/body.hpp>
+#include <graze/rotating_body.hpp>
 #include <string>
 #include <vector>
 
@@ -17,17 +17,21 @@ struct Placed {
   Vec3<double> position = Vec3<double>::Zero();
   Quaternion<double> orientation = {};
   Vec3<double> displacement = Vec3<double>::Zero();
+  Vec3<double> rotation = Vec3<double>::Zero();  // of a family that turns: rotation vector over the step
+  Vec3<double> pivot = Vec3<double>::Zero();     // own frame
 };
 
 struct CastCase {
   Placed a, b;
-  bool contact = false;  // in [0, 1], by the family's judge
+  bool contact = false;               // in [0, 1], by the family's judge
+  double latest = kInfinity<double>;  // no later than this, where the judge knows
 };
 
 struct CastFamily {
   std::string name;
   bool rotated = false;
   bool in_contact = false;  // every case starts so
+  bool turning = false;     // in the course of the step
   std::vector<Shape<double>> shapes;
   std::vector<CastCase> cases;
 
@@ -43,6 +47,11 @@ template <Scalar S>
           .displacement = placed.displacement.cast<S>()};
 }
 
+template <Scalar S>
+[[nodiscard]] RotatingBody<S> turning_body_of(const Placed& placed, const std::vector<Shape<S>>& shapes) {
+  return {body_of<S>(placed, shapes), placed.rotation.cast<S>(), placed.pivot.cast<S>()};
+}
+
 struct FamilySize {
   std::size_t cases = 512;   // of each family
   std::size_t shapes = 128;  // in its pool
@@ -52,6 +61,8 @@ struct FamilySize {
 [[nodiscard]] std::vector<CastFamily> cast_families(const FamilySize& size);
 // Curved bodies, a family for a pair of kinds, judged by tier certified.
 [[nodiscard]] std::vector<CastFamily> curved_families(const FamilySize& size);
+// Bodies that turn in the course of the step, judged by tier certified.
+[[nodiscard]] std::vector<CastFamily> rotating_families(const FamilySize& size);
 // Asked for what an engine hands out, judged by tier exact: ten families, their bodies turned or not.
 [[nodiscard]] std::vector<CastFamily> response_families(const FamilySize& size, bool turned);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/rotating/moving_pair.hpp>
+#include <graze/rotating/spheres.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
@@ -100,6 +101,22 @@ TEST(MobilityBounds, ABarOfFloatsAtRestReachesItsCorners) {
     still.add(body.m.reach, body.unit * body.truth.reach(), [&] { return describe(scene); });
   }
   still.finish(100);
+}
+
+// The sphere that is cast before anything is prepared: about the pivot as it is rounded, all of the body at any angle.
+TEST(MobilityBounds, TheOuterSphereHoldsTheBody) {
+  Tally outer("OuterSphere::reach");
+  for_each_body(7, rounds(kScenes), [&](const Looked& body, const HostileScene& scene, HostileDraw&) {
+    const RotatingBody<double>& given = body.given;
+    if (detail::is_combined(given.body.shape)) return;
+    const detail::OuterSphere sphere = detail::outer_sphere(given);
+    const Vec3<double>& pivot = body.pair.pivot_a();
+    const BallVec off = BallVec(sphere.pivot) - BallVec(given.body.position) -
+                        BallRotation(given.body.orientation).apply(BallVec(pivot));
+    outer.add(sphere.bound(), body.truth.reach() + norm(off) + Ball(detail::common_radius(given.body.shape)),
+              [&] { return describe(scene); });
+  });
+  outer.finish(500);
 }
 
 TEST(MobilityBounds, ASolidOfRevolutionTurnsAboutItsOwnAxisNoSlower) {

@@ -125,6 +125,11 @@ class RotatingCast {
       out_.plan = plan_without_rotation(a_, b_, options_.economies);
       return true;
     }
+    if (passes_by()) {
+      out_.plan.effects = Effects::nothing;
+      out_.plan.add(PlanReason::bounds_never_meet);
+      return true;
+    }
     pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
     if (options_.method) {
       out_.plan.effects = Effects::rotating;
@@ -145,6 +150,15 @@ class RotatingCast {
       out_.invalid_at = {.why = Invalid::not_exact, .field = InvalidField::tier};
     }
     return out_.invalid == Invalid::none;
+  }
+
+  // Seen without preparing anything, where the plan would find it.
+  [[nodiscard]] bool passes_by() const {
+    if (options_.method || !options_.economies.bounds) return false;
+    if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) return false;
+    const double more =
+        options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) / kUnitRoundoff<double> : 0.0;
+    return outer_spheres_never_meet(a_, b_, static_cast<double>(options_.target_distance), t_end(), more);
   }
 
   // Without an end, or with a policy of linear motions, a turn that is seen has no meaning even where the
@@ -384,6 +398,7 @@ class RotatingCast {
     proof.toi_lower = found.lower;
     proof.chain = std::move(found.chain);
     if (!found.contact.proved) return proof;
+    if (found.contact.unweighed) weigh(found.contact.pairs);
     pair_->place(found.upper);
     const Cso<double>& cso = pair_->cso();
     const Vec3<double> none = Vec3<double>::Zero();

@@ -17,8 +17,9 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct Contact {
   bool proved = false;
-  Simplex<double> pairs;  // weighted, but for a crossing
-  bool crossing = false;  // crossing.hpp: between `from` and the time of the contact
+  Simplex<double> pairs;   // weighted, but for a crossing
+  bool unweighed = false;  // four that hold the origin: weigh() says how
+  bool crossing = false;   // crossing.hpp: between `from` and the time of the contact
   double from = 0;
 };
 
@@ -31,13 +32,19 @@ inline double contact_error(const MovingPair& pair) {
 }
 
 // det(a, b, c), within u of itself and 2^-96 |a| |b| |c|.
-inline double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+template <bool kFused>
+[[gnu::flatten]] double determinant_in_pairs(const Vec3<double>& a, const Vec3<double>& b,
+                                             const Vec3<double>& c) {
   TwoDoubles sum;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum = sum + TwoDoubles{a[i], 0} * (two_product(b[j], c[k]) + -two_product(b[k], c[j]));
+    sum = sum +
+          multiplied<kFused>({a[i], 0}, two_product<kFused>(b[j], c[k]) + -two_product<kFused>(b[k], c[j]));
   }
   return sum.hi + sum.lo;
+}
+inline double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+  return fuses() ? determinant_in_pairs<true>(a, b, c) : determinant_in_pairs<false>(a, b, c);
 }
 
 // The least distance of the origin from the faces of a tetrahedron that holds it, less its rounding; negative
@@ -184,10 +191,9 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   if (known.size == 4) {
     out.pairs = known;
     out.proved = deepen(cso, out.pairs, e, counters) > e;
-    if (out.proved) {
-      weigh(out.pairs);
-      return out;
-    }
+    out.unweighed = true;
+    if (out.proved) return out;
+    out.unweighed = false;
   }
   Simplex<double> simplex;
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
@@ -207,7 +213,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
     if (!(n.dot(cso.support(n).w) > e)) return out;
     out.proved = hold_by_portals(cso, n, depth, e, budget, out, counters);
   }
-  if (out.proved) weigh(out.pairs);
+  out.unweighed = out.proved;
   return out;
 }
 

@@ -166,12 +166,24 @@ struct Arm {
 
 // Is the arm's end exactly on the axis of rotation? As above.
 template <Scalar S>
+class AxisOfRotation {
+ public:
+  explicit AxisOfRotation(const RotatingBody<S>& moving) {
+    const Quaternion<double> q = as_double(moving.body.orientation);
+    permutes_ = permutes_axes(q);
+    if (permutes_) w_ = rotation_matrix(q).array().round().matrix().transpose() * wide(moving.rotation);
+  }
+  [[nodiscard]] bool holds(const Arm& arm) const {
+    return arm.is_zero() || (permutes_ && !(arm.lost > 0) && length_of_cross(arm.x, w_) == 0);
+  }
+
+ private:
+  bool permutes_ = false;
+  Vec3<double> w_ = Vec3<double>::Zero();  // own axes, where those are the world's in another order
+};
+template <Scalar S>
 bool is_on_axis(const RotatingBody<S>& moving, const Arm& arm) {
-  if (arm.is_zero()) return true;
-  const Quaternion<double> q = as_double(moving.body.orientation);
-  if (arm.lost > 0 || !permutes_axes(q)) return false;
-  const Vec3<double> w = rotation_matrix(q).array().round().matrix().transpose() * wide(moving.rotation);
-  return length_of_cross(arm.x, w) == 0;
+  return AxisOfRotation<S>(moving).holds(arm);
 }
 
 // Calls visit(base, rest) for points base + rest in the body's own frame whose hull holds the core, as far as
@@ -198,15 +210,18 @@ void for_each_outer_point(const Shape<S>& shape, const Bounds& bounds, const Vis
   }
 }
 
+template <Scalar S>
+bool is_combined(const Shape<S>& shape) {
+  return std::holds_alternative<Posed<S>>(shape) || std::holds_alternative<Rounded<S>>(shape) ||
+         std::holds_alternative<Sum<S>>(shape) || std::holds_alternative<HullOf<S>>(shape);
+}
+
 // How far a point of the core may lie from the hull of the outer points. Of a leaf nothing rounds; a
 // combinator's bounds come from its own support points, one u of their coordinates each for the last sum, the
 // rest as tree.hpp counts it; points and choice both, as a greatest coordinate is either's.
 template <Scalar S>
 double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
-  const bool combined = std::holds_alternative<Posed<S>>(shape) ||
-                        std::holds_alternative<Rounded<S>>(shape) || std::holds_alternative<Sum<S>>(shape) ||
-                        std::holds_alternative<HullOf<S>>(shape);
-  if (!combined) return 0;
+  if (!is_combined(shape)) return 0;
   const TreeRounding own = tree_rounding(shape, Turning::accurate);
   return 2 * (kUnitRoundoff<double> *
                   (own.point + own.choice + 8 * (bounds.half + bounds.middle.cwiseAbs()).sum()) +
@@ -243,16 +258,24 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   const Vec3<double> axis = graze::unit(out.w);
   out.low = kInfinity<double>;
   out.high = -kInfinity<double>;
+  const AxisOfRotation<S> about(moving);
+  // The greatest length of all, and the greatest slack of all: not below what any point has of both.
+  double across_sq = 0, arm_sq = 0, across_slack = 0, arm_slack = 0;
   for_each_outer_point(shape, bounds, [&](const Vec3<double>& base, const Vec3<double>& rest) {
     const Arm own(base, rest, pivot);
     const Vec3<double> arm = turn * own.x;
     const double slack = noise * own.x.cwiseAbs().sum() + own.lost * raise + beyond;
-    const bool on_axis = beyond == 0 && is_on_axis(moving, own);
-    out.rho = std::max(out.rho, on_axis ? 0.0 : unit * (axis.cross(arm).norm() + slack));
-    out.reach = std::max(out.reach, unit * (arm.norm() + slack));
+    if (!(beyond == 0 && about.holds(own))) {
+      across_sq = std::max(across_sq, axis.cross(arm).squaredNorm());
+      across_slack = std::max(across_slack, slack);
+    }
+    arm_sq = std::max(arm_sq, arm.squaredNorm());
+    arm_slack = std::max(arm_slack, slack);
     out.low = std::min(out.low, unit * (axis.dot(arm) - slack));
     out.high = std::max(out.high, unit * (axis.dot(arm) + slack));
   });
+  out.rho = unit * (std::sqrt(across_sq) + across_slack);
+  out.reach = unit * (std::sqrt(arm_sq) + arm_slack);
   const Vec3<double> zero = Vec3<double>::Zero();
   if (is_ball<S>(shape)) {
     // About an axis along w: it turns with its centre.
@@ -260,9 +283,8 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     out.revolves = true;
     out.own_rate = out.rate;
     out.revolved_reach = unit * bounds.half.norm() * raise;
-    out.center_rho = is_on_axis(moving, center)
-                         ? 0.0
-                         : unit * (axis.cross(turn * pivot).norm() + noise * pivot.cwiseAbs().sum());
+    out.center_rho =
+        about.holds(center) ? 0.0 : unit * (axis.cross(turn * pivot).norm() + noise * pivot.cwiseAbs().sum());
   } else if (const int own = axis_of_revolution<S>(shape); own >= 0) {
     out.revolves = true;
     const Vec3<double> a = turn.col(own);

@@ -56,7 +56,7 @@ Quaternion<double> near_one(const Quaternion<S>& given) {
 
 // R(orientation) x, within 2^-98.
 inline TwoDoubles3 posed(const Quaternion<double>& q, const Vec3<double>& x) {
-  return q.is_identity() ? exactly(x) : rotate_accurately(q, x);
+  return q.is_identity() || x == Vec3<double>::Zero() ? exactly(x) : rotate_accurately(q, x);
 }
 
 // Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point
@@ -91,29 +91,16 @@ class MovingPair {
 
   void place(double t) {
     GRAZE_ASSERT(t >= 0 && t < kInfinity<double>);
-    t_ = t;
-    TwoDoubles3 d = pivots_;
-    if (t > 0x1p500) {
-      for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
-    } else if (t != 0) {
-      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the way.
-      for (std::size_t i = 0; i < 3; ++i) {
-        const exact::Pair way = exact::Pair{velocity_[i].hi, velocity_[i].lo} * exact::Pair{t, 0};
-        const exact::Pair sum = exact::Pair{d[i].hi, d[i].lo} + way;
-        d[i] = two_sum(sum.hi, sum.lo);
-      }
+    // A slice is asked for at its ends in turns.
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if (placed_[i].t == t) return stand(i);
     }
-    const TurningSide::Placed a = a_.at(t), b = b_.at(t);
-    rotation_a_ = a.rotation;
-    rotation_b_ = b.rotation;
-    arm_a_ = a.arm;
-    arm_b_ = b_.has_arm ? d + b.arm : d;
-    pivot_b_ = rounded_once(d);
-    cso_.place(a_.turns.turns() ? &a.rotation : nullptr, b_.turns.turns() ? &b.rotation : nullptr,
-               t == 0       ? start_offset_
-               : a_.has_arm ? rounded_once(arm_b_ + -a.arm)
-                            : rounded_once(arm_b_));
+    oldest_ = (oldest_ + 1) % placed_.size();
+    compute(t, placed_[oldest_]);
     ++poses_;
+    stand(oldest_);
+    placed_[oldest_].error =
+        cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
   }
 
   [[nodiscard]] double time() const { return t_; }
@@ -121,7 +108,7 @@ class MovingPair {
   [[nodiscard]] double radius() const { return radius_; }  // of both cores' balls and the target distance
   [[nodiscard]] double scale() const { return cso_.scale(); }
   [[nodiscard]] double target() const { return target_; }
-  [[nodiscard]] int poses() const { return poses_; }
+  [[nodiscard]] int poses() const { return poses_; }  // those that were computed
   [[nodiscard]] const Mobility& mobility_a() const { return a_.mobility; }
   [[nodiscard]] const Mobility& mobility_b() const { return b_.mobility; }
   [[nodiscard]] Vec3<double> velocity() const { return rounded_once(velocity_); }
@@ -144,18 +131,16 @@ class MovingPair {
   }
   [[nodiscard]] double swing_lost() const { return pivots_error() + 0x1p-96 * pivots().norm(); }
   // From A's pivot to the centres of the sides (cso.hpp) as placed.
-  [[nodiscard]] Vec3<double> center_a() const { return rounded_once(arm_a_); }
-  [[nodiscard]] Vec3<double> center_b() const { return rounded_once(arm_b_); }
+  [[nodiscard]] Vec3<double> center_a() const { return rounded_once(now().arm_a); }
+  [[nodiscard]] Vec3<double> center_b() const { return rounded_once(now().arm_b); }
   // Unrounded: far from the pivot, a point of the body is as near its centre as the body is large.
-  [[nodiscard]] const TwoDoubles3& center_a_in_two() const { return arm_a_; }
-  [[nodiscard]] const TwoDoubles3& center_b_in_two() const { return arm_b_; }
+  [[nodiscard]] const TwoDoubles3& center_a_in_two() const { return now().arm_a; }
+  [[nodiscard]] const TwoDoubles3& center_b_in_two() const { return now().arm_b; }
   // And to B's pivot.
-  [[nodiscard]] const Vec3<double>& pivot_b_now() const { return pivot_b_; }
+  [[nodiscard]] const Vec3<double>& pivot_b_now() const { return now().pivot_b; }
 
   // A bound of the rounding of the gap along any unit axis.
-  [[nodiscard]] double error() const {
-    return cso_.reach_error() + 8 * kUnitRoundoff<double> * (radius_ + cso_.offset().norm()) + offset_error();
-  }
+  [[nodiscard]] double error() const { return now().error; }
   // Of the offset, where it is what is left of lengths that cancel. Turned arms are within turn_error of
   // their lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
   [[nodiscard]] double offset_error() const {
@@ -178,13 +163,14 @@ class MovingPair {
   // An axis that turns with a body (frame a or b), from the body's own axes to the world as placed, and back;
   // each within 24 u.
   [[nodiscard]] Vec3<double> to_world(AxisFrame frame, const Vec3<double>& n) const {
-    return frame == AxisFrame::world ? n
-                                     : Vec3<double>((frame == AxisFrame::a ? rotation_a_ : rotation_b_) * n);
+    return frame == AxisFrame::world
+               ? n
+               : Vec3<double>((frame == AxisFrame::a ? now().rotation_a : now().rotation_b) * n);
   }
   [[nodiscard]] Vec3<double> to_own(AxisFrame frame, const Vec3<double>& n) const {
     return frame == AxisFrame::world
                ? n
-               : Vec3<double>((frame == AxisFrame::a ? rotation_a_ : rotation_b_).transpose() * n);
+               : Vec3<double>((frame == AxisFrame::a ? now().rotation_a : now().rotation_b).transpose() * n);
   }
   // In world axes at t = 0.
   [[nodiscard]] Vec3<double> to_start(AxisFrame frame, const Vec3<double>& own) const {
@@ -242,6 +228,45 @@ class MovingPair {
   }
 
  private:
+  // Where everything is at one time.
+  struct Stand {
+    double t = std::numeric_limits<double>::quiet_NaN();
+    Mat3<double> rotation_a, rotation_b;
+    TwoDoubles3 arm_a, arm_b;
+    Vec3<double> pivot_b, offset;
+    double error;
+  };
+  void compute(double t, Stand& out) const {
+    TwoDoubles3 d = pivots_;
+    if (t > 0x1p500) {
+      for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
+    } else if (t != 0) {
+      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the way.
+      for (std::size_t i = 0; i < 3; ++i) {
+        const exact::Pair way = exact::Pair{velocity_[i].hi, velocity_[i].lo} * exact::Pair{t, 0};
+        const exact::Pair sum = exact::Pair{d[i].hi, d[i].lo} + way;
+        d[i] = two_sum(sum.hi, sum.lo);
+      }
+    }
+    const TurningSide::Placed a = a_.at(t), b = b_.at(t);
+    out.t = t;
+    out.rotation_a = a.rotation;
+    out.rotation_b = b.rotation;
+    out.arm_a = a.arm;
+    out.arm_b = b_.has_arm ? d + b.arm : d;
+    out.pivot_b = rounded_once(d);
+    out.offset = t == 0       ? start_offset_
+                 : a_.has_arm ? rounded_once(out.arm_b + -a.arm)
+                              : rounded_once(out.arm_b);
+  }
+  void stand(std::size_t i) {
+    at_ = i;
+    const Stand& now = placed_[i];
+    t_ = now.t;
+    cso_.place(a_.turns.turns() ? &now.rotation_a : nullptr, b_.turns.turns() ? &now.rotation_b : nullptr,
+               now.offset);
+  }
+  [[nodiscard]] const Stand& now() const { return placed_[at_]; }
   // |w_A x c| + |w_A x v| t of the above.
   [[nodiscard]] double swing_until(AxisFrame frame, double t_end) const {
     const TurningSide& with = frame == AxisFrame::a ? a_ : b_;
@@ -297,9 +322,9 @@ class MovingPair {
 
   Cso<double> cso_;
   TurningSide a_, b_;
-  Mat3<double> rotation_a_ = Mat3<double>::Identity(), rotation_b_ = Mat3<double>::Identity();
-  TwoDoubles3 pivots_{}, velocity_{}, arm_a_{}, arm_b_{};
-  Vec3<double> pivot_b_ = Vec3<double>::Zero();
+  TwoDoubles3 pivots_{}, velocity_{};
+  std::array<Stand, 3> placed_;
+  std::size_t at_ = 0, oldest_ = 2;
   double radius_ = 0, target_ = 0, t_ = 0;
   Vec3<double> start_offset_ = Vec3<double>::Zero();
   double start_lengths_ = 0, lengths_ = 0, speed_ = 0;

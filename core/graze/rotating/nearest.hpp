@@ -5,6 +5,7 @@
 #pragma once
 
 #include <graze/rotating/moving_pair.hpp>
+#include <graze/rotating/quick_nearest.hpp>
 #include <graze/standard/refine_axis.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
@@ -43,11 +44,16 @@ inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, do
   const Cso<double>& cso = pair.cso();
   const double R = pair.radius(), error = pair.error();
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
+  const double close_enough = std::max(stop / 16, expected / 16);
   const auto search = [&] {
     return gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()), out.simplex,
-                        std::max(stop / 16, expected / 16), R, budget, counters);
+                        close_enough, R, budget, counters);
   };
-  Distance<double> d = search();
+  Distance<double> d;
+  if (!quick_distance(cso, out.simplex, close_enough, R, budget, d, counters)) {
+    out.simplex = carried_over(pair, before);
+    d = search();
+  }
   // A simplex that was closest at another time may be a sliver now, which leads nowhere.
   if (d.stalled && d.upper - d.lower > std::max(stop / 4, expected / 4) && before.size > 0) {
     out.simplex = {};

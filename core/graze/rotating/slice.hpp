@@ -18,7 +18,6 @@
 // conservative slice. No root finder can stall, and none is believed.
 #pragma once
 
-#include <algorithm>
 #include <graze/rotating/nearest.hpp>
 #include <graze/rotating/whole_turns.hpp>
 #include <optional>
@@ -62,7 +61,11 @@ inline double not_after(double t, double h) {
 class SliceSearch {
  public:
   SliceSearch(MovingPair& pair, const MarchLimits& limits, Counters& counters)
-      : pair_(pair), limits_(limits), counters_(counters) {}
+      : pair_(pair),
+        limits_(limits),
+        counters_(counters),
+        speed_in_a_(pair.relative_speed(AxisFrame::a, limits.end)),
+        speed_in_b_(pair.relative_speed(AxisFrame::b, limits.end)) {}
 
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
@@ -70,11 +73,12 @@ class SliceSearch {
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
-    if (before && towards_contact(now, *before, safe, out)) return out;
+    if (towards_contact(now, before, safe, out)) return out;
     // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
-    for (const Frame& frame : frames(now.near.n)) {
+    const std::array<Frame, 3> all = frames(now.near.n);
+    for (const Frame& frame : all) {
       const double longest = out.end - now.t;
-      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > 2 * longest)) continue;
+      if (!(std::min(rest, 2 * std::sqrt(now.near.gap) / frame.bend_root) > kWorthTrying * longest)) continue;
       place(now.t);
       const Vec3<double> own = pair_.to_own(frame.of, now.near.n);
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
@@ -88,6 +92,10 @@ class SliceSearch {
   static constexpr double kShort = 1 - 0x1p-10;
   // An axis that turns costs rounding, here and in every proof: it must give as many times the length.
   static constexpr double kWorthAFrame = 2;
+  // And what another may give at best, for it to be tried.
+  static constexpr double kWorthTrying = 4;
+  // Of the longest slice that ends at contact.
+  static constexpr double kTowards = 0.9;
 
   void place(double t) {
     if (pair_.time() != t) pair_.place(t);
@@ -102,7 +110,7 @@ class SliceSearch {
     out.axis = now.near.n;
     for (const AxisFrame frame : {AxisFrame::a, AxisFrame::b}) {
       const double gap = now.near.gap - pair_.frame_error(frame);
-      const double h = length(gap, pair_.relative_speed(frame, limits_.end));
+      const double h = length(gap, frame == AxisFrame::a ? speed_in_a_ : speed_in_b_);
       if (!(best < rest && gap > 0 && h > kWorthAFrame * best)) continue;
       place(now.t);
       best = h;
@@ -118,34 +126,86 @@ class SliceSearch {
     double bend_root = 0;
   };
   // For an axis n as it stands now; the one that lets points bend least first.
-  [[nodiscard]] std::array<Frame, 3> frames(const Vec3<double>& n) const {
+  [[nodiscard]] const std::array<Frame, 3>& frames(const Vec3<double>& n) {
+    if (n == frames_of_) return frames_;  // of the last slice's end
+    frames_of_ = n;
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);
-    std::array<Frame, 3> out;
+    std::array<Frame, 3>& out = frames_;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto of = static_cast<AxisFrame>(i);
       out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Frame& l, const Frame& r) { return l.bend_root < r.bend_root; });
+    // Three, in place, and stable.
+    const auto in_order = [&](std::size_t i) {
+      if (out[i + 1].bend_root < out[i].bend_root) std::swap(out[i], out[i + 1]);
+    };
+    in_order(0);
+    in_order(1);
+    in_order(0);
     return out;
   }
   static bool proves(double h, double s_0, double s_1, double bend_root) {
     return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
   }
   // What may be left at the end of a slice towards contact: less and less, so that the search is superlinear.
-  [[nodiscard]] double wished(double gap) const {
-    return std::max(gap * std::min(1.0 / 64, gap), limits_.stop / 2);
+  [[nodiscard]] double wished(double gap, const std::optional<Seen>& before) const {
+    const double known = before ? std::min(1.0, before->near.gap) : 1.0;
+    return std::max(gap * std::min(1.0 / 64, gap * known), limits_.stop / 2);
   }
 
-  bool towards_contact(const Seen& now, const Seen& before, double safe, Slice& out) {
-    const double gap = now.near.gap, fallen = before.near.gap - gap;
-    if (!(fallen > 0)) return false;
-    const double to_root = (now.t - before.t) / fallen;                        // time per length
-    const double most = 2 * std::sqrt(gap) / frames(now.near.n)[0].bend_root;  // of any axis alike
-    for (const double left : {wished(gap), gap / 8}) {
-      const double h = (gap - left) * to_root;
-      if (!(h > safe && h < most && h < limits_.end - now.t)) return false;
-      const double end = not_after(now.t, h);
+  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
+  double approach(const Seen& now) {
+    place(now.t);
+    const Cso<double>& cso = pair_.cso();
+    const auto& side_b = cso.side_b();
+    const Simplex<double>& closest = now.near.simplex;
+    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
+      const CsoPoint<double>& p = closest.point[i];
+      const Vec3<double> d_b = -p.n;
+      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+      apart += closest.lambda[i] * p.w;
+    }
+    b = side_b.to_world(b) + pair_.center_b();
+    const Vec3<double> a = b + apart;  // from A's pivot
+    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
+                                pair_.mobility_a().w.cross(a);
+    return -now.near.n.dot(faster);
+  }
+  // When the gap is due to be `left`, from now: of the polynomial of second degree in the gap through the time before,
+  // where there is one, and now, with what the gap changes by now; infinite where none is due.
+  struct Due {
+    double slope = 0, bend = 0;  // of the time over the gap
+    [[nodiscard]] double at(double fallen) const { return (slope + bend * fallen) * fallen; }
+  };
+  Due due(const Seen& now, const std::optional<Seen>& before) {
+    const double fast = approach(now);
+    if (!(fast > 0)) return {kInfinity<double>, 0};
+    Due out{1 / fast, 0};
+    if (!before) return out;
+    const double fallen = before->near.gap - now.near.gap;
+    if (!(fallen > 0)) return out;
+    // At the time before, -fallen: t - t_now = -slope fallen + bend fallen^2.
+    const double bend = (out.slope * fallen - (now.t - before->t)) / (fallen * fallen);
+    // Only what turns the guess by less than half of itself is a correction.
+    if (std::abs(bend) * now.near.gap < out.slope / 2) out.bend = bend;
+    return out;
+  }
+
+  bool towards_contact(const Seen& now, const std::optional<Seen>& before, double safe, Slice& out) {
+    const double gap = now.near.gap, rest = limits_.end - now.t;
+    const Due guess = due(now, before);
+    if (!(guess.slope < kInfinity<double>)) return false;
+    // Of any axis alike; and where the gap at the end is next to nothing.
+    const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
+    double last = kInfinity<double>, longest = kInfinity<double>;
+    for (const double left : {wished(gap, before), gap / 8}) {
+      const double due_in = guess.at(gap - left), h = std::min({due_in, most, rest, longest});
+      // What spins on before contact is due is left to the cylinder that it sweeps.
+      if (due_in > most && spins(rest)) return false;
+      if (!(h > safe && h < last)) return false;
+      last = h;
+      const double end = h >= rest ? limits_.end : not_after(now.t, h);
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
@@ -165,6 +225,7 @@ class SliceSearch {
         out.there = there;
         return true;
       }
+      longest = h / 2;
     }
     return false;
   }
@@ -180,11 +241,11 @@ class SliceSearch {
   };
 
   void along_axis(const Along& from, double safe, Slice& out) {
-    const double gap = from.gap, rest = limits_.end - from.t, left = wished(gap), root = from.frame.bend_root;
+    const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
-    double good = 0, good_gap = gap;  // the longest slice proved so far
-    double bad = kInfinity<double>, bad_gap = 0;
+    double good = 0, good_gap = gap;  // of what is proved
+    double bad, bad_gap;              // of the try before
     constexpr int kTries = 8;
     for (int i = 0; i < kTries && h > safe; ++i) {
       h = h >= rest ? rest : not_after(from.t, h) - from.t;
@@ -195,19 +256,17 @@ class SliceSearch {
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
-        // Far enough: the end, all that the bend allows, or near the root.
-        if (h >= rest || s <= 4 * left || !(bad < kInfinity<double>)) break;
-      } else {
-        bad = h;
-        bad_gap = s;
+        break;  // what is longer failed, or there is none: the next slice has an axis of its own
       }
+      bad = h;
+      bad_gap = s;
       if (bad_gap > 0) {
         h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
         if (!(h < bad)) h = bad / 2;
       } else {
-        // The secant between the last proved and the first failed, towards the gap wished for.
-        h = good + (bad - good) * (good_gap - left) / (good_gap - bad_gap);
-        if (!(h > good && h < bad)) h = good + (bad - good) / 2;
+        // The secant between the beginning and what failed, towards the gap wished for.
+        h = bad * (gap - left) / (gap - bad_gap);
+        if (!(h > 0 && h < bad)) h = bad / 2;
       }
     }
     if (!(good > safe)) return;
@@ -217,11 +276,16 @@ class SliceSearch {
     out.expected = good_gap;
   }
 
+  // Has a body more than a turn to go?
+  static constexpr double kTurn = 6.3;
+  [[nodiscard]] bool spins(double rest) const {
+    return std::max(pair_.mobility_a().rate, pair_.mobility_b().rate) * rest > kTurn;
+  }
   // A body with more than a turn to go, in a slice of less than a radian of it. The cylinder is seldom clear
   // where it was not a moment ago: after a failure the next tries wait for as many slices as there were
   // failures.
   void by_whole_turns(const Seen& now, Slice& out) {
-    constexpr double kTurn = 6.3, kLittle = 1;
+    constexpr double kLittle = 1;
     const double rest = limits_.end - now.t, h = out.end - now.t;
     const auto fast = [&](const Mobility& m) { return m.rate * rest > kTurn && m.rate * h < kLittle * 2; };
     const WholeTurns whole{limits_.may_sweep.a && fast(pair_.mobility_a()),
@@ -250,6 +314,9 @@ class SliceSearch {
   MovingPair& pair_;
   const MarchLimits& limits_;
   Counters& counters_;
+  double speed_in_a_, speed_in_b_;
+  Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::array<Frame, 3> frames_;
   int wait_ = 0, failures_ = 0;  // of whole turns
 };
 

@@ -21,9 +21,24 @@ inline constexpr double kMostTurn = 0x1p30;
 // 2^-90.
 [[nodiscard]] constexpr double turn_error(double angle) { return 0x1p-90 + 0x1p-98 * angle; }
 
+template <class Number>
 struct SineCosine {
-  TwoDoubles sine, cosine;
+  Number sine, cosine;
 };
+// Of the angle with that sine and cosine and so many quarter turns more.
+template <class Number>
+SineCosine<Number> after_quarters(std::int64_t quarters, const Number& s, const Number& c) {
+  switch (quarters & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
 
 namespace series {
 
@@ -64,7 +79,7 @@ double horner(double z, const double (&c)[N]) {
 }  // namespace series
 
 // x >= 0, at most kMostTurn / 2.
-inline SineCosine sine_cosine(TwoDoubles x) {
+inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
   using series::of;
   const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
   for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
@@ -78,17 +93,7 @@ inline SineCosine sine_cosine(TwoDoubles x) {
     s = {2 * twice.hi, 2 * twice.lo};
     less = {-2 * square.hi, -2 * square.lo};
   }
-  const TwoDoubles c = of(1) + less;
-  switch (static_cast<std::int64_t>(quarters) & 3) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  return after_quarters(static_cast<std::int64_t>(quarters), s, of(1) + less);
 }
 
 // Rounded: each within u. x as above, but of twice the size.
@@ -97,17 +102,14 @@ inline SineCosine sine_cosine(TwoDoubles x) {
 // turn_error at most. Sine: r z S(z), z = r^2, is at most 0.1 |r| and known to 6 u of itself, 0.48 u; e (1 -
 // z/2) leaves 0.02 u, the series' next term less, and the last sum rounds by u/2, being below 1. Cosine: z/2 is
 // within u/4; what 1 - z/2 rounds is taken back exactly; z^2 C(z) is at most 0.016, within 0.1 u; and u/2 again.
-struct RoundedSineCosine {
-  double sine, cosine;
-};
-inline RoundedSineCosine rounded_sine_cosine(TwoDoubles x) {
+inline SineCosine<double> rounded_sine_cosine(TwoDoubles x) {
   std::int64_t quarter = 0;
   if (x.hi > 0.785) {
     const double quarters = std::nearbyint(x.hi * 0x1.45f306dc9c883p-1);
     for (const double part : {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110}) {
       x = x + -two_product(quarters, part);
     }
-    quarter = static_cast<std::int64_t>(quarters) & 3;
+    quarter = static_cast<std::int64_t>(quarters);
   }
   const double r = x.hi, e = x.lo, z = r * r;
   const double of_sine = series::horner(z, {-1 / 6., 1 / 120., -1 / 5040., 1 / 362880., -1 / 39916800.,
@@ -116,16 +118,7 @@ inline RoundedSineCosine rounded_sine_cosine(TwoDoubles x) {
                                               -1 / 87178291200., 1 / 20922789888000.});
   const double s = r + (r * z * of_sine + e * (1 - z / 2));
   const double w = 1 - z / 2, c = w + (((1 - w) - z / 2) + (z * z * of_cosine - r * e));
-  switch (quarter) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  return after_quarters(quarter, s, c);
 }
 
 // sqrt(x), x > 0, within 2^-100: one step of Newton's on the double's root.
@@ -183,7 +176,7 @@ class TurnsAbout {
   [[nodiscard]] bool turns() const { return half_.hi > 0; }
   [[nodiscard]] Turn at(double t) const {
     if (!turns()) return {};
-    const SineCosine angle = sine_cosine(half_ * TwoDoubles{t, 0});
+    const SineCosine<TwoDoubles> angle = sine_cosine(half_ * TwoDoubles{t, 0});
     return {angle.cosine, {angle.sine * axis_[0], angle.sine * axis_[1], angle.sine * axis_[2]}};
   }
   // |w| t, and w / |w|, within 2^-100 of themselves; of a w that turns.
@@ -207,8 +200,23 @@ class TurnedRotation {
  public:
   TurnedRotation() = default;
   TurnedRotation(const TurnsAbout& turns, const Quaternion<double>& q) {
-    using exact::Pair;
-    using exact::product;
+    exact::fuses() ? prepare<true>(turns, q) : prepare<false>(turns, q);
+  }
+  // R(q), each entry within 0.6 u.
+  [[nodiscard]] const Mat3<double>& start() const { return start_; }
+  // turns: those that this was made for.
+  [[nodiscard]] Mat3<double> at(const TurnsAbout& turns, double t) const {
+    const SineCosine<double> angle = rounded_sine_cosine(turns.angle(t));
+    return along_ + (angle.cosine * across_ + angle.sine * aside_);
+  }
+
+ private:
+  template <bool kFused>
+  [[gnu::flatten]] void prepare(const TurnsAbout& turns, const Quaternion<double>& q) {
+    using Pair = exact::PairOf<kFused>;
+    using Pair3 = exact::Pair3Of<kFused>;
+    const auto product = [](double a, double b) { return exact::product<kFused>(a, b); };
+    const auto scaled = [](const Pair3& x, const Pair& by) { return Pair3{x[0] * by, x[1] * by, x[2] * by}; };
     const Pair ww = product(q.w, q.w), xx = product(q.x, q.x), yy = product(q.y, q.y), zz = product(q.z, q.z),
                norm = (ww + xx) + (yy + zz);
     const TwoDoubles inverse = TwoDoubles{1, 0} / two_sum(norm.hi, norm.lo);
@@ -216,15 +224,14 @@ class TurnedRotation {
     const auto mixed = [&](double a, double b, double c, double d) {
       return (product(a, b) + product(c, d)) * twice_over;
     };
-    const std::array<exact::Pair3, 3> column = {
-        exact::Pair3{((ww + xx) - (yy + zz)) * over, mixed(q.x, q.y, q.w, q.z), mixed(q.x, q.z, -q.w, q.y)},
-        exact::Pair3{mixed(q.x, q.y, -q.w, q.z), ((ww + yy) - (xx + zz)) * over, mixed(q.y, q.z, q.w, q.x)},
-        exact::Pair3{mixed(q.x, q.z, q.w, q.y), mixed(q.y, q.z, -q.w, q.x), ((ww + zz) - (xx + yy)) * over}};
-    exact::Pair3 axis;
+    const std::array<Pair3, 3> column = {
+        Pair3{((ww + xx) - (yy + zz)) * over, mixed(q.x, q.y, q.w, q.z), mixed(q.x, q.z, -q.w, q.y)},
+        Pair3{mixed(q.x, q.y, -q.w, q.z), ((ww + yy) - (xx + zz)) * over, mixed(q.y, q.z, q.w, q.x)},
+        Pair3{mixed(q.x, q.z, q.w, q.y), mixed(q.y, q.z, -q.w, q.x), ((ww + zz) - (xx + yy)) * over}};
+    Pair3 axis;
     for (std::size_t i = 0; i < 3; ++i) axis[i] = {turns.axis()[i].hi, turns.axis()[i].lo};
     for (std::size_t j = 0; j < 3; ++j) {
-      const exact::Pair3 lasting = exact::scaled(axis, exact::dot(axis, column[j])),
-                         turned = exact::cross(axis, column[j]);
+      const Pair3 lasting = scaled(axis, exact::dot(axis, column[j])), turned = exact::cross(axis, column[j]);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto r = static_cast<int>(i), c = static_cast<int>(j);
         start_(r, c) = exact::rounded(column[j][i]);
@@ -234,15 +241,7 @@ class TurnedRotation {
       }
     }
   }
-  // R(q), each entry within 0.6 u.
-  [[nodiscard]] const Mat3<double>& start() const { return start_; }
-  // turns: those that this was made for.
-  [[nodiscard]] Mat3<double> at(const TurnsAbout& turns, double t) const {
-    const RoundedSineCosine angle = rounded_sine_cosine(turns.angle(t));
-    return along_ + (angle.cosine * across_ + angle.sine * aside_);
-  }
 
- private:
   Mat3<double> start_ = Mat3<double>::Identity();
   Mat3<double> along_ = Mat3<double>::Zero(), across_ = Mat3<double>::Zero(), aside_ = Mat3<double>::Zero();
 };

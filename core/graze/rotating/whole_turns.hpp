@@ -29,8 +29,7 @@ inline Vec3<double> swept_point(const Mobility& m, const Vec3<double>& n) {
 // A proof must be one that a checker can repeat: the ball of a combinator is not one number.
 template <Scalar S>
 bool has_plain_ball(const Shape<S>& shape) {
-  return !(std::holds_alternative<Posed<S>>(shape) || std::holds_alternative<Rounded<S>>(shape) ||
-           std::holds_alternative<Sum<S>>(shape) || std::holds_alternative<HullOf<S>>(shape));
+  return !is_combined(shape);
 }
 
 // Of the CSO as placed.

@@ -1,0 +1,103 @@
+// The quick search for the distance of two placed bodies, beside the careful one and beside every vertex.
+#include <gtest/gtest.h>
+
+#include <graze/rotating/nearest.hpp>
+
+#include "tests/shared/generate.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+
+// The farthest of a box's eight corners along n, of A - B with B at d.
+double farthest(const Vec3<double>& half_a, const Vec3<double>& half_b, const Vec3<double>& d,
+                const Vec3<double>& n) {
+  return n.cwiseAbs().dot(half_a + half_b) - n.dot(d);
+}
+
+struct Boxes {
+  RotatingBody<double> a, b;
+  detail::MovingPair pair;
+  Vec3<double> half_a, half_b;
+
+  Boxes(const Vec3<double>& of_a, const Vec3<double>& of_b, const Vec3<double>& d)
+      : a{.body = {.shape = Box<double>{of_a}}, .rotation = {0, 0, 1}},
+        b{.body = {.shape = Box<double>{of_b}, .position = d}, .rotation = {0, 0, 1}},
+        pair(a, b, 0),
+        half_a(of_a),
+        half_b(of_b) {}
+  Boxes(const Boxes&) = delete;
+};
+
+TEST(QuickNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
+  Draw draw{311};
+  int apart = 0, inside = 0, quick = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const auto half = [&] {
+      return Vec3<double>(draw.between(0.5, 1), draw.between(0.5, 1), draw.between(0.5, 1));
+    };
+    const Vec3<double> h_a = half(), h_b = half(), d = draw.vector<double>(3);
+    const Boxes boxes(h_a, h_b, d);
+    const double unit = power_of_two(-boxes.pair.cso().length_exponent());
+    // Of boxes along the axes the distance is that of the gaps along each.
+    const double truth = unit * (d.cwiseAbs() - h_a - h_b).cwiseMax(0).norm();
+    Simplex<double> simplex;
+    Distance<double> found;
+    Counters counters;
+    const double gap = 0x1p-40, noise = boxes.pair.error();
+    if (!detail::quick_distance(boxes.pair.cso(), simplex, gap, 0, 256, found, counters)) continue;
+    ++quick;
+    EXPECT_LE(found.lower, truth + noise) << round;
+    double sum = 0;
+    Vec3<double> v = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+      EXPECT_GE(simplex.lambda[i], 0) << round;
+      sum += simplex.lambda[i];
+      v += simplex.lambda[i] * simplex.point[i].w;
+    }
+    EXPECT_NEAR(sum, 1, 8 * kUnitRoundoff<double>) << round;
+    EXPECT_NEAR(v.norm(), found.upper, noise) << round;
+    if (simplex.size == 4) {
+      ++inside;
+      EXPECT_EQ(truth, 0) << round;
+      continue;
+    }
+    ++apart;
+    EXPECT_GE(found.upper, truth - noise) << round;
+    EXPECT_LE(found.upper - found.lower, gap) << round;
+    EXPECT_NEAR(found.n.norm(), 1, 4 * kUnitRoundoff<double>) << round;
+    EXPECT_LE(found.lower, -unit * farthest(h_a, h_b, d, found.n) + noise) << round;
+  }
+  EXPECT_GT(apart, 800);
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(quick, 1800);
+}
+
+// Warm from another time, and where it gives up: what is handed out is that of the careful search.
+TEST(QuickNearest, FromAnotherTimeItFindsTheSame) {
+  Draw draw{312};
+  for (int round = 0; round < 300; ++round) {
+    RotatingBody<double> a{.body = {.shape = Box<double>{{1, 0.75, 0.5}}},
+                           .rotation = draw.vector<double>(2)};
+    RotatingBody<double> b{.body = {.shape = Box<double>{{0.5, 0.5, 1}}, .position = draw.vector<double>(3)},
+                           .rotation = draw.vector<double>(2)};
+    detail::MovingPair pair(a, b, 0);
+    Counters counters;
+    const double stop = 16 * pair.error();
+    const detail::Nearest before = detail::nearest(pair, {}, 0, stop, 256, counters);
+    pair.place(draw.between(0, 1));
+    const detail::Nearest warm = detail::nearest(pair, before.simplex, 0, stop, 256, counters);
+    Simplex<double> simplex;
+    const Distance<double> careful =
+        gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
+    EXPECT_LE(warm.gap, careful.upper) << round;
+    EXPECT_GE(warm.apart, careful.lower) << round;
+    if (careful.lower > stop) {
+      EXPECT_GE(warm.gap, careful.lower - stop) << round;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze
