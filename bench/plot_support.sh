@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # bench/plot_support.sh RESULTS.json PLOT.svg
 #
-# Draws what a support costs against the number of vertices, log-log: the scan, the cold climb, and the climb warm
-# from a direction 0.01 away; sphere, double, ns of processor time. RESULTS.json is what support_bench writes with
+# Draws what a support costs against the number of vertices, log-log: by the scan and by the map of directions, as
+# doubles round it and as floats guess it; sphere, double, ns of processor time. RESULTS.json is what support_bench writes with
 # --benchmark_out; of repetitions the median counts. Needs gnuplot and awk.
 set -euo pipefail
 (($# == 2)) || { sed -n '2s/^# /usage: /p' "$0" >&2; exit 2; }
@@ -28,8 +28,9 @@ curve() {
   [[ -s $work/$1 ]] || { printf '%s: no results of %s/sphere/double in it\n' "$results" "$1" >&2; exit 2; }
 }
 curve scan_rounded
-curve climb_cold
-curve climb_warm_0.01
+curve map_rounded
+curve scan_guessed
+curve map_guessed
 
 gnuplot >"$work/plot.svg" <<END
 set terminal svg size 640,400 font "sans-serif,13" background "white"
@@ -43,9 +44,9 @@ set tics nomirror
 set key top left reverse Left
 set xlabel "vertices"
 set ylabel "ns a support"
-plot "$work/scan_rounded" with linespoints linewidth 2 pointtype 7 pointsize 0.5 linecolor "#0072b2" title "scan", \
-     "$work/climb_cold" with linespoints linewidth 2 pointtype 5 pointsize 0.5 linecolor "#d55e00" title "climb, cold", \
-     "$work/climb_warm_0.01" with linespoints linewidth 2 pointtype 9 pointsize 0.7 linecolor "#009e73" \
-       title "climb, warm from 0.01 away"
+plot "$work/scan_rounded" with linespoints linewidth 2 pointtype 7 pointsize 0.5 linecolor "#0072b2" title "scan, double", \
+     "$work/scan_guessed" with linespoints linewidth 2 pointtype 5 pointsize 0.5 linecolor "#d55e00" title "scan, guess", \
+     "$work/map_rounded" with linespoints linewidth 2 pointtype 9 pointsize 0.7 linecolor "#009e73" title "map, double", \
+     "$work/map_guessed" with linespoints linewidth 2 pointtype 11 pointsize 0.7 linecolor "#cc79a7" title "map, guess"
 END
 mv "$work/plot.svg" "$plot"
