@@ -34,8 +34,10 @@ std::vector<Vec3<S>> directions(const Hull<Given>& hull, Draw& draw, int count) 
   for (int i = 0; i < count; ++i) {
     Vec3<S> n = draw.vector<S>(1);
     if (i % 4 == 1) {
+      // On a border of squares, or beside it by as much as its place may be mistaken.
       const auto eighth = [&](std::size_t axis) {
-        return S((double(draw.bits() % 17) - 8) / 8 / double(reach[axis]));
+        const double beside = draw.bits() & 1 ? 0x1p-10 * draw.between(-1, 1) : 0;
+        return S((double(draw.bits() % 17) - 8) / 8 * (1 + beside) / double(reach[axis]));
       };
       n = {eighth(0), eighth(1), eighth(2)};
     } else if (i % 4 > 1) {
@@ -105,6 +107,44 @@ TEST(DirectionMap, TheSameVertexAsAScanOfAll) {
     }
   }
   EXPECT_GT(listed, asked * 99 / 100);
+}
+
+// Of two points whose heights floats hardly tell apart both are kept.
+TEST(DirectionMap, TheSameOfPointsWithATwinBesideThem) {
+  for (const double apart : {1e-8, 1e-7, 3e-7}) {
+    const std::vector<Vec3<double>> points = large_hull<double>(Family::sphere, 300, 5);
+    std::vector<Vec3<double>> twins = points;
+    Draw draw{7};
+    for (const Vec3<double>& p : points) twins.emplace_back(p + apart * draw.vector<double>(1));
+    const Hull<double> hull = with_adjacency(twins);
+    ASSERT_FALSE(hull.graph().map.empty());
+    EXPECT_GT(compare_with_scan<double>(hull, 2000, "twins"), 3000);
+    EXPECT_GT(compare_with_scan<float>(hull, 2000, "twins"), 3000);
+  }
+}
+
+// Beside the border of two squares by as much as a direction's place is mistaken.
+TEST(DirectionMap, TheSameJustBesideTheBordersOfSquares) {
+  for (const int vertices : {700, 2500}) {
+    const Hull<float> hull = mapped<float>(Family::sphere, vertices);
+    const DirectionMap& map = hull.graph().map;
+    const auto k = static_cast<double>(map.squares_along_edge());
+    Draw draw{53};
+    long wrong = 0;
+    for (int round = 0; round < 400000; ++round) {
+      double on[3] = {1, draw.between(-1, 1), 0};
+      on[2] = (2 * double(draw.bits() % (map.squares_along_edge() + 1)) / k - 1) *
+              (1 + 0x1p-10 * draw.between(0, 1));
+      const std::size_t turn = draw.bits() % 3;
+      float d[3];
+      for (std::size_t i = 0; i < 3; ++i) d[i] = float(on[(i + turn) % 3] / double(map.reach()[i]));
+      DirectionMap::List list;
+      ASSERT_TRUE(map.find(d[0], d[1], d[2], list));
+      wrong += list.vertex[detail::guess_scan(list.xyz, list.size, d[0], d[1], d[2])] !=
+               detail::guess_scan(hull.guess_scan(0), hull.padded_size(), d[0], d[1], d[2]);
+    }
+    EXPECT_EQ(wrong, 0) << vertices;
+  }
 }
 
 TEST(DirectionMap, TheSameFarFromTheOriginAndOfPointsGivenTwice) {
