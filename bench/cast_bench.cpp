@@ -13,6 +13,8 @@
 //   curved     the same of curved bodies, with a tolerance and with a proof, too (curved_families.cpp).
 //   rotation   the same of bodies that turn (rotating_families.cpp). Late: a contact that tier certified proves to be
 //              over kLate of the step earlier.
+//   growth     hulls of 16 to 4,096 vertices, with adjacency and without (growth_families.cpp), of many shapes in a new
+//              random order each round, and of two shapes in the same order.
 //   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
 //              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
 //              the 99th percentile of that over the cases, over its median.
@@ -68,9 +70,14 @@ Answer answer_of(const Result& result) {
 template <Scalar S>
 class OurCasts final : public PreparedCasts {
  public:
-  OurCasts(const CastFamily& family, const CastOptions<S>& options) : options_(options) {
+  OurCasts(const CastFamily& family, const CastOptions<S>& options, bool adjacency) : options_(options) {
     std::vector<Shape<S>> shapes;
-    for (const Shape<double>& shape : family.shapes) shapes.push_back(engine::round_to<S>(shape));
+    for (const Shape<double>& shape : family.shapes) {
+      Shape<S> one = engine::round_to<S>(shape);
+      if (const auto* hull = std::get_if<Hull<S>>(&one); hull != nullptr && adjacency)
+        one = with_adjacency(hull->vertices());
+      shapes.push_back(std::move(one));
+    }
     for (const CastCase& c : family.cases)
       pairs_.push_back({body_of<S>(c.a, shapes), body_of<S>(c.b, shapes)});
   }
@@ -208,10 +215,11 @@ struct Contestant {
 };
 
 template <Scalar S>
-Contestant ours(std::string name, Request request, CastOptions<S> options) {
+Contestant ours(std::string name, Request request, CastOptions<S> options, bool adjacency = false) {
   options.request = request;
-  return {std::move(name),
-          [options](const CastFamily& family) { return std::make_unique<OurCasts<S>>(family, options); }};
+  return {std::move(name), [options, adjacency](const CastFamily& family) {
+            return std::make_unique<OurCasts<S>>(family, options, adjacency);
+          }};
 }
 
 template <Scalar S>
@@ -309,6 +317,21 @@ std::vector<Contestant> rotating_contestants() {
       ours_turning<double>("standard 1e-4", {.tolerance = 1e-4}),
   };
   add_bullet(out, {BulletCast::continuous, BulletCast::continuous_in_pieces, " in pieces"});
+  return out;
+}
+
+// "+" stands for adjacency.
+std::vector<Contestant> growth_contestants() {
+  constexpr Request kAsked = Request::normal | Request::witnesses;
+  std::vector<Contestant> out;
+  for (const bool adjacency : {false, true}) {
+    const auto name = [&](const char* of) { return std::string(of) + (adjacency ? "+" : ""); };
+    out.push_back(ours<double>(name("standard/double"), kAsked, {}, adjacency));
+    out.push_back(ours<double>(name("exact/double"), kAsked, {.tier = Tier::exact}, adjacency));
+    out.push_back(ours<double>(name("gjk/double"), kAsked, {.method = Method::gjk_ray_cast}, adjacency));
+    out.push_back(ours<float>(name("standard/float"), kAsked, {}, adjacency));
+  }
+  add_bullet(out, false);
   return out;
 }
 
@@ -564,6 +587,14 @@ void run_verdicts(const Asked& asked) {
   print_tables(field, measurements);
 }
 
+struct GrowthRatio {
+  const char *of, *with;
+};
+constexpr GrowthRatio kGrowthRatios[] = {{"standard/double", "standard/double+"},
+                                         {"exact/double", "exact/double+"},
+                                         {"gjk/double", "gjk/double+"},
+                                         {"standard/float", "standard/float+"}};
+
 void run_curved(const Asked& asked) {
   const std::vector<Contestant> field = chosen(curved_contestants(), asked);
   const std::vector<Measurement> measurements =
@@ -590,6 +621,36 @@ void run_rotating(const Asked& asked) {
               [](const Measured& m) { return fmt::format("{} + {}", m.wrong, m.late); });
 }
 
+// Hulls in a scene share memory, and the near caches; two alone are all in them.
+void run_growth(const Asked& asked) {
+  const std::vector<Contestant> field = chosen(growth_contestants(), asked);
+  for (const bool many : {true, false}) {
+    const FamilySize size{asked.size.cases, many ? std::min<std::size_t>(asked.size.shapes, 32) : 2};
+    const std::vector<Measurement> measurements =
+        measure_all(growth_families(size), field, asked, {.shuffled = many, .tail = false});
+    const std::string manner =
+        many ? fmt::format("{} shapes, shuffled", size.shapes) : "two shapes, fixed order";
+    if (asked.csv) {
+      print_csv("growth, " + manner, field, measurements);
+      continue;
+    }
+    fmt::print("\n---- growth: time, normal, witnesses; {}\n", manner);
+    print_table("ns a cast", field, measurements,
+                [](const Measured& m) { return fmt::format("{:.0f}", m.ns()); });
+    std::vector<std::string> cells;
+    for (const GrowthRatio& r : kGrowthRatios) cells.emplace_back(r.of);
+    print_row("\nwith adjacency : without", cells);
+    for (const Measurement& m : measurements) {
+      cells.clear();
+      for (const GrowthRatio& r : kGrowthRatios) cells.push_back(ratio_text(ratio(m.report, r.with, r.of)));
+      print_row(m.family.name, cells);
+    }
+    print_ratios("bullet/float", field, measurements);
+    print_table("wrong verdicts", field, measurements,
+                [](const Measured& m) { return fmt::format("{}", m.wrong); });
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("What a cast costs, beside Bullet's.");
   Asked asked;
@@ -599,8 +660,8 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(2, 1 << 20));
   app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
       ->check(CLI::PositiveNumber);
-  app.add_option("--set", asked.set, "only this set of families: response, curved, rotation or verdict")
-      ->check(CLI::IsMember({"response", "curved", "rotation", "verdict"}));
+  app.add_option("--set", asked.set, "only this set of families: response, curved, rotation, growth or verdict")
+      ->check(CLI::IsMember({"response", "curved", "rotation", "growth", "verdict"}));
   app.add_option("--family", asked.family_part, "only families whose name contains this");
   app.add_option("--only", asked.contestant_part, "only contestants whose name contains this");
   app.add_flag("--csv", asked.csv, "one line a family and contestant");
@@ -614,6 +675,7 @@ int run(int argc, char** argv) {
   if (wants("response")) run_responses(asked);
   if (wants("curved")) run_curved(asked);
   if (wants("rotation")) run_rotating(asked);
+  if (wants("growth")) run_growth(asked);
   if (wants("verdict")) run_verdicts(asked);
   return 0;
 }

@@ -65,5 +65,7 @@ struct FamilySize {
 [[nodiscard]] std::vector<CastFamily> rotating_families(const FamilySize& size);
 // Asked for what an engine hands out, judged by tier exact: ten families, their bodies turned or not.
 [[nodiscard]] std::vector<CastFamily> response_families(const FamilySize& size, bool turned);
+// Hulls of 16 to 4,096 vertices, a family for each number.
+[[nodiscard]] std::vector<CastFamily> growth_families(const FamilySize& size);
 
 }  // namespace graze::bench

@@ -1,10 +1,9 @@
-// The support of a hull by the scan, and by the climb: cold, warm from a direction 0.01 or 0.3 away, and warm
-// from a direction that has nothing to do with it. 8 to 4096 vertices, on a sphere and on a cylinder (two
-// rings: flat caps, near-ties), double and float. `heights`: vertices looked at, on average.
+// The support of a hull by the scan of all its vertices and by its map of directions, as it is rounded and as floats
+// guess it, and what making a hull costs, with adjacency and without. 8 to 4096 vertices, on a sphere and on a cylinder
+// (two rings: flat caps, near-ties), double and float. `vertices`: in a list, on average; `bytes`: of the map, a vertex.
 //
-// climb.hpp draws kClimbFrom from this table.
+// Supports one after the other, each along a direction of its own: what waits for its answer waits longer.
 #include <benchmark/benchmark.h>
-#include <graze/support/climb.hpp>
 #include <graze/support/leaf.hpp>
 
 #include "tests/shared/large_hulls.hpp"
@@ -14,66 +13,72 @@ namespace {
 
 constexpr std::size_t kDirections = 8192;
 
-struct Counted {
-  long heights = 0;
-  void height() { ++heights; }
-  void exact_comparison() {}
-};
-
 template <class S>
 struct Scene {
-  Hull<S> hull;
+  Hull<S> plain, mapped;
   std::vector<Vec3<S>> directions;
-  std::vector<std::uint32_t> starts;
 
-  // tilt: how far the direction of the warm start lies from the one asked for; negative: anywhere.
-  Scene(Family family, int vertices, double tilt) {
+  Scene(Family family, int vertices) {
     const std::vector<Vec3<S>> given = large_hull<S>(family, vertices, 7);
-    hull = with_adjacency(std::span<const Vec3<S>>(given));
+    plain = Hull<S>(given);
+    mapped = with_adjacency(given);
     Draw draw{8};
-    for (std::size_t i = 0; i < kDirections; ++i) {
-      const Vec3<S> n = draw.vector<S>(1).normalized(), other = draw.vector<S>(1).normalized();
-      directions.push_back(n);
-      const Vec3<S> from = tilt < 0 ? other : Vec3<S>(n + S(tilt) * other);
-      starts.push_back(climb_support<S, S>(hull, from, kNoStart));
-    }
+    for (std::size_t i = 0; i < kDirections; ++i) directions.push_back(draw.vector<S>(1).normalized());
   }
+  // Of the mapped hull, which may have none.
+  [[nodiscard]] const DirectionMap& map() const { return mapped.graph().map; }
 };
 
 template <class S, class Support>
 void run(benchmark::State& state, const Scene<S>& scene, const Support& support) {
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(support(scene.directions[i], scene.starts[i]));
+    benchmark::DoNotOptimize(support(scene.directions[i]));
     i = (i + 1) % kDirections;
   }
 }
 
 template <class S>
-void scan_rounded(benchmark::State& state, Family family) {
-  const Scene<S> scene(family, static_cast<int>(state.range(0)), -1);
-  run<S>(state, scene,
-         [&](const Vec3<S>& n, std::uint32_t) { return detail::hull_support<S, S>(scene.hull, n); });
+void rounded(benchmark::State& state, Family family, bool mapped) {
+  const Scene<S> scene(family, static_cast<int>(state.range(0)));
+  const Hull<S>& hull = mapped ? scene.mapped : scene.plain;
+  run<S>(state, scene, [&](const Vec3<S>& n) { return detail::hull_support<S, S>(hull, n); });
 }
 
 template <class S>
-void scan_exact(benchmark::State& state, Family family) {
-  const Scene<S> scene(family, static_cast<int>(state.range(0)), -1);
-  run<S>(state, scene, [&](const Vec3<S>& n, std::uint32_t) { return detail::scan<S, S>(scene.hull, n); });
-}
-
-template <class S>
-void climbed(benchmark::State& state, Family family, double tilt, bool warm) {
-  const Scene<S> scene(family, static_cast<int>(state.range(0)), tilt);
-  detail::NoCount nothing;
-  run<S>(state, scene, [&](const Vec3<S>& n, std::uint32_t start) {
-    return detail::climb<S, S>(scene.hull, n, warm ? start : kNoStart, nothing);
+void guessed(benchmark::State& state, Family family) {
+  const Scene<S> scene(family, static_cast<int>(state.range(0)));
+  const float* x = scene.plain.guess_scan(0);
+  const std::size_t size = scene.plain.padded_size();
+  run<S>(state, scene, [&](const Vec3<S>& n) {
+    return detail::guess_scan(x, size, float(n[0]), float(n[1]), float(n[2]));
   });
-  Counted counted;
-  for (std::size_t i = 0; i < kDirections; ++i) {
-    detail::climb<S, S>(scene.hull, scene.directions[i], warm ? scene.starts[i] : kNoStart, counted);
+}
+
+template <class S>
+void guessed_by_map(benchmark::State& state, Family family) {
+  const Scene<S> scene(family, static_cast<int>(state.range(0)));
+  const DirectionMap& map = scene.map();
+  if (map.empty()) return state.SkipWithError("no map");
+  double vertices = 0;
+  run<S>(state, scene, [&](const Vec3<S>& n) {
+    DirectionMap::List list{};
+    const float x = float(n[0]), y = float(n[1]), z = float(n[2]);
+    if (!map.find(x, y, z, list)) return 0u;
+    return list.vertex[detail::guess_scan(list.xyz, list.size, x, y, z)];
+  });
+  for (const Vec3<S>& n : scene.directions) {
+    DirectionMap::List list{};
+    if (map.find(float(n[0]), float(n[1]), float(n[2]), list)) vertices += static_cast<double>(list.size);
   }
-  state.counters["heights"] = static_cast<double>(counted.heights) / kDirections;
+  state.counters["vertices"] = vertices / kDirections;
+  state.counters["bytes"] = static_cast<double>(map.bytes()) / static_cast<double>(scene.mapped.size());
+}
+
+template <class S>
+void plain(benchmark::State& state, Family family) {
+  const std::vector<Vec3<S>> given = large_hull<S>(family, static_cast<int>(state.range(0)), 7);
+  for (auto _ : state) benchmark::DoNotOptimize(Hull<S>(given).size());
 }
 
 template <class S>
@@ -92,12 +97,11 @@ void enroll(const std::string& scalar) {
     const auto add = [&](const std::string& what, auto body) {
       benchmark::RegisterBenchmark((what + on).c_str(), body)->RangeMultiplier(2)->Range(8, 4096);
     };
-    add("scan_rounded", [f](benchmark::State& s) { scan_rounded<S>(s, f); });
-    add("scan_exact", [f](benchmark::State& s) { scan_exact<S>(s, f); });
-    add("climb_cold", [f](benchmark::State& s) { climbed<S>(s, f, -1, false); });
-    add("climb_warm_0.01", [f](benchmark::State& s) { climbed<S>(s, f, 0.01, true); });
-    add("climb_warm_0.3", [f](benchmark::State& s) { climbed<S>(s, f, 0.3, true); });
-    add("climb_warm_anywhere", [f](benchmark::State& s) { climbed<S>(s, f, -1, true); });
+    add("scan_rounded", [f](benchmark::State& s) { rounded<S>(s, f, false); });
+    add("map_rounded", [f](benchmark::State& s) { rounded<S>(s, f, true); });
+    add("scan_guessed", [f](benchmark::State& s) { guessed<S>(s, f); });
+    add("map_guessed", [f](benchmark::State& s) { guessed_by_map<S>(s, f); });
+    add("plain", [f](benchmark::State& s) { plain<S>(s, f); });
     add("derive", [f](benchmark::State& s) { derive<S>(s, f); });
   }
 }

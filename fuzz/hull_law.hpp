@@ -4,10 +4,10 @@
 //   2  its vertices are the extreme points, one of equal ones;
 //   3  it is the graph of a triangulated sphere, 3 V - 6 edges, and every vertex below the top of a facet's
 //      normal has a neighbour above itself;
-//   4  the support along any direction is the greatest vertex, from any start, with adjacency or without;
+//   4  the support along any direction is the greatest vertex but for rounding, with adjacency or without;
 //   5  faces that are taken as a hint are the boundary: every point on or below each, every extreme point a
 //      corner, every edge shared by two.
-// Exact: the sign of every comparison is one of integers. A fault is a printable reason, or empty.
+// The sign of every comparison is one of integers. A fault is a printable reason, or empty.
 #pragma once
 
 #include <graze/scalar.hpp>

@@ -19,16 +19,16 @@ const Family& family(std::string_view name) {
   return *std::find_if(all.begin(), all.end(), [&](const Family& one) { return one.name == name; });
 }
 
-void climb(Shape<double>& shape) {
+void derive(Shape<double>& shape) {
   if (const auto* hull = std::get_if<Hull<double>>(&shape)) shape = with_adjacency<double>(hull->vertices());
 }
 
-// Hulls large enough for the climb, with adjacency, which a method in float derives for itself.
-void add_climbed(std::vector<Case>& out, std::size_t count) {
+// Hulls large enough for a map of directions, with adjacency, which a method in float derives for itself.
+void add_mapped(std::vector<Case>& out, std::size_t count) {
   for (std::size_t seed = 0; seed < count; ++seed) {
-    Case one = family("many_vertices").generate(6 + static_cast<double>(seed % 2), 1000 + seed);
-    climb(one.a.shape);
-    climb(one.b.shape);
+    Case one = family("many_vertices").generate(8 + static_cast<double>(seed % 2), 1000 + seed);
+    derive(one.a.shape);
+    derive(one.b.shape);
     out.push_back(std::move(one));
   }
 }
@@ -107,7 +107,7 @@ void add_flat(std::vector<Case>& out, std::size_t count) {
 
 std::vector<Case> aimed_cases(std::size_t rounds) {
   std::vector<Case> out = hard_half(corpus::families(), rounds);
-  add_climbed(out, (rounds + 1) / 2);
+  add_mapped(out, (rounds + 1) / 2);
   add_plates(out, 3 * rounds);
   add_flat(out, 3 * rounds);
   return out;

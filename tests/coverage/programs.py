@@ -21,7 +21,7 @@ def test(room: str, name: str, *arguments: str) -> Program:
 def programs(source: Path) -> list[Program]:
     laws = "--gtest_filter=-*families*"
     known = [
-        *(test("core", name) for name in ("core_test", "climb_test", "rotating_test", "queries_test", "exact_tier_test",
+        *(test("core", name) for name in ("core_test", "hull_graph_test", "rotating_test", "queries_test", "exact_tier_test",
                                           "certified_tier_test")),
         test("lecture", "lecture_test"),
         test("pairs", "pairs_test"),

@@ -7,8 +7,8 @@
 // beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
 //
 // Ties by construction. A step across an axis that n is parallel to. Where two vertices of C in n's plane
-// differ in one leaf only, their vertices of that leaf tie. One of these steps after the other. A box: x_0's three neighbours are enough, n being
-// separable. A hull with adjacency: x_0's neighbours are.
+// differ in one leaf only, their vertices of that leaf tie. One of these steps after the other. A box: x_0's three
+// neighbours are enough, n being separable.
 #pragma once
 
 #include <graze/exact/scene.hpp>
@@ -237,17 +237,12 @@ class BeyondSearch {
     s.best = s.at ^ flips;
   }
 
-  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre. On a
-  // hull with adjacency the neighbours are enough: its edges at x_0 span the cone that it lies in.
+  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre. Of a hull with a
+  // map, where n is known well enough, those of the list of n's cell alone: what is not in it is lower than one that is,
+  // by more than floats round.
   void search_hull(Search& s, const Hull<S>& hull) const {
-    if (hull.has_adjacency()) {
-      const HullGraph<S>& graph = hull.graph();
-      if (const std::uint32_t rank = graph.rank[s.at]; rank != HullGraph<S>::kNone) {
-        const std::uint32_t *i = graph.neighbours.list(rank), *end = graph.neighbours.list(rank + 1);
-        for (; i != end; ++i) try_vertex(s, graph.vertex[*i]);
-        return;
-      }
-    }
+    DirectionMap::List list;
+    const bool listed = hull.has_adjacency() && find_list(s, hull.graph().map, list);
     const Vec3<double> half = hull.scan_half_extents().template cast<double>();
     const double size = s.d.cwiseAbs().maxCoeff();
     // Near 1, so that no component that counts leaves the range of floats.
@@ -260,10 +255,26 @@ class BeyondSearch {
     // half.
     const double rounding = 14 * kUnitRoundoff<float> * scale * s.d.cwiseAbs().dot(half);
     const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
+    if (listed) {
+      const float *a = list.xyz, *b = a + list.size, *c = b + list.size;
+      detail::for_each_above(a, b, c, list.size, d, below(double(height(s.at)) - error),
+                             [&](std::size_t k) { try_vertex(s, list.vertex[k]); });
+      return;
+    }
     detail::for_each_above(x, y, z, hull.padded_size(), d, below(double(height(s.at)) - error),
                            [&](std::size_t k) {
                              if (k < hull.size()) try_vertex(s, static_cast<std::uint32_t>(k));
                            });
+  }
+  // n's place on the cube is known within 2^-15: what the map's squares are larger than they need be
+  // (direction_map.hpp), and more.
+  [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
+    const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
+    const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();
+    if (map.empty() || !(s.error.cwiseProduct(reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0))
+      return false;
+    const double scale = power_of_two(-exponent_of(size));
+    return map.find(float(scale * s.d[0]), float(scale * s.d[1]), float(scale * s.d[2]), out);
   }
   // A float that is not above x.
   [[nodiscard]] static float below(double x) {

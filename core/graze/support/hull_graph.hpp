@@ -1,19 +1,9 @@
-// The graph that a hull's support walks on: the edges of its boundary, and of a pyramid of coarser hulls.
-//
-//   P_0 the hull, triangulated;  I_k an independent set of vertices of P_k, each of low degree;
-//   P_(k+1) = hull of the vertices of P_k without I_k;  the last, the base, has few.
-// [Dobkin, Kirkpatrick 1985] Let < order the points by height along a direction, ties broken so that no two
-// are equal as if the direction were turned a little (climb.hpp). If v is the greatest of P_(k+1), the
-// greatest of P_k is v or the one neighbour of v in P_k that is greater: what is greater than v lies in I_k,
-// and whoever is the greater of its neighbours, none of which is in I_k, is a local maximum, so the greatest.
-// So a vertex keeps its neighbours of every I_k, the `children`, coarse levels first; the descent takes the
-// first child that is greater, and goes on with that one's children. Vertices and children add up to O(n).
-//
-// A base that is left large, or a vertex with many edges (the apex of a pyramid over n points has n), costs
-// its size.
+// What a hull with adjacency keeps beside its vertices: the edges of its boundary, triangulated, and, of a large one,
+// which vertices can be the farthest along a direction (direction_map.hpp).
 #pragma once
 
 #include <graze/hull.hpp>
+#include <graze/support/direction_map.hpp>
 #include <graze/support/hull_faces.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
@@ -22,27 +12,25 @@ template <Scalar S>
 struct HullGraph {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  // By rank: the base first, then the levels from coarse to fine; what is no vertex of P_0 has none.
+  // By rank, in the order given; what is no corner of the boundary has none.
   std::vector<std::uint32_t> vertex;  // rank -> index in the hull, the lowest of equal points
   std::vector<std::uint32_t> rank;    // index in the hull -> rank, of its equal too; or kNone
-  std::vector<Vec3<S>> point;         // rank -> the prepared scan's coordinates
-  std::uint32_t base_size = 0;
 
   // Lists of ranks, one after the other: those of rank r from begin[r] to begin[r + 1].
   struct Lists {
     std::vector<std::uint32_t> begin, entries;
     [[nodiscard]] const std::uint32_t* list(std::uint32_t r) const { return entries.data() + begin[r]; }
   };
-  Lists children, neighbours;
+  Lists neighbours;
+
+  DirectionMap map;  // empty where a scan of all vertices is as quick
 };
 
-namespace detail {
+// From so many vertices on there is a map. Below, casts of shapes that are not in the near caches take as long or longer
+// with one (docs/costs.md).
+inline constexpr std::size_t kMapFrom = 192;
 
-// A base is scanned: about as large as what two levels would cost.
-inline constexpr std::size_t kBaseSize = 12;
-// A vertex of a triangulation has fewer than six neighbours on average, so more than a third have at most
-// this many.
-inline constexpr std::size_t kLowDegree = 8;
+namespace detail {
 
 class GraphMaker {
  public:
@@ -154,27 +142,6 @@ class GraphMaker {
     return out;
   }
 
-  // Vertices of low degree, the lowest first, no two of them neighbours.
-  [[nodiscard]] static std::vector<std::uint32_t> independent(const Neighbours& at) {
-    std::vector<bool> taken(at.size(), false);
-    std::vector<std::uint32_t> out;
-    for (std::size_t degree = 3; degree <= kLowDegree; ++degree) {
-      for (std::uint32_t i = 0; i < at.size(); ++i) {
-        if (at[i].size() != degree || taken[i]) continue;
-        out.push_back(i);
-        for (const std::uint32_t j : at[i]) taken[j] = true;
-      }
-    }
-    return out;
-  }
-
-  template <class Rank>
-  static void append(std::vector<std::uint32_t>& begin, std::vector<std::uint32_t>& entries,
-                     const std::vector<std::uint32_t>& list, const Rank& rank) {
-    for (const std::uint32_t i : list) entries.push_back(rank(i));
-    begin.push_back(static_cast<std::uint32_t>(entries.size()));
-  }
-
   std::vector<std::uint32_t> representative_;  // index given -> point; filled while points_ is made
   std::vector<std::uint32_t> given_index_;     // point -> the first index given
   exact::PointSet points_;
@@ -182,63 +149,34 @@ class GraphMaker {
 
 template <Scalar S>
 HullGraph<S> GraphMaker::graph(const std::vector<HullTriangle>& surface) const {
-  const Neighbours finest = neighbours(surface);
-  Neighbours at = finest;
-  std::vector<std::vector<std::uint32_t>> levels;  // I_0, I_1, ...
-  Neighbours children(points_.size());             // from fine to coarse
-  std::vector<bool> ranked(points_.size(), false);
-  std::vector<std::uint32_t> left;
-  for (;;) {
-    left.clear();
-    for (std::uint32_t i = 0; i < at.size(); ++i) {
-      if (!at[i].empty()) left.push_back(i);
-    }
-    if (left.size() <= kBaseSize) break;
-    std::vector<std::uint32_t> removed = independent(at);
-    for (const std::uint32_t w : removed) ranked[w] = true;
-    std::vector<std::uint32_t> rest;
-    for (const std::uint32_t i : left) {
-      if (!ranked[i]) rest.push_back(i);
-    }
-    const std::vector<HullTriangle> coarser =
-        removed.empty() ? std::vector<HullTriangle>() : extreme_surface(std::move(rest));
-    if (coarser.empty()) {  // nothing to remove, or the rest is flat
-      for (const std::uint32_t w : removed) ranked[w] = false;
-      break;
-    }
-    for (const std::uint32_t w : removed) {
-      for (const std::uint32_t v : at[w]) children[v].push_back(w);
-    }
-    levels.push_back(std::move(removed));
-    at = neighbours(coarser);
-  }
-
+  const Neighbours at = neighbours(surface);
   HullGraph<S> out;
-  std::vector<std::uint32_t> order = left, rank_of(points_.size(), HullGraph<S>::kNone);
-  out.base_size = static_cast<std::uint32_t>(left.size());
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-    order.insert(order.end(), level->begin(), level->end());
+  std::vector<std::uint32_t> rank_of(points_.size(), HullGraph<S>::kNone);
+  for (std::uint32_t i = 0; i < at.size(); ++i) {
+    if (at[i].empty()) continue;
+    rank_of[i] = static_cast<std::uint32_t>(out.vertex.size());
+    out.vertex.push_back(given_index_[i]);
   }
-  // Corners inside an edge or a face of a verified surface, which no coarser hull has.
-  for (const std::uint32_t i : order) ranked[i] = true;
-  for (std::uint32_t i = 0; i < finest.size(); ++i) {
-    if (!finest[i].empty() && !ranked[i]) order.push_back(i);
-  }
-  for (std::uint32_t r = 0; r < order.size(); ++r) {
-    rank_of[order[r]] = r;
-    out.vertex.push_back(given_index_[order[r]]);
-    out.point.push_back(points_[order[r]].template cast<S>());
-  }
-  const auto rank = [&](std::uint32_t i) { return rank_of[i]; };
   for (const std::uint32_t i : representative_) out.rank.push_back(rank_of[i]);
-  GRAZE_ASSERT(out.base_size > 0 && out.rank.size() == representative_.size());
-  out.children.begin = out.neighbours.begin = {0};
-  for (const std::uint32_t i : order) {
-    std::reverse(children[i].begin(), children[i].end());
-    append(out.children.begin, out.children.entries, children[i], rank);
-    append(out.neighbours.begin, out.neighbours.entries, finest[i], rank);
+  out.neighbours.begin = {0};
+  for (const std::vector<std::uint32_t>& list : at) {
+    if (list.empty()) continue;
+    for (const std::uint32_t i : list) out.neighbours.entries.push_back(rank_of[i]);
+    out.neighbours.begin.push_back(static_cast<std::uint32_t>(out.neighbours.entries.size()));
   }
   return out;
+}
+
+// Empty for a hull so thin that floats may not tell its sides apart.
+template <Scalar S>
+DirectionMap map_of(const Hull<S>& hull) {
+  if (hull.size() < kMapFrom) return {};
+  for (int i = 0; i < 3; ++i) {
+    const float* x = hull.guess_scan(i);
+    const auto far = [](float c) { return std::abs(c) >= DirectionMap::kLeastReach; };
+    if (std::none_of(x, x + hull.size(), far)) return {};
+  }
+  return {hull.guess_scan(0), hull.guess_scan(1), hull.guess_scan(2), hull.size()};
 }
 
 // The prepared scan as doubles; empty unless every coordinate is exact (a float may underflow).
@@ -262,7 +200,9 @@ Hull<S> with_surface(std::span<const Vec3<S>> vertices, const MakeSurface& make_
   if (!maker.valid()) return hull;
   const std::vector<HullTriangle> surface = make_surface(maker);
   if (surface.empty()) return hull;
-  return hull.with_graph(std::make_shared<const HullGraph<S>>(maker.graph<S>(surface)));
+  HullGraph<S> graph = maker.graph<S>(surface);
+  graph.map = map_of(hull);
+  return hull.with_graph(std::make_shared<const HullGraph<S>>(std::move(graph)));
 }
 
 }  // namespace detail

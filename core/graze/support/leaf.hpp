@@ -6,7 +6,8 @@
 #pragma once
 
 #include <graze/shape.hpp>
-#include <graze/support/scan.hpp>
+#include <graze/support/guess_scan.hpp>
+#include <graze/support/hull_graph.hpp>
 #include <span>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
@@ -57,11 +58,11 @@ Vec3<S> cone_point(S radius, S half_height, const Vec3<S>& d) {
   return rim_point(radius, -half_height, d);
 }
 
-// The first vertex that is greatest along d, as rounded. The coordinates about the middle are within u of
+// The first vertex that is greatest along d, as rounded, of all. The coordinates about the middle are within u of
 // them, a product of three terms within 3 u, so both of two vertices compared within 4 u sum |d_i| half_i
 // (4.4 for small offsets): at most 8 u |d| diameter below the true maximum.
 template <Scalar S, Scalar Given>
-std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
+std::uint32_t scan_hull(const Hull<Given>& hull, const Vec3<S>& d) {
   GRAZE_ASSERT(hull.size() > 0 && hull.finite());
   if constexpr (std::same_as<S, Given>) {
     const std::size_t k =
@@ -90,6 +91,46 @@ std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
     }
     return static_cast<std::uint32_t>(best);
   }
+}
+// The same, to the bit, of the list that the hull's map has for d. In double by floats first, as the map's margin is
+// theirs: heights as floats round them are off by 5 u B (u of float; 3 of products and sums, one of the direction, one
+// of coordinates or of their middle), B = sum |d_i| max |x_i|; what is more than twice that below the greatest is lower
+// in double, too.
+template <Scalar S, Scalar Given>
+std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
+                              const DirectionMap::List& list, const Vec3<S>& d) {
+  const Vec3<float> guess = d.template cast<float>();
+  const std::uint32_t k = guess_scan(list.xyz, list.size, guess[0], guess[1], guess[2]);
+  if constexpr (std::same_as<S, float>) {
+    return list.vertex[k];
+  } else {
+    const float *x = list.xyz, *y = x + list.size, *z = y + list.size;
+    const float size = std::abs(guess[0]) * map.reach()[0] + std::abs(guess[1]) * map.reach()[1] +
+                       std::abs(guess[2]) * map.reach()[2];
+    const float top = x[k] * guess[0] + y[k] * guess[1] + z[k] * guess[2];
+    constexpr bool kWider = sizeof(S) > sizeof(Given);
+    const auto axis = [&](int i) { return kWider ? hull.scan(i) : hull.choice_scan(i); };
+    const Given *a = axis(0), *b = axis(1), *c = axis(2);
+    std::uint32_t best = list.vertex[k];
+    S most = -kInfinity<S>;
+    for_each_above(x, y, z, list.size, guess, top - 12 * kUnitRoundoff<float> * size, [&](std::size_t one) {
+      const std::uint32_t v = list.vertex[one];
+      const S value = S(a[v]) * d[0] + S(b[v]) * d[1] + S(c[v]) * d[2];
+      if (!(value > most)) return;
+      most = value;
+      best = v;
+    });
+    return best;
+  }
+}
+template <Scalar S, Scalar Given>
+std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
+  if (hull.has_adjacency() && !hull.graph().map.empty()) {
+    const DirectionMap& map = hull.graph().map;
+    DirectionMap::List list;
+    if (map.find(float(d[0]), float(d[1]), float(d[2]), list)) return support_of_list(hull, map, list, d);
+  }
+  return scan_hull(hull, d);
 }
 // In the hull's scan units, about its centre.
 template <Scalar S, Scalar Given>

@@ -65,7 +65,11 @@ class Guide {
   // Caller's units; `prepare` sets the internal one.
   explicit Guide(const Body<S>& body) : body_(body) {
     if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
-      kind_ = hull->has_adjacency() && hull->size() >= kClimbFrom ? Kind::climb : Kind::hull;
+      kind_ = Kind::hull;
+      if (hull->has_adjacency() && !hull->graph().map.empty()) {
+        kind_ = Kind::mapped;
+        map_ = &hull->graph().map;
+      }
       hull_ = hull;
       vertices_ = hull->vertices().data();
       guess_ = hull->guess_scan(0);
@@ -121,6 +125,7 @@ class Guide {
     const double turn = turned_ ? 2 * kGuideTurn * u * reach_ : 0.0;
     switch (kind_) {
       case Kind::hull:
+      case Kind::mapped:
         return turn + 20 * u_float * reach_;
       case Kind::side:
         return turn + side_->slip;
@@ -157,7 +162,7 @@ class Guide {
 
   // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
   [[nodiscard]] Triple farthest(const Triple& n, std::uint32_t& vertex) const {
-    if (kind_ != Kind::hull) return support(n, vertex);
+    if (kind_ != Kind::hull && kind_ != Kind::mapped) return support(n, vertex);
     vertex = detail::hull_support<double, S>(*hull_, to_own(n).vector());
     return at(vertex);
   }
@@ -200,7 +205,7 @@ class Guide {
   [[nodiscard]] bool has_vertex(std::uint32_t vertex) const {
     switch (kind_) {
       case Kind::hull:
-      case Kind::climb:
+      case Kind::mapped:
         return vertex < hull_->size();
       case Kind::box:
         return vertex < 8;
@@ -215,7 +220,7 @@ class Guide {
   [[nodiscard]] Triple inside() const {
     switch (kind_) {
       case Kind::hull:
-      case Kind::climb:
+      case Kind::mapped:
         return to_world(unit_ * triple(hull_->inside()));
       case Kind::few: {
         if (count_ == 1) return to_world(few_[0]);
@@ -233,7 +238,7 @@ class Guide {
     double x, y, z;
     switch (kind_) {
       case Kind::hull:
-      case Kind::climb: {
+      case Kind::mapped: {
         GRAZE_ASSERT(vertex < hull_->size());
         const Vec3<S>& v = vertices_[vertex];  // exact (hull.hpp)
         x = unit_ * (double(v[0]) - center_.x);
@@ -262,14 +267,20 @@ class Guide {
   }
 
  private:
-  enum class Kind : std::uint8_t { few, box, hull, climb, side };
+  // mapped: a hull whose guesses are by its map, the same to the bit.
+  enum class Kind : std::uint8_t { few, box, hull, mapped, side };
 
   [[nodiscard]] static std::uint32_t plus(double x) {
     return 1u ^ static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 63);
   }
   [[nodiscard, gnu::noinline]] std::uint32_t other_support(double x, double y, double z) const {
     const Triple d{x, y, z};
-    if (kind_ == Kind::climb) return last_ = climb_support<double, S>(*hull_, d.vector(), last_);
+    if (kind_ == Kind::mapped) {
+      const auto dx = static_cast<float>(x), dy = static_cast<float>(y), dz = static_cast<float>(z);
+      DirectionMap::List list;
+      if (!map_->find(dx, dy, dz, list)) return detail::guess_scan(guess_, padded_, dx, dy, dz);
+      return list.vertex[detail::guess_scan(list.xyz, list.size, dx, dy, dz)];
+    }
     return side_->support(*side_, d.vector(), nullptr).vertex;
   }
   void set_reach(const Triple& extent) {
@@ -328,13 +339,13 @@ class Guide {
 
   const Body<S>& body_;
   const Hull<S>* hull_ = nullptr;
+  const DirectionMap* map_ = nullptr;
   const Vec3<S>* vertices_ = nullptr;  // of the hull
   const float* guess_ = nullptr;       // its guess scan, by axis, each padded_ long
   std::size_t padded_ = 0;
   Kind kind_ = Kind::few;
   bool turned_ = false, far_out_ = false;
   std::uint32_t count_ = 1;
-  mutable std::uint32_t last_ = kNoStart;
   double unit_ = 1, reach_ = 0, size_ = 0, blur_ = 0;
   Triple center_{0, 0, 0};
   std::array<Triple, 3> few_, row_;  // as far as they are used; few_ repeats its last

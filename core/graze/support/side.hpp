@@ -4,7 +4,6 @@
 #pragma once
 
 #include <graze/body.hpp>
-#include <graze/support/climb.hpp>
 #include <graze/support/tree.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
@@ -129,9 +128,6 @@ struct Side {
   S blur = 0;  // a point's own rounding, per component, internal units
   S slip = 0;  // how far over |n| the chosen point may lie below the greatest, n being exact
   S radius = 0;
-  // Where the last climb ended, for the next (climb.hpp).
-  mutable Vec3<S> last_direction = Vec3<S>::Zero();
-  mutable std::uint32_t last_vertex = kNoStart;
 
   [[nodiscard]] Vec3<S> to_own(const Vec3<S>& n) const {
     return rotated ? Vec3<S>(rotation.transpose() * n) : n;
@@ -144,10 +140,6 @@ struct Side {
   // Bounds |x| over the core.
   [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
 };
-
-// cos^2 of the angle below which a warm climb is the quicker one: 0.02, see the measurements in climb.hpp.
-template <Scalar S>
-inline constexpr S kNearlySame = S(0.9996);
 
 template <Scalar S>
 SidePoint<S> point_of_side(const Side<S>&, const Vec3<S>&, const std::uint32_t*) {
@@ -180,24 +172,6 @@ template <Scalar S, Scalar Given>
 SidePoint<S> hull_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint32_t* chosen) {
   const auto& hull = *static_cast<const Hull<Given>*>(side.shape);
   const std::uint32_t k = chosen ? *chosen : hull_support(hull, d);
-  return {side.unit * hull_vertex<S>(hull, k), k};
-}
-// A hull that can be climbed: from the last vertex where the direction has hardly turned since, which changes
-// the cost and never the answer.
-template <Scalar S, Scalar Given>
-SidePoint<S> climb_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint32_t* chosen) {
-  const auto& hull = *static_cast<const Hull<Given>*>(side.shape);
-  std::uint32_t k = 0;
-  if (chosen) {
-    k = *chosen;
-  } else {
-    const S along = d.dot(side.last_direction);
-    const bool near =
-        along > 0 && along * along > kNearlySame<S> * d.squaredNorm() * side.last_direction.squaredNorm();
-    k = climb_support<S, Given>(hull, d, near ? side.last_vertex : kNoStart);
-    side.last_direction = d;
-    side.last_vertex = k;
-  }
   return {side.unit * hull_vertex<S>(hull, k), k};
 }
 // The direction in which a combinator's parts are asked.
@@ -258,8 +232,7 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                         [&](const Cylinder<Given>&) { curved(&cylinder_of_side<S>); },
                         [&](const Cone<Given>&) { curved(&cone_of_side<S>); },
                         [&](const Hull<Given>& hull) {
-                          const bool climbs = hull.has_adjacency() && hull.size() >= kClimbFrom;
-                          side.support = climbs ? &climb_of_side<S, Given> : &hull_of_side<S, Given>;
+                          side.support = &hull_of_side<S, Given>;
                           side.shape = &hull;
                           side.unit = static_cast<S>(power_of_two(hull.exponent() - k));
                         },

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/support/climb.hpp>
+#include <graze/support/hull_graph.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <set>
@@ -222,15 +222,6 @@ TEST(HullGraph, DerivedTrianglesAreAcceptedAsFaces) {
   }
 }
 
-TEST(HullGraph, ChildrenAddUpToFewTimesTheVertices) {
-  for (const test::Family family : test::kFamilies) {
-    const Points points = test::large_hull<double>(family, 2000, 64);
-    const Hull<double> hull = derived(points);
-    EXPECT_LT(hull.graph().children.entries.size(), 6 * hull.graph().vertex.size());
-    EXPECT_LE(hull.graph().base_size, detail::kBaseSize) << static_cast<int>(family);
-  }
-}
-
 TEST(HullGraph, NoneForLowerDimensionsAndWhatIsOutOfRange) {
   Draw draw{65};
   const auto none = [](const Points& points) { return !derived(points).has_adjacency(); };
@@ -344,7 +335,7 @@ TEST(HullGraph, SurfaceThatGoesRoundTwiceIsIgnored) {
   }
 }
 
-TEST(HullGraph, ClimbOnVerifiedFacesAgreesWithTheScan) {
+TEST(HullGraph, CornersInsideTheEdgesOfVerifiedFacesAreKept) {
   // A box whose faces are cut into grids: corners inside faces and edges.
   Points points;
   for (int i = 0; i < 4; ++i) {
@@ -369,16 +360,7 @@ TEST(HullGraph, ClimbOnVerifiedFacesAgreesWithTheScan) {
       with_faces(std::span<const Vec3<double>>(points), std::span<const std::vector<std::uint32_t>>(faces));
   ASSERT_TRUE(hull.has_adjacency());
   EXPECT_EQ(hull.graph().vertex.size(), points.size());
-  Draw draw{67};
-  for (int round = 0; round < 300; ++round) {
-    Vec3<double> n = draw.vector<double>(1);
-    for (int k = 0; k < 3; ++k) {
-      if (draw.bits() % 3 == 0) n[k] = 0;
-    }
-    for (const std::uint32_t start : {kNoStart, static_cast<std::uint32_t>(draw.bits() % points.size())}) {
-      EXPECT_EQ((climb_support<double, double>(hull, n, start)), (detail::scan<double, double>(hull, n)));
-    }
-  }
+  EXPECT_EQ(hull.graph().neighbours.entries.size(), 6 * points.size() - 12);
 }
 
 }  // namespace
