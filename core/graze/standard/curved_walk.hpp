@@ -129,6 +129,7 @@ class CurvedWalk {
     // Beyond its extent nothing of C is met.
     end_ = std::min(horizon, 2 * (pair.extent() + radius_)) * r_;
     noise_ = kContact * unit * pair.size();
+    reach_ = pair.a().reach() + pair.b().reach() + radius_;
     target_ = std::max(noise_, tolerance * pair.size());
     margin_ = pair.margin();
     guess_ = pair.a().slip() + pair.b().slip();
@@ -139,9 +140,10 @@ class CurvedWalk {
     // Of balls that dwarf the path's lengths products would lose their range.
     if (!(radius_ < 0x1p100) || !find()) return out_;
     orient();
-    if (flat_end()) return out_;
+    axis_a_ = pair_.a().axis();
+    axis_b_ = pair_.b().axis();
     for (int round = 0; round < kCurvedSteps && budget_ > 0; ++round) {
-      if (newton() || !step_portal()) break;
+      if (newton() || flat_end(axis_, kNearEnd) || !step_portal()) break;
     }
     return out_;
   }
@@ -307,20 +309,19 @@ class CurvedWalk {
     return largest(p - s * r_) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
   }
 
-  // The flat end of one body that the other meets, if the portal looks that way.
-  [[nodiscard]] bool flat_end() {
+  // A flat end of one body that the other meets, of those within an angle of the axis and not tried yet.
+  [[nodiscard]] bool flat_end(const Triple& n, double cosine) {
     if (side_ < 0) return false;
-    double x = 0, y = 0;
-    if (!portal_axis(x, y)) return false;
-    const Triple n = axis_at(x, y);
     const double length = std::sqrt(dot(n, n));
     for (const bool of_a : {true, false}) {
       const CurvedGuide<S>& body = of_a ? pair_.a() : pair_.b();
       if (!body.is_curved()) continue;
-      const Triple axis = body.axis();
-      const double across = of_a ? dot(axis, n) : -dot(axis, n);
-      if (!(std::abs(across) > 0.7 * length) || !body.has_end(across > 0)) continue;
-      if (meet_flat_end(body, axis, across > 0, of_a)) return true;
+      const Triple axis = of_a ? axis_a_ : axis_b_;
+      const double along = of_a ? dot(axis, n) : -dot(axis, n);
+      bool& tried = tried_[(of_a ? 0u : 2u) + (along > 0 ? 1u : 0u)];
+      if (tried || !(std::abs(along) > cosine * length) || !body.has_end(along > 0)) continue;
+      tried = true;
+      if (meet_flat_end(body, axis, along > 0, of_a)) return true;
     }
     return false;
   }
@@ -395,7 +396,7 @@ class CurvedWalk {
     Triple n = axis_at(x, y);
     support(n, w);
     if (separates(n, w)) return true;
-    double h = dot(n, w.w);
+    double h = dot(n, w.w), moved = 1;  // by the last step, of n
     take(w.piece_a, w.piece_b, 0);
     for (int step = 0; step < kNewtonSteps && budget_ > 0; ++step) {
       ++counters_.iterations;
@@ -416,10 +417,15 @@ class CurvedWalk {
         bend.ef -= by * x * y / n_sq;
         bend.ff += by * (1 - y * y / n_sq);
       }
-      if (step > 0 && closes(n, w)) return true;
+      axis_ = n;
+      if ((step > 0 && closes(n, w)) || flat_end(n, kAtEnd)) return true;
+      const double length = std::sqrt(1 + x * x + y * y),
+                   stiff = reach_ / length * std::min(std::max(moved * moved, kSoft), kStiff);
+      bend.ee += stiff;
+      bend.ff += stiff;
       double dx = 0, dy = 0;
       if (!least(bend, dx, dy)) return false;
-      double by = std::min(1.0, kLongest * std::sqrt(1 + x * x + y * y) / std::sqrt(dx * dx + dy * dy));
+      double by = std::min(1.0, kLongest * length / std::sqrt(dx * dx + dy * dy));
       bool better = false;
       for (int i = 0; i < 3 && !better; ++i, by /= 4) {
         const double next_x = x + by * dx, next_y = y + by * dy;
@@ -432,6 +438,7 @@ class CurvedWalk {
         better = there_h <= h + noise_;
         take(there.piece_a, there.piece_b, 0);
         if (better || i == 2) {
+          moved = by * std::sqrt(dx * dx + dy * dy) / length;
           x = next_x;
           y = next_y;
           n = next;
@@ -583,13 +590,20 @@ class CurvedWalk {
   static constexpr double kSteepest = 0x1p20, kLongest = 0.5;
   // Relative: below, pieces are seen one behind the other, and a bend is none.
   static constexpr double kThin = 0x1p-40;
-  static constexpr int kNewtonSteps = 8;
+  // Cosines of the angle to a flat end's normal, at which it is tried: on the way, and where the steps end.
+  static constexpr double kAtEnd = 0.9, kNearEnd = 0.5;
+  // What is added to the bends, over the reach: the square of the last step, within these.
+  static constexpr double kSoft = 0x1p-20, kStiff = 0x1p-4;
+  static constexpr int kNewtonSteps = 16;
 
   const CurvedPair<S>& pair_;
   Counters& counters_;
   Triple r_, r_unit_{0, 0, 0}, e_{0, 0, 0}, f_{0, 0, 0}, end_{0, 0, 0};
   Triple base_{0, 0, 0};  // supports about the line are along base + tilt (x e + y f)
   double tilt_ = 1, radius_, r_sq_ = 1, length_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  double reach_ = 0;
+  Triple axis_a_{0, 0, 0}, axis_b_{0, 0, 0}, axis_{0, 0, 0};  // of the bodies; the last of Newton's steps
+  std::array<bool, 4> tried_{};                              // flat ends: of A below, above, of B
   double side_ = 1;  // 1: the entry is looked for, -1: the exit
   int budget_ = 0, count_ = 0;
   std::array<CurvedCorner, 3> at_, first_;
