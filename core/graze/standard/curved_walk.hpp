@@ -54,9 +54,7 @@ class CurvedPair {
     size_ = scale * size;
     offset_ = scale * d;
     radius_ = scale * (a_.radius() + b_.radius() + target_distance);
-    const auto turned = [](const Guide<S>& guide) {
-      return guide.turned() ? largest(guide.center()) : 0.0;
-    };
+    const auto turned = [](const Guide<S>& guide) { return guide.turned() ? largest(guide.center()) : 0.0; };
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) +
                     0x1p-95 * scale * (turned(a_.guide()) + turned(b_.guide()));
     a_.prepare(k_);
@@ -142,6 +140,10 @@ class CurvedWalk {
     orient();
     axis_a_ = pair_.a().axis();
     axis_b_ = pair_.b().axis();
+    own_e_a_ = pair_.a().guide().to_own(e_);
+    own_f_a_ = pair_.a().guide().to_own(f_);
+    own_e_b_ = pair_.b().guide().to_own(e_);
+    own_f_b_ = pair_.b().guide().to_own(f_);
     for (int round = 0; round < kCurvedSteps && budget_ > 0; ++round) {
       if (newton() || flat_end(axis_, kNearEnd) || !step_portal()) break;
     }
@@ -155,14 +157,24 @@ class CurvedWalk {
     tilt_ = tilt * std::sqrt(dot(n, n));
     return find_about(0.8, 0.6);
   }
-  [[nodiscard]] const CurvedCorner& corner(std::size_t i) const { return at_[i]; }
+  // Of these, corner i: across the line, and along it.
+  [[nodiscard]] Vec3<double> seen(std::size_t i) const {
+    return {at_[i].u, at_[i].v, dot(at_[i].w, r_unit_)};
+  }
 
  private:
   struct Piece {
     std::uint32_t a, b;
     double lambda;
-    CurvedCorner at;  // its point along the axis in hand
+    Triple on_a, on_b;  // of a polytope's: where it is
+    CurvedCorner at;    // its point along the axis in hand
     double h;
+  };
+  // What of a curved body's pieces is known along the axis in hand.
+  struct Turned {
+    std::array<bool, 2> known{};
+    std::array<Triple, 2> at{Triple{0, 0, 0}, Triple{0, 0, 0}};
+    std::array<Bend, 2> bend{};
   };
 
   void set_frame() {
@@ -190,7 +202,9 @@ class CurvedWalk {
     const Triple a = pair_.a().farthest(n, out.piece_a), b = pair_.b().farthest(-n, out.piece_b);
     set(a, b, n, out);
   }
-  [[nodiscard]] static double det(const CurvedCorner& c, const CurvedCorner& d) { return c.u * d.v - c.v * d.u; }
+  [[nodiscard]] static double det(const CurvedCorner& c, const CurvedCorner& d) {
+    return c.u * d.v - c.v * d.u;
+  }
 
   // Does n, with its support point w, prove that the path misses? w may come out farther.
   [[nodiscard]] bool separates(const Triple& n, CurvedCorner& w) {
@@ -383,6 +397,8 @@ class CurvedWalk {
     piece_[to].a = a;
     piece_[to].b = b;
     piece_[to].lambda = lambda;
+    if (!pair_.a().is_curved()) piece_[to].on_a = pair_.a().guide().at(a);
+    if (!pair_.b().is_curved()) piece_[to].on_b = pair_.b().guide().at(b);
   }
 
   [[nodiscard]] bool newton() {
@@ -401,18 +417,24 @@ class CurvedWalk {
     for (int step = 0; step < kNewtonSteps && budget_ > 0; ++step) {
       ++counters_.iterations;
       Bend bend;
+      Turned turned_a, turned_b;
+      const Triple ball = radius_ > 0 ? (radius_ / std::sqrt(dot(n, n))) * n : Triple{0, 0, 0};
       for (std::size_t i = 0; i < std::size_t(count_); ++i) {
         Piece& p = piece_[i];
-        p.at.piece_a = p.a;
-        p.at.piece_b = p.b;
-        set(pair_.a().at(p.a, n), pair_.b().at(p.b, -n), n, p.at);
+        const Triple a = pair_.a().is_curved() ? turn(pair_.a(), p.a, n, own_e_a_, own_f_a_, turned_a)
+                                               : p.on_a,
+                     b = pair_.b().is_curved() ? turn(pair_.b(), p.b, -n, own_e_b_, own_f_b_, turned_b)
+                                               : p.on_b;
+        p.at.w = (a - (b + pair_.offset())) + ball;
+        p.at.u = dot(p.at.w, e_);
+        p.at.v = dot(p.at.w, f_);
         p.h = dot(n, p.at.w);
         if (!(p.lambda > 0)) continue;
-        pair_.a().add_bend(p.a, n, e_, f_, p.lambda, bend);
-        pair_.b().add_bend(p.b, -n, e_, f_, p.lambda, bend);
+        if (pair_.a().is_curved()) add(turned_a.bend[p.a], p.lambda, bend);
+        if (pair_.b().is_curved()) add(turned_b.bend[p.b], p.lambda, bend);
       }
       if (radius_ > 0) {
-        const double n_sq = dot(n, n), by = radius_ / std::sqrt(n_sq);
+        const double n_sq = 1 + x * x + y * y, by = radius_ / std::sqrt(n_sq);
         bend.ee += by * (1 - x * x / n_sq);
         bend.ef -= by * x * y / n_sq;
         bend.ff += by * (1 - y * y / n_sq);
@@ -451,6 +473,20 @@ class CurvedWalk {
     return false;
   }
 
+  [[nodiscard]] static const Triple& turn(const CurvedGuide<S>& body, std::uint32_t piece, const Triple& n,
+                                          const Triple& e, const Triple& f, Turned& turned) {
+    if (!turned.known[piece]) {
+      turned.known[piece] = true;
+      turned.at[piece] = body.turn(piece, n, e, f, turned.bend[piece]);
+    }
+    return turned.at[piece];
+  }
+  static void add(const Bend& bend, double weight, Bend& out) {
+    out.ee += weight * bend.ee;
+    out.ef += weight * bend.ef;
+    out.ff += weight * bend.ff;
+  }
+
   // With the weights of the last step: is the point that they make within the noise of the path?
   [[nodiscard]] bool closes(const Triple& n, CurvedCorner& w) {
     std::array<std::size_t, 3> at{};
@@ -485,21 +521,26 @@ class CurvedWalk {
 
   // The least of the model, by trying which of the pieces are equal there; its weights.
   [[nodiscard]] bool least(const Bend& bend, double& dx, double& dy) {
-    const int n = count_;
-    for (int i = 0; i < n; ++i) {
-      for (int j = i + 1; j < n; ++j) {
-        for (int k = j + 1; k < n; ++k) {
-          if (least_of_three(bend, std::size_t(i), std::size_t(j), std::size_t(k), dx, dy)) return true;
+    // As many as the last step had, first.
+    if (least_of(last_size_, bend, dx, dy)) return true;
+    for (int size = 3; size >= 1; --size) {
+      if (size != last_size_ && least_of(size, bend, dx, dy)) {
+        last_size_ = size;
+        return true;
+      }
+    }
+    return false;
+  }
+  [[nodiscard]] bool least_of(int size, const Bend& bend, double& dx, double& dy) {
+    const std::size_t n = std::size_t(count_);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (size == 1 && least_of_one(bend, i, dx, dy)) return true;
+      for (std::size_t j = i + 1; size > 1 && j < n; ++j) {
+        if (size == 2 && least_of_two(bend, i, j, dx, dy)) return true;
+        for (std::size_t k = j + 1; size > 2 && k < n; ++k) {
+          if (least_of_three(bend, i, j, k, dx, dy)) return true;
         }
       }
-    }
-    for (int i = 0; i < n; ++i) {
-      for (int j = i + 1; j < n; ++j) {
-        if (least_of_two(bend, std::size_t(i), std::size_t(j), dx, dy)) return true;
-      }
-    }
-    for (int i = 0; i < n; ++i) {
-      if (least_of_one(bend, std::size_t(i), dx, dy)) return true;
     }
     return false;
   }
@@ -546,10 +587,10 @@ class CurvedWalk {
     const double b_across_u = -bend.ee * v + bend.ef * u, b_across_v = -bend.ef * v + bend.ff * u,
                  stiff = -v * b_across_u + u * b_across_v;
     if (!(stiff > kThin * apart_sq)) return false;
-    const double across =
-        -((-v * a.at.u + u * a.at.v) + along * (u * b_across_u + v * b_across_v)) / stiff;
+    const double across = -((-v * a.at.u + u * a.at.v) + along * (u * b_across_u + v * b_across_v)) / stiff;
     const double x = along * u - across * v, y = along * v + across * u;
-    const double l = -(u * (a.at.u + bend.ee * x + bend.ef * y) + v * (a.at.v + bend.ef * x + bend.ff * y)) / apart_sq;
+    const double l =
+        -(u * (a.at.u + bend.ee * x + bend.ef * y) + v * (a.at.v + bend.ef * x + bend.ff * y)) / apart_sq;
     if (!(l >= 0 && l <= 1) || !is_top(value(a, x, y), x, y)) return false;
     dx = x;
     dy = y;
@@ -600,12 +641,15 @@ class CurvedWalk {
   Counters& counters_;
   Triple r_, r_unit_{0, 0, 0}, e_{0, 0, 0}, f_{0, 0, 0}, end_{0, 0, 0};
   Triple base_{0, 0, 0};  // supports about the line are along base + tilt (x e + y f)
-  double tilt_ = 1, radius_, r_sq_ = 1, length_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  double tilt_ = 1, radius_, r_sq_ = 1, length_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0,
+         guess_ = 0;
   double reach_ = 0;
+  Triple own_e_a_{0, 0, 0}, own_f_a_{0, 0, 0}, own_e_b_{0, 0, 0},
+      own_f_b_{0, 0, 0};                                      // e and f in the bodies' axes
   Triple axis_a_{0, 0, 0}, axis_b_{0, 0, 0}, axis_{0, 0, 0};  // of the bodies; the last of Newton's steps
-  std::array<bool, 4> tried_{};                              // flat ends: of A below, above, of B
-  double side_ = 1;  // 1: the entry is looked for, -1: the exit
-  int budget_ = 0, count_ = 0;
+  std::array<bool, 4> tried_{};                               // flat ends: of A below, above, of B
+  double side_ = 1;                                           // 1: the entry is looked for, -1: the exit
+  int budget_ = 0, count_ = 0, last_size_ = 3;
   std::array<CurvedCorner, 3> at_, first_;
   std::array<Piece, 4> piece_{};
   CurvedSweep out_;

@@ -83,34 +83,41 @@ class CurvedGuide {
   [[nodiscard]] Triple own(std::uint32_t piece, const Triple& n) const {
     return kind_ == Kind::guide ? guide_.own(piece) : point(piece, guide_.to_own(n));
   }
-  [[nodiscard]] Triple at(std::uint32_t piece, const Triple& n) const { return guide_.to_world(own(piece, n)); }
+  [[nodiscard]] Triple at(std::uint32_t piece, const Triple& n) const {
+    return guide_.to_world(own(piece, n));
+  }
 
-  void add_bend(std::uint32_t piece, const Triple& n, const Triple& e, const Triple& f, double weight,
-                Bend& out) const {
-    if (kind_ == Kind::guide || (kind_ == Kind::cone && piece == 1)) return;
-    const Triple d = guide_.to_own(n), a = guide_.to_own(e), b = guide_.to_own(f);
+  // Of a curved body: the piece's point that is farthest along n, and how it bends along e and f, the directions across
+  // the path in the body's own axes.
+  [[nodiscard]] Triple turn(std::uint32_t piece, const Triple& n, const Triple& e, const Triple& f,
+                            Bend& bend) const {
+    const Triple d = guide_.to_own(n);
+    bend = {};
     if (kind_ == Kind::ellipsoid) {
-      const Triple y = scaled(d), a_y = scaled(a), b_y = scaled(b);
+      const Triple y = scaled(d), e_y = scaled(e), f_y = scaled(f);
       const double length_sq = dot(y, y);
-      if (!(length_sq > kLeastSquare)) return;
-      const double by = weight / std::sqrt(length_sq), a_along = dot(y, a_y), b_along = dot(y, b_y);
-      out.ee += by * (dot(a_y, a_y) - a_along * a_along / length_sq);
-      out.ef += by * (dot(a_y, b_y) - a_along * b_along / length_sq);
-      out.ff += by * (dot(b_y, b_y) - b_along * b_along / length_sq);
-      return;
+      if (!(length_sq > kLeastSquare)) return {0, 0, 0};
+      const double by = 1 / std::sqrt(length_sq), along_e = by * dot(y, e_y), along_f = by * dot(y, f_y);
+      bend.ee = by * (dot(e_y, e_y) - along_e * along_e);
+      bend.ef = by * (dot(e_y, f_y) - along_e * along_f);
+      bend.ff = by * (dot(f_y, f_y) - along_f * along_f);
+      return guide_.to_world(by * scaled(y));
     }
     // A rim: R |d_xy|, which bends along the tangent alone, by R / |d_xy|.
-    const double across_sq = d.x * d.x + d.y * d.y;
-    if (!(across_sq > kLeastSquare)) return;
-    const double by = weight * radii_.x / (across_sq * std::sqrt(across_sq)), a_t = d.x * a.y - d.y * a.x,
-                 b_t = d.x * b.y - d.y * b.x;
-    out.ee += by * a_t * a_t;
-    out.ef += by * a_t * b_t;
-    out.ff += by * b_t * b_t;
+    const double z = piece == 1 ? radii_.z : -radii_.z, across_sq = d.x * d.x + d.y * d.y;
+    if ((kind_ == Kind::cone && piece == 1) || !(across_sq > kLeastSquare)) return guide_.to_world({0, 0, z});
+    const double one = 1 / std::sqrt(across_sq), by = radii_.x * one, bent = by * one * one,
+                 e_t = d.x * e.y - d.y * e.x, f_t = d.x * f.y - d.y * f.x;
+    bend.ee = bent * e_t * e_t;
+    bend.ef = bent * e_t * f_t;
+    bend.ff = bent * f_t * f_t;
+    return guide_.to_world({by * d.x, by * d.y, z});
   }
 
   // A flat end's outward normal is up or down along the axis; its rim is at that height.
-  [[nodiscard]] bool has_end(bool up) const { return kind_ == Kind::cylinder || (kind_ == Kind::cone && !up); }
+  [[nodiscard]] bool has_end(bool up) const {
+    return kind_ == Kind::cylinder || (kind_ == Kind::cone && !up);
+  }
   [[nodiscard]] Triple axis() const { return guide_.to_world({0, 0, 1}); }
   [[nodiscard]] double rim_radius() const { return radii_.x; }
   [[nodiscard]] double half_height() const { return radii_.z; }
@@ -120,7 +127,9 @@ class CurvedGuide {
   // Squares of what is shorter are out of range: such a rim point is taken for the centre of the end.
   static constexpr double kLeastSquare = 0x1p-500;
 
-  [[nodiscard]] Triple scaled(const Triple& d) const { return {radii_.x * d.x, radii_.y * d.y, radii_.z * d.z}; }
+  [[nodiscard]] Triple scaled(const Triple& d) const {
+    return {radii_.x * d.x, radii_.y * d.y, radii_.z * d.z};
+  }
   [[nodiscard]] std::uint32_t farthest_piece(const Triple& d) const {
     switch (kind_) {
       case Kind::cylinder:
