@@ -8,8 +8,8 @@
 //   width   (upper - lower) |r|, and the depth before upper, h(n) - n.(upper r) over |n|
 // Miss: as the walk proves it. A start in contact is left to the wider search.
 //
-// Rounding, internal length, u in double; M + R bounds |w|. Axes: margin of the walk over |n|_1, twice, as a guess may
-// be as near to the farthest point as that. Seen along the path, where e and f are of length 1 within 4 u and level
+// Rounding, internal length, u in double; M + R bounds |w|. Axes: margin of the walk over |n|_1, as the point that it
+// ends with is the farthest one in doubles. Seen along the path, where e and f are of length 1 within 4 u and level
 // within 6 u, and r is rounded once, a coordinate is within sqrt(3) point_error + 11 u (M + R) < doubt,
 //   doubt = 2 point_error + 16 u (M + R).
 // What that leaves of the height of the plane at the line: standard/prove.hpp, height_at_line.
@@ -34,8 +34,8 @@ template <Scalar S>
   const double rate = dot(n, r), length = std::sqrt(dot(n, n)), speed = std::sqrt(dot(r, r));
   const double extent = pair.extent() + pair.radius(), doubt = 2 * pair.point_error() + 16 * u * extent;
   // The pair's scale is not below half its size (curved_walk.hpp).
-  const double width = kLinearCertifiedWidth / 4 * pair.size();
-  const double h = found.reach + 2 * pair.margin() * sum(magnitude(n));
+  const double width = kLinearCertifiedWidth / 2 * (1 - 0x1p-20) * pair.size();
+  const double h = found.reach + pair.margin() * sum(magnitude(n));
   if (!(rate < 0) || !(h < 0)) return out;
   out.lower = h / rate * (1 - 8 * u);
   for (const double tilt : {kTilt, kMoreTilt}) {
@@ -44,7 +44,7 @@ template <Scalar S>
     if (!at.sure) continue;
     out.upper = std::max((at.z + at.error) / speed * (1 + 8 * u), out.lower);
     out.apart = (out.upper - out.lower) * speed * (1 + 8 * u);
-    const double depth = (h - dot(n, out.upper * r)) / length;
+    const double depth = (h - dot(n, out.upper * r)) / length + doubt;
     out.proved = out.lower > 0 && out.upper <= horizon && out.apart <= width && depth <= width;
     if (out.proved) break;
   }

@@ -181,9 +181,8 @@ namespace detail {
 // The quicker one, as CastOptions::method says.
 template <Scalar S>
 [[nodiscard]] Method default_method(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  const auto sweeps = [](const Shape<S>& shape) { return is_quick(shape) || is_curved_leaf(shape); };
-  const bool is_round = options.target_distance > 0 || !sweeps(a.shape) || !sweeps(b.shape);
-  return is_round ? Method::gjk_ray_cast : Method::mpr_sweep;
+  const bool sharp = !(options.target_distance > 0) && is_quick(a.shape) && is_quick(b.shape);
+  return sharp || is_curved_pair(a, b) ? Method::mpr_sweep : Method::gjk_ray_cast;
 }
 
 }  // namespace detail

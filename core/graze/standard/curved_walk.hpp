@@ -153,6 +153,8 @@ class CurvedWalk {
   // Three points of C about the line, near where a hit's axis n supports C: along n and up to `tilt` |n| beside it.
   [[nodiscard]] bool surround(const Triple& n, double tilt) {
     budget_ += kCurvedSteps / 2;
+    // A guess in floats does not see the tilt.
+    sure_ = guess_ > noise_;
     base_ = n;
     tilt_ = tilt * std::sqrt(dot(n, n));
     return find_about(0.8, 0.6);
@@ -193,8 +195,11 @@ class CurvedWalk {
   void support(const Triple& n, CurvedCorner& out) {
     ++counters_.supports;
     --budget_;
-    const Triple a = pair_.a().support(n, out.piece_a), b = pair_.b().support(-n, out.piece_b);
-    set(a, b, n, out);
+    if (sure_) {
+      set(pair_.a().farthest(n, out.piece_a), pair_.b().farthest(-n, out.piece_b), n, out);
+    } else {
+      set(pair_.a().support(n, out.piece_a), pair_.b().support(-n, out.piece_b), n, out);
+    }
   }
   // The farthest in doubles.
   [[gnu::noinline]] void sure_support(const Triple& n, CurvedCorner& out) {
@@ -649,6 +654,7 @@ class CurvedWalk {
   Triple axis_a_{0, 0, 0}, axis_b_{0, 0, 0}, axis_{0, 0, 0};  // of the bodies; the last of Newton's steps
   std::array<bool, 4> tried_{};                               // flat ends: of A below, above, of B
   double side_ = 1;                                           // 1: the entry is looked for, -1: the exit
+  bool sure_ = false;                                         // every support is of the farthest
   int budget_ = 0, count_ = 0, last_size_ = 3;
   std::array<CurvedCorner, 3> at_, first_;
   std::array<Piece, 4> piece_{};
