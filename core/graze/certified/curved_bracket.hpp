@@ -4,7 +4,7 @@
 // proved in plain doubles, as its width leaves room for thousands of roundings:
 //   lower   n.(s r) >= h(n) at s = lower, and 0 > h(n): n.(s r) is linear in s, so no s before lower is in contact
 //   upper   three points of C that the path passes between, beyond doubt: support points along n and `tilt` beside it.
-//           They are as far apart as the tilt times what is curved there, and sink below the surface by its square alone
+//           They are as far apart as the tilt times what is curved there, and below the surface by its square alone
 //   width   (upper - lower) |r|, and the depth before upper, h(n) - n.(upper r) over |n|
 // Miss: as the walk proves it. A start in contact is left to the wider search.
 //

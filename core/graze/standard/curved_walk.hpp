@@ -2,15 +2,16 @@
 // it may give up.
 //
 // The path is s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp. With the axis n at n.r/|r| = -1,
-// the time of impact times |r| is the largest -h(n): a convex function of two numbers, (x, y) in n = -r/|r| + x e + y f.
+// the time of impact times |r| is the largest -h(n): a convex function of (x, y) in n = -r/|r| + x e + y f.
 // h is the largest of h_k, one for each pair of pieces of A and B (curved_guide.hpp), and each h_k is smooth:
 //   gradient   the pair's point w_k(n) seen along the path, q_k;      second derivative   B_k, what the pieces bend
 // Portal refinement knows the values and gradients of three of them and closes in by a factor a step where C is curved.
 // Newton's method with several functions also uses the bends: with B = sum l_k B_k, the step d is the least of
 //   max over k of (h_k + q_k.d)  +  d.B d / 2,
 // where one, two or three h_k are equal and the weights l_k >= 0, sum 1, solve sum l_k q_k + B d = 0: a vertex in a
-// face's way, a rim on an edge, an ellipsoid's inside; each has its pieces, none is treated apart. Only a flat end, where
-// n is along the axis and a rim's bend is infinite, is tried first. Where a step brings nothing, a portal's step is next.
+// face's way, a rim on an edge, an ellipsoid's inside; each has its pieces, none is treated apart. Only a flat end,
+// where n is along the axis and a rim's bend is infinite, is tried by itself. Where a step brings nothing, a portal's
+// step is next.
 //
 // No step has to be right, since the answer is verified by what is in hand at the end:
 //   miss      an axis n with h(n) < min(0, n.(horizon r)); the farthest point of each body is made sure of
@@ -296,7 +297,7 @@ class CurvedWalk {
   }
   [[nodiscard]] Triple axis_at(double x, double y) const { return -side_ * r_unit_ + (x * e_ + y * f_); }
 
-  // The end of the path is a hit, a contact or open: the point p of C within the noise of the line; h = n.w, w being the
+  // A hit, a contact or open: p is a point of C, within the noise of the line; h = n.w, w being the
   // farthest along n.
   [[nodiscard]] bool close(const Triple& n, double h, const Triple& p) {
     const double s = dot(p, r_) / r_sq_;
