@@ -18,7 +18,8 @@
 //                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
-// How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides. Else:
+// How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides; with a
+// cylinder, a cone or an ellipsoid: certified/curved_bracket.hpp. Else:
 // upper half: a portal of exactly named points (certified/portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
 // face that is nearly along the path and another), the axis from C to a point of the path a little before
@@ -30,8 +31,8 @@
 #pragma once
 
 #include <graze/cast.hpp>
+#include <graze/certified/curved_bracket.hpp>
 #include <graze/certified/degenerate.hpp>
-#include <graze/certified/round_bracket.hpp>
 #include <graze/certified/surround.hpp>
 #include <graze/exact/cast.hpp>
 #include <graze/numeric/rounding.hpp>
@@ -454,12 +455,14 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
   }
   const bool proof = asks_for(options.request, Request::proof);
-  const bool round = detail::is_round_pair(a, b, options) && detail::round_certified(a, b, options, out);
-  if (round && !proof) return out;
+  const bool quick = detail::is_round_pair(a, b, options) ? detail::round_certified(a, b, options, out)
+                     : detail::is_curved_pair(a, b)       ? detail::curved_certified(a, b, options, out)
+                                                          : false;
+  if (quick && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);
   cast.run();
-  if (round) {
+  if (quick) {
     if (cast.outcome == out.outcome) out.proof = cast.proof;
     return out;
   }

@@ -70,6 +70,25 @@ template <Scalar S>
   return out;
 }
 
+// A hit's times and distance, k and j the exponents of length and speed. False, and nothing is set, for times that have
+// no normal number: they are left to the wider search.
+template <Scalar S>
+[[nodiscard]] bool hand_out(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                            const RoundBracket& bracket, int k, int j, CastResult<S>& out) {
+  const double lower = bracket.lower * power_of_two(k - j);
+  const S toi_lower = time_down<S>(lower);
+  const S toi_upper = std::min(time_up<S>(bracket.upper * power_of_two(k - j)), options.t_max);
+  if (!(toi_lower > 0 && toi_upper < kInfinity<S>)) return false;
+  out.outcome = Outcome::hit;
+  out.toi_lower = toi_lower;
+  out.toi_upper = toi_upper;
+  // At the time as rounded down, v within 8 u of itself.
+  const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
+  const double way = v.norm() * (lower - double(toi_lower));
+  out.distance = exact::round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
+  return true;
+}
+
 // False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().
 template <Scalar S>
 [[nodiscard]] bool round_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
@@ -94,16 +113,7 @@ template <Scalar S>
     case Outcome::hit: {
       const RoundBracket bracket = bracket_round(pair, walk, found, horizon);
       if (!bracket.proved) return false;
-      const double lower = bracket.lower * power_of_two(k - j);
-      out.toi_lower = time_down<S>(lower);
-      out.toi_upper = std::min(time_up<S>(bracket.upper * power_of_two(k - j)), options.t_max);
-      // What is less than the least normal number is left to the wider search.
-      if (!(out.toi_lower > 0 && out.toi_upper < kInfinity<S>)) return false;
-      out.outcome = Outcome::hit;
-      // At the time as rounded down, v within 8 u of itself.
-      const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
-      const double way = v.norm() * (lower - double(out.toi_lower));
-      out.distance = exact::round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
+      if (!hand_out(a, b, options, bracket, k, j, out)) return false;
       // Witnesses at toi_lower are of what is nearest then: on a path nearly along C's border the feature slides by more
       // than the bodies are apart. The normal is the axis of the lower bound.
       RoundSweep then = found;
@@ -111,9 +121,8 @@ template <Scalar S>
       then.n = x - walk.nearest(x, then.lambda);
       then.length = std::sqrt(dot(then.n, then.n));
       if (!(then.length > 0)) return false;
-      fill_round_contact(a, b, options, pair, walk, then, double(out.toi_lower), out);
-      if (asks_for(options.request, Request::normal))
-        out.normal = ((1 / found.length) * found.n).vector().template cast<S>();
+      fill_round_contact(a, b, options, pair, walk, (1 / found.length) * found.n, then, double(out.toi_lower),
+                         out);
       return true;
     }
     default:

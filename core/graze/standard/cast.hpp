@@ -6,6 +6,7 @@
 #include <graze/exact/cast.hpp>
 #include <graze/portal/leaving.hpp>
 #include <graze/standard/advancement.hpp>
+#include <graze/standard/curved_cast.hpp>
 #include <graze/standard/polytope_cast.hpp>
 #include <graze/standard/prove.hpp>
 #include <graze/standard/round_cast.hpp>
@@ -176,24 +177,19 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   CastResult<S> out;
   out.method = Method::mpr_sweep;
   out.invalid = validate(a, b, options);
-  if (!detail::refused(out, a, b, options) && !detail::quick_cast(a, b, options, out))
+  if (!detail::refused(out, a, b, options) && !detail::quick_cast(a, b, options, out) &&
+      !detail::curved_cast(a, b, options, out))
     detail::careful_mpr_sweep(a, b, options, out);
   return out;
 }
 
 namespace detail {
 
-template <Scalar S>
-[[nodiscard]] bool is_curved_leaf(const Shape<S>& shape) {
-  return std::holds_alternative<Ellipsoid<S>>(shape) || std::holds_alternative<Cylinder<S>>(shape) ||
-         std::holds_alternative<Cone<S>>(shape);
-}
 // The quicker one, as CastOptions::method says.
 template <Scalar S>
 [[nodiscard]] Method default_method(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  const auto sweeps = [](const Shape<S>& shape) { return is_quick(shape) || is_curved_leaf(shape); };
-  const bool is_round = options.target_distance > 0 || !sweeps(a.shape) || !sweeps(b.shape);
-  return is_round ? Method::gjk_ray_cast : Method::mpr_sweep;
+  const bool sharp = !(options.target_distance > 0) && is_quick(a.shape) && is_quick(b.shape);
+  return sharp || is_curved_pair(a, b) ? Method::mpr_sweep : Method::gjk_ray_cast;
 }
 
 }  // namespace detail

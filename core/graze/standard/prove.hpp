@@ -228,36 +228,48 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
 // face_normal() leaves 6 u |n| along the longest edge and 2 u L^2 across it, that is 6 u G L / l and
 // 2 u G L^2 / (l h) of g; rho is within 6 u l^2 / h along and, 0 being inside, 6 u l across: 48 u^2 G L^2 / h
 // in all, and as L <= 2 extent and h > 64 e >= 512 u extent, less than u extent G / 2.
+// `q`: the corners as seen along the line, third the height along it, each within e per coordinate; none is farther out
+// than `extent`. `sure`: 0 is inside, and the plane's height there is within `error` of z.
+struct LineHeight {
+  bool sure = false;
+  double z = 0, error = 0;
+};
+inline LineHeight height_at_line(const std::array<Vec3<double>, 3>& q, double e, double extent) {
+  constexpr double u = kUnitRoundoff<double>;
+  LineHeight out;
+  double area = 0, side = 0;
+  std::array<double, 3> l;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<double>&a = q[(i + 1) % 3], &b = q[(i + 2) % 3];
+    const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
+    l[i] = cross2(a, b);
+    if (!(l[i] > 2 * e * across + 4 * e * e)) return out;
+    area += l[i];
+    side = std::max(side, std::hypot(a[0] - b[0], a[1] - b[1]));
+  }
+  if (!(64 * e * side < area)) return out;
+  const Vec3<double> n = face_normal(q[0], q[1], q[2]);
+  const double gx = -n[0] / n[2], gy = -n[1] / n[2];
+  double z = 0, rho_x = 0, rho_y = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    z += l[i] / area * q[i][2];
+    rho_x += l[i] / area * q[i][0];
+    rho_y += l[i] / area * q[i][1];
+  }
+  out.z = z - (gx * rho_x + gy * rho_y);
+  out.error = (1.25 * e + 5 * u * extent) * (1 + std::abs(gx) + std::abs(gy));
+  out.sure = true;
+  return out;
+}
+
 inline double filtered_upper(const Cso<double>& cso, const Portal<double>& portal, double length,
                              double z_max, double slack) {
   constexpr double u = kUnitRoundoff<double>;
   const double extent = cso.extent() + cso.radius();
   const double e = cso.point_error() + 8 * u * extent + slack * (cso.curved() ? 2 * extent : cso.radius());
-  double area = 0, side = 0;
-  std::array<double, 3> l;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double>&a = portal.p[(i + 1) % 3].q, &b = portal.p[(i + 2) % 3].q;
-    const double across = std::abs(a[0]) + std::abs(a[1]) + std::abs(b[0]) + std::abs(b[1]);
-    l[i] = cross2(a, b);
-    if (!(l[i] > 2 * e * across + 4 * e * e)) return kInfinity<double>;
-    area += l[i];
-    side = std::max(side, std::hypot(a[0] - b[0], a[1] - b[1]));
-  }
-  if (!(64 * e * side < area)) return kInfinity<double>;
-  const Vec3<double> n = face_normal(portal.p[0].q, portal.p[1].q, portal.p[2].q);
-  const double gx = -n[0] / n[2], gy = -n[1] / n[2];
-  double z = 0, rho_x = 0, rho_y = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double>& q = portal.p[i].q;
-    z += l[i] / area * q[2];
-    rho_x += l[i] / area * q[0];
-    rho_y += l[i] / area * q[1];
-  }
-  z -= gx * rho_x + gy * rho_y;
-  const double steep = 1 + std::abs(gx) + std::abs(gy);
-  const double z_error = (1.25 * e + 5 * u * extent) * steep;
-  if (!(z - z_error >= 0 && z + z_error <= z_max * (1 - 4 * u))) return kInfinity<double>;
-  return cso.to_time((z + z_error) / length * (1 + 8 * u));
+  const LineHeight at = height_at_line({portal.p[0].q, portal.p[1].q, portal.p[2].q}, e, extent);
+  if (!at.sure || !(at.z - at.error >= 0 && at.z + at.error <= z_max * (1 - 4 * u))) return kInfinity<double>;
+  return cso.to_time((at.z + at.error) / length * (1 + 8 * u));
 }
 
 // The upper half, and what the search for it tells of the lower: a portal of three points, every sign of it

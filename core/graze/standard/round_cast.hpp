@@ -15,14 +15,15 @@ template <Scalar S>
          (options.target_distance > 0 || !is_quick(a.shape) || !is_quick(b.shape));
 }
 
-// Normal and witnesses of a hit at `lower`, the caller's time, with its axis and its feature.
+// Of a hit its normal, of length 1, and witnesses at `lower`, the caller's time, with what is nearest then: its axis and
+// its feature.
 template <Scalar S>
 void fill_round_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                        const RoundPair<S>& pair, const RoundWalk<S>& walk, const RoundSweep& found,
-                        double lower, CastResult<S>& out) {
-  const Triple n = (1 / found.length) * found.n;
-  if (asks_for(options.request, Request::normal)) out.normal = n.vector().template cast<S>();
+                        const RoundPair<S>& pair, const RoundWalk<S>& walk, const Triple& normal,
+                        const RoundSweep& found, double lower, CastResult<S>& out) {
+  if (asks_for(options.request, Request::normal)) out.normal = normal.vector().template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;
+  const Triple n = (1 / found.length) * found.n;
   const auto witness = [&](const Body<S>& body, const Guide<S>& guide, bool of_a) -> Vec3<S> {
     Triple own{0, 0, 0};
     for (int i = 0; i < found.size; ++i) {
@@ -61,7 +62,7 @@ template <Scalar S>
     if (!(lower > 0 && lower <= upper)) return false;
     const Triple& r = pair.direction();
     out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
-    fill_round_contact(a, b, options, pair, walk, found, double(lower), out);
+    fill_round_contact(a, b, options, pair, walk, (1 / found.length) * found.n, found, double(lower), out);
   } else if (found.outcome == Outcome::miss) {
     lower = upper = kInfinity<S>;
   }

@@ -49,23 +49,15 @@ class RoundPair {
  public:
   RoundPair(const Body<S>& a, const Body<S>& b, double target_distance)
       : a_(a), b_(b), radius_a_(detail::plain_radius(a.shape)), radius_b_(detail::plain_radius(b.shape)) {
-    const Triple& c_a = a_.center();
-    const Triple& c_b = b_.center();
-    Triple d;
-    if (largest(c_a) == 0 && largest(c_b) == 0) {
-      d = triple(b.position) - triple(a.position);
-    } else {
-      d = triple(detail::accurate_offset(a.position.template cast<double>(), detail::as_double(a.orientation),
-                                         c_a.vector(), b.position.template cast<double>(),
-                                         detail::as_double(b.orientation), c_b.vector()));
-    }
+    const Triple d = detail::offset_of_centers(a_, b_);
     const double size = std::max({a_.size() + radius_a_, b_.size() + radius_b_, largest(d)});
     k_ = size > 0 ? exponent_of(size) : 0;
     const double scale = power_of_two(-k_);
     size_ = scale * size;
     offset_ = scale * d;
     radius_ = scale * (radius_a_ + radius_b_ + target_distance);
-    const double turned = (a_.turned() ? largest(c_a) : 0.0) + (b_.turned() ? largest(c_b) : 0.0);
+    const double turned =
+        (a_.turned() ? largest(a_.center()) : 0.0) + (b_.turned() ? largest(b_.center()) : 0.0);
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * scale * turned;
     a_.prepare(k_);
     b_.prepare(k_);

@@ -352,6 +352,21 @@ class Guide {
   std::optional<detail::Side<double>> side_;
 };
 
+namespace detail {
+
+// From the centre of A to the centre of B at t = 0, caller's unit.
+template <Scalar S>
+[[nodiscard]] Triple offset_of_centers(const Guide<S>& a, const Guide<S>& b) {
+  const Body<S>&body_a = a.body(), &body_b = b.body();
+  if (largest(a.center()) == 0 && largest(b.center()) == 0)
+    return triple(body_b.position) - triple(body_a.position);
+  return triple(accurate_offset(body_a.position.template cast<double>(), as_double(body_a.orientation),
+                                a.center().vector(), body_b.position.template cast<double>(),
+                                as_double(body_b.orientation), b.center().vector()));
+}
+
+}  // namespace detail
+
 // The pair: valid while the bodies live. They have passed validate().
 template <Scalar S>
 class GuidedPair {
@@ -376,22 +391,14 @@ class GuidedPair {
 
  private:
   [[gnu::always_inline]] void prepare(const Body<S>& a, const Body<S>& b) {
-    const Triple& c_a = a_.center();
-    const Triple& c_b = b_.center();
-    Triple d;
-    if (largest(c_a) == 0 && largest(c_b) == 0) {
-      d = triple(b.position) - triple(a.position);
-    } else {
-      d = triple(detail::accurate_offset(a.position.template cast<double>(), detail::as_double(a.orientation),
-                                         c_a.vector(), b.position.template cast<double>(),
-                                         detail::as_double(b.orientation), c_b.vector()));
-    }
+    const Triple d = detail::offset_of_centers(a_, b_);
     const double size = std::max({a_.size(), b_.size(), largest(d)});
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
     // One rounding of a difference, or of a sum of pairs with what turned the centres.
-    const double turned = (a_.turned() ? largest(c_a) : 0.0) + (b_.turned() ? largest(c_b) : 0.0);
+    const double turned =
+        (a_.turned() ? largest(a_.center()) : 0.0) + (b_.turned() ? largest(b_.center()) : 0.0);
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
     a_.prepare(k_);
     b_.prepare(k_);
