@@ -660,7 +660,8 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(2, 1 << 20));
   app.add_option("--rounds", asked.rounds, "rounds that the median is taken over")
       ->check(CLI::PositiveNumber);
-  app.add_option("--set", asked.set, "only this set of families: response, curved, rotation, growth or verdict")
+  app.add_option("--set", asked.set,
+                 "only this set of families: response, curved, rotation, growth or verdict")
       ->check(CLI::IsMember({"response", "curved", "rotation", "growth", "verdict"}));
   app.add_option("--family", asked.family_part, "only families whose name contains this");
   app.add_option("--only", asked.contestant_part, "only contestants whose name contains this");
