@@ -97,10 +97,10 @@ class PassageSearch {
   }
   // False: the quick walk told, and no number but doubles was needed.
   [[nodiscard]] bool has_scene() const { return scene_.has_value(); }
-  [[nodiscard]] const Term& v() const { return line().v; }
+  [[nodiscard]] const Term& v() const { return motion().v; }
 
  private:
-  const Line& line() const {
+  const Line& motion() const {
     if (!line_) line_.emplace(line_of(pair_));
     return *line_;
   }
@@ -162,11 +162,11 @@ class PassageSearch {
       out.miss_sign = walk.miss_sign();
       return out;
     };
-    PortalWalk<S> walk(pair_, scene(), line(), counters_);
+    PortalWalk<S> walk(pair_, scene(), motion(), counters_);
     const WalkState state = walk.find(outward, seeds);
     if (state == WalkState::beside) return missed(walk);
     if (state == WalkState::through) return go(walk);
-    EdgeOnWalk<S> flat(scene(), walk.beyond(), line(), walk.first(), walk.second(), counters_);
+    EdgeOnWalk<S> flat(scene(), walk.beyond(), motion(), walk.first(), walk.second(), counters_);
     if (flat.find(outward) == WalkState::beside) return missed(flat);
     return go(flat);
   }
