@@ -40,7 +40,7 @@ template <Scalar S>
   out.lower = h / rate * (1 - 8 * u);
   for (const double tilt : {kTilt, kMoreTilt}) {
     if (!walk.surround(n, tilt)) continue;
-    const LineHeight at = height_at_line({walk.seen(0), walk.seen(1), walk.seen(2)}, doubt, extent);
+    const HeightAtLine at = height_at_line({walk.seen(0), walk.seen(1), walk.seen(2)}, doubt, extent);
     if (!at.sure) continue;
     out.upper = std::max((at.z + at.error) / speed * (1 + 8 * u), out.lower);
     out.apart = (out.upper - out.lower) * speed * (1 + 8 * u);

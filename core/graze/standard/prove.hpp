@@ -230,13 +230,13 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
 // in all, and as L <= 2 extent and h > 64 e >= 512 u extent, less than u extent G / 2.
 // `q`: the corners as seen along the line, third the height along it, each within e per coordinate; none is farther out
 // than `extent`. `sure`: 0 is inside, and the plane's height there is within `error` of z.
-struct LineHeight {
+struct HeightAtLine {
   bool sure = false;
   double z = 0, error = 0;
 };
-inline LineHeight height_at_line(const std::array<Vec3<double>, 3>& q, double e, double extent) {
+inline HeightAtLine height_at_line(const std::array<Vec3<double>, 3>& q, double e, double extent) {
   constexpr double u = kUnitRoundoff<double>;
-  LineHeight out;
+  HeightAtLine out;
   double area = 0, side = 0;
   std::array<double, 3> l;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -267,7 +267,7 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
   constexpr double u = kUnitRoundoff<double>;
   const double extent = cso.extent() + cso.radius();
   const double e = cso.point_error() + 8 * u * extent + slack * (cso.curved() ? 2 * extent : cso.radius());
-  const LineHeight at = height_at_line({portal.p[0].q, portal.p[1].q, portal.p[2].q}, e, extent);
+  const HeightAtLine at = height_at_line({portal.p[0].q, portal.p[1].q, portal.p[2].q}, e, extent);
   if (!at.sure || !(at.z - at.error >= 0 && at.z + at.error <= z_max * (1 - 4 * u))) return kInfinity<double>;
   return cso.to_time((at.z + at.error) / length * (1 + 8 * u));
 }
