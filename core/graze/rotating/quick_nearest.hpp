@@ -8,7 +8,8 @@
 //   lower   -n.w of the support point w along a unit n: the pair's error() is of any n
 // But the regions of a simplex are told by signs in plain doubles, and only the feature that is kept is given a
 // unit normal. Where rounding shows, by no feature or no nearer one, a support that was known, a tetrahedron
-// too flat to have a sign, it gives up, and gjk.hpp begins anew. [Ericson, Real-Time Collision Detection, 2005, 5.1]
+// too flat to have a sign or to have weights, it gives up, and gjk.hpp begins anew. [Ericson, Real-Time Collision
+// Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/gjk/gjk.hpp>
@@ -40,6 +41,14 @@ class QuickClosest {
   [[nodiscard]] double lambda(int i) const { return lambda_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double dist_sq() const { return dist_sq_; }
   [[nodiscard]] const Triple& n() const { return n_; }  // of any length
+  // Is |v| = `length` what a sum of the points itself may round to? Of a tetrahedron with one corner far from the
+  // other three the volume may have a sign, and the weights hardly a digit: its v then is far from the origin.
+  [[nodiscard]] bool is_noise(double length) const {
+    double longest_sq = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
+      longest_sq = std::max(longest_sq, dot(y_[i], y_[i]));
+    return length <= 32 * kUnitRoundoff<double> * std::sqrt(longest_sq);
+  }
   // |v| by its weights, from the first of its points.
   [[nodiscard]] double weighted() const {
     const Triple& first = y_[index_[0]];
@@ -149,7 +158,8 @@ inline bool quick_distance(const Cso<double>& cso, Simplex<double>& simplex, dou
     }
     simplex.size = size;
     out.upper = closest.weighted();
-    if (out.upper <= near_enough || size == 4) return true;
+    if (out.upper <= near_enough) return true;
+    if (size == 4) return closest.is_noise(out.upper);
     const double length_sq = dot(closest.n(), closest.n());
     if (!(length_sq > 0x1p-400 && length_sq < 0x1p400) || budget-- <= 0) return false;
     const Vec3<double> n = (1 / std::sqrt(length_sq)) * closest.n().vector();

@@ -99,5 +99,34 @@ TEST(QuickNearest, FromAnotherTimeItFindsTheSame) {
   }
 }
 
+// Three corners at 1e-8 of the origin and one far from it: the volume has a sign, the weights hardly a digit. What is
+// said to be inside has weights that say so; what they leave far from the origin is given up.
+TEST(QuickNearest, ATetrahedronWithoutWeightsIsGivenUp) {
+  Draw draw{313};
+  const Boxes boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0});
+  int inside = 0, given_up = 0;
+  for (int round = 0; round < 4000; ++round) {
+    Simplex<double> simplex;
+    for (int i = 0; i < 3; ++i) {
+      CsoPoint<double> near;
+      near.w = 1e-8 * draw.vector<double>(1);
+      simplex.add(near);
+    }
+    CsoPoint<double> far;
+    far.w = draw.vector<double>(0.5);
+    simplex.add(far);
+    Distance<double> found;
+    Counters counters;
+    if (detail::QuickClosest(simplex).size() != 4) continue;
+    if (!detail::quick_distance(boxes.pair.cso(), simplex, 0, 0, 0, found, counters)) {
+      ++given_up;
+      continue;
+    }
+    ++inside;
+    EXPECT_LE(detail::weighted(simplex).norm(), 0x1p-46) << round;
+  }
+  EXPECT_GT(given_up, 20);
+}
+
 }  // namespace
 }  // namespace graze
