@@ -331,7 +331,7 @@ std::vector<Contestant> growth_contestants() {
     out.push_back(ours<double>(name("gjk/double"), kAsked, {.method = Method::gjk_ray_cast}, adjacency));
     out.push_back(ours<float>(name("standard/float"), kAsked, {}, adjacency));
   }
-  add_bullet(out, false);
+  add_bullet(out, {});
   return out;
 }
 

@@ -32,10 +32,10 @@ template <Scalar S>
   RoundBracket out;
   const Triple n = found.n, &r = pair.direction();
   const double rate = dot(n, r), length = std::sqrt(dot(n, n)), speed = std::sqrt(dot(r, r));
-  const double extent = pair.extent() + pair.radius(), doubt = 2 * pair.point_error() + 16 * u * extent;
+  const double extent = pair.extent() + pair.radius(), doubt = 2 * point_error(pair) + 16 * u * extent;
   // The pair's scale is not below half its size (curved_walk.hpp).
   const double width = kLinearCertifiedWidth / 2 * (1 - 0x1p-20) * pair.size();
-  const double h = found.reach + pair.margin() * sum(magnitude(n));
+  const double h = found.reach + pair.ball_margin() * sum(magnitude(n));
   if (!(rate < 0) || !(h < 0)) return out;
   out.lower = h / rate * (1 - 8 * u);
   for (const double tilt : {kTilt, kMoreTilt}) {

@@ -33,8 +33,8 @@ S time_up(double t) {
 }
 
 template <Scalar S>
-[[nodiscard]] double round_doubt(const RoundPair<S>& pair) {
-  return 2 * pair.point_error() + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
+[[nodiscard]] double round_doubt(const GuidedPair<S>& pair) {
+  return 2 * point_error(pair) + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
 }
 
 struct RoundBracket {
@@ -45,14 +45,14 @@ struct RoundBracket {
 
 // Of a hit that the walk found.
 template <Scalar S>
-[[nodiscard]] RoundBracket bracket_round(const RoundPair<S>& pair, const RoundWalk<S>& walk,
+[[nodiscard]] RoundBracket bracket_round(const GuidedPair<S>& pair, const RoundWalk<S>& walk,
                                          const RoundSweep& found, double horizon) {
   RoundBracket out;
   const Triple &n = found.n, &r = pair.direction();
   const double rate = dot(n, r), doubt = round_doubt(pair), radius = pair.radius();
   // The pair's scale is not below half its size (round_walk.hpp).
   const double width = kLinearCertifiedWidth / 4 * pair.size();
-  const double h = found.reach + radius * found.length + 2 * pair.margin() * sum(magnitude(n));
+  const double h = found.reach + radius * found.length + 2 * pair.ball_margin() * sum(magnitude(n));
   if (!(rate < 0) || !(h < 0)) return out;
   out.lower = h / rate;
   std::array<double, 3> lambda;
@@ -94,7 +94,7 @@ template <Scalar S>
 [[nodiscard]] bool round_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                    CastResult<S>& out) {
   if (options.start_policy == StartPolicy::pass_over || !(options.t_max > 0)) return false;
-  const RoundPair<S> pair(a, b, double(options.target_distance));
+  const GuidedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves() || !(pair.radius() > 0)) return false;
   const int k = pair.length_exponent(), j = pair.speed_exponent();
   const double horizon = double(options.t_max) * power_of_two(j - k);

@@ -55,7 +55,7 @@ Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
 }
 
 // Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, c_2 is the
-// axis that it is seen along (edge_on.hpp), f_2: det(v, c_1, f_2), det(v, f_2, c_0).
+// axis x of walk.hpp, f_2: det(v, c_1, f_2), det(v, f_2, c_0).
 template <class V, class Value>
 std::array<Value, 3> facet_sides(const Facet& facet, const V& motion, const std::array<V, 3>& c) {
   const auto side = [&](std::size_t i, std::size_t j) { return dot(motion.x, cross(c[i].x, c[j].x)); };
@@ -156,8 +156,8 @@ inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi
   out.toi_lower = outcome == Outcome::hit ? toi.lower : kInfinity<double>;
   out.has_axis = out.symbolic = true;
   if (answer.passage == Passage::beside) {
-    out.axis_sign = answer.miss_sign;
-    out.factor = {name(answer.miss_f1), name(answer.miss_f2)};
+    out.axis_sign = answer.miss.sign;
+    out.factor = {name(answer.miss.f1), name(answer.miss.f2)};
     return out;
   }
   out.axis_sign = answer.passage == Passage::ahead ? -1 : 1;

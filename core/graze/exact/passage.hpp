@@ -1,6 +1,6 @@
 // What the line {t v} does with C, as far as a question needs it: beside it, in it at t = 0, ahead or behind.
 //
-// The line is in C for t in [t_in, t_out], or never (walk.hpp, edge_on.hpp). Contact at t = 0 iff
+// The line is in C for t in [t_in, t_out], or never (walk.hpp). Contact at t = 0 iff
 // t_in <= 0 <= t_out: seen on the way, as the portal passes the origin. Bodies at rest relative to each
 // other: any line through the origin answers.
 //
@@ -9,7 +9,7 @@
 // t_in = 0.
 #pragma once
 
-#include <graze/exact/edge_on.hpp>
+#include <graze/exact/walk.hpp>
 #include <graze/portal/quick_walk.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::exact {
@@ -24,9 +24,7 @@ enum class Passage : std::uint8_t {
 
 struct Answer {
   Passage passage = Passage::beside;
-  // beside: n = miss_sign (f1 x f2) has n.v = 0 and h(n) < 0; or, for a path, h(n) < min(0, t_max n.v)
-  Term miss_f1, miss_f2;
-  int miss_sign = 1;
+  Miss miss;  // beside
   Facet facet;
   std::array<Vertex, 4> hull;  // contact: the origin is in the hull of these
   int hull_size = 0;
@@ -45,31 +43,27 @@ class PassageSearch {
   // As far as t in [0, t_max] goes: a line that is met later only may come out as one that is beside C.
   [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
     Seeds seeds;
-    if (Answer miss; seek(t_max, seeds, miss)) return miss;
-    return with_walk(false, seeds, [&](auto& walk) {
+    if (Answer out; seek(t_max, seeds, out.miss)) return out;
+    return with_walk(seeds, [&](PortalWalk<S>& walk) {
       Answer out;
       const int height = walk.height_sign();
       if (height == 0) {
         contact_in(walk.facet(), out);
+      } else if (walk.refine(height > 0 ? -1 : 1, [&] { return walk.height_sign() != height; })) {
+        out.passage = Passage::contact;
+        out.hull_size = walk.hull_before(out.hull);
       } else {
-        const bool met =
-            walk.refine(height > 0 ? -1 : 1, [&](const auto& w) { return w.height_sign() != height; });
-        if (met) {
-          out.passage = Passage::contact;
-          out.hull_size = walk.hull_before(out.hull);
-        } else {
-          out.passage = height > 0 ? Passage::ahead : Passage::behind;
-          out.facet = walk.facet();
-        }
+        out.passage = height > 0 ? Passage::ahead : Passage::behind;
+        out.facet = walk.facet();
       }
       return out;
     });
   }
   // t_in (toward -1) or t_out (+1) of the line.
   [[nodiscard]] Answer end(int toward) {
-    return with_walk(false, {}, [&](auto& walk) {
+    return with_walk({}, [&](PortalWalk<S>& walk) {
       Answer out;
-      walk.refine(toward, [](const auto&) { return false; });
+      walk.refine(toward, [] { return false; });
       out.passage = toward < 0 ? Passage::ahead : Passage::behind;
       out.facet = walk.facet();
       return out;
@@ -83,11 +77,7 @@ class PassageSearch {
       const Answer in = end(-1);
       if (compare_time(scene(), in.facet, v(), 0.0) == 0) return true;
     }
-    return with_walk(true, {}, [](auto&) {
-             Answer inside;
-             inside.passage = Passage::contact;
-             return inside;
-           }).passage == Passage::beside;
+    return !PortalWalk<S>(pair_, scene(), motion(), counters_).find(true);
   }
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }
@@ -120,7 +110,7 @@ class PassageSearch {
   // The quick walk goes first (quick_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2 with
   // f_1 = (n_z, 0, -n_x) and f_2 = (0, n_z, -n_y), z being the axis of n's largest component. Else where it
   // ended is where the exact walk begins.
-  bool seek(double t_max, Seeds& seeds, Answer& miss) {
+  bool seek(double t_max, Seeds& seeds, Miss& miss) {
     if (!pair_.moves() || !(t_max > 0) || !is_quick_) return false;
     const double horizon = t_max * power_of_two(pair_.speed_exponent() - pair_.length_exponent());
     QuickWalk<S, true> walk(pair_, horizon, 0, kQuickSteps, counters_);
@@ -147,28 +137,17 @@ class PassageSearch {
     f1[x] = n[z];
     f2[z] = -n[y];
     f2[y] = n[z];
-    miss.miss_f1 = Term::given(f1);
-    miss.miss_f2 = Term::given(f2);
-    miss.miss_sign = n[z] > 0 ? 1 : -1;
+    miss = {Term::given(f1), Term::given(f2), n[z] > 0 ? 1 : -1};
     return true;
   }
   // `go(walk)` once the line is found to pass through C.
   template <class Go>
-  Answer with_walk(bool outward, const Seeds& seeds, const Go& go) {
-    const auto missed = [](const auto& walk) {
-      Answer out;
-      out.miss_f1 = walk.miss_f1();
-      out.miss_f2 = walk.miss_f2();
-      out.miss_sign = walk.miss_sign();
-      return out;
-    };
+  Answer with_walk(const Seeds& seeds, const Go& go) {
     PortalWalk<S> walk(pair_, scene(), motion(), counters_);
-    const WalkState state = walk.find(outward, seeds);
-    if (state == WalkState::beside) return missed(walk);
-    if (state == WalkState::through) return go(walk);
-    EdgeOnWalk<S> flat(scene(), walk.beyond(), motion(), walk.first(), walk.second(), counters_);
-    if (flat.find(outward) == WalkState::beside) return missed(flat);
-    return go(flat);
+    if (walk.find(false, seeds)) return go(walk);
+    Answer out;
+    out.miss = walk.miss();
+    return out;
   }
 
   const Body<S>&a_, &b_;

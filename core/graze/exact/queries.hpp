@@ -19,8 +19,8 @@ namespace exact {
 // A miss by the line: a unit vector that separates.
 template <Scalar S>
 Vec3<S> separating_normal(const Scene<S>& scene, const Answer& answer) {
-  const Facet plane{{}, answer.miss_f1, answer.miss_f2, {}, 0};
-  return (answer.miss_sign * unit_normal(scene, plane)).template cast<S>();
+  const Facet plane{{}, answer.miss.f1, answer.miss.f2, {}, 0};
+  return (answer.miss.sign * unit_normal(scene, plane)).template cast<S>();
 }
 
 // The result with what it cost; or that a number outgrew its room (dyadic.hpp).

@@ -6,7 +6,7 @@
 //   portal     = three vertices of C, o inside their triangle, all sides > 0;
 //   n          = -+ (c_1 - c_0) x (c_2 - c_0), the portal's normal against v (entry) or along it (exit).
 //
-//   1 start    three vertices that are a triangle, seen along v (none: C is seen edge on, `edge_on.hpp`);
+//   1 start    three vertices that are a triangle, seen along v;
 //   2 around   while o is outside an edge: the vertex farthest beyond it takes the triangle there; if none
 //              is beyond it, the line misses;
 //   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, so that o stays inside.
@@ -16,6 +16,11 @@
 // edges: o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). m is interior to the polygon, so the moved o is inside
 // iff o is, and the entry of a polytope is continuous along the way: verdict and time are o's own. No side of
 // two vertices that are seen apart is then zero, as no edge is parallel to both edges of a triangle.
+//
+// Flat. Seen as a segment, C lies in a plane parallel to v. Where that holds the line, x being an axis that is not
+// parallel to it, the portal is two vertices c, d with side(c, x) < 0 < side(d, x): x is the third corner, infinitely far
+// away. So the portal's plane is that of d - c and x, the walk the same one dimension lower, o moved towards the middle
+// of the first two vertices, then along the segment. Seen as a point, C lies on a line along v: the portal is one vertex.
 //
 // It ends. In 2, every vertex is strictly beyond an edge of the hull of those before it: a new one. In 3, w
 // is strictly beyond the plane, and the moved o strictly inside: the portal's height over it strictly falls,
@@ -109,20 +114,11 @@ struct Seeds {
   bool last = false;  // a portal that nothing is likely to lie beyond
 };
 
-enum class WalkState : std::uint8_t {
-  undecided,
-  through,  // `portal` holds o
-  beside,   // the line misses C: n = miss_sign (miss_f1 x miss_f2) has n.v = 0 and h(n) < 0
-  edge_on,  // seen along v, C is a segment or a point: edge_on.hpp goes on
+// Why a line misses C: n = sign (f1 x f2) has n.v = 0 and h(n) < 0. Or a path: h(n) < min(0, t_max n.v).
+struct Miss {
+  Term f1, f2;
+  int sign = 1;
 };
-
-// Counts a step. A walk ends of itself (see above): were one not to, by a mistake here, the cast is refused.
-template <Scalar S>
-bool goes_on(const Scene<S>& scene, Counters& counters) {
-  constexpr int kMostSteps = 1 << 20;
-  if (++counters.portal_steps > kMostSteps) scene.invalidate();
-  return scene.valid();
-}
 
 template <Scalar S>
 class PortalWalk {
@@ -132,46 +128,45 @@ class PortalWalk {
     turned_ = bounds_.body > 0;
   }
 
-  // Steps 1 and 2. `outward`: o is moved away from m instead, so that a line along C's border misses. `seeds`:
-  // any three vertices to begin with, wherever they come from; a triangle of them is as good as another.
-  WalkState find(bool outward = false, const Seeds& seeds = {}) {
+  // Steps 1 and 2: a portal, or a miss. `outward`: o is moved away from m instead, so that a line along C's border
+  // misses. `seeds`: any three vertices to begin with, wherever they come from; a triangle of them is as good as another.
+  bool find(bool outward = false, const Seeds& seeds = {}) {
     outward_ = outward;
     if (seeds.known && plant(seeds)) {
       last_ = seeds.last;
     } else {
-      if (!start()) return state_;
-      if (!make_triangle()) return state_;
+      if (!start()) return false;
+      if (!make_triangle()) return find_flat();
     }
     around_ = {at(0).id, at(1).id, at(2).id};
     around_x_ = at(0).qx + at(1).qx + at(2).qx;
     around_y_ = at(0).qy + at(1).qy + at(2).qy;
-    walk_around();
-    return state_;
+    return walk_around();
   }
+  [[nodiscard]] const Miss& miss() const { return miss_; }
 
   // Step 3: along v for `toward` = -1 (entry), against it for +1 (exit). Stops early, and returns true, once
   // stop() says so of a new portal.
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
     toward_ = toward;
-    while (goes_on(scene_, counters_)) {
+    while (goes_on()) {
       if (!above_portal()) return false;
       replace();
-      if (stop(*this)) return true;
+      if (stop()) return true;
     }
     return false;
   }
 
-  // The vertices that find() ended with.
-  [[nodiscard]] const Vertex& first() const { return slot_[0].id; }
-  [[nodiscard]] const Vertex& second() const { return slot_[1].id; }
   // Of the portal: its plane, n.v > 0.
   [[nodiscard]] Facet facet() const {
     const Vertex &a = at(0).id, &b = at(1).id, &c = at(2).id;
-    return {a, Term::difference(a, b), Term::difference(a, c), {a, b, c}, 3};
+    if (size_ == 1) return {a, axis(0), axis(1), {a}, 1};
+    return {a, Term::difference(a, b), size_ == 2 ? axis(0) : Term::difference(a, c), {a, b, c}, size_};
   }
   // The sign of the time at which the line is at the portal.
   [[nodiscard]] int height_sign() const {
+    if (size_ < 3) return height_sign_exactly();
     const Triple e = edge(at(0), at(1)), f = edge(at(0), at(2));
     const double height = dot(at(0).w, cross(e, f));
     const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
@@ -179,21 +174,22 @@ class PortalWalk {
         1.2 * (bounds_.seen * e_1 * f_1 + sum(magnitude(at(0).w)) * bounds_.edge * (e_1 + f_1)) + kUnderflow;
     if (height > error) return 1;
     if (height < -error) return -1;
-    const Facet at = facet();
-    return scene_.determinant_sign(Term::point(at.c0), at.f1, at.f2);
+    return height_sign_exactly();
   }
   // The portal before the last step, and the vertex that came in: their hull holds both portals.
   [[nodiscard]] int hull_before(std::array<Vertex, 4>& out) const {
-    out = {previous_[0], previous_[1], previous_[2], newest_};
-    return 4;
+    out = {previous_[0], previous_[1], previous_[2]};
+    out[static_cast<std::size_t>(size_)] = newest_;
+    return size_ + 1;
   }
-  [[nodiscard]] const Term& miss_f1() const { return miss_f1_; }
-  [[nodiscard]] const Term& miss_f2() const { return miss_f2_; }
-  [[nodiscard]] int miss_sign() const { return miss_sign_; }
-
-  [[nodiscard]] const BeyondSearch<S>& beyond() const { return beyond_; }
 
  private:
+  // Counts a step. The walk ends of itself (see above): were it not to, by a mistake here, the cast is refused.
+  [[nodiscard]] bool goes_on() {
+    constexpr int kMostSteps = 1 << 20;
+    if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
+    return scene_.valid();
+  }
   // Corners live in four slots, three of the portal and the next, and change places by their index: a copy of
   // what was just written would wait for it.
   [[nodiscard]] const Corner& at(std::size_t i) const { return slot_[order_[i]]; }
@@ -230,31 +226,28 @@ class PortalWalk {
     Vec3<double> x = Vec3<double>::Zero();
     x[line_.x] = ny;
     x[line_.y] = -nx;
-    misses(line_.v, Term::given(x), line_.sign);
-    return false;
+    return misses(line_.v, Term::given(x), line_.sign);
   }
-  void misses(const Term& f1, const Term& f2, int sign) {
-    state_ = WalkState::beside;
-    miss_f1_ = f1;
-    miss_f2_ = f2;
-    miss_sign_ = sign;
+  bool misses(const Term& f1, const Term& f2, int sign) {
+    miss_ = {f1, f2, sign};
+    return false;
   }
 
   // ---- signs ----
 
-  // The sign of det(c, d, v) in doubles; 0 where that is not beyond its rounding.
-  [[nodiscard]] int side_in_doubles(const Corner& c, const Corner& d) const {
-    const double value = c.qx * d.qy - c.qy * d.qx;
-    const double e = bounds_.seen;
-    const double error =
-        2 * e * (std::abs(c.qx) + std::abs(c.qy) + std::abs(d.qx) + std::abs(d.qy)) + 4 * e * e;
-    if (value > error) return line_.sign;
-    if (value < -error) return -line_.sign;
-    return 0;
+  [[nodiscard]] int height_sign_exactly() const {
+    const Facet at = facet();
+    return scene_.determinant_sign(Term::point(at.c0), at.f1, at.f2);
   }
-  // Of the moved o; 0 only for vertices that are seen at one point.
+  // The sign of v_z (u_x w_y - u_y w_x), each within e; 0 where that is not beyond its rounding.
+  [[nodiscard]] int sign_in_doubles(double ux, double uy, double wx, double wy, double e) const {
+    const double value = ux * wy - uy * wx;
+    const double error = 2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * e * e;
+    return value > error ? line_.sign : value < -error ? -line_.sign : 0;
+  }
+  // Of det(c, d, v), o moved; 0 only for vertices that are seen at one point.
   [[nodiscard]] int side(const Corner& c, const Corner& d) const {
-    const int sign = side_in_doubles(c, d);
+    const int sign = sign_in_doubles(c.qx, c.qy, d.qx, d.qy, bounds_.seen);
     return sign != 0 ? sign : side_exactly(c, d);
   }
   [[nodiscard, gnu::noinline]] int side_exactly(const Corner& c, const Corner& d) const {
@@ -285,13 +278,10 @@ class PortalWalk {
   }
   // Of det(d - c, e - c, v): do the three turn left?
   [[nodiscard]] int turn(const Corner& c, const Corner& d, const Corner& e) const {
-    const double ux = d.qx - c.qx, uy = d.qy - c.qy, wx = e.qx - c.qx, wy = e.qy - c.qy;
     // Of a difference: twice that of q, and u of its length, below 2.9 extent.
-    const double value = ux * wy - uy * wx, err = 2.5 * bounds_.seen;
-    const double error =
-        2 * err * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * err * err;
-    if (value > error) return line_.sign;
-    if (value < -error) return -line_.sign;
+    const double error = 2.5 * bounds_.seen;
+    const int sign = sign_in_doubles(d.qx - c.qx, d.qy - c.qy, e.qx - c.qx, e.qy - c.qy, error);
+    if (sign != 0) return sign;
     if (e.id == c.id || e.id == d.id || c.id == d.id) return 0;
     return scene_.determinant_sign(Term::difference(c.id, d.id), Term::difference(c.id, e.id), line_.v);
   }
@@ -325,7 +315,7 @@ class PortalWalk {
     return support_across(left ? -ey : ey, left ? ex : -ex, third);
   }
 
-  // The first three as a triangle that turns left; false: seen along v, C has no area.
+  // The first three as a triangle that turns left; false: seen along v, C has no area, and size_ says what it has.
   bool make_triangle() {
     int s = turn(at(0), at(1), at(2));
     if (s == 0) s = find_triangle();
@@ -336,23 +326,20 @@ class PortalWalk {
     // A vertex that is seen apart from the first.
     const Vertex first = slot_[0].id;
     Vertex second = first;
-    for (const int axis : {line_.x, line_.y}) {
+    for (const int i : {line_.x, line_.y}) {
       for (const int sign : {1, -1}) {
-        const Term unit = Term::given(Vec3<double>(Vec3<double>::Unit(axis)));
-        if (second == first && find_beyond(line_.v, unit, sign, first, second)) find_corner(second, slot_[1]);
+        if (second == first) find_beyond(line_.v, unit(i), sign, first, second);
       }
     }
-    state_ = WalkState::edge_on;
-    if (second == first) {
-      find_corner(first, slot_[1]);
-      return 0;
-    }
+    find_corner(second, slot_[1]);
+    size_ = second == first ? 1 : 2;
+    if (size_ == 1) return 0;
     const Term edge = Term::difference(first, second);
     for (const int sign : {1, -1}) {
       Vertex third;
       if (!find_beyond(line_.v, edge, sign, first, third)) continue;
       find_corner(third, slot_[2]);
-      state_ = WalkState::undecided;
+      size_ = 3;
       return turn(slot_[0], slot_[1], slot_[2]);
     }
     return 0;
@@ -361,12 +348,66 @@ class PortalWalk {
     return beyond_.find(direction_of(scene_, f1, f2, sign), from, {}, out);
   }
 
+  // ---- flat ----
+
+  static Term unit(int i) { return Term::given(Vec3<double>(Vec3<double>::Unit(i))); }
+  // x and, of a point, y: (x x y).v > 0.
+  [[nodiscard]] Term axis(std::size_t i) const { return unit(axis_[i]); }
+  // A vertex beyond an exact plane through the corner as the next.
+  bool look_beyond(const Term& f1, const Term& f2, int sign, const Corner& from) {
+    ++counters_.supports;
+    Vertex w;
+    if (!find_beyond(f1, f2, sign, from.id, w)) return false;
+    find_corner(w, next());
+    return true;
+  }
+  [[gnu::noinline]] bool find_flat() {
+    axis_ = {line_.x, line_.y};
+    if (line_.sign < 0) std::swap(axis_[0], axis_[1]);
+    const Term& v = line_.v;
+    const auto beside = [&](const Term& f) { return scene_.determinant_sign(Term::point(at(0).id), v, f); };
+    if (size_ == 1) {
+      for (const std::size_t i : {0u, 1u}) {
+        // n = v x axis, the same for all of C
+        if (const int s = beside(axis(i)); s != 0) return misses(v, axis(i), -s);
+      }
+      return !outward_ || misses(v, axis(0), 1);  // C is its own border
+    }
+    const Term e = Term::difference(at(0).id, at(1).id);
+    if (const int s = beside(e); s != 0 || outward_) return misses(v, e, s != 0 ? -s : 1);
+    // So that side(c, x) rises from the first to the second.
+    int along = scene_.determinant_sign(e, axis(0), v);
+    if (along == 0) {
+      std::swap(axis_[0], axis_[1]);
+      along = scene_.determinant_sign(e, axis(0), v);
+    }
+    if (along < 0) std::swap(order_[0], order_[1]);
+    around_ = {at(0).id, at(1).id, at(1).id};
+    // Both ends on one side of o: towards it, while there is more of C.
+    for (const std::size_t i : {0u, 1u}) {
+      const int wanted = i == 0 ? -1 : 1;
+      while (side_of_axis(at(i)) != wanted && goes_on()) {
+        // It grows along x x v, falls along v x x.
+        if (!look_beyond(axis(0), v, wanted, at(i))) return misses(axis(0), v, wanted);
+        put_next(i);
+      }
+    }
+    return true;
+  }
+  // The sign of side(c, x), o moved; never 0.
+  [[nodiscard]] int side_of_axis(const Corner& c) const {
+    if (const int s = scene_.determinant_sign(Term::point(c.id), axis(0), line_.v); s != 0) return s;
+    const Term middle = Term::inside({around_[0], around_[1], c.id}, c.id);
+    if (const int s = scene_.determinant_sign(middle, axis(0), line_.v); s != 0) return -s;
+    return -1;  // o moves along the segment, where s rises
+  }
+
   // ---- 2 ----
 
-  void walk_around() {
+  bool walk_around() {
     int edge = outside_edge();
     last_ = last_ && edge < 0;
-    while (edge >= 0 && goes_on(scene_, counters_)) {
+    while (edge >= 0 && goes_on()) {
       // The edge first.
       if (edge == 1) order_ = {order_[1], order_[2], order_[0], order_[3]};
       if (edge == 2) order_ = {order_[2], order_[0], order_[1], order_[3]};
@@ -374,14 +415,13 @@ class PortalWalk {
       Corner& w = next();
       // To the right of c -> d.
       const double ex = d.qx - c.qx, ey = d.qy - c.qy;
-      if (!support_across(line_.sign * ey, -line_.sign * ex, w)) return;
+      if (!support_across(line_.sign * ey, -line_.sign * ex, w)) return false;
       if (!(turn(c, d, w) < 0)) {
         // Not shown beyond by the rounded direction: by the exact one?
         const Direction n = direction_of(scene_, Term::difference(c.id, d.id), line_.v, 1);
         Vertex id;
         if (!beyond_.find(n, c.id, std::array{d.id}, id)) {
-          misses(Term::difference(c.id, d.id), line_.v, 1);
-          return;
+          return misses(Term::difference(c.id, d.id), line_.v, 1);
         }
         find_corner(id, w);
       }
@@ -389,7 +429,7 @@ class PortalWalk {
       order_ = {order_[0], order_[3], order_[1], order_[2]};
       edge = side(at(0), at(1)) < 0 ? 0 : side(at(1), at(2)) < 0 ? 1 : -1;
     }
-    state_ = WalkState::through;
+    return true;
   }
   // The first edge that has o on its right, or -1.
   [[nodiscard]] int outside_edge() const {
@@ -407,6 +447,10 @@ class PortalWalk {
   }
   // A vertex strictly beyond the portal's plane as the next, or a proof that there is none.
   bool above_portal() {
+    if (size_ < 3) {
+      const Facet plane = facet();
+      return look_beyond(plane.f1, plane.f2, toward_, at(0));
+    }
     const Corner &c0 = at(0), &c1 = at(1), &c2 = at(2);
     const Triple e = edge(c0, c1), f = edge(c0, c2);
     const Triple n = double(toward_) * cross(e, f);
@@ -468,6 +512,7 @@ class PortalWalk {
     const Corner& w = next();
     previous_ = {at(0).id, at(1).id, at(2).id};
     newest_ = w.id;
+    if (size_ < 3) return put_next(size_ == 2 && side_of_axis(w) > 0 ? 1 : 0);
     int s[3];
     for (std::size_t i = 0; i < 3; ++i) {
       s[i] = side(at(i), w);
@@ -485,7 +530,6 @@ class PortalWalk {
   Bounds bounds_;
   BeyondSearch<S> beyond_;
   Counters& counters_;
-  WalkState state_ = WalkState::undecided;
   std::array<Corner, 4> slot_;
   std::array<std::uint8_t, 4> order_ = {0, 1, 2, 3};
   std::array<Vertex, 3> around_, previous_;
@@ -493,9 +537,9 @@ class PortalWalk {
   Vertex newest_;
   bool outward_ = false, turned_ = false;
   bool last_ = false;  // the portal came as the last one of another walk
-  int toward_ = -1;
-  Term miss_f1_, miss_f2_;
-  int miss_sign_ = 1;
+  int toward_ = -1, size_ = 3;
+  std::array<int, 2> axis_{};
+  Miss miss_;
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::exact

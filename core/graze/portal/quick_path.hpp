@@ -24,10 +24,10 @@ struct QuickSweep {
 
 // About where a ball as large as C would be met, and across the path where it passes beside: with p the
 // ball's centre beside the line, of radius R, along -(R p + (R^2 - p^2) r), |r| taken for 1.
-template <Scalar S>
-[[nodiscard]] Triple quick_first_direction(const GuidedPair<S>& pair) {
+template <class Pair>
+[[nodiscard]] Triple quick_first_direction(const Pair& pair) {
   const Triple& r = pair.direction();
-  const double r_sq = dot(r, r), ball = kQuickBall * (pair.a().reach() + pair.b().reach());
+  const double r_sq = dot(r, r), ball = kQuickBall * (pair.a().reach() + pair.b().reach()) + pair.radius();
   const Triple c = -pair.offset(), beside = r_sq * c - dot(c, r) * r;
   const double radius = ball * r_sq, room = std::max(radius * radius - dot(beside, beside), 0.0);
   return -(radius * beside + room * r);

@@ -28,23 +28,15 @@
 #pragma once
 
 #include <graze/portal/quick_path.hpp>
+#include <graze/support/pair_support.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
 // Steps of the walk; what takes longer is no common case.
 inline constexpr int kQuickSteps = 48;
-// A direction of this length or below is out of the range that the scans in float keep.
-inline constexpr double kQuickLeast = 0x1p-80;
 
-// Written and read a number at a time, and never copied: a load that is wider than the stores before it waits
-// for them.
-struct QuickCorner {
-  Triple w, m;
-  std::uint32_t vertex_a = 0, vertex_b = 0;
-
-  [[nodiscard]] bool is(const QuickCorner& o) const {
-    return vertex_a == o.vertex_a && vertex_b == o.vertex_b;
-  }
+struct QuickCorner : PairVertex {
+  Triple m;
 };
 
 // What a walk that seeks found: nothing, a proof that the path misses, or three vertices that are about the line.
@@ -57,17 +49,15 @@ class QuickWalk {
  public:
   // `horizon` may be infinite. `tolerance` over scale, 0 for the noise.
   QuickWalk(const GuidedPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters)
-      : pair_(pair), r_(pair.direction()), counters_(counters), budget_(std::min(budget, kQuickSteps)) {
-    constexpr double kU = kUnitRoundoff<double>;
-    const double extent = pair.extent();
+      : support_(pair, counters),
+        r_(pair.direction()),
+        counters_(counters),
+        budget_(std::min(budget, kQuickSteps)) {
     r_sq_ = dot(r_, r_);
     // Beyond its extent nothing of C is met.
-    end_ = std::min(horizon, 2 * extent) * r_;
+    end_ = std::min(horizon, 2 * pair.extent()) * r_;
     s_max_ = horizon;
-    noise_ = kContact * double(kUnitRoundoff<S>) * pair.size();
-    target_ = std::max(noise_, tolerance * pair.size());
-    margin_ = 4 * (pair.a().error() + pair.b().error()) + pair.offset_error() + 40 * kU * extent;
-    guess_ = pair.a().slip() + pair.b().slip();
+    target_ = std::max(support_.noise(), tolerance * pair.size());
   }
 
   [[nodiscard]] const QuickSweep& run() {
@@ -78,13 +68,13 @@ class QuickWalk {
   // A portal for another walk to begin with: in double's noise whatever S is, and nothing is made sure of.
   [[nodiscard]] Seed seek() {
     static_assert(kSeeks);
-    target_ = kContact * kUnitRoundoff<double> * pair_.size();
+    target_ = kContact * kUnitRoundoff<double> * support_.pair().size();
     if (find()) refine();
     if (out_.outcome == Outcome::miss) return Seed::miss;
     return at_[0] == nullptr ? Seed::none : passed_ ? Seed::passed : Seed::portal;
   }
   // What n.w may be off by, over |n|_1, w the farthest vertex; and the path's end, as far as C reaches.
-  [[nodiscard]] double margin() const { return margin_; }
+  [[nodiscard]] double margin() const { return support_.margin(); }
   [[nodiscard]] const Triple& end() const { return end_; }
   // Of the miss.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
@@ -94,58 +84,33 @@ class QuickWalk {
  private:
   using Portal = std::array<QuickCorner*, 3>;
 
-  // Into a slot that is free.
-  [[gnu::noinline]] void support(double x, double y, double z, QuickCorner& out) {
-    ++counters_.supports;
-    const Triple n{x, y, z};
-    set(pair_.a().support(n, out.vertex_a), pair_.b().support(-n, out.vertex_b), out);
+  // The vertex along n, into a slot that is free; or with it n proves that the path misses.
+  [[gnu::always_inline]] bool misses(const Triple& n, QuickCorner& w) {
+    support_.guess(n, w);
+    return separates(n, w);
   }
-  [[gnu::always_inline]] QuickCorner& support(const Triple& n, QuickCorner* out) {
-    support(n.x, n.y, n.z, *out);
-    return *out;
-  }
-  // The farthest in doubles.
-  [[gnu::noinline]] void sure_support(const Triple& n, QuickCorner& out) {
-    ++counters_.supports;
-    set(pair_.a().farthest(n, out.vertex_a), pair_.b().farthest(-n, out.vertex_b), out);
-  }
-  [[gnu::always_inline]] void set(const Triple& a, const Triple& b, QuickCorner& out) {
-    const Triple& d = pair_.offset();
-    const double x = a.x - (b.x + d.x), y = a.y - (b.y + d.y), z = a.z - (b.z + d.z);
-    out.w.x = x;
-    out.w.y = y;
-    out.w.z = z;
-    out.m.x = y * r_.z - z * r_.y;
-    out.m.y = z * r_.x - x * r_.z;
-    out.m.z = x * r_.y - y * r_.x;
+  [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
+    if (support_.separates(n, w, std::min(0.0, dot(n, end_)))) {
+      out_.outcome = Outcome::miss;
+      out_.n = n;
+      return true;
+    }
+    const Triple m = cross(w.w, r_);
+    w.m.x = m.x;
+    w.m.y = m.y;
+    w.m.z = m.z;
+    return false;
   }
   [[nodiscard]] static double det(const QuickCorner& c, const QuickCorner& d) { return dot(c.w, d.m); }
-  [[nodiscard]] static bool is_small(const Triple& n) { return !(sum(magnitude(n)) > kQuickLeast); }
-
-  // Does n, with its support point w, prove that the path misses? w may come out farther.
-  [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
-    const double size = sum(magnitude(n)), bound = std::min(0.0, dot(n, end_)) - margin_ * size;
-    double h = dot(n, w.w);
-    if (!(h < bound)) [[likely]]
-      return false;
-    if (!(h < bound - guess_ * size)) {
-      sure_support(n, w);
-      h = dot(n, w.w);
-      if (!(h < bound)) return false;
-    }
-    out_.outcome = Outcome::miss;
-    out_.n = n;
-    return true;
-  }
 
   // A triangle around the line, seen along it: det of every edge, in turn, >= 0. The line is to the left of
   // i -> j.
   bool find() {
     QuickCorner *i = &slot_[0], *j = &slot_[1], *k = &slot_[2];
-    Triple n = quick_first_direction(pair_);
-    if (separates(n, support(n, i))) return false;
+    Triple n = quick_first_direction(support_.pair());
+    if (misses(n, *i)) return false;
     n = cross(i->m, r_);
-    if (is_small(n) || separates(n, support(n, j))) return false;
+    if (is_small_direction(n) || misses(n, *j)) return false;
     n = i->m - j->m;
     if (det(*i, *j) < 0) {
       std::swap(i, j);
@@ -153,9 +118,8 @@ class QuickWalk {
     }
     while (budget_-- > 0) {
       ++counters_.portal_steps;
-      if (is_small(n)) return false;
-      QuickCorner& w = support(n, k);
-      if (separates(n, w)) return false;
+      QuickCorner& w = *k;
+      if (is_small_direction(n) || misses(n, w)) return false;
       // Nothing new: the line passes within the noise of the silhouette.
       if (w.is(*i) || w.is(*j)) return false;
       const double from = dot(w.w, i->m), to = -dot(w.w, j->m);
@@ -193,7 +157,7 @@ class QuickWalk {
     while (budget_-- > 0) {
       ++counters_.portal_steps;
       const double face = dot(n, c0->w), size = sum(magnitude(n));
-      if (!(size > kQuickLeast)) return;
+      if (is_small_direction(n)) return;
       if (face >= 0) {
         // The portal before: one step from the one that shows contact.
         if constexpr (kSeeks) {
@@ -206,12 +170,12 @@ class QuickWalk {
         return;
       }
       if constexpr (kSeeks) at_ = {c0, c1, c2};
-      QuickCorner& w = support(n, free);
-      if (separates(n, w)) return;
+      QuickCorner& w = *free;
+      if (misses(n, w)) return;
       if (!(dot(n, w.w) - face > target_ / 4 * size)) {
         if constexpr (kSeeks) return;
         if constexpr (std::same_as<S, double>) {
-          sure_support(n, w);
+          support_.sure(n, w);
           if (separates(n, w)) return;
         }
         if (!(dot(n, w.w) - face > target_ / 4 * size)) {
@@ -245,7 +209,8 @@ class QuickWalk {
 
   // Where the line passes the portal: s, with the weights of it; NaN if it does not within the noise.
   double pass(const Portal& portal, std::array<double, 4>& lambda) const {
-    return QuickTriangle{portal[0]->w, portal[1]->w, portal[2]->w, r_, r_sq_}.pass(noise_ / 4, lambda);
+    return QuickTriangle{portal[0]->w, portal[1]->w, portal[2]->w, r_, r_sq_}.pass(support_.noise() / 4,
+                                                                                   lambda);
   }
   // The portal before the last step and this one lie on either side of the start.
   void touch() {
@@ -256,7 +221,8 @@ class QuickWalk {
   void close(const Triple& n, double reach) {
     const double upper = pass(at_, out_.lambda), lower = std::min(reach / dot(n, r_), upper);
     const double speed = sum(magnitude(r_));
-    const bool sure = lower > 0 && upper < s_max_ && upper > 2 * noise_ && (upper - lower) * speed <= target_;
+    const bool sure =
+        lower > 0 && upper < s_max_ && upper > 2 * support_.noise() && (upper - lower) * speed <= target_;
     if (!sure) return;
     out_.outcome = Outcome::hit;
     out_.lower = lower;
@@ -265,12 +231,12 @@ class QuickWalk {
     out_.size = 3;
   }
 
-  const GuidedPair<S>& pair_;
+  PairSupport<S> support_;
   Triple r_, end_;  // end_: of the path, as far as C reaches
   Counters& counters_;
   int budget_;
   bool passed_ = false;
-  double r_sq_ = 1, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
+  double r_sq_ = 1, s_max_ = 0, target_ = 0;
   // Three of the portal, the one that is new, the one that the last step took out.
   std::array<QuickCorner, 5> slot_;
   Portal at_{}, before_{};

@@ -32,8 +32,8 @@ void fill_curved_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S
         .vector()
         .template cast<S>();
   };
-  out.point_a = witness(a, pair.a(), found.own_a, pair.a().radius());
-  out.point_b = witness(b, pair.b(), found.own_b, -pair.b().radius());
+  out.point_a = witness(a, pair.a(), found.own_a, pair.radius_a());
+  out.point_b = witness(b, pair.b(), found.own_b, -pair.radius_b());
 }
 
 // False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().

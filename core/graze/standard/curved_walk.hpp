@@ -24,7 +24,7 @@
 // passed over, which the four times of margin hold. The ball's point R n/|n| errs by 5 u R.
 #pragma once
 
-#include <graze/portal/sweep.hpp>
+#include <graze/portal/quick_path.hpp>
 #include <graze/support/curved_guide.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
@@ -42,57 +42,16 @@ template <Scalar S>
 // Supports of the walk; what takes longer is no common case.
 inline constexpr int kCurvedSteps = 48;
 
-// The pair: valid while the bodies live. They have passed validate(), and are curved or round.
+// The bodies are curved or round.
 template <Scalar S>
-class CurvedPair {
- public:
-  CurvedPair(const Body<S>& a, const Body<S>& b, double target_distance) : a_(a), b_(b) {
-    const Triple d = detail::offset_of_centers(a_.guide(), b_.guide());
-    const double size =
-        std::max({a_.guide().size() + a_.radius(), b_.guide().size() + b_.radius(), largest(d)});
-    k_ = size > 0 ? exponent_of(size) : 0;
-    const double scale = power_of_two(-k_);
-    size_ = scale * size;
-    offset_ = scale * d;
-    radius_ = scale * (a_.radius() + b_.radius() + target_distance);
-    const auto turned = [](const Guide<S>& guide) { return guide.turned() ? largest(guide.center()) : 0.0; };
-    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) +
-                    0x1p-95 * scale * (turned(a_.guide()) + turned(b_.guide()));
-    a_.prepare(k_);
-    b_.prepare(k_);
-    extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
-    const Triple v = triple(b.displacement) - triple(a.displacement);
-    const double speed = largest(v);
-    j_ = speed > 0 ? exponent_of(speed) : 0;
-    r_ = power_of_two(-j_) * v;
-  }
+using CurvedPair = GuidedPair<S, CurvedGuide<S>>;
 
-  [[nodiscard]] const CurvedGuide<S>& a() const { return a_; }
-  [[nodiscard]] const CurvedGuide<S>& b() const { return b_; }
-  [[nodiscard]] const Triple& offset() const { return offset_; }
-  [[nodiscard]] const Triple& direction() const { return r_; }
-  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
-  [[nodiscard]] double radius() const { return radius_; }  // R
-  // The largest of the bodies' sizes, balls and all, and of the offset's components, in [1, 2): below twice the
-  // pair's scale (round_walk.hpp).
-  [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] double extent() const { return extent_; }  // M, bounds |w| over K
-  // Of a point of C, per component.
-  [[nodiscard]] double point_error() const {
-    return a_.error() + b_.error() + offset_error_ + 4 * kUnitRoundoff<double> * (extent_ + 2 * radius_);
-  }
-  [[nodiscard]] double margin() const {
-    return 4 * (a_.error() + b_.error()) + offset_error_ + 64 * kUnitRoundoff<double> * (extent_ + radius_);
-  }
-  [[nodiscard]] int length_exponent() const { return k_; }
-  [[nodiscard]] int speed_exponent() const { return j_; }
-
- private:
-  CurvedGuide<S> a_, b_;
-  double radius_ = 0, size_ = 0, extent_ = 0, offset_error_ = 0;
-  int k_ = 0, j_ = 0;
-  Triple offset_{0, 0, 0}, r_{0, 0, 0};
-};
+// Of a point of C, per component.
+template <Scalar S>
+[[nodiscard]] double point_error(const CurvedPair<S>& pair) {
+  return pair.a().error() + pair.b().error() + pair.offset_error() +
+         4 * kUnitRoundoff<double> * (pair.extent() + 2 * pair.radius());
+}
 
 // A point of C, ball and all, and as it is seen along the path.
 struct CurvedCorner {
@@ -130,7 +89,7 @@ class CurvedWalk {
     noise_ = kContact * unit * pair.size();
     reach_ = pair.a().reach() + pair.b().reach() + radius_;
     target_ = std::max(noise_, tolerance * pair.size());
-    margin_ = pair.margin();
+    margin_ = pair.ball_margin();
     guess_ = pair.a().slip() + pair.b().slip();
     set_frame();
   }
@@ -228,17 +187,10 @@ class CurvedWalk {
     return true;
   }
 
-  // About where a ball as large as C would be met (quick_walk.hpp).
-  [[nodiscard]] Triple first_direction() const {
-    const Triple c = -pair_.offset(), beside = r_sq_ * c - dot(c, r_) * r_;
-    const double radius = (0.58 * (pair_.a().reach() + pair_.b().reach()) + radius_) * r_sq_,
-                 room = std::max(radius * radius - dot(beside, beside), 0.0);
-    return -(radius * beside + room * r_);
-  }
   // Three points of C around the line, counterclockwise as seen against it.
   [[nodiscard]] bool find() {
     CurvedCorner first;
-    Triple n = first_direction();
+    Triple n = quick_first_direction(pair_);
     if (!(largest(n) > kLeast)) n = -r_unit_;
     n = (1 / largest(n)) * n;
     support(n, first);

@@ -19,7 +19,7 @@ template <Scalar S>
 // its feature.
 template <Scalar S>
 void fill_round_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                        const RoundPair<S>& pair, const RoundWalk<S>& walk, const Triple& normal,
+                        const GuidedPair<S>& pair, const RoundWalk<S>& walk, const Triple& normal,
                         const RoundSweep& found, double lower, CastResult<S>& out) {
   if (asks_for(options.request, Request::normal)) out.normal = normal.vector().template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;
@@ -27,7 +27,7 @@ void fill_round_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>
   const auto witness = [&](const Body<S>& body, const Guide<S>& guide, bool of_a) -> Vec3<S> {
     Triple own{0, 0, 0};
     for (int i = 0; i < found.size; ++i) {
-      const RoundCorner& c = walk.corner(std::size_t(i));
+      const PairVertex& c = walk.corner(std::size_t(i));
       own = own + found.lambda[std::size_t(i)] * guide.own(of_a ? c.vertex_a : c.vertex_b);
     }
     const Triple turned = guide.to_world(power_of_two(pair.length_exponent()) * own);
@@ -44,7 +44,7 @@ void fill_round_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>
 template <Scalar S>
 [[nodiscard]] bool round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                               CastResult<S>& out) {
-  const RoundPair<S> pair(a, b, double(options.target_distance));
+  const GuidedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves() || !(options.t_max > 0) || !(pair.radius() > 0)) return false;
   const int k = pair.length_exponent(), j = pair.speed_exponent();
   RoundWalk<S> walk(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),

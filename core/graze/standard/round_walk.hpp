@@ -19,8 +19,7 @@
 // margin = 4 e + offset's error + 64 u (M + R).
 #pragma once
 
-#include <graze/portal/sweep.hpp>
-#include <graze/support/prepared_pair.hpp>
+#include <graze/support/pair_support.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -32,75 +31,17 @@ template <Scalar S>
   return std::holds_alternative<Sphere<S>>(shape) || std::holds_alternative<Capsule<S>>(shape) ||
          is_quick(shape);
 }
-template <Scalar S>
-[[nodiscard]] double plain_radius(const Shape<S>& shape) {
-  if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return double(sphere->radius);
-  if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) return double(capsule->radius);
-  return 0;
-}
 
 }  // namespace detail
 
 inline constexpr int kRoundSteps = 32;
 
-// The pair: valid while the bodies live. They have passed validate(), and are round.
+// Of a point of K, per component: e + the offset's error + 4 u M (quick_walk.hpp).
 template <Scalar S>
-class RoundPair {
- public:
-  RoundPair(const Body<S>& a, const Body<S>& b, double target_distance)
-      : a_(a), b_(b), radius_a_(detail::plain_radius(a.shape)), radius_b_(detail::plain_radius(b.shape)) {
-    const Triple d = detail::offset_of_centers(a_, b_);
-    const double size = std::max({a_.size() + radius_a_, b_.size() + radius_b_, largest(d)});
-    k_ = size > 0 ? exponent_of(size) : 0;
-    const double scale = power_of_two(-k_);
-    size_ = scale * size;
-    offset_ = scale * d;
-    radius_ = scale * (radius_a_ + radius_b_ + target_distance);
-    const double turned =
-        (a_.turned() ? largest(a_.center()) : 0.0) + (b_.turned() ? largest(b_.center()) : 0.0);
-    offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * scale * turned;
-    a_.prepare(k_);
-    b_.prepare(k_);
-    extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
-    const Triple v = triple(b.displacement) - triple(a.displacement);
-    const double speed = largest(v);
-    j_ = speed > 0 ? exponent_of(speed) : 0;
-    r_ = power_of_two(-j_) * v;
-  }
-
-  [[nodiscard]] const Guide<S>& a() const { return a_; }
-  [[nodiscard]] const Guide<S>& b() const { return b_; }
-  [[nodiscard]] const Triple& offset() const { return offset_; }
-  [[nodiscard]] const Triple& direction() const { return r_; }
-  [[nodiscard]] bool moves() const { return largest(r_) > 0; }
-  [[nodiscard]] double radius() const { return radius_; }      // R
-  [[nodiscard]] double radius_a() const { return radius_a_; }  // caller's unit
-  [[nodiscard]] double radius_b() const { return radius_b_; }
-  // The largest of the bodies' sizes, balls and all, and of the offset's components, in [1, 2): a core's size
-  // is at most 3.5 times half its longest side (hull.hpp), so this is below twice the pair's scale.
-  [[nodiscard]] double size() const { return size_; }
-  [[nodiscard]] double extent() const { return extent_; }  // M, bounds |w| over K
-  // Of a point of K, per component: e + the offset's error + 4 u M (quick_walk.hpp).
-  [[nodiscard]] double point_error() const {
-    return a_.error() + b_.error() + offset_error_ + 4 * kUnitRoundoff<double> * extent_;
-  }
-  [[nodiscard]] double margin() const {
-    return 4 * (a_.error() + b_.error()) + offset_error_ + 64 * kUnitRoundoff<double> * (extent_ + radius_);
-  }
-  [[nodiscard]] int length_exponent() const { return k_; }
-  [[nodiscard]] int speed_exponent() const { return j_; }
-
- private:
-  Guide<S> a_, b_;
-  double radius_a_, radius_b_, radius_ = 0, size_ = 0, extent_ = 0, offset_error_ = 0;
-  int k_ = 0, j_ = 0;
-  Triple offset_{0, 0, 0}, r_{0, 0, 0};
-};
-
-struct RoundCorner {
-  Triple w;
-  std::uint32_t vertex_a, vertex_b;
-};
+[[nodiscard]] double point_error(const GuidedPair<S>& pair) {
+  return pair.a().error() + pair.b().error() + pair.offset_error() +
+         4 * kUnitRoundoff<double> * pair.extent();
+}
 
 // outcome not_converged: it gave up.
 struct RoundSweep {
@@ -117,9 +58,13 @@ template <Scalar S>
 class RoundWalk {
  public:
   // `unit`: the roundoff whose noise is contact.
-  RoundWalk(const RoundPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters,
+  RoundWalk(const GuidedPair<S>& pair, double horizon, double tolerance, int budget, Counters& counters,
             double unit = double(kUnitRoundoff<S>))
-      : pair_(pair), counters_(counters), r_(pair.direction()), radius_(pair.radius()) {
+      : pair_(pair),
+        support_(pair, counters),
+        counters_(counters),
+        r_(pair.direction()),
+        radius_(pair.radius()) {
     budget_ = std::min(budget, kRoundSteps);
     r_sq_ = dot(r_, r_);
     // |r| >= 1: beyond, nothing of C is met.
@@ -127,7 +72,7 @@ class RoundWalk {
     end_ = s_end_ * r_;
     noise_ = kContact * unit * pair.size();
     target_ = std::max(noise_, tolerance * pair.size());
-    margin_ = pair.margin();
+    margin_ = pair.ball_margin();
     guess_ = pair.a().slip() + pair.b().slip();
   }
 
@@ -141,7 +86,7 @@ class RoundWalk {
     }
     return out_;
   }
-  [[nodiscard]] const RoundCorner& corner(std::size_t i) const { return f_[i]; }
+  [[nodiscard]] const PairVertex& corner(std::size_t i) const { return f_[i]; }
   // The point of F nearest to x; its weights.
   Triple nearest(const Triple& x, std::array<double, 3>& lambda) const {
     if (size_ == 1) {
@@ -157,17 +102,6 @@ class RoundWalk {
   }
 
  private:
-  [[gnu::noinline]] void support(const Triple& n, RoundCorner& out) {
-    ++counters_.supports;
-    const Triple a = pair_.a().support(n, out.vertex_a), b = pair_.b().support(-n, out.vertex_b);
-    out.w = a - (b + pair_.offset());
-  }
-  [[gnu::noinline]] void sure_support(const Triple& n, RoundCorner& out) {
-    ++counters_.supports;
-    const Triple a = pair_.a().farthest(n, out.vertex_a), b = pair_.b().farthest(-n, out.vertex_b);
-    out.w = a - (b + pair_.offset());
-  }
-
   static double on_edge(const Triple& a, const Triple& b, const Triple& x) {
     const Triple e = b - a;
     const double length_sq = dot(e, e), along = dot(x - a, e);
@@ -281,7 +215,7 @@ class RoundWalk {
                  room = std::max(ball * ball - r_sq_ * beside_sq, 0.0);
     Triple n = -(ball * beside + room * r_);
     if (!(largest(n) > 0)) n = -r_;
-    support((1 / largest(n)) * n, f_[0]);
+    support_.guess((1 / largest(n)) * n, f_[0]);
     size_ = 1;
     return true;
   }
@@ -325,15 +259,15 @@ class RoundWalk {
       if (f_length > kLeast) n = (std::copysign(length, dot(f, n)) / f_length) * f;
       rate = dot(n, r_);
     }
-    RoundCorner& w = f_[std::size_t(size_)];
-    support(n, w);
+    PairVertex& w = f_[std::size_t(size_)];
+    support_.guess(n, w);
     const double ball = radius_ * length, at = dot(n, x), slack = margin_ * sum(magnitude(n));
     double h = dot(n, w.w) + ball;
     // Nothing is met before what is proved so far.
     const double bound = std::min(s_low_ * rate, dot(n, end_));
     const bool ends = h - at <= noise_ / 2 * length && guess_ > noise_;
     if (ends || (h < bound - slack && !(h < bound - slack - guess_ * length))) {
-      sure_support(n, w);
+      support_.sure(n, w);
       h = dot(n, w.w) + ball;
     }
     if (h < bound - slack) {
@@ -354,10 +288,9 @@ class RoundWalk {
       return true;
     }
     for (int i = 0; i < size_; ++i) {
-      const RoundCorner& c = f_[std::size_t(i)];
+      const PairVertex& c = f_[std::size_t(i)];
       // Nothing new: the path goes on to where the axis ends.
-      if (c.vertex_a == w.vertex_a && c.vertex_b == w.vertex_b)
-        return s_low_ > before + noise_ / 8 || ++stalls_ < 4;
+      if (c.is(w)) return s_low_ > before + noise_ / 8 || ++stalls_ < 4;
     }
     ++size_;
     return true;
@@ -374,14 +307,15 @@ class RoundWalk {
   // Where the path passes F nearest, n.r is rounding.
   static constexpr double kComingIn = 0x1p-26;
 
-  const RoundPair<S>& pair_;
+  const GuidedPair<S>& pair_;
+  PairSupport<S> support_;
   Counters& counters_;
   Triple r_, end_;
   double radius_, r_sq_ = 1, s_low_ = 0, s_end_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   int budget_, size_ = 0, stalls_ = 0;
   bool ahead_ =
       true;  // look where F would be met; else from the x that is proved, which always brings F nearer
-  std::array<RoundCorner, 4> f_;
+  std::array<PairVertex, 4> f_;
   RoundSweep out_;
 };
 

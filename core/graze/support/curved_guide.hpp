@@ -41,10 +41,6 @@ class CurvedGuide {
     } else if (const auto* ellipsoid = std::get_if<Ellipsoid<S>>(&body.shape)) {
       kind_ = Kind::ellipsoid;
       radii_ = triple(ellipsoid->radii);
-    } else if (const auto* sphere = std::get_if<Sphere<S>>(&body.shape)) {
-      radius_ = double(sphere->radius);
-    } else if (const auto* capsule = std::get_if<Capsule<S>>(&body.shape)) {
-      radius_ = double(capsule->radius);
     }
   }
   // k: the internal length is 2^-k of the caller's.
@@ -60,8 +56,7 @@ class CurvedGuide {
 
   [[nodiscard]] const Guide<S>& guide() const { return guide_; }
   [[nodiscard]] bool is_curved() const { return kind_ != Kind::guide; }
-  [[nodiscard]] double radius() const { return radius_; }  // of the ball about the core, caller's unit
-  [[nodiscard]] double reach() const { return reach_; }    // of the core
+  [[nodiscard]] double reach() const { return reach_; }  // of the core
   [[nodiscard]] double error() const {
     if (kind_ == Kind::guide) return guide_.error();
     return (6 + (guide_.turned() ? kGuideTurn : 0)) * kUnitRoundoff<double> * reach_;
@@ -154,7 +149,7 @@ class CurvedGuide {
 
   Guide<S> guide_;
   Kind kind_ = Kind::guide;
-  double radius_ = 0, reach_ = 0;
+  double reach_ = 0;
   Triple radii_{0, 0, 0};  // of a cylinder and a cone: radius, radius, half height
 };
 

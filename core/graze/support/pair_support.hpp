@@ -9,7 +9,7 @@
 
 namespace graze::inline GRAZE_LINKAGE {
 
-// Written and read a number at a time, as QuickCorner (quick_walk.hpp).
+// Written and read a number at a time, and never copied: a load that is wider than the stores before it waits for them.
 struct PairVertex {
   Triple w;  // not set unless given
   std::uint32_t vertex_a, vertex_b;
@@ -48,11 +48,11 @@ class PairSupport {
   [[nodiscard]] bool has(std::uint32_t vertex_a, std::uint32_t vertex_b) const {
     return pair_.a().has_vertex(vertex_a) && pair_.b().has_vertex(vertex_b);
   }
-  // Does n prove that the bodies are apart, h(n) < 0 beyond rounding? w: a vertex far along n, which may come out
-  // farther.
-  [[nodiscard]] bool separates(const Triple& n, PairVertex& w) {
-    const double size = sum(magnitude(n)), bound = -margin_ * size;
-    if (!(dot(n, w.w) < bound)) return false;
+  // Is h(n) < `level` beyond rounding? At 0 the bodies are apart. w: a vertex far along n, which may come out farther.
+  [[nodiscard, gnu::always_inline]] bool separates(const Triple& n, PairVertex& w, double level = 0) {
+    const double size = sum(magnitude(n)), bound = level - margin_ * size;
+    if (!(dot(n, w.w) < bound)) [[likely]]
+      return false;
     if (dot(n, w.w) < bound - guess_ * size) return true;
     sure(n, w);
     return dot(n, w.w) < bound;
@@ -62,7 +62,7 @@ class PairSupport {
   // What rounding cannot tell from contact, and what a search by distance strives for (sweep.hpp).
   [[nodiscard]] double noise() const { return noise_; }
   [[nodiscard]] double fine() const { return noise_ / 8; }
-  // What n.w may be off by, over |n|_1, w the farthest vertex: see quick_walk.hpp, without its path.
+  // What n.w may be off by, over |n|_1, w the farthest vertex: quick_walk.hpp, path and all.
   [[nodiscard]] double margin() const { return margin_; }
 
  private:

@@ -54,6 +54,14 @@ template <Scalar S>
          std::holds_alternative<Triangle<S>>(shape);
 }
 
+// Of the ball about a core that is one of these, caller's unit.
+template <Scalar S>
+[[nodiscard]] double plain_radius(const Shape<S>& shape) {
+  if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return double(sphere->radius);
+  if (const auto* capsule = std::get_if<Capsule<S>>(&shape)) return double(capsule->radius);
+  return 0;
+}
+
 }  // namespace detail
 
 inline constexpr int kGuideTurn = 21;
@@ -107,6 +115,7 @@ class Guide {
     blur_ = side_->blur;
   }
 
+  [[nodiscard]] const Guide& guide() const { return *this; }
   [[nodiscard]] const Body<S>& body() const { return body_; }
   [[nodiscard]] double reach() const { return reach_; }
   // The largest of its bounds' coordinates, about the centre.
@@ -367,22 +376,41 @@ template <Scalar S>
 
 }  // namespace detail
 
-// The pair: valid while the bodies live. They have passed validate().
-template <Scalar S>
+// The pair: valid while the bodies live. They have passed validate(). G: a Guide, or what has one (curved_guide.hpp).
+// Balls about the cores, and a target distance, are of those walks that ask for them: C is then the cores' difference,
+// rounded by R.
+template <Scalar S, class G = Guide<S>>
 class GuidedPair {
  public:
   GuidedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) { prepare(a, b); }
   // Of guides that nothing was prepared with.
-  GuidedPair(const Guide<S>& a, const Guide<S>& b) : a_(a), b_(b) { prepare(a.body(), b.body()); }
+  GuidedPair(const G& a, const G& b) : a_(a), b_(b) { prepare(a.guide().body(), b.guide().body()); }
+  // With their balls.
+  GuidedPair(const Body<S>& a, const Body<S>& b, double target_distance)
+      : a_(a),
+        b_(b),
+        radius_a_(detail::plain_radius(a.shape)),
+        radius_b_(detail::plain_radius(b.shape)),
+        radius_(radius_a_ + radius_b_ + target_distance) {
+    prepare(a, b);
+    radius_ *= power_of_two(-k_);
+  }
 
-  [[nodiscard]] const Guide<S>& a() const { return a_; }
-  [[nodiscard]] const Guide<S>& b() const { return b_; }
+  [[nodiscard]] const G& a() const { return a_; }
+  [[nodiscard]] const G& b() const { return b_; }
   [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the bodies' sizes and of the offset's components, in [1, 2): within a factor 4 of the
-  // pair's scale.
+  // The largest of the bodies' sizes, balls and all, and of the offset's components, in [1, 2): within a factor 4 of the
+  // pair's scale, and below twice that (a core's size is at most 3.5 times half its longest side, hull.hpp).
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
-  [[nodiscard]] double extent() const { return extent_; }              // bounds |c|
+  [[nodiscard]] double extent() const { return extent_; }      // M, bounds |c| over the cores' difference
+  [[nodiscard]] double radius() const { return radius_; }      // R
+  [[nodiscard]] double radius_a() const { return radius_a_; }  // caller's unit
+  [[nodiscard]] double radius_b() const { return radius_b_; }
+  // Of the farthest point along n, over |n|_1 (standard/round_walk.hpp).
+  [[nodiscard]] double ball_margin() const {
+    return 4 * (a_.error() + b_.error()) + offset_error_ + 64 * kUnitRoundoff<double> * (extent_ + radius_);
+  }
   // r = v 2^-j, within u per component; zero if nothing moves.
   [[nodiscard]] const Triple& direction() const { return r_; }
   [[nodiscard]] bool moves() const { return largest(r_) > 0; }
@@ -391,14 +419,15 @@ class GuidedPair {
 
  private:
   [[gnu::always_inline]] void prepare(const Body<S>& a, const Body<S>& b) {
-    const Triple d = detail::offset_of_centers(a_, b_);
-    const double size = std::max({a_.size(), b_.size(), largest(d)});
+    const Guide<S>&guide_a = a_.guide(), &guide_b = b_.guide();
+    const Triple d = detail::offset_of_centers(guide_a, guide_b);
+    const double size = std::max({guide_a.size() + radius_a_, guide_b.size() + radius_b_, largest(d)});
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
     // One rounding of a difference, or of a sum of pairs with what turned the centres.
-    const double turned =
-        (a_.turned() ? largest(a_.center()) : 0.0) + (b_.turned() ? largest(b_.center()) : 0.0);
+    const double turned = (guide_a.turned() ? largest(guide_a.center()) : 0.0) +
+                          (guide_b.turned() ? largest(guide_b.center()) : 0.0);
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
     a_.prepare(k_);
     b_.prepare(k_);
@@ -409,7 +438,8 @@ class GuidedPair {
     r_ = power_of_two(-j_) * v;
   }
 
-  Guide<S> a_, b_;
+  G a_, b_;
+  double radius_a_ = 0, radius_b_ = 0, radius_ = 0;
   Triple offset_{}, r_{};
   double extent_ = 0, size_ = 0, offset_error_ = 0;
   int k_ = 0, j_ = 0;
