@@ -40,6 +40,13 @@ std::vector<Case> near_ties(int count) {
   return out;
 }
 
+std::vector<Case> near_touches(int count) {
+  std::vector<Case> out;
+  corpus::Random random(20261125);
+  for (int i = 0; i < count; ++i) out.push_back(draw_near_touch(random));
+  return out;
+}
+
 std::vector<Case> rotating_cases(int count) {
   std::vector<Case> out;
   corpus::Random random(20261121);
@@ -64,7 +71,7 @@ Sample sample_for(Kind kind, int count) {
     case Kind::linear:
       return {linear_cases(count), near_ties(10 * count)};
     case Kind::query:
-      return {linear_cases(count), {}};
+      return {linear_cases(count), near_touches(4 * count)};
     case Kind::rotating:
       break;
   }

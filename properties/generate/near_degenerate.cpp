@@ -113,4 +113,25 @@ class NearTie {
 
 Case draw_near_tie(Random& random) { return NearTie(random).draw(); }
 
+Case draw_near_touch(Random& random) {
+  Case problem;
+  problem.family = "near touches";
+  const double height = std::ldexp(1.0, -22 - static_cast<int>(random.below(14)));
+  // Up to z = 0 from below, or down to it, with a point behind.
+  const auto facing = [&](double up) {
+    std::vector<Vec3<double>> vertices = {{0, 0, -2 * up}};
+    for (std::uint64_t left = 4 + random.below(9); left > 0; --left) {
+      const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+      vertices.emplace_back(x, y, -up * height * random.uniform(0, 1));
+    }
+    return Hull<double>(std::span<const Vec3<double>>(vertices));
+  };
+  problem.a.shape = facing(1);
+  problem.b.shape = facing(-1);
+  if (random.once_in(2)) problem.a.orientation = problem.b.orientation = draw_orientation(random);
+  problem.b.position =
+      corpus::rotate(problem.a.orientation, Vec3<double>(0, 0, height * random.uniform(-1, 1)));
+  return problem;
+}
+
 }  // namespace graze::law

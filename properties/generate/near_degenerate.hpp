@@ -11,4 +11,9 @@ namespace graze::law {
 // at a point of such a face.
 [[nodiscard]] corpus::Case draw_near_tie(corpus::Random& random);
 
+// Two hulls at rest, face to face, which touch or are apart by as much as the corners of either face differ in height:
+// what floats cannot tell, and doubles can. A vertex guessed by floats is not the farthest one, and whether the bodies
+// touch hangs on it.
+[[nodiscard]] corpus::Case draw_near_touch(corpus::Random& random);
+
 }  // namespace graze::law

@@ -24,6 +24,8 @@ if [[ $source == installed ]]; then
 else
   options+=(-DGRAZE_SUBDIRECTORY="$source_dir" -DEVERY_HEADER=ON)
 fi
+# Once header-only by another compiler, once compiled.
+[[ $source != subdirectory && $name != *library* ]] || options+=(-DKEPT=ON)
 run "$cmake" -S "$source_dir/tests/consumer/project" -B "$build" --no-warn-unused-cli "${options[@]}" "${without[@]}"
 
 # The user's flags, the standard, include paths: nothing of ours may be among them.
@@ -42,6 +44,7 @@ fi
 reference_answers="$build/reference"
 mkdir -p "$reference_answers"
 run "$reference" "$reference_answers"
+[[ ! -x $build/consumer_kept ]] || "$build/consumer_kept"
 for mode in $modes; do
   program="$build/consumer" argument=""
   case $mode in
