@@ -66,8 +66,7 @@ std::string hexfloats(const corpus::Case& problem) {
 }  // namespace
 
 std::string report(const Finding& finding) {
-  std::string text = fmt::format("target: {}\nlaw: {}\nmethod: {}\nfault: {}\n", kTarget.name, finding.law,
-                                 finding.method, finding.fault);
+  std::string text = heading(finding);
   if (kTarget.judge) {
     text += fmt::format("case: {}\nnumbers:{}\n", corpus::write_case(finding.problem),
                         hexfloats(finding.problem));

@@ -52,10 +52,16 @@ struct Target {
 };
 extern const Target kTarget;
 
+// target.cpp has these two of cases, text_target.cpp of texts.
 [[nodiscard]] Judged judge(std::span<const std::uint8_t> bytes);
 
 // target, law, method, fault and the case as JSON, a line each; every number as a hexfloat; every side.
 [[nodiscard]] std::string report(const Finding& finding);
+// The first four of these lines.
+[[nodiscard]] inline std::string heading(const Finding& finding) {
+  return std::string("target: ") + kTarget.name + "\nlaw: " + finding.law + "\nmethod: " + finding.method +
+         "\nfault: " + finding.fault + "\n";
+}
 
 // Adds what a law said of a method's answer: reached if it applied, a finding if it broke.
 void add(Judged& judged, std::string_view law, std::string_view method, const law::LawResult& said,

@@ -6,6 +6,7 @@ A patch of tests/scene/defects begins with header lines, then a diff that `patch
   Compile: the .cpp files that the patch changes by a header
 
 Those files alone are compiled again, and linked before the libraries. The law is tried on random scenes until it breaks.
+With --apply nothing is compiled: does each patch apply to the sources as they are?
 """
 import argparse
 import os
@@ -38,6 +39,13 @@ class Defect:
         self.compiled += self.headers.get("Compile", "").split(", ") if "Compile" in self.headers else []
         if not self.compiled:
             raise Fault(f"{path}: nothing to compile; name a .cpp by Compile")
+
+
+def why_not_applied(source, defect):
+    """Why the patch does not apply, or nothing; changes nothing."""
+    words = ["patch", "--dry-run", "--batch", "--strip=1", "--fuzz=1", "--directory", source, "--input", defect.path]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    return "does not apply any more; make it again: " + " ".join(done.stdout.split()) if done.returncode else ""
 
 
 def what_is_wrong(config, defect, scenes):
@@ -73,6 +81,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("config", help="written by CMake: scene-Release.conf")
     parser.add_argument("--work", required=True, help="where copies are kept")
+    parser.add_argument("--apply", action="store_true", help="only see whether the patches apply")
     parser.add_argument("--scenes", type=int, default=4000, help="random scenes to try each on")
     parser.add_argument("name", nargs="*", help="defects of tests/scene/defects; all if none is given")
     options = parser.parse_intermixed_args()
@@ -81,8 +90,11 @@ def main():
     paths = [HERE / "defects" / f"{name}.patch" for name in options.name]
     faults = []
     for defect in map(Defect, paths or sorted((HERE / "defects").glob("*.patch"))):
-        fault = what_is_wrong(config, defect, options.scenes)
-        print(f"{defect.name}: {fault or 'found'}", flush=True)
+        if options.apply:
+            fault = why_not_applied(config.source, defect)
+        else:
+            fault = what_is_wrong(config, defect, options.scenes)
+        print(f"{defect.name}: {fault or ('applies' if options.apply else 'found')}", flush=True)
         faults += [defect.name] if fault else []
     return 1 if faults else 0
 
