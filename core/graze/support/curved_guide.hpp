@@ -78,9 +78,6 @@ class CurvedGuide {
   [[nodiscard]] Triple own(std::uint32_t piece, const Triple& n) const {
     return kind_ == Kind::guide ? guide_.own(piece) : point(piece, guide_.to_own(n));
   }
-  [[nodiscard]] Triple at(std::uint32_t piece, const Triple& n) const {
-    return guide_.to_world(own(piece, n));
-  }
 
   // Of a curved body: the piece's point that is farthest along n, and how it bends along e and f, the directions across
   // the path in the body's own axes.
