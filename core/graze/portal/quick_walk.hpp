@@ -86,20 +86,30 @@ class QuickWalk {
 
   // The vertex along n, into a slot that is free; or with it n proves that the path misses.
   [[gnu::always_inline]] bool misses(const Triple& n, QuickCorner& w) {
-    support_.guess(n, w);
+    support(n.x, n.y, n.z, w);
     return separates(n, w);
   }
   [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
-    if (support_.separates(n, w, std::min(0.0, dot(n, end_)))) {
-      out_.outcome = Outcome::miss;
-      out_.n = n;
-      return true;
+    const double level = std::min(0.0, dot(n, end_));
+    if (!support_.may_separate(n, w, level)) [[likely]]
+      return false;
+    if (!support_.separates(n, w, level)) {
+      see(w);
+      return false;
     }
+    out_.outcome = Outcome::miss;
+    out_.n = n;
+    return true;
+  }
+  [[gnu::noinline]] void support(double x, double y, double z, QuickCorner& w) {
+    support_.guess_here({x, y, z}, w);
+    see(w);
+  }
+  [[gnu::always_inline]] void see(QuickCorner& w) {
     const Triple m = cross(w.w, r_);
     w.m.x = m.x;
     w.m.y = m.y;
     w.m.z = m.z;
-    return false;
   }
   [[nodiscard]] static double det(const QuickCorner& c, const QuickCorner& d) { return dot(c.w, d.m); }
 
@@ -176,6 +186,7 @@ class QuickWalk {
         if constexpr (kSeeks) return;
         if constexpr (std::same_as<S, double>) {
           support_.sure(n, w);
+          see(w);
           if (separates(n, w)) return;
         }
         if (!(dot(n, w.w) - face > target_ / 4 * size)) {

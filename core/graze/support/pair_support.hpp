@@ -31,7 +31,9 @@ class PairSupport {
         guess_(pair.a().slip() + pair.b().slip()) {}
 
   // Far along n, whose largest component is between 2^-80 and 2^80: within slip() of the farthest, over |n|.
-  [[gnu::noinline]] void guess(const Triple& n, PairVertex& out) {
+  [[gnu::noinline]] void guess(const Triple& n, PairVertex& out) { guess_here(n, out); }
+  // Within the caller, which goes on with what is not yet written.
+  [[gnu::always_inline]] void guess_here(const Triple& n, PairVertex& out) {
     ++counters_.supports;
     set(pair_.a().support(n, out.vertex_a), pair_.b().support(-n, out.vertex_b), out);
   }
@@ -49,13 +51,18 @@ class PairSupport {
     return pair_.a().has_vertex(vertex_a) && pair_.b().has_vertex(vertex_b);
   }
   // Is h(n) < `level` beyond rounding? At 0 the bodies are apart. w: a vertex far along n, which may come out farther.
-  [[nodiscard, gnu::always_inline]] bool separates(const Triple& n, PairVertex& w, double level = 0) {
+  [[nodiscard]] bool separates(const Triple& n, PairVertex& w, double level = 0) {
     const double size = sum(magnitude(n)), bound = level - margin_ * size;
-    if (!(dot(n, w.w) < bound)) [[likely]]
-      return false;
+    if (!(dot(n, w.w) < bound)) return false;
     if (dot(n, w.w) < bound - guess_ * size) return true;
     sure(n, w);
     return dot(n, w.w) < bound;
+  }
+
+  // Not if this is false.
+  [[nodiscard, gnu::always_inline]] bool may_separate(const Triple& n, const PairVertex& w,
+                                                      double level) const {
+    return dot(n, w.w) < level - margin_ * sum(magnitude(n));
   }
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }
