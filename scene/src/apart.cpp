@@ -5,11 +5,14 @@
 //   neither turns   the gap is linear in t: s_0 > 0 and s_1 > 0 prove all between;
 //   one turns       every point stays within M t (T - t) / 2 of its chord along n, M <= |w| |n x w| rho of each body, so
 //                   sqrt(s_0) + sqrt(s_1) > T sqrt(M / 2) proves all between (rotating/slice.hpp).
-// A body that turns by more than kMostAngle is a ball about its pivot, and does not turn.
+// A turn that nobody sees (mobility.hpp: no point of the body, as a set, gets farther than its sway from where the
+// linear motion has it) is not followed: the linear motion's body grown by the sway holds the body. So is one of more
+// than kMostAngle where the sway is less than the ball about the pivot; else that ball stands for the core.
 //
-// Contact. Points w_i of C, each within e of where it is computed. If the computed ones' hull holds a ball of radius
-// e + d about the origin, the true ones' holds one of radius d: h(n) falls by e at most. For a core with a ball of radius
-// R about it: a convex combination v of the w_i with |v| <= R - e - d is as good.
+// Contact is asked at t = 0 alone, whatever the turn. Points w_i of C, each within e of where it is computed. If the
+// computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
+// e at most. For a core with a ball of radius R about it: a convex combination v of the w_i with |v| <= R - e - d is as
+// good.
 //
 // Rounding. Entries of R are within 9 u, those of the turned one within (48 + 8 angle) u: the half angle within 2 u of
 // itself, a product of quaternions, and 9 u. A point, three products of a row, a direction turned back at either of two
@@ -35,6 +38,7 @@ namespace {
 constexpr double u = kUnitRoundoff<double>;
 constexpr double kUp = 1 + 0x1p-40;  // above what a few roundings leave
 constexpr double kMostAngle = 1;     // radians of a step
+constexpr double kUnseen = 0x1p-36;  // of a body's size: a turn of less sway is not worth following
 constexpr int kBudget = 24;          // supports of a search; what needs more is cast
 
 Vec3<double> zero() { return Vec3<double>::Zero(); }
@@ -56,25 +60,33 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
   size = 2 * (unit * core + 2 * radius) * kUp;
   const double angle = rate * limits.t_end;
   turns = angle > 0;
-  is_ball = turns && !(angle <= kMostAngle);
 
   rotation[0] = detail::rotation_matrix(body.orientation);
   rotation[1] = rotation[0];
-  if (is_ball) {
-    center[0] = position + unit * (rotation[0] * moving.pivot);
-    center[1] = center[0] + way;
-    radius += rho;
-    turns = false;
-  } else {
-    center[0] = position + unit * (rotation[0] * bounds.center);
-    center[1] = center[0] + way;
-    if (turns) {
+  start = position + unit * (rotation[0] * bounds.center);
+  center = {start, start + way};
+  swept = radius;
+  if (turns) {
+    const Mat3<double> accurate = detail::accurate_rotation_matrix(body.orientation);
+    const detail::Bounds own = detail::bounds(detail::unwrapped<double>(body.shape));
+    const double sway = detail::mobility(moving, moving.pivot, own, unit, accurate).sway(limits.t_end) * kUp;
+    const bool follows = angle <= kMostAngle;
+    if (sway <= (follows ? kUnseen * size : rho)) {
+      swept += sway;
+      turns = false;
+    } else if (!follows) {
+      center[0] = position + unit * (rotation[0] * moving.pivot);
+      center[1] = center[0] + way;
+      swept += rho;
+      turns = false;
+      is_ball = true;
+    } else {
       const Quaternion<double>& q = body.orientation;
       const double most = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
-      const Eigen::Quaterniond start =
+      const Eigen::Quaterniond before =
           Eigen::Quaterniond(q.w / most, q.x / most, q.y / most, q.z / most).normalized();
-      const Eigen::Quaterniond end = Eigen::AngleAxisd(limits.t_end * w.norm(), w.normalized()) * start;
-      rotation[1] = detail::rotation_matrix(Quaternion<double>{end.w(), end.x(), end.y(), end.z()});
+      const Eigen::Quaterniond after = Eigen::AngleAxisd(limits.t_end * w.norm(), w.normalized()) * before;
+      rotation[1] = detail::rotation_matrix(Quaternion<double>{after.w(), after.x(), after.y(), after.z()});
       center[1] += unit * (rotation[1] * arm - rotation[0] * arm);
     }
   }
@@ -87,10 +99,12 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
 StepPair::StepPair(const StepBody& a, const StepBody& b, const StepLimits& limits, Counters& counters)
     : a_(a), b_(b), side_a_(a.side), side_b_(b.side), limits_(limits), counters_(counters) {
   for (const std::size_t end : {0u, 1u}) apart_[end] = b.center[end] - a.center[end];
+  start_ = b.start - a.start;
   const double target = limits.target_distance * power_of_two(-limits.exponent);
   radius_ = (a.radius + b.radius + target) * kUp;
+  swept_ = (a.swept + b.swept + target) * kUp;
   error_ = a.error + b.error;
-  const double scale = a.size + b.size + target + apart_[0].cwiseAbs().sum();
+  const double scale = a.size + b.size + target + start_.cwiseAbs().sum();
   const bool turns = a.rate > 0 || b.rate > 0;
   margin_ = ((turns ? 2e-9 : 0x1p-36) + limits.tolerance) * scale + error_;
 }
@@ -100,13 +114,13 @@ StepPair::Ends StepPair::support(const Vec3<double>& n, bool both) {
   Ends out;
   const auto point = [&](const StepBody& body, const detail::Side<double>& side, const Vec3<double>& d,
                          std::size_t end, std::uint32_t& vertex) -> Vec3<double> {
-    if (body.is_ball) return zero();
+    if (both && body.is_ball) return zero();
     const detail::SidePoint<double> p = side.support(side, body.rotation[end].transpose() * d, nullptr);
     vertex = p.vertex;
     return body.rotation[end] * p.x;
   };
   const Vec3<double> a = point(a_, side_a_, n, 0, out.vertex_a), b = point(b_, side_b_, -n, 0, out.vertex_b);
-  out.w[0] = a - b - apart_[0];
+  out.w[0] = a - b - (both ? apart_[0] : start_);
   if (!both) return out;
   std::uint32_t unnamed = 0;
   const Vec3<double> a_end = a_.turns ? point(a_, side_a_, n, 1, unnamed) : a,
@@ -117,7 +131,7 @@ StepPair::Ends StepPair::support(const Vec3<double>& n, bool both) {
 
 bool StepPair::is_parted_by(const Vec3<double>& n) {
   const Ends ends = support(n, true);
-  const double lost = radius_ + error_ + margin_;
+  const double lost = swept_ + error_ + margin_;
   const double s_0 = -n.dot(ends.w[0]) - lost, s_1 = -n.dot(ends.w[1]) - lost;
   if (!(s_0 > 0 && s_1 > 0)) return false;
   double bend = 0;
@@ -143,7 +157,7 @@ Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
   Simplex<double> simplex;
   const Vec3<double> start = hint != zero() ? hint : Vec3<double>((apart_[0] + apart_[1]) / 2);
   const Vec3<double> n = gjk_distance(farther, zero(), start, simplex, 0x1p-10 * (a_.size + b_.size),
-                                      radius_ + margin_, kBudget, counters_)
+                                      swept_ + margin_, kBudget, counters_)
                              .n;
   return n != zero() && is_parted_by(n) ? n : zero();
 }
@@ -175,7 +189,6 @@ bool StepPair::holds_origin(const std::array<Vec3<double>, 4>& w, int size) cons
 }
 
 bool StepPair::is_held_by(const Touching& features) {
-  if (a_.is_ball || b_.is_ball) return false;
   std::array<Vec3<double>, 4> w;
   for (int i = 0; i < features.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -185,7 +198,6 @@ bool StepPair::is_held_by(const Touching& features) {
 }
 
 std::optional<Touching> StepPair::find_touching() {
-  if (a_.is_ball || b_.is_ball) return {};
   const auto at_start = [&](const Vec3<double>& n) {
     const Ends ends = support(n, false);
     CsoPoint<double> p;
@@ -196,7 +208,7 @@ std::optional<Touching> StepPair::find_touching() {
     return p;
   };
   Simplex<double> simplex;
-  gjk_distance(at_start, zero(), apart_[0], simplex, 0.0, radius_ / 2, kBudget, counters_);
+  gjk_distance(at_start, zero(), start_, simplex, 0.0, radius_ / 2, kBudget, counters_);
   Touching out;
   out.size = simplex.size;
   std::array<Vec3<double>, 4> w;

@@ -20,14 +20,16 @@ struct StepBody {
   StepBody(const RotatingBody<double>& moving, const StepLimits& limits);
 
   detail::Side<double> side;
-  std::array<Mat3<double>, 2>
-      rotation;  // at 0 and t_end; the same where nothing turns, or a ball stands for it
-  std::array<Vec3<double>, 2> center;   // of the side
-  Vec3<double> w;                       // rotation vector
-  double rate = 0, rho = 0;             // |w|, and how far the core's points are from the pivot, at most
-  double radius = 0, size = 0;          // of what is added to the core; of the whole
-  double error = 0;                     // of a point, and of h(n)
-  bool turns = false, is_ball = false;  // the core turns so far that the ball about the pivot stands for it
+  std::array<Mat3<double>, 2> rotation;  // at 0 and t_end; the same where no turn is followed
+  Vec3<double> start;                    // the side's centre at 0
+  std::array<Vec3<double>, 2> center;    // of what is followed over the step: the side, or the ball
+  Vec3<double> w;                        // rotation vector
+  double rate = 0, rho = 0;              // |w|, and how far the core's points are from the pivot, at most
+  double radius = 0, size = 0;           // of what is added to the core; of the whole
+  double swept = 0;      // the radius, and what a turn that is not followed adds to it over the step
+  double error = 0;      // of a point, and of h(n)
+  bool turns = false;    // the turn is followed
+  bool is_ball = false;  // over the step the ball about the pivot stands for the core
 };
 
 class StepPair {
@@ -56,8 +58,9 @@ class StepPair {
   detail::Side<double> side_a_, side_b_;  // a climb remembers where it ended: each pair's own
   const StepLimits& limits_;
   Counters& counters_;
-  std::array<Vec3<double>, 2> apart_;  // of the centres, B's from A's
-  double radius_, error_, margin_;
+  std::array<Vec3<double>, 2> apart_;  // B's centre from A's, of what is followed over the step
+  Vec3<double> start_;                 // and of the sides at 0
+  double radius_, swept_, error_, margin_;
 };
 
 }  // namespace graze::scene

@@ -58,6 +58,48 @@ TEST(Memory, AMissIsKnownByItsAxisAndAContactByItsPoints) {
   EXPECT_EQ(casts, 0u);
 }
 
+TEST(Memory, ATurnThatNobodySeesPartsAsIfThereWereNone) {
+  // A capsule spins about its axis beside a box, as near as a tenth of its length, and a ball about its centre.
+  Scene scene{{box("still", {0, 0, 0}), box("capsule", {0.75, 0, 0}, {0, 0, 0.05}),
+               box("ball", {-0.75, 0, 0}, {0, 0.1, 0})},
+              {}};
+  scene.bodies[1].body.body.shape = Capsule<double>{0.2, 1};
+  scene.bodies[1].body.rotation = {0, 0, 300};
+  scene.bodies[2].body.body.shape = Sphere<double>{0.2};
+  scene.bodies[2].body.rotation = {100, 200, 300};
+  Options options;
+  options.economies = options.economies.without(Economy::bounds);
+  options.t_max = 0.125;  // 37 radians a step
+  Memory memory;
+  EXPECT_TRUE(run(scene, options, memory).events.empty());
+  for (int step = 1; step < 10; ++step) {
+    scene = at_time(scene, options.t_max);
+    const Report report = run(scene, options, memory);
+    EXPECT_EQ(report.counts.simulated(), 0u);
+    EXPECT_EQ(report.counts.parted, 3u);
+    EXPECT_TRUE(report.events.empty());
+  }
+}
+
+TEST(Memory, ABodyThatTurnsMuchIsInContactByItsPoints) {
+  // A bar spins about its long axis, a pivot at its far end, in a box that it goes through.
+  Scene scene{{box("still", {0, 0, 0}), box("bar", {0.07, 0.03, 0.25})}, {}};
+  scene.bodies[1].body.body.shape = Box<double>{{0.1, 0.1, 2}};
+  scene.bodies[1].body.pivot = {0, 0, -2};
+  scene.bodies[1].body.rotation = {0, 0, 100};
+  Options options;
+  options.t_max = 0.125;
+  Memory memory;
+  EXPECT_EQ(run(scene, options, memory).counts.simulated(), 1u);
+  for (int step = 1; step < 10; ++step) {
+    scene = at_time(scene, options.t_max);
+    const Report report = run(scene, options, memory);
+    EXPECT_EQ(report.counts.held, 1u);
+    ASSERT_EQ(report.events.size(), 1u);
+    EXPECT_EQ(report.events[0].outcome, Outcome::initially_overlapping);
+  }
+}
+
 TEST(Memory, IsTheSameInAnyNumberOfThreadsAndAfterAnInterruption) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const law::RandomScene drawn = law::random_scene(seed);
