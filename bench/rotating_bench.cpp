@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <ctime>
 #include <functional>
+#include <graze/cast.hpp>
+#include <graze/rotating/moving_pair.hpp>
 #include <graze/rotating_cast.hpp>
 #include <numeric>
 
@@ -37,7 +39,7 @@ struct Answer {
 
 struct Contestant {
   std::string name;
-  std::function<Answer(const MovingBodies&)> cast;
+  std::function<Answer(const MovingBodies&)> ask;
 };
 
 Contestant rotating(std::string name, RotatingOptions<double> options) {

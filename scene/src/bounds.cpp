@@ -21,7 +21,7 @@
 namespace graze::scene {
 namespace {
 
-constexpr double u = kUnitRoundoff<double>;
+constexpr double kRoundoff = kUnitRoundoff<double>;  // u
 
 struct CoreBox {
   Vec3<double> middle, half;
@@ -33,14 +33,16 @@ struct CoreBox {
 CoreBox core_box(const Shape<double>& shape) {
   const detail::Bounds bounds = detail::bounds(shape);
   const Vec3<double> middle = bounds.center + bounds.middle;
-  const Vec3<double> lost = 8 * u * (bounds.center.cwiseAbs() + bounds.middle.cwiseAbs() + bounds.half);
+  const Vec3<double> lost =
+      8 * kRoundoff * (bounds.center.cwiseAbs() + bounds.middle.cwiseAbs() + bounds.half);
   const double beyond = detail::beyond_bounds(shape, bounds);
   return {middle, bounds.half + lost + Vec3<double>::Constant(beyond), bounds.radius};
 }
 
 SweptBox box_of(const Vec3<double>& c, const Vec3<double>& way, const Vec3<double>& h) {
   const Vec3<double> there = c + way;
-  const Vec3<double> lost = 8 * u * (c.cwiseAbs() + way.cwiseAbs() + h) + Vec3<double>::Constant(0x1p-1000);
+  const Vec3<double> lost =
+      8 * kRoundoff * (c.cwiseAbs() + way.cwiseAbs() + h) + Vec3<double>::Constant(0x1p-1000);
   return {c - h - lost, c + h + lost, there - h - lost, there + h + lost};
 }
 
@@ -54,15 +56,16 @@ SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, dou
   const Vec3<double> way = t_end * body.displacement;
   const double size = body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + own.half.sum() +
                       turn.pivot.cwiseAbs().sum() + own.radius;
-  const double more = around + 32 * u * size;
+  const double more = around + 32 * kRoundoff * size;
   const Vec3<double> c = body.position + R * own.middle;
-  const Vec3<double> h = (R.cwiseAbs() * own.half + Vec3<double>::Constant(own.radius + more)) * (1 + 16 * u);
-  const double angle = turn.rotation.norm() * t_end * (1 + 16 * u);
+  const Vec3<double> h =
+      (R.cwiseAbs() * own.half + Vec3<double>::Constant(own.radius + more)) * (1 + 16 * kRoundoff);
+  const double angle = turn.rotation.norm() * t_end * (1 + 16 * kRoundoff);
   if (!(angle > 0)) return box_of(c, way, h);
 
-  const double reach = ((own.middle - turn.pivot).cwiseAbs() + own.half).norm() * (1 + 16 * u) + more;
-  const double sway = std::min(angle, 2.0) * reach * (1 + 16 * u);
-  const double ball = (reach + own.radius) * (1 + 16 * u);
+  const double reach = ((own.middle - turn.pivot).cwiseAbs() + own.half).norm() * (1 + 16 * kRoundoff) + more;
+  const double sway = std::min(angle, 2.0) * reach * (1 + 16 * kRoundoff);
+  const double ball = (reach + own.radius) * (1 + 16 * kRoundoff);
   if (3 * ball <= h.sum() + 3 * sway) {
     const Vec3<double> pivot = body.position + R * turn.pivot;
     return box_of(pivot, way, Vec3<double>::Constant(ball));

@@ -38,6 +38,50 @@ TEST(Validate, ZeroExtentsAreShapes) {
   EXPECT_EQ(refused({.shape = Hull<double>{{1, 2, 3}}}), Invalid::none);
 }
 
+// The check by bits lets pass whatever is ordinary, and nothing that the check in words refuses.
+TEST(Validate, TheShortCheckLetsPassOnlyWhatTheLongOneDoes) {
+  using Make = Shape<double> (*)(double, double, double);
+  const Make shapes[] = {
+      [](double x, double, double) -> Shape<double> { return Sphere<double>{x}; },
+      [](double x, double y, double) -> Shape<double> {
+        return Capsule<double>{x, y};
+      },
+      [](double x, double y, double) -> Shape<double> {
+        return Cylinder<double>{x, y};
+      },
+      [](double x, double y, double) -> Shape<double> {
+        return Cone<double>{x, y};
+      },
+      [](double x, double y, double z) -> Shape<double> {
+        return Box<double>{{x, y, z}};
+      },
+      [](double x, double y, double z) -> Shape<double> {
+        return Ellipsoid<double>{{x, y, z}};
+      },
+      [](double x, double y, double z) -> Shape<double> {
+        return Segment<double>{{x, y, z}, {1, 2, 3}};
+      },
+      [](double x, double y, double z) -> Shape<double> {
+        return Triangle<double>{{1, 2, 3}, {3, 2, 1}, {x, y, z}};
+      },
+  };
+  const double values[] = {0, -0.0, 1, -1, 1e-60, 1e60, 1e-61, 1e61, 0x1p-1074, kInfinity<double>, kNan};
+  int parts = 0, passed = 0, refused_ones = 0;
+  for (const Make make : shapes) {
+    EXPECT_TRUE(detail::is_common(Body<double>{.shape = make(1, 0, 3)}));
+    for (const double x : values) {
+      for (int at = 0; at < 3; ++at) {
+        const Body<double> body{.shape = make(at == 0 ? x : 1, at == 1 ? x : 1, at == 2 ? x : 1)};
+        const bool valid = detail::check_shape(body.shape, 0, parts) == Invalid::none;
+        EXPECT_FALSE(detail::is_common(body) && !valid) << body.shape.index() << " " << x << " " << at;
+        ++(valid ? passed : refused_ones);
+      }
+    }
+  }
+  EXPECT_GT(passed, 50);
+  EXPECT_GT(refused_ones, 50);
+}
+
 TEST(Validate, PoseAndMotion) {
   const Body<double> good{.shape = Sphere<double>{1}};
   for (int i = 0; i < 3; ++i) {

@@ -32,7 +32,7 @@ constexpr std::uint64_t kCasts = 60'000'000;
 constexpr std::uint64_t kCastsOfOthers = 100'000;
 // An exact answer takes the oracle 4 ms, over the families, and a cast and its judgement 50 microseconds: of
 // one in 2048 they are 4 % of the time.
-constexpr std::uint64_t kOracleEvery = 2048;
+constexpr std::uint64_t kCastOracleEvery = 2048;
 // A block takes a tenth of a second, so that a run stops at once and loses little. Other answers than linear
 // casts take a hundred times as long.
 constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
@@ -195,7 +195,7 @@ CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines)
   };
   if (arguments.casts_linear())
     add(engine::Kind::linear, arguments.per_family,
-        arguments.casts.value_or(engines.empty() ? kCasts : kCastsOfOthers), kOracleEvery);
+        arguments.casts.value_or(engines.empty() ? kCasts : kCastsOfOthers), kCastOracleEvery);
   if (arguments.queries) add(engine::Kind::query, arguments.queries, 0, 1);
   if (arguments.casts_rotating())
     add(engine::Kind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
@@ -292,7 +292,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
           "--oracle-every", arguments->oracle_every,
           fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
                       "of queries, which have no proofs, it judges one in N alone (1); 0: none",
-                      kOracleEvery, kRotatingOracleEvery))
+                      kCastOracleEvery, kRotatingOracleEvery))
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command

@@ -31,7 +31,7 @@ struct SceneSettings {
 };
 
 // Of --gains: so many rounds, or until so much processor time is spent.
-constexpr int kMostRounds = 15;
+constexpr int kMostGainRounds = 15;
 constexpr double kGainsSeconds = 8;
 
 std::string economy_names() {
@@ -256,7 +256,7 @@ class SceneRun {
     variants.push_back({"all of them", scene::Economies::none()});
     document.options.threads = 1;
     double spent = 0;
-    for (int round = 0; round < kMostRounds && spent < kGainsSeconds; ++round) {
+    for (int round = 0; round < kMostGainRounds && spent < kGainsSeconds; ++round) {
       for (Variant& variant : variants) {
         if (StopBySignal::received() != 0) return;
         document.options.economies = variant.economies;

@@ -11,7 +11,7 @@ namespace graze::tool {
 namespace {
 
 // So many rounds, or until so much processor time is spent.
-constexpr int kMostRounds = 7;
+constexpr int kMostStepRounds = 7;
 constexpr double kMostSeconds = 8;
 
 }  // namespace
@@ -26,7 +26,7 @@ SceneSteps::SceneSteps(const scene::Document& document, int steps) : options_(do
 
 bool SceneSteps::run() {
   double spent = 0;
-  for (int round = 0; round < kMostRounds && spent < kMostSeconds; ++round) {
+  for (int round = 0; round < kMostStepRounds && spent < kMostSeconds; ++round) {
     const std::clock_t start = std::clock();
     if (!go_through(false, without_) || !go_through(true, with_)) return false;
     spent += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

@@ -103,6 +103,19 @@ bool is_common(const Vec3<S>& v) {
   return bool(unsigned(is_common(v[0])) & unsigned(is_common(v[1])) & unsigned(is_common(v[2])));
 }
 template <Scalar S>
+bool is_common_extent(S x) {
+  return bool(unsigned(is_common(x)) & unsigned(x >= 0));
+}
+template <Scalar S>
+bool is_common_extent(const Vec3<S>& x) {
+  return is_common(x) && x.minCoeff() >= 0;
+}
+// Capsule, cylinder, cone.
+template <class Shape>
+bool has_common_extents(const Shape& shape) {
+  return bool(unsigned(is_common_extent(shape.radius)) & unsigned(is_common_extent(shape.half_height)));
+}
+template <Scalar S>
 bool is_common(const Body<S>& body) {
   const Quaternion<S>& q = body.orientation;
   const unsigned motion = unsigned(is_common(body.position)) & unsigned(is_common(body.displacement));
@@ -113,13 +126,18 @@ bool is_common(const Body<S>& body) {
     return hull->size() > 0 && hull->finite() && !hull->flushed() && is_common(hull->largest()) &&
            is_common(hull->smallest_nonzero());
   }
-  if (const auto* box = std::get_if<Box<S>>(&body.shape))
-    return is_common(box->half_extents) && box->half_extents.minCoeff() >= 0;
+  if (const auto* box = std::get_if<Box<S>>(&body.shape)) return is_common_extent(box->half_extents);
   if (const auto* triangle = std::get_if<Triangle<S>>(&body.shape))
     return unsigned(is_common(triangle->a)) & unsigned(is_common(triangle->b)) &
            unsigned(is_common(triangle->c));
   if (const auto* segment = std::get_if<Segment<S>>(&body.shape))
     return unsigned(is_common(segment->a)) & unsigned(is_common(segment->b));
+  if (const auto* sphere = std::get_if<Sphere<S>>(&body.shape)) return is_common_extent(sphere->radius);
+  if (const auto* capsule = std::get_if<Capsule<S>>(&body.shape)) return has_common_extents(*capsule);
+  if (const auto* cylinder = std::get_if<Cylinder<S>>(&body.shape)) return has_common_extents(*cylinder);
+  if (const auto* cone = std::get_if<Cone<S>>(&body.shape)) return has_common_extents(*cone);
+  if (const auto* ellipsoid = std::get_if<Ellipsoid<S>>(&body.shape))
+    return is_common_extent(ellipsoid->radii);
   return std::holds_alternative<Point<S>>(body.shape);
 }
 
