@@ -31,9 +31,9 @@ target_compile_features(graze_own INTERFACE cxx_std_20)
 # with the property GRAZE_CONTRACTED (their own flags come before these, so none of theirs could take this one back).
 target_compile_options(graze_own INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:-ffp-contract=off>
                                            -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
-if(NOT GRAZE_UNITY)  # there a file's local names hide another file's
-  target_compile_options(graze_own INTERFACE -Wshadow)
-endif()
+# Where several sources are compiled at once, a file's local names hide another file's, and are none of a header's.
+set(united $<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>)
+target_compile_options(graze_own INTERFACE $<IF:${united},-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
 target_include_directories(graze_own INTERFACE ${PROJECT_SOURCE_DIR})
 # Where assertions are on, what we install holds names of files: as the sources name them, not where they were built.
 target_compile_options(graze_own INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)

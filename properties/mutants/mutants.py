@@ -209,7 +209,7 @@ def arguments():
     parser.add_argument("--double", action="store_true", help="methods in double alone: half the compilation")
     parser.add_argument("--page", action="store_true", help="run nothing: the page of what has been run")
     parser.add_argument("--at-least", type=float, metavar="PERCENT",
-                        help="exit 1 if less is noticed of what can be")
+                        help="exit 1 if less is noticed of those that change an answer of this run")
     parser.add_argument("--write", action="store_true", help="write build/reports/mutants.md")
     options = parser.parse_args()
     if options.count > 1000:
@@ -239,8 +239,11 @@ def main():
         (reports / "mutants.md").write_text(text)
     else:
         print(text)
-    if options.at_least is not None and outcome.share() < options.at_least:
-        raise Fault(f"{outcome.share():.1f} % noticed of the mutants that can be, less than {options.at_least} %")
+    if options.at_least is not None:
+        share, changing = outcome.of_changes()
+        if share < options.at_least:
+            raise Fault(f"{share:.1f} % noticed of the {changing} mutants that change an answer, less than "
+                        f"{options.at_least} %")
 
 
 if __name__ == "__main__":

@@ -70,6 +70,13 @@ class Outcome:
         judged = [m for m in self.judged() if m.noticed() or m.kind != "within"]
         return 100.0 * len([m for m in judged if m.noticed()]) / len(judged) if judged else 100.0
 
+    def of_changes(self):
+        """Per cent noticed of those that changed an answer of this run, and how many these are: the measure of a small
+        run, where most of what it does not notice changed nothing that it asked."""
+        judged = [m for m in self.judged() if m.noticed() or m.answers]
+        share = 100.0 * len([m for m in judged if m.noticed()]) / len(judged) if judged else 100.0
+        return share, len(judged)
+
     def share(self, noticed=Mutant.noticed):
         """Per cent of those that can be noticed."""
         judged = self.judged()
