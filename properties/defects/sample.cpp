@@ -42,6 +42,7 @@ std::vector<Case> near_ties(int count) {
 
 std::vector<Case> near_touches(int count) {
   std::vector<Case> out;
+  out.reserve(static_cast<std::size_t>(count));
   corpus::Random random(20261125);
   for (int i = 0; i < count; ++i) out.push_back(draw_near_touch(random));
   return out;

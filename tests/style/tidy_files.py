@@ -2,13 +2,14 @@
 
 Reads the names of sources from standard input. In FOLDER it writes compile_commands.json; united.txt, the files that
 hold every source once (those that the build compiles several at once, then sources and headers that stand alone); and
-parts.txt, the sources that united.txt holds together with others.
+parts.txt, a command to a line that parses a source, by itself, which united.txt holds together with others.
 
 usage: tidy_files.py COMPILE_COMMANDS FOLDER HEADER..."""
 import json
 import os
 import pathlib
 import re
+import shlex
 import sys
 
 database, folder = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
@@ -20,7 +21,19 @@ def compiling(command, source, object_file):
     return re.sub(r" -o \S+ -c \S+$", f" -o {object_file} -c {source}", command)
 
 
-entries, united, parts, alone = [], [], [], []
+def parsing(command, source):
+    """Clang's, which parses the soonest; what it would warn of is clang-tidy's."""
+    words = iter(shlex.split(command))
+    kept = []
+    for word in words:
+        if word == "-isystem":
+            kept += [word, next(words)]
+        elif word.startswith(("-std=", "-D", "-I")):
+            kept.append(word)
+    return shlex.join(["clang++-14", "-w", "-fsyntax-only"] + kept + [os.fspath(source)])
+
+
+entries, united, parts, alone = [], [], {}, []
 for entry in json.loads(database.read_text()):
     entry["command"] = re.sub(r" -include \S*cmake_pch\.hxx| -Winvalid-pch| -fpch-preprocess", "", entry["command"])
     file = pathlib.Path(entry["file"])
@@ -30,9 +43,7 @@ for entry in json.loads(database.read_text()):
     entries.append(entry)
     if wanted & set(included):
         united.append(file)
-        parts += included
-        entries += [{"directory": entry["directory"], "file": os.fspath(part),
-                     "command": compiling(entry["command"], part, f"{folder}/part.o")} for part in included]
+        parts |= {part: parsing(entry["command"], part) for part in included}
     elif file in wanted:
         alone.append(file)
 library = next(e for e in entries if e["file"].endswith("core/src/shapes.cpp"))
@@ -49,5 +60,5 @@ for template in sorted(pathlib.Path("adapter/templates").glob("*.cpp")):  # Buil
     alone.append(file)
 alone += wanted - set(parts)  # Without a command (another compiler's fuzzers): clang-tidy takes a neighbour's.
 (folder / "compile_commands.json").write_text(json.dumps(entries))
-for name, files in ("united", united + sorted(set(alone))), ("parts", sorted(set(parts))):
-    (folder / f"{name}.txt").write_text("".join(f"{file}\n" for file in files))
+(folder / "united.txt").write_text("".join(f"{file}\n" for file in united + sorted(set(alone))))
+(folder / "parts.txt").write_text("".join(f"{command}\n" for command in parts.values()))
