@@ -133,7 +133,7 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)), is_stdout_(na
     return;
   }
   require_own_file(name_);
-  file_.open(name_, std::ios::trunc);
+  file_.open(name_, std::ios::app);
   if (!file_) throw std::runtime_error(name_ + ": cannot be written; name a file in a folder that can");
   open_ = std::make_shared<const std::string>(name_);
   ledger().written.push_back(open_);
@@ -141,6 +141,12 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)), is_stdout_(na
 
 std::ostream& OutputFile::stream() {
   if (is_stdout_) return std::cout;
+  if (!emptied_ && file_.is_open()) {
+    emptied_ = true;
+    std::error_code error;
+    if (fs::is_regular_file(name_, error)) fs::resize_file(name_, 0, error);
+    if (error) throw std::runtime_error(not_written(name_));
+  }
   return file_;
 }
 

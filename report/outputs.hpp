@@ -26,7 +26,8 @@ void require_own_files(const std::vector<std::string>& names);
 // Makes the folder if it is not there yet. Throws std::runtime_error if it cannot become one.
 void require_folder(const std::string& name);
 
-// A file to write, "-" for standard output. Throws std::runtime_error with one line to show.
+// A file to write, "-" for standard output. What it held before is there until the first line is written, or until it
+// is closed: a run that is refused loses nothing. Throws std::runtime_error with one line to show.
 class OutputFile {
  public:
   explicit OutputFile(std::string name);
@@ -38,7 +39,7 @@ class OutputFile {
 
   std::string name_;
   std::ofstream file_;
-  bool is_stdout_ = false;
+  bool is_stdout_ = false, emptied_ = false;
   std::shared_ptr<const std::string> open_;  // while it lives the name is that of an open output
 };
 

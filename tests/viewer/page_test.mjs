@@ -1,4 +1,4 @@
-// A page in a real browser: `node page_test.mjs CHROMIUM show|play|report|price PAGE.html`. Every check says what it saw.
+// A page in a real browser: `node page_test.mjs CHROMIUM show|play|report|price|other PAGE.html`. Every check says what it saw.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
@@ -27,6 +27,13 @@ function checkQuiet(page, name) {
 async function checkWidth(page, name) {
   const [scroll, client] = await page.value("[document.documentElement.scrollWidth, document.documentElement.clientWidth]");
   check(scroll <= client, `${name}: is ${scroll} pixels wide on a screen of ${client}`);
+}
+
+// What a condition in the page's code left between its parts: a number or a word without an element of its own.
+async function checkLeftovers(page, name) {
+  const left = await page.value(`[...document.querySelectorAll("main, section, header, nav")].flatMap((part) => [...part.childNodes])
+    .filter((node) => node.nodeType === Node.TEXT_NODE && /^(0|false|null|undefined|NaN)$/.test(node.data.trim())).map((node) => node.data)`);
+  check(left.length === 0, `${name}: shows ${left.join(", ")} beside its parts`);
 }
 
 // How many pixels of a stage are drawn, and a number that changes with what they show.
@@ -187,6 +194,7 @@ try {
       const page = await browser.open(url, { width, height, dark, phone });
       await checkWidth(page, name);
       await checkNames(page, name);
+      await checkLeftovers(page, name);
       const first = screen === "wide" && !dark;
       if (kind === "show" && (first || (phone && dark))) await checkScene(page, name);
       if (kind === "play" && (first || (phone && dark))) await checkPlay(page, name);

@@ -31,6 +31,7 @@ case $kind in
     "$graze" certify --family random --count 6 --queries 0 --report-cases 0 --report "$folder/none" > "$folder/none.txt"
     size=$(wc -c < "$folder/none/index.html")
     [ "$size" -lt 2000000 ] || { echo "FAILED: without cases the page has $size bytes"; exit 1; }
+    "$node" "$here/page_test.mjs" "$chromium" other "$folder/none/index.html"
     ;;
   price)
     page=$folder/price.html

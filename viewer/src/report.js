@@ -124,7 +124,7 @@ function keepers(data, methods, open) {
   // A table a kind: what one sees first is what most come for.
   const table = (kind) => {
     const own = rows.filter((_, i) => methods[i].kind === kind);
-    return own.length && wide(kKinds[kind], sortable(h("table", { class: "keepers" }, h("thead", {}, h("tr", {}, heads.map(([name, sorts]) => h("th", { scope: "col", "data-sort": sorts }, name)))), h("tbody", {}, own))));
+    return own.length === 0 ? "" : wide(kKinds[kind], sortable(h("table", { class: "keepers" }, h("thead", {}, h("tr", {}, heads.map(([name, sorts]) => h("th", { scope: "col", "data-sort": sorts }, name)))), h("tbody", {}, own))));
   };
   const part = (kind, inside) => inside && [h("h3", {}, kKinds[kind]), inside];
   const asked = table("query");

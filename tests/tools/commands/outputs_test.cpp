@@ -83,6 +83,23 @@ TEST(Outputs, the_list_of_options_is_whole) {
   EXPECT_EQ(found, known);
 }
 
+TEST(Outputs, what_a_file_held_is_there_after_a_refused_run) {
+  const Folder folder;
+  folder.write("x.json", kHit);
+  folder.write("report/index.html", "of yesterday");
+  folder.write("out", "of yesterday");
+  for (const std::string line :
+       {"certify --family nobody --report report", "certify --family nobody --json out",
+        "certify --family nobody --junit out", "certify --family nobody --save out"}) {
+    SCOPED_TRACE(line);
+    EXPECT_EQ(folder.graze(line).exit_code, 2);
+    EXPECT_EQ(folder.read("report/index.html"), "of yesterday");
+    EXPECT_EQ(folder.read("out"), "of yesterday");
+  }
+  EXPECT_EQ(folder.graze("cast x.json --proof out").exit_code, 0);
+  EXPECT_EQ(folder.read("out").find("of yesterday"), std::string::npos);
+}
+
 TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
   for (const Output& output : kOutputs) {
     const bool is_table = output.line.find("--guarantees IN") != std::string::npos;
