@@ -93,6 +93,23 @@ Json json_of(const PriceTable& table) {
           {"shown", std::move(shown)}};
 }
 
+Json json_of(const Advice& one) {
+  const bool takes = !one.label.empty();
+  return {{"user", one.user},
+          {"wants", one.wants},
+          {"bodies", one.bodies},
+          {"label", takes ? Json(one.label) : Json(nullptr)},
+          {"call", takes ? Json(one.call) : Json(nullptr)},
+          {"baseline", one.baseline},
+          {"cost", takes ? json_of(std::optional(one.cost)) : Json(nullptr)},
+          {"worst", number(one.worst)},
+          {"denied", number(one.denied)},
+          {"tables", one.tables},
+          {"asked", one.asked},
+          {"wrong", one.wrong},
+          {"because", one.because}};
+}
+
 // A value of the document, and its place in it for what is said of a wrong one.
 class Reader {
  public:
@@ -105,6 +122,7 @@ class Reader {
     if (found == value_.end()) throw std::runtime_error(path + ": missing");
     return {*found, path};
   }
+  [[nodiscard]] bool has(const char* field) const { return value_.is_object() && value_.contains(field); }
   [[nodiscard]] std::string text() const {
     if (!value_.is_string()) fail("is no text");
     return value_.get<std::string>();
@@ -230,6 +248,23 @@ PriceTable table_from(const Reader& in) {
   return table;
 }
 
+Advice advice_from(const Reader& in) {
+  Advice one{.user = in.at("user").text(), .wants = in.at("wants").text(), .bodies = in.at("bodies").text()};
+  if (!in.at("label").is_null()) {
+    one.label = in.at("label").text();
+    one.call = in.at("call").text();
+  }
+  one.baseline = in.at("baseline").text();
+  if (const std::optional<Spread> cost = spread_from(in.at("cost"))) one.cost = *cost;
+  one.worst = in.at("worst").number_or_none();
+  one.denied = in.at("denied").number_or_none();
+  one.tables = in.at("tables").count();
+  one.asked = in.at("asked").count();
+  one.wrong = in.at("wrong").count();
+  one.because = in.at("because").text();
+  return one;
+}
+
 std::string csv_number(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
 // RFC 4180: in quotes where it has to be.
@@ -257,7 +292,8 @@ const PriceTable* Document::find(const std::string& name) const {
 }
 
 std::string write_document(const Document& document) {
-  Json tables = Json::array(), sentences = Json::array();
+  Json tables = Json::array(), advice = Json::array(), sentences = Json::array();
+  for (const Advice& one : document.advice) advice.push_back(json_of(one));
   for (const PriceTable& table : document.tables) tables.push_back(json_of(table));
   for (const Sentence& one : document.sentences)
     sentences.push_back({{"topic", one.topic}, {"text", one.text}});
@@ -275,6 +311,7 @@ std::string write_document(const Document& document) {
                        {"build", document.machine.build},
                        {"load", number(document.machine.load)}}},
                      {"tables", std::move(tables)},
+                     {"advice", std::move(advice)},
                      {"sentences", std::move(sentences)}};
   return json.dump();
 }
@@ -301,6 +338,9 @@ Document read_document(const std::string& text, const std::string& file) {
                         .cores = machine.at("cores").count(),
                         .load = machine.at("load").number_or_none()};
     in.at("tables").each([&](const Reader& table) { document.tables.push_back(table_from(table)); });
+    // Version 0.2.0 wrote none.
+    if (in.has("advice"))
+      in.at("advice").each([&](const Reader& one) { document.advice.push_back(advice_from(one)); });
     in.at("sentences").each([&](const Reader& one) {
       document.sentences.push_back({.topic = one.at("topic").text(), .text = one.at("text").text()});
     });

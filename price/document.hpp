@@ -88,6 +88,17 @@ struct Sentence {
   std::string topic, text;
 };
 
+// Which contender to take for whom (price/advice.hpp). Over the cases of `tables` tables; an empty label: of
+// those none will do.
+struct Advice {
+  std::string user = {}, wants = {}, bodies = {};  // "a game"; what it asks of an answer; "that turn"
+  std::string label = {}, call = {}, baseline = {};
+  Spread cost = {};                      // over the baseline's time: the tables' geometric mean, and the ends
+  double worst = kNone, denied = kNone;  // error over scale; how far wrong verdicts are from a tie
+  std::size_t tables = 0, asked = 0, wrong = 0;
+  std::string because = {};
+};
+
 struct Document {
   std::string version, effort;
   std::uint64_t seed = 1;
@@ -96,6 +107,7 @@ struct Document {
   double seconds = 0;
   Machine machine = {};
   std::vector<PriceTable> tables = {};
+  std::vector<Advice> advice = {};
   std::vector<Sentence> sentences = {};
 
   [[nodiscard]] const PriceTable* find(const std::string& name) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "price/overall.hpp"
 #include "report/table.hpp"
 
 namespace graze::price {
@@ -100,6 +101,24 @@ std::string curves_text(const Document& document, Part part) {
   return out;
 }
 
+// A line a user, and one a kind of bodies below it.
+std::string advice_text(const Document& document) {
+  std::string out, user;
+  for (const Advice& one : document.advice) {
+    if (user.empty()) out += "Which to take\n";
+    if (one.user != user) out += fmt::format("  for {}: {}\n", one.user, one.wants);
+    user = one.user;
+    if (one.label.empty()) {
+      out += fmt::format("    bodies {}: {}\n", one.bodies, one.because);
+      continue;
+    }
+    out += fmt::format("    bodies {}: {}, {} times the time of {}, off by {} of scale at most; {}\n",
+                       one.bodies, one.label, times_text(one.cost.median), one.baseline,
+                       error_text(one.worst), one.because);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string screen_of(const Document& document, bool full) {
@@ -115,6 +134,7 @@ std::string screen_of(const Document& document, bool full) {
   out += curves_text(document, Part::query);
   out += "What the figures say. Ratios are of times; a cast is asked for its time alone, caches warm.\n";
   for (const Sentence& one : document.sentences) out += fmt::format("  {}\n", one.text);
+  out += advice_text(document);
   return out;
 }
 

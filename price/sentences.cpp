@@ -7,25 +7,18 @@
 #include <functional>
 #include <map>
 
+#include "price/overall.hpp"
 #include "price/statistics.hpp"
 
 namespace graze::price {
 namespace {
 
-using Tables = std::vector<const PriceTable*>;
-
 double ratio_of(const Row* row) { return row != nullptr && row->ratio ? row->ratio->median : kNone; }
 
-// "1.52", "13", "0.061".
-std::string times_text(double ratio) {
-  return ratio >= 9.995 ? fmt::format("{:.0f}", ratio)
-                        : fmt::format("{:.{}f}", ratio, ratio < 0.0995 ? 3 : 2);
-}
 std::string ns_text(double ns) {
   if (ns >= 999'500) return fmt::format("{:.1f} ms", ns / 1e6);
   return ns >= 9'995 ? fmt::format("{:.0f} us", ns / 1e3) : fmt::format("{:.0f} ns", ns);
 }
-std::string error_text(double error) { return error == 0 ? "0" : fmt::format("{:.0e}", error); }
 
 // A ratio that many tables give: the geometric mean, and its ends with where they are.
 class Range {
@@ -86,52 +79,13 @@ class Words {
     }
     return found;
   }
-  [[nodiscard]] Tables families(bool turning) const {
-    return where([&](const PriceTable& table) {
-      return table.part == Part::family && (table.kind == "rotating") == turning;
-    });
-  }
   [[nodiscard]] static std::string families_text(const Tables& tables, bool turning) {
     return fmt::format("{} {} of {}", tables.size(), tables.size() == 1 ? "family" : "families",
                        turning ? "turning bodies" : "linear casts");
   }
 
-  // What a label is over all tables; only if it is asked every case of each.
-  struct Overall {
-    std::string label;
-    double cost = kNone;  // geometric mean of the ratios
-    double worst = 0, late_by = 0, denied = 0;
-    std::size_t asked = 0, wrong = 0, late = 0, open = 0, unsettled = 0;
-  };
-  [[nodiscard]] static std::vector<Overall> overall(const Tables& tables) {
-    std::vector<Overall> found;
-    if (tables.empty()) return found;
-    for (const Row& first : tables.front()->rows) {
-      Overall sum{.label = first.label};
-      std::vector<double> costs;
-      for (const PriceTable* table : tables) {
-        const Row* row = table->find(first.label);
-        if (row == nullptr || row->asked < table->cases || !row->ratio || !row->ours) break;
-        costs.push_back(row->ratio->median);
-        sum.wrong += row->wrong;
-        sum.late += row->late;
-        sum.asked += row->asked;
-        sum.open += row->failures.not_converged;
-        sum.unsettled += row->failures.no_time + row->failures.refused;
-        sum.worst = std::fmax(sum.worst, std::fmax(row->backward.worst, row->denied));
-        sum.late_by = std::fmax(sum.late_by, row->late_by);
-        sum.denied = std::fmax(sum.denied, row->denied);
-      }
-      if (costs.size() < tables.size()) continue;
-      sum.cost = geometric_mean(costs);
-      found.push_back(std::move(sum));
-    }
-    std::sort(found.begin(), found.end(), [](const Overall& l, const Overall& r) { return l.cost < r.cost; });
-    return found;
-  }
-
   void cheapest(bool turning) {
-    const Tables tables = families(turning);
+    const Tables tables = families_of(document_, turning);
     const std::vector<Overall> all = overall(tables);
     if (all.empty()) return;
     const std::string& baseline = tables.front()->baseline;
@@ -141,23 +95,20 @@ class Words {
         say(topic, fmt::format("No method is {} on all {}.", what, families_text(tables, turning)));
         return;
       }
-      const std::string open =
-          found->open == 0 ? ""
-                           : fmt::format(", and it leaves {} of {} verdicts open", found->open, found->asked);
       say(topic,
           fmt::format(
               "The cheapest method that is {} on {}: {}, at {} times the time of {}; its worst error is "
-              "{} of scale{}.",
-              what, families_text(tables, turning), found->label, times_text(found->cost), baseline,
-              error_text(found->worst), open));
+              "{} of scale.",
+              what, families_text(tables, turning), found->row->label, times_text(found->cost), baseline,
+              error_text(found->worst)));
     };
     // A contact that is missed is as late as can be.
     first("never_late", "never late, not by a bit, and misses no contact",
-          [](const Overall& one) { return one.late == 0 && one.wrong == 0; });
+          [](const Overall& one) { return one.late == 0 && one.wrong == 0 && one.open == 0; });
     first("never_late", "never late by more than 1e-12 of scale, and misses no contact that deep,",
-          [](const Overall& one) { return one.late_by <= 1e-12 && one.denied <= 1e-12; });
+          [](const Overall& one) { return one.late_by <= 1e-12 && one.denied <= 1e-12 && one.open == 0; });
     first("never_wrong", "never wrong of the verdict, however near the tie,",
-          [](const Overall& one) { return one.wrong == 0; });
+          [](const Overall& one) { return one.wrong == 0 && one.open == 0; });
     if (turning) return;
     // Tier exact is asked polytopes only.
     const Tables polytopes = where([](const PriceTable& table) {
@@ -172,13 +123,13 @@ class Words {
           fmt::format(
               "Of polytopes alone the cheapest that is neither wrong nor late: {}, at {} times the time "
               "of {}.",
-              found->label, times_text(found->cost), baseline));
+              found->row->label, times_text(found->cost), baseline));
     }
   }
 
   // The cheapest whose worst answer is right to within so much.
   void within(bool turning) {
-    const Tables tables = families(turning);
+    const Tables tables = families_of(document_, turning);
     std::vector<std::string> parts;
     const std::vector<Overall> all = overall(tables);
     for (const double error : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12}) {
@@ -186,7 +137,8 @@ class Words {
         return one.worst <= error && one.unsettled == 0 && one.open == 0;
       });
       if (found != all.end())
-        parts.push_back(fmt::format("{:.0e}: {} ({} times)", error, found->label, times_text(found->cost)));
+        parts.push_back(
+            fmt::format("{:.0e}: {} ({} times)", error, found->row->label, times_text(found->cost)));
     }
     if (parts.empty()) return;
     say("choose", fmt::format("The cheapest that leaves no verdict open and whose worst answer is within so "
@@ -296,7 +248,7 @@ class Words {
   void certainty() {
     for (const bool turning : {false, true}) {
       Range range;
-      for (const PriceTable* table : families(turning)) {
+      for (const PriceTable* table : families_of(document_, turning)) {
         const Row* best = best_standard(*table);
         range.add(ratio_of(table->find("certified/double")) / ratio_of(best), table->name);
       }
@@ -311,7 +263,7 @@ class Words {
 
   void exactness() {
     Range over_mpr, over_certified;
-    for (const PriceTable* table : families(false)) {
+    for (const PriceTable* table : families_of(document_, false)) {
       const Row* exact = table->find("exact/double");
       if (exact == nullptr || exact->asked < table->cases) continue;
       over_mpr.add(ratio_of(exact) / ratio_of(table->find("mpr/double")), table->name);
@@ -328,7 +280,7 @@ class Words {
     for (const char* method : {"ca", "gjk", "mpr", "certified", "exact"}) {
       Range range;
       double in_float = 0, in_double = 0;
-      for (const PriceTable* table : families(false)) {
+      for (const PriceTable* table : families_of(document_, false)) {
         const Row* f = table->find(std::string(method) + "/float");
         const Row* d = table->find(std::string(method) + "/double");
         if (f == nullptr || d == nullptr) continue;
@@ -392,9 +344,9 @@ class Words {
 
   void advancement() {
     Range linear, turning;
-    for (const PriceTable* table : families(false))
+    for (const PriceTable* table : families_of(document_, false))
       linear.add(ratio_of(table->find("ca/double")) / ratio_of(table->find("gjk/double")), table->name);
-    for (const PriceTable* table : families(true))
+    for (const PriceTable* table : families_of(document_, true))
       turning.add(ratio_of(table->find("ca/double")) / ratio_of(table->find("bilateral/double")),
                   table->name);
     if (!linear.empty())

@@ -14,9 +14,15 @@ TEST(PriceDocument, is_read_as_it_was_written) {
   document.tables[0].rows[1].time.reset();
   document.tables[0].rows[1].ratio.reset();
   document.tables[0].shown[0].written = R"({"schema":"graze.case/1"})";
+  document.advice.push_back(
+      {.user = "a robot", .label = "certified/double", .call = "graze::cast(a, b)", .asked = 9});
+  document.advice.push_back({.user = "a game", .because = "none will do"});
   const std::string text = write_document(document);
   const Document read = read_document(text, "price.json");
   EXPECT_EQ(write_document(read), text);
+  ASSERT_EQ(read.advice.size(), 2U);
+  EXPECT_EQ(read.advice[0].label, "certified/double");
+  EXPECT_EQ(read.advice[1].label, "");
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf"), std::string::npos);
   EXPECT_FALSE(read.tables[0].rows[1].time);
@@ -47,6 +53,16 @@ TEST(PriceDocument, what_is_wrong_is_named) {
             "price.json: tables[0].rows[0].asked: is no whole number of 0 or more");
   EXPECT_EQ(refusal_of(changed(R"("supports")", R"("suports")")),
             "price.json: tables[0].rows[0].supports: missing");
+}
+
+// As version 0.2.0 wrote it.
+TEST(PriceDocument, one_without_advice_is_read) {
+  std::string text = write_document(planted_document());
+  const std::string field = R"("advice":[],)";
+  const std::size_t at = text.find(field);
+  ASSERT_NE(at, std::string::npos);
+  text.erase(at, field.size());
+  EXPECT_EQ(read_document(text, "price.json").tables.size(), 1U);
 }
 
 TEST(PriceDocument, the_csv_has_a_line_a_row_and_as_many_cells_in_each) {

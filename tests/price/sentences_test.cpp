@@ -84,8 +84,7 @@ TEST(PriceSentences, a_verdict_that_is_left_open_is_neither_wrong_nor_right) {
     if (row.label == "gjk/double 1e-03") row.failures.not_converged = 3;
   }
   const std::string wrong = said(document, "never_wrong")[0], chosen = said(document, "choose")[0];
-  EXPECT_NE(wrong.find("gjk/double 1e-03"), std::string::npos) << wrong;
-  EXPECT_NE(wrong.find("and it leaves 3 of 10 verdicts open"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find(": gjk/double, at 1.00 times"), std::string::npos) << wrong;
   EXPECT_NE(chosen.find("1e-04: gjk/double (1.00 times)"), std::string::npos) << chosen;
 }
 

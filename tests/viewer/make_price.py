@@ -30,6 +30,12 @@ def table(part, name, title, rows, group="", series="", x=None, x_name=""):
             "shown": [{"id": c["id"], "outcome": "hit", "toi": None, "case": c} for c in cases]}
 
 
+def advice(user, bodies, label):
+    return {"user": user, "wants": "whatever is made up", "bodies": bodies, "label": label,
+            "call": label and f"// {label}\ngraze::cast(a, b)", "baseline": "gjk/double", "cost": label and {"median": 0.5, "low": 0.25, "high": 1},
+            "worst": 3e-4 if label else None, "denied": 6e-8 if label == "mpr/float" else None, "tables": 3, "asked": 72, "wrong": 1 if label == "mpr/float" else 0, "because": "no other is cheaper"}
+
+
 def family(name, title, group, steps):
     rows = []
     for method, ns in (("gjk", 900), ("mpr", 700), ("ca", 1500)):
@@ -55,5 +61,6 @@ print(json.dumps({
     "schema": "graze.price/1", "version": "0.0.0", "effort": "quick", "seed": 1, "rounds": 3, "finished": True, "seconds": 1.5,
     "machine": {"processor": "none: these numbers are made up", "cores": 1, "compiler": "none", "build": "none", "load": None},
     "tables": tables,
+    "advice": [advice("a game", "that do not turn", "mpr/float"), advice("a game", "that turn", "gjk/double 0.001"), advice("a robot", "that turn", None)],
     "sentences": [{"topic": "never_late", "text": "The cheapest that is never late is gjk."}, {"topic": "one_digit", "text": "One more digit costs 40 % on smooth shapes."}]},
     indent=None, separators=(",", ":")))

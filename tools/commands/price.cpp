@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "corpus/format/case_json.hpp"
+#include "price/advice.hpp"
 #include "price/run.hpp"
 #include "price/screen.hpp"
 #include "price/sentences.hpp"
@@ -137,6 +138,7 @@ int run_price_command(const PriceArguments& arguments) {
   settings.stop = [] { return StopBySignal::received() != 0; };
   document = price::run(settings, std::move(document));
   document.machine = price::this_machine();
+  document.advice = price::advice_of(document);
   document.sentences = price::sentences_of(document);
   const std::vector<std::string> left_behind = engines.finish();
   for (const std::string& line : left_behind) complain(line);

@@ -23,7 +23,7 @@ export function pricePage(page, price, open, data) {
       h("p", { class: "small" }, `${price.machine.processor}, ${plural(price.machine.cores, "core")}; ${price.machine.compiler}, ${price.machine.build}; ${plural(price.rounds, "round")}, seed ${price.seed}` +
         (price.machine.load === null ? "" : `; load ${short(price.machine.load)}`) + (price.finished ? "" : "; not finished")),
       tableSizes(price.tables), data?.command && block(data.command, "command")),
-    answers(price), diagrams(of("family"), style, state, open), growth(of("growth"), style, open), requests(of("request"), open), queries(of("query"), open), more(price));
+    advice(price), diagrams(of("family"), style, state, open), growth(of("growth"), style, open), requests(of("request"), open), queries(of("query"), open), more(price));
 }
 
 // On how many cases it all stands: of so few a p99 is the worst, and "never" is of these.
@@ -35,15 +35,30 @@ function tableSizes(tables) {
     (most < 100 ? ": a p99 is the worst of them, and “never” means of these." : "."));
 }
 
-// What the run says in words: what to choose first, the rest below the figures.
-const kFirst = ["choose", "never_late", "never_wrong", "certainty", "exactness"];
-function said(id, heading, sentences) {
+// Which method to take, a card a user: what it asks of an answer, and for each kind of bodies the cheapest that gives it.
+function advice({ advice = [] }) {
+  const users = [...new Set(advice.map(({ user }) => user))];
+  if (users.length === 0) return "";
+  const choice = (one) => h("div", { class: "choice" },
+    h("p", {}, `Bodies ${one.bodies}: `, h("strong", {}, one.label ?? "none")),
+    one.call && block(one.call, "call"),
+    one.cost && h("p", { class: "small" }, `${one.cost.median.toPrecision(2)} times the time of ${one.baseline}` +
+      (one.tables > 1 ? ` in the mean of ${one.tables} families, ${one.cost.low.toPrecision(2)} to ${one.cost.high.toPrecision(2)}` : "") +
+      `; off by ${short(one.worst, 1)} of the bodies' size at worst` + (one.wrong > 0 ? `; ${one.wrong} of ${plural(one.asked, "verdict")} wrong, ${short(one.denied, 1)} from a tie at most` : "") + "."),
+    h("p", { class: "small" }, `Why: ${one.because}.`));
+  return h("section", { id: "advice" }, h("h2", {}, "Which method to take"),
+    h("div", { class: "users" }, users.map((user) => {
+      const mine = advice.filter((one) => one.user === user);
+      return h("article", { class: "user" }, h("h3", {}, `For ${user}`), h("p", {}, `Wants ${mine[0].wants}.`), mine.map(choice));
+    })));
+}
+
+// What the run says in words, below the figures.
+function more({ sentences }) {
   if (sentences.length === 0) return "";
-  return h("section", { id }, h("h2", {}, heading),
+  return h("section", { id: "more" }, h("h2", {}, "In words"),
     h("dl", {}, sentences.flatMap(({ topic, text }) => [h("dt", {}, topic.replaceAll("_", " ")), h("dd", {}, text)])));
 }
-const answers = ({ sentences }) => said("answers", "What to choose", kFirst.flatMap((topic) => sentences.filter((one) => one.topic === topic)));
-const more = ({ sentences }) => said("more", "In words", sentences.filter((one) => !kFirst.includes(one.topic)));
 
 const wide = (label, table) => h("div", { class: "wide", tabindex: 0, role: "region", "aria-label": label }, table);
 function rowsTable(table, open) {

@@ -129,7 +129,7 @@ function keepers(data, methods, open) {
   const part = (kind, inside) => inside && [h("h3", {}, kKinds[kind]), inside];
   const asked = table("query");
   return h("section", { id: "methods" }, h("h2", {}, "Who keeps what, and at what price"),
-    h("p", {}, "Each method on all its families together. An error at its limit is 1; press it to look at the case. Times are of this machine."),
+    h("p", {}, "Each method on all its families together. An error at its limit is 1; press it to look at the case. Times are of this machine; which method to take for a game, a robot or a CAD tool, graze price --report says first."),
     part("linear", table("linear")), part("rotating", table("rotating")),
     asked && h("details", {}, h("summary", {}, `${kKinds.query}: ${plural(methods.filter((m) => m.kind === "query").length, "method")}`), asked));
 }

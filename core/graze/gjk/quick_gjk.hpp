@@ -22,10 +22,11 @@ enum class QuickState : std::uint8_t {
   enclosed,  // a tetrahedron holds it
 };
 
-template <Scalar S>
+// Of C; or of another set, by a support of its own (swept_support.hpp).
+template <Scalar S, class Support = PairSupport<S>>
 class QuickGjk {
  public:
-  QuickGjk(PairSupport<S>& support, Counters& counters) : support_(support), counters_(counters) {}
+  QuickGjk(Support& support, Counters& counters) : support_(support), counters_(counters) {}
 
   // `gap`: of upper - lower, to reach; the noise will do where the search ends by itself. `verdict`: an axis that
   // separates is enough.
@@ -244,7 +245,7 @@ class QuickGjk {
 
   static constexpr int kQuickGjkSteps = 48;  // what takes longer is no common case
 
-  PairSupport<S>& support_;
+  Support& support_;
   Counters& counters_;
   double dist_sq_ = 0, lower_ = 0, upper_ = kInfinity<double>;
   Triple n_{0, 0, 0}, n_before_{0, 0, 0};

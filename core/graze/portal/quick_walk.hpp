@@ -43,8 +43,9 @@ struct QuickCorner : PairVertex {
 // `passed`: the next portal lies on the other side of the origin; else it was the last.
 enum class Seed : std::uint8_t { none, miss, portal, passed };
 
-// kSeeks: it seeks a seed, for seek(); else it answers, for run().
-template <Scalar S, bool kSeeks = false>
+// kSeeks: it seeks a seed, for seek(); else it answers, for run(). kDecides: whether, not when; any portal that the
+// path passes shows contact, within the noise as above, and a hit has no time.
+template <Scalar S, bool kSeeks = false, bool kDecides = false>
 class QuickWalk {
  public:
   // `horizon` may be infinite. `tolerance` over scale, 0 for the noise.
@@ -180,6 +181,9 @@ class QuickWalk {
         return;
       }
       if constexpr (kSeeks) at_ = {c0, c1, c2};
+      if constexpr (kDecides) {
+        if (entry && face >= dot(n, r_) * s_max_ && is_passed({c0, c1, c2})) return;
+      }
       QuickCorner& w = *free;
       if (misses(n, w)) return;
       if (!(dot(n, w.w) - face > target_ / 4 * size)) {
@@ -222,6 +226,12 @@ class QuickWalk {
   double pass(const Portal& portal, std::array<double, 4>& lambda) const {
     return QuickTriangle{portal[0]->w, portal[1]->w, portal[2]->w, r_, r_sq_}.pass(support_.noise() / 4,
                                                                                    lambda);
+  }
+  [[nodiscard]] bool is_passed(const Portal& portal) {
+    const double s = pass(portal, out_.lambda);
+    if (!(0 <= s && s <= s_max_)) return false;
+    out_.outcome = Outcome::hit;
+    return true;
   }
   // The portal before the last step and this one lie on either side of the start.
   void touch() {

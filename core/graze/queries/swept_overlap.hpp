@@ -1,7 +1,11 @@
 // Declared, with what it promises, in graze/swept_overlap.hpp.
 #pragma once
 
+#include <graze/gjk/quick_gjk.hpp>
+#include <graze/gjk/swept_support.hpp>
 #include <graze/portal/mpr.hpp>
+#include <graze/portal/quick_walk.hpp>
+#include <graze/standard/curved_cast.hpp>
 #include <graze/support/validate.hpp>
 #include <graze/swept_overlap.hpp>
 
@@ -48,6 +52,67 @@ void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const Swee
   }
 }
 
+// What a quick search says; false: nothing is claimed, and of `out` only the counters have changed. An axis of a miss
+// separates for the whole path.
+template <Scalar S>
+[[nodiscard]] bool take(SweptOverlapResult<S>& out, Outcome outcome, const Triple& axis) {
+  if (outcome == Outcome::not_converged) return false;
+  out.outcome = outcome == Outcome::miss ? outcome : Outcome::hit;
+  if (outcome == Outcome::miss) out.normal = unit(axis.vector()).template cast<S>();
+  return true;
+}
+
+// Of two polytopes that move by each other, or not: by GJK on the swept set, or by the portals of a cast.
+template <Scalar S, bool kBoth>
+[[nodiscard]] bool quick_swept_gjk(const GuidedPair<S>& pair, double horizon,
+                                   const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
+  // Beyond its extent nothing of C is met.
+  SweptSupport<S, kBoth> support(pair, std::min(horizon, 2 * pair.extent()) * pair.direction(), out.counters);
+  QuickGjk<S, SweptSupport<S, kBoth>> gjk(support, out.counters);
+  WarmStart start;
+  start.axis = near_one(quick_first_direction(pair)).vector();
+  const QuickState state = gjk.run(start, support.fine(), true, options.max_iterations);
+  out.counters.iterations = out.counters.gjk_iterations;
+  // Where the path nearly touches the bracket decides, which is the careful search's.
+  if (state == QuickState::open || (state == QuickState::apart && !gjk.separated())) return false;
+  return take(out, state == QuickState::apart ? Outcome::miss : Outcome::hit, gjk.axis());
+}
+template <Scalar S>
+[[nodiscard]] bool quick_swept_mpr(const GuidedPair<S>& pair, double horizon,
+                                   const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
+  QuickWalk<S, false, true> walk(pair, horizon, 0, options.max_iterations, out.counters);
+  const QuickSweep& found = walk.run();
+  out.counters.iterations = out.counters.portal_steps;
+  return take(out, found.outcome, found.n);
+}
+
+template <Scalar S>
+[[nodiscard]] bool quick_swept(const Body<S>& a, const Body<S>& b, const SweptOverlapOptions<S>& options,
+                               SweptOverlapResult<S>& out) {
+  const auto horizon = [&](const auto& pair) {
+    return double(options.t_max) * power_of_two(pair.speed_exponent() - pair.length_exponent());
+  };
+  if (!(options.target_distance > 0) && is_quick(a.shape) && is_quick(b.shape)) {
+    const GuidedPair<S> pair(a, b);
+    if (!pair.moves() || !(options.t_max > 0)) return false;
+    switch (options.method) {
+      case SweptMethod::gjk:
+        return quick_swept_gjk<S, false>(pair, horizon(pair), options, out);
+      case SweptMethod::before_after:
+        return quick_swept_gjk<S, true>(pair, horizon(pair), options, out);
+      case SweptMethod::mpr:
+        break;
+    }
+    return quick_swept_mpr(pair, horizon(pair), options, out);
+  }
+  if (options.method != SweptMethod::mpr || !is_curved_pair(a, b) || !(options.t_max > 0)) return false;
+  const CurvedPair<S> pair(a, b, double(options.target_distance));
+  if (!pair.moves()) return false;
+  CurvedWalk<S> walk(pair, horizon(pair), 0, options.max_iterations, out.counters);
+  const CurvedSweep& found = walk.run();
+  return take(out, found.outcome, found.n);
+}
+
 }  // namespace detail
 
 template <Scalar S>
@@ -59,7 +124,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
   checked.target_distance = options.target_distance;
   checked.max_iterations = options.max_iterations;
   out.invalid = validate(a, b, checked);
-  if (detail::refused(out, a, b, checked)) return out;
+  if (detail::refused(out, a, b, checked) || detail::quick_swept(a, b, options, out)) return out;
   const Cso<S> cso(a, b, options.target_distance);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   if (options.method == SweptMethod::mpr) {

@@ -1,0 +1,70 @@
+// Vertices of D = C + segment(0, -e), C swept back along the path's e, for the quick GJK: D holds 0 where the path meets C.
+//
+// In the frame and the units of prepared_pair.hpp. h_D(n) = h_C(n) - min(0, n.e): D's vertex along n is C's, moved by -e
+// where n.e < 0. A moved vertex is another of D's, and says so in its index.
+//
+// Rounding: |e| <= 4 M, so that a moved vertex errs by 9 u M more than C's, within an eighth of the noise. What separates
+// is asked of C's own vertex and the level min(0, n.e), by the margin that counts the path's end (pair_support.hpp).
+#pragma once
+
+#include <graze/support/pair_support.hpp>
+
+namespace graze::inline GRAZE_LINKAGE {
+
+// kBoth: each support is searched twice, for C and for C moved, as the lecture's slow version has it.
+template <Scalar S, bool kBoth = false>
+class SweptSupport {
+ public:
+  SweptSupport(const GuidedPair<S>& pair, const Triple& end, Counters& counters)
+      : at_start_(pair, counters), at_end_(pair, uncounted_), end_(end) {}
+
+  void guess(const Triple& n, PairVertex& out) {
+    at_start_.guess(n, out);
+    if constexpr (kBoth) at_end_.guess(n, also_);
+    move(n, out);
+  }
+  void sure(const Triple& n, PairVertex& out) {
+    at_start_.sure(n, out);
+    if constexpr (kBoth) at_end_.sure(n, also_);
+    move(n, out);
+  }
+  void at(std::uint32_t vertex_a, std::uint32_t vertex_b, PairVertex& out) const {
+    at_start_.at(vertex_a & ~kMoved, vertex_b, out);
+    if ((vertex_a & kMoved) != 0) move_by_end(out);
+  }
+  [[nodiscard]] bool has(std::uint32_t vertex_a, std::uint32_t vertex_b) const {
+    return at_start_.has(vertex_a & ~kMoved, vertex_b);
+  }
+  // Is h_D(n) < 0 beyond rounding? w: a vertex far along n, which may come out farther.
+  [[nodiscard]] bool separates(const Triple& n, PairVertex& w) {
+    if (!(dot(n, w.w) < 0)) return false;
+    at_start_.at(w.vertex_a & ~kMoved, w.vertex_b, w);
+    if (at_start_.separates(n, w, std::min(0.0, dot(n, end_)))) return true;
+    move(n, w);
+    return false;
+  }
+
+  [[nodiscard]] const GuidedPair<S>& pair() const { return at_start_.pair(); }
+  [[nodiscard]] double noise() const { return at_start_.noise(); }
+  [[nodiscard]] double fine() const { return at_start_.fine(); }
+
+ private:
+  static constexpr std::uint32_t kMoved = std::uint32_t{1} << 31;
+
+  void move(const Triple& n, PairVertex& out) const {
+    if (dot(n, end_) < 0) move_by_end(out);
+  }
+  void move_by_end(PairVertex& out) const {
+    out.w.x -= end_.x;
+    out.w.y -= end_.y;
+    out.w.z -= end_.z;
+    out.vertex_a |= kMoved;
+  }
+
+  Counters uncounted_;
+  PairSupport<S> at_start_, at_end_;
+  PairVertex also_{};
+  Triple end_;
+};
+
+}  // namespace graze::inline GRAZE_LINKAGE
