@@ -1,41 +1,79 @@
 // Decides: the convex hull of integer points, exactly, in the dimension that it has. Solids by CGAL's
-// convex_hull_3 in its lazy exact kernel; points, segments and polygons by the few signs that they need.
+// convex_hull_3; points, segments and polygons by the few signs that they need.
 // Brackets: nothing.
 // Costs: nearly all of what linear_truth.cpp's construction costs.
 // Cannot be trusted: where CGAL's hull is wrong; linear_program.cpp and nef_minkowski.cpp are asked too.
 #include "oracles/polytope/exact_cso.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost_mp.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
 namespace graze::oracle {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Exact = Kernel::FT::ET;
+// Most of a difference's faces are parallelograms, whose fourth corner no filter tells from the plane of the others: what
+// decides there is the cost. Integers of 512 bits on the stack decide in a fifth of the time of the lazy exact kernel,
+// which is for coordinates that they cannot hold: of b bits, a plane's normal has 2 b + 3, and its sign at a point 3 b + 8.
+using Wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>;
+constexpr std::size_t kWideBits = 160;
 
-// CGAL chooses the rationals of its exact kernel by what it finds: boost's over GMP, its own, or gmpxx's.
-Kernel::FT to_exact(const Integer& i) {
-  const Rational q(i);
-  return Kernel::FT(Exact(q.get_mpq_t()));
-}
+struct WideIntegers {
+  using Kernel = CGAL::Simple_cartesian<Wide>;
 
-template <class Number>
-Integer to_integer(const Number& e) {
-  if constexpr (requires { e.backend().data(); }) {
-    return Integer(mpq_numref(e.backend().data()));
-  } else if constexpr (requires { e.mpq(); }) {
-    return Integer(mpq_numref(e.mpq()));
-  } else {
-    return e.get_num();
+  static Wide from(const Integer& i) {
+    std::array<std::uint64_t, 8> limbs{};
+    std::size_t count = 0;
+    mpz_export(limbs.data(), &count, -1, sizeof limbs[0], 0, 0, i.get_mpz_t());
+    Wide out = 0;
+    boost::multiprecision::import_bits(out, limbs.begin(), limbs.begin() + static_cast<std::ptrdiff_t>(count),
+                                       64, false);
+    return sgn(i) < 0 ? -out : out;
   }
-}
+  static Integer to(const Wide& wide) {
+    std::vector<std::uint64_t> limbs;
+    boost::multiprecision::export_bits(abs(wide), std::back_inserter(limbs), 64, false);
+    Integer out;
+    mpz_import(out.get_mpz_t(), limbs.size(), -1, sizeof limbs[0], 0, 0, limbs.data());
+    return wide < 0 ? Integer(-out) : out;
+  }
+};
+
+struct LazyRationals {
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Exact = Kernel::FT::ET;
+
+  // CGAL chooses the rationals of its exact kernel by what it finds: boost's over GMP, its own, or gmpxx's.
+  static Kernel::FT from(const Integer& i) {
+    const Rational q(i);
+    return Kernel::FT(Exact(q.get_mpq_t()));
+  }
+  static Integer to(const Kernel::FT& x) { return numerator(CGAL::exact(x)); }
+
+ private:
+  template <class Number>
+  static Integer numerator(const Number& e) {
+    if constexpr (requires { e.backend().data(); }) {
+      return Integer(mpq_numref(e.backend().data()));
+    } else if constexpr (requires { e.mpq(); }) {
+      return Integer(mpq_numref(e.mpq()));
+    } else {
+      return e.get_num();
+    }
+  }
+};
 
 int add_half_space(ConvexHull& hull, IntVec normal, const IntVec& through) {
   HalfSpace& h = hull.half_spaces.emplace_back();
@@ -128,21 +166,22 @@ ConvexHull polygon_hull(const std::vector<IntVec>& points, const IntVec& normal)
   return hull;
 }
 
-ConvexHull solid_hull(const std::vector<IntVec>& points) {
-  std::vector<Kernel::Point_3> exact_points;
+template <class Numbers>
+ConvexHull solid_hull_in(const std::vector<IntVec>& points) {
+  using Point = typename Numbers::Kernel::Point_3;
+  std::vector<Point> exact_points;
   exact_points.reserve(points.size());
   for (const IntVec& p : points) {
-    exact_points.emplace_back(to_exact(p.x), to_exact(p.y), to_exact(p.z));
+    exact_points.emplace_back(Numbers::from(p.x), Numbers::from(p.y), Numbers::from(p.z));
   }
-  Mesh mesh;
+  CGAL::Surface_mesh<Point> mesh;
   CGAL::convex_hull_3(exact_points.begin(), exact_points.end(), mesh);
 
   ConvexHull hull;
   hull.dimension = 3;
   for (const auto v : mesh.vertices()) {
-    const Kernel::Point_3& p = mesh.point(v);
-    hull.vertices.push_back(
-        {to_integer(CGAL::exact(p.x())), to_integer(CGAL::exact(p.y())), to_integer(CGAL::exact(p.z()))});
+    const Point& p = mesh.point(v);
+    hull.vertices.push_back({Numbers::to(p.x()), Numbers::to(p.y()), Numbers::to(p.z())});
   }
   std::map<std::pair<int, int>, int> facet_of_half_edge;
   for (const auto f : mesh.faces()) {
@@ -165,6 +204,14 @@ ConvexHull solid_hull(const std::vector<IntVec>& points) {
         {from, to, {facet, facet_of_half_edge.at({to, from})}, hull.vertices[to] - hull.vertices[from]});
   }
   return hull;
+}
+
+ConvexHull solid_hull(const std::vector<IntVec>& points) {
+  const bool fits = std::all_of(points.begin(), points.end(), [](const IntVec& p) {
+    return std::max({mpz_sizeinbase(p.x.get_mpz_t(), 2), mpz_sizeinbase(p.y.get_mpz_t(), 2),
+                     mpz_sizeinbase(p.z.get_mpz_t(), 2)}) <= kWideBits;
+  });
+  return fits ? solid_hull_in<WideIntegers>(points) : solid_hull_in<LazyRationals>(points);
 }
 
 }  // namespace

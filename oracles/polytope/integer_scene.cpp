@@ -67,7 +67,8 @@ IntegerScene::IntegerScene(const corpus::Case& problem) : a(exact_body(problem.a
 
   std::vector<IntVec> from_a = scaled_vertices(unit, a), from_b = scaled_vertices(unit, b);
   if (from_a.size() > kManyDifferences / from_b.size()) {
-    for (std::vector<IntVec>* points : {&from_a, &from_b}) *points = convex_hull(std::move(*points)).vertices;
+    from_a = body_hull('a').hull().vertices;
+    from_b = body_hull('b').hull().vertices;
   }
   if (from_a.size() > kMostDifferences / from_b.size()) {
     throw std::invalid_argument(std::to_string(from_a.size()) + " by " + std::to_string(from_b.size()) +

@@ -35,6 +35,7 @@
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/curved/ball_body.hpp"
 #include "oracles/curved/ball_search.hpp"
+#include "oracles/truth/by_time.hpp"
 #include "oracles/truth/unbounded.hpp"
 
 namespace graze::oracle {
@@ -106,6 +107,7 @@ struct BracketTruth::Impl {
   Ball lower, upper;  // of the TOI, exact
   double width_found = kInf;
   mutable std::optional<Enclosure> clearance, depth;
+  ByTime distances, depths;
 
   Impl(const corpus::Case& problem, double asked);
   void measure(const corpus::Case& problem);
@@ -379,9 +381,11 @@ Enclosure BracketTruth::depth() const {
 Enclosure BracketTruth::distance_at(double t) const {
   const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
-  const WorkingPrecision precision(impl_->bits);
-  const Nearest3 near = impl_->distance_of(impl_->swept(0, impl_->target, Ball(t) * impl_->v));
-  return {near.lower.low_double(), near.upper.high_double()};
+  return impl_->distances.at(t, [&]() -> Enclosure {
+    const WorkingPrecision precision(impl_->bits);
+    const Nearest3 near = impl_->distance_of(impl_->swept(0, impl_->target, Ball(t) * impl_->v));
+    return {near.lower.low_double(), near.upper.high_double()};
+  });
 }
 
 Enclosure BracketTruth::depth_before(double t) const {
@@ -390,9 +394,11 @@ Enclosure BracketTruth::depth_before(double t) const {
   if (t <= 0 || compare(t) < 0) {
     if (t <= 0 || impl_->contact) return {};
   }
-  const WorkingPrecision precision(impl_->bits);
-  const Depth3 depth = impl_->depth_of(impl_->swept(impl_->clipped(t), impl_->target), kDepthSlack);
-  return {depth.lower.low_double(), depth.upper.high_double()};
+  return impl_->depths.at(t, [&]() -> Enclosure {
+    const WorkingPrecision precision(impl_->bits);
+    const Depth3 depth = impl_->depth_of(impl_->swept(impl_->clipped(t), impl_->target), kDepthSlack);
+    return {depth.lower.low_double(), depth.upper.high_double()};
+  });
 }
 
 Enclosure BracketTruth::backward_error(double t) const {

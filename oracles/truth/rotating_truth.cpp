@@ -26,6 +26,7 @@
 
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/curved/rotating_pair.hpp"
+#include "oracles/truth/by_time.hpp"
 #include "oracles/truth/case_truth.hpp"
 #include "oracles/truth/unbounded.hpp"
 
@@ -81,6 +82,7 @@ struct RotatingTruth::Impl {
   std::vector<Node> proved;  // [0, T] of a miss: lower bounds of the distance
   Vec3<double> axis = Vec3<double>::UnitX();
   mutable std::optional<Enclosure> clearance, depth;
+  ByTime distances, depths;
 
   Impl(const corpus::Case& given, double asked, int most, bool searches = true);
   void measure();
@@ -419,9 +421,11 @@ Enclosure RotatingTruth::depth() const {
 Enclosure RotatingTruth::distance_at(double t) const {
   const DefaultEnvironment environment;
   if (!std::isfinite(t)) return kUnbounded;
-  const WorkingPrecision precision(impl_->bits);
-  const Nearest3 found = impl_->pair->distance(impl_->pair->at(t), impl_->fine, kRelativeGap);
-  return {found.lower.low_double(), found.upper.high_double()};
+  return impl_->distances.at(t, [&]() -> Enclosure {
+    const WorkingPrecision precision(impl_->bits);
+    const Nearest3 found = impl_->pair->distance(impl_->pair->at(t), impl_->fine, kRelativeGap);
+    return {found.lower.low_double(), found.upper.high_double()};
+  });
 }
 
 Enclosure RotatingTruth::depth_before(double t) const {
@@ -429,8 +433,10 @@ Enclosure RotatingTruth::depth_before(double t) const {
   if (std::isnan(t)) return kUnbounded;
   if (t <= 0 || compare(t) < 0) return {};
   if (t >= impl_->problem.t_max) return depth();
-  const WorkingPrecision precision(impl_->bits);
-  return impl_->greatest_depth(impl_->lower, t);
+  return impl_->depths.at(t, [&] {
+    const WorkingPrecision precision(impl_->bits);
+    return impl_->greatest_depth(impl_->lower, t);
+  });
 }
 
 Enclosure RotatingTruth::backward_error(double t) const {

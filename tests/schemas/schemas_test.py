@@ -146,9 +146,17 @@ def price_list(check, graze):
         check.expect({table["part"] for table in document["tables"]} == {"family", "growth", "request", "query"},
                      "a price list lacks a part")
         table, row = document["tables"][0], document["tables"][0]["rows"][0]
-        for where, fields in (("", document), ("table", table), ("row", row)):
+        advice = document["advice"][0]
+        for where, fields in (("", document), ("table", table), ("row", row), ("advice", advice)):
             for field in list(fields):
                 kept = fields.pop(field)
+                if field == "advice":  # which version 0.2.0 did not write
+                    file.write_text(json.dumps(document))
+                    read = subprocess.run([graze, "compare", str(file), str(file)], capture_output=True, text=True)
+                    check.expect(read.returncode == 0, f"graze compare, without advice: {read.stderr!r}")
+                    check.expect_valid("price", document, "price list without advice")
+                    fields[field] = kept
+                    continue
                 check.expect(not check.valid("price", document), f"a price list is valid without {where} {field}")
                 file.write_text(json.dumps(document))
                 read = subprocess.run([graze, "compare", str(file), str(file)], capture_output=True, text=True)

@@ -202,9 +202,6 @@ try {
       if (kind === "report" && first) {
         check((await page.value(`document.querySelector("h1").textContent.length`)) > 0, `${name}: there is no verdict`);
         check((await page.value(`document.querySelector("main > :first-child").matches(".verdict")`)), `${name}: the verdict is not first`);
-        const users = await page.value(`[...document.querySelectorAll("#advice .user")].map((user) => user.textContent)`);
-        check(users.length === 2 && /^For a game[^]*mpr\/float[^]*1 of 72 verdicts wrong, 6·10⁻⁸ from a tie[^]*gjk\/double 0.001/.test(users[0]) && /^For a robot.*that turn: none/.test(users[1]), `${name}: says to whom ${users.join(" | ")}`);
-        check(await page.value(`document.querySelector("#advice").compareDocumentPosition(document.querySelector("#diagrams")) === Node.DOCUMENT_POSITION_FOLLOWING`), `${name}: which method to take does not come before the figures`);
         const marks = await page.value(`document.querySelectorAll(".point > [tabindex]").length`);
         check(marks > 0, `${name}: no mark of a figure can be pointed at`);
         await page.value(`document.querySelector(".point > [tabindex]").dispatchEvent(new PointerEvent("pointerenter"))`);
@@ -226,6 +223,9 @@ try {
         check(!other || (await page.value(`Boolean(document.querySelector("dialog[open]"))`)), `${name}: a cell of the table opens nothing`);
       }
       if (kind === "price" && first) {
+        const users = await page.value(`[...document.querySelectorAll("#advice .user")].map((user) => user.textContent)`);
+        check(users.length === 2 && /^For a game[^]*mpr\/float[^]*1 of 72 verdicts wrong, 6·10⁻⁸ from a tie[^]*gjk\/double 0.001/.test(users[0]) && /^For a robot.*that turn: none/.test(users[1]), `${name}: says to whom ${users.join(" | ")}`);
+        check(await page.value(`document.querySelector("#advice").compareDocumentPosition(document.querySelector("#diagrams")) === Node.DOCUMENT_POSITION_FOLLOWING`), `${name}: which method to take does not come before the figures`);
         check(/^A table has (\d+ to )?\d+ cases/.test(await page.value(`document.querySelector("#sizes")?.textContent ?? ""`)), `${name}: the number of cases is not said`);
         const marks = await page.value(`document.querySelectorAll(".point > [tabindex]").length`);
         check(marks > 0, `${name}: no mark of a figure can be pointed at`);
