@@ -38,6 +38,7 @@ struct WideIntegers {
     std::size_t count = 0;
     mpz_export(limbs.data(), &count, -1, sizeof limbs[0], 0, 0, i.get_mpz_t());
     Wide out = 0;
+    if (count == 0) return out;  // import_bits reads the last of its range
     boost::multiprecision::import_bits(out, limbs.begin(), limbs.begin() + static_cast<std::ptrdiff_t>(count),
                                        64, false);
     return sgn(i) < 0 ? -out : out;

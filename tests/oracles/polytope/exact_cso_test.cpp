@@ -74,5 +74,19 @@ TEST(ExactCso, of_any_size_the_hull_is_the_same) {
   }
 }
 
+TEST(ExactCso, of_a_box_about_the_origin_the_faces_are_six) {
+  std::vector<IntVec> points = {{0, 0, 0}};
+  for (const long x : {-1, 0, 2}) {
+    for (const long y : {-3, 0, 1}) {
+      for (const long z : {-1, 0, 1}) points.push_back({x, y, z});
+    }
+  }
+  const ConvexHull hull = convex_hull(points);
+  EXPECT_EQ(hull.dimension, 3);
+  EXPECT_EQ(planes(hull, 0).size(), 6U);
+  for (const int shift : {0, 158, 200})
+    EXPECT_EQ(planes(convex_hull(scaled(points, shift)), shift), planes(hull, 0));
+}
+
 }  // namespace
 }  // namespace graze::oracle
