@@ -25,9 +25,9 @@ struct Rule {
 };
 
 constexpr const char* kGame =
-    "every verdict decided, no answer off by more than a thousandth of the bodies' size; a float will do";
+    "every verdict decided, and no answer off by more than a thousandth of the bodies' size; a float will do";
 constexpr const char* kRobot =
-    "never late, not by a bit, no contact missed, every verdict decided: promised, for every input";
+    "answers that are never late, not by a bit, and miss no contact, as its tier promises of every input";
 constexpr const char* kCad = "the verdict of every tie, and the time as exactly as it can be said";
 constexpr Rule kRules[] = {
     {"a game", kGame, "that do not turn", Bodies::in_float, false, 1e-3},
