@@ -1,22 +1,33 @@
-// Vertices of D = C + segment(0, -e), C swept back along the path's e, for the quick GJK: D holds 0 where the path meets C.
+// Vertices of D = C + segment(0, -e), C swept back along the path's e = s r, for the quick GJK: D holds 0 where the path
+// meets C.
 //
 // In the frame and the units of prepared_pair.hpp. h_D(n) = h_C(n) - min(0, n.e): D's vertex along n is C's, moved by -e
 // where n.e < 0. A moved vertex is another of D's, and says so in its index.
 //
-// Rounding: |e| <= 4 M, so that a moved vertex errs by 9 u M more than C's, within an eighth of the noise. What separates
-// is asked of C's own vertex and the level min(0, n.e), by the margin that counts the path's end (pair_support.hpp).
+// Rounding, per component: C's vertex errs by its e, the offset's error and 4 u M (quick_walk.hpp). |e| <= M, as nothing of
+// C is met beyond: e errs by 2 u M, r being within u, and the sum by 2 u M, so a moved vertex by 4 u M more. A quarter of
+// the noise is left to what GJK makes of them. What separates is asked of C's own vertex and the level min(0, n.e), by the
+// margin that counts the path's end (pair_support.hpp).
 #pragma once
 
 #include <graze/support/pair_support.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
+// How far along r the path may meet C, up to `horizon`.
+template <Scalar S>
+[[nodiscard]] double swept_reach(const GuidedPair<S>& pair, double horizon) {
+  const Triple& r = pair.direction();
+  return std::min(horizon, pair.extent() * (1 + 0x1p-40) / std::sqrt(dot(r, r)));
+}
+
 // kBoth: each support is searched twice, for C and for C moved, as the lecture's slow version has it.
 template <Scalar S, bool kBoth = false>
 class SweptSupport {
  public:
-  SweptSupport(const GuidedPair<S>& pair, const Triple& end, Counters& counters)
-      : at_start_(pair, counters), at_end_(pair, uncounted_), end_(end) {}
+  // The pair moves; s = swept_reach().
+  SweptSupport(const GuidedPair<S>& pair, double s, Counters& counters)
+      : at_start_(pair, counters), at_end_(pair, uncounted_), end_(s * pair.direction()) {}
 
   void guess(const Triple& n, PairVertex& out) {
     at_start_.guess(n, out);
@@ -45,7 +56,7 @@ class SweptSupport {
   }
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return at_start_.pair(); }
-  [[nodiscard]] double noise() const { return at_start_.noise(); }
+  [[nodiscard]] double noise() const { return at_start_.noise() / 4; }
   [[nodiscard]] double fine() const { return at_start_.fine(); }
 
  private:

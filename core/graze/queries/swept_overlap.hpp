@@ -66,8 +66,7 @@ template <Scalar S>
 template <Scalar S, bool kBoth>
 [[nodiscard]] bool quick_swept_gjk(const GuidedPair<S>& pair, double horizon,
                                    const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
-  // Beyond its extent nothing of C is met.
-  SweptSupport<S, kBoth> support(pair, std::min(horizon, 2 * pair.extent()) * pair.direction(), out.counters);
+  SweptSupport<S, kBoth> support(pair, swept_reach(pair, horizon), out.counters);
   QuickGjk<S, SweptSupport<S, kBoth>> gjk(support, out.counters);
   WarmStart start;
   start.axis = near_one(quick_first_direction(pair)).vector();
