@@ -485,7 +485,7 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
   const WorkingPrecision precision(kExactBits);
   Sceneries sceneries(197);
   HostileDraw& draw = sceneries.draw();
-  Tally vertices("SweptSupport: a vertex of D, over e + the offset's error + 8 u M");
+  Tally vertices("SweptSupport: a vertex of D, over e + the offset's error + 11 u M");
   int moved = 0;
   for (int i = 0; i < rounds(600); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
@@ -493,7 +493,7 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
     if (!pair.moves()) continue;
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const double end =
-        swept_reach(pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 1));
+        swept_reach(pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 2));
     Counters counters;
     SweptSupport<double> support(pair, end, counters);
     const Triple n = triple(draw.plain().vector<double>(1));
@@ -505,8 +505,8 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
     const Vertex v{found.vertex_a & ~(std::uint32_t{1} << 31), found.vertex_b};
     BallVec truth = exactly(scene.exact(Term::point(v)));
     if (is_moved) truth = truth - Ball(end) * exactly(scene.exact(Term::motion()));
-    const double bound =
-        pair.a().error() + pair.b().error() + pair.offset_error() + 8 * kUnitRoundoff<double> * pair.extent();
+    const double bound = pair.a().error() + pair.b().error() + pair.offset_error() +
+                         11 * kUnitRoundoff<double> * pair.extent();
     for (const Ball& off : {truth.x - Ball(found.w.x), truth.y - Ball(found.w.y), truth.z - Ball(found.w.z)})
       vertices.add(bound, abs(off), [&] { return s.text(); });
   }

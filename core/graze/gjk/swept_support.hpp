@@ -4,9 +4,9 @@
 // In the frame and the units of prepared_pair.hpp. h_D(n) = h_C(n) - min(0, n.e): D's vertex along n is C's, moved by -e
 // where n.e < 0. A moved vertex is another of D's, and says so in its index.
 //
-// Rounding, per component: C's vertex errs by its e, the offset's error and 4 u M (quick_walk.hpp). |e| <= M, as nothing of
-// C is met beyond: e errs by 2 u M, r being within u, and the sum by 2 u M, so a moved vertex by 4 u M more. A quarter of
-// the noise is left to what GJK makes of them. What separates is asked of C's own vertex and the level min(0, n.e), by the
+// Rounding, per component: C's vertex errs by its e, the offset's error and 4 u M (quick_walk.hpp). |e| <= 2 M: e
+// errs by 4 u M, r being within u, and the sum by 3 u M, so a moved vertex by 7 u M more. A quarter of the noise is left to
+// what GJK makes of them. What separates is asked of C's own vertex and the level min(0, n.e), by the
 // margin that counts the path's end (pair_support.hpp).
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace graze::inline GRAZE_LINKAGE {
 
-// How far along r the path may meet C, up to `horizon`.
+// How far along r the path is swept: nothing of C is met from there on.
 template <Scalar S>
 [[nodiscard]] double swept_reach(const GuidedPair<S>& pair, double horizon) {
   const Triple& r = pair.direction();
-  return std::min(horizon, pair.extent() * (1 + 0x1p-40) / std::sqrt(dot(r, r)));
+  return std::min(horizon, 2 * pair.extent() / std::sqrt(dot(r, r)));
 }
 
 // kBoth: each support is searched twice, for C and for C moved, as the lecture's slow version has it.

@@ -52,7 +52,22 @@ void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const Swee
   }
 }
 
-// What a quick search says; false: nothing is claimed, and of `out` only the counters have changed. An axis of a miss
+// Searches let the path end where C does. Does the axis n of a miss separate to its own end? One that faces the path does
+// not for long; one that lies across it is tilted until it faces away, beyond the rounding of n.r: r is within u, and three
+// products and sums are as large, 14 u |n|_1 (exact/passage.hpp).
+template <Scalar S>
+[[nodiscard]] bool goes_to_the_end(const GuidedPair<S>& pair, double horizon, Triple& n, Counters& counters) {
+  const Triple& r = pair.direction();
+  const double r_sq = dot(r, r), rate = dot(n, r), least = 16 * kUnitRoundoff<double> * sum(magnitude(n));
+  if (horizon <= 2 * pair.extent() / std::sqrt(r_sq) || rate > least) return true;
+  n = n + ((4 * least - rate) / r_sq) * r;
+  PairSupport<S> support(pair, counters);
+  PairVertex w;
+  support.sure(n, w);
+  return dot(n, r) > 2 * least && support.separates(n, w);
+}
+
+// What a quick search says; false: nothing is claimed, and of `out` only the counters have changed. The axis of a miss
 // separates for the whole path.
 template <Scalar S>
 [[nodiscard]] bool take(SweptOverlapResult<S>& out, Outcome outcome, const Triple& axis) {
@@ -74,7 +89,9 @@ template <Scalar S, bool kBoth>
   out.counters.iterations = out.counters.gjk_iterations;
   // Where the path nearly touches the bracket decides, which is the careful search's.
   if (state == QuickState::open || (state == QuickState::apart && !gjk.separated())) return false;
-  return take(out, state == QuickState::apart ? Outcome::miss : Outcome::hit, gjk.axis());
+  Triple n = gjk.axis();
+  if (state == QuickState::apart && !goes_to_the_end(pair, horizon, n, out.counters)) return false;
+  return take(out, state == QuickState::apart ? Outcome::miss : Outcome::hit, n);
 }
 template <Scalar S>
 [[nodiscard]] bool quick_swept_mpr(const GuidedPair<S>& pair, double horizon,
@@ -82,7 +99,9 @@ template <Scalar S>
   QuickWalk<S, false, true> walk(pair, horizon, 0, options.max_iterations, out.counters);
   const QuickSweep& found = walk.run();
   out.counters.iterations = out.counters.portal_steps;
-  return take(out, found.outcome, found.n);
+  Triple n = found.n;
+  if (found.outcome == Outcome::miss && !goes_to_the_end(pair, horizon, n, out.counters)) return false;
+  return take(out, found.outcome, n);
 }
 
 template <Scalar S>
@@ -109,7 +128,10 @@ template <Scalar S>
   if (!pair.moves()) return false;
   CurvedWalk<S> walk(pair, horizon(pair), 0, options.max_iterations, out.counters);
   const CurvedSweep& found = walk.run();
-  return take(out, found.outcome, found.n);
+  // As goes_to_the_end() asks, without its second try.
+  const bool ends = horizon(pair) <= 2 * (pair.extent() + pair.radius()) ||
+                    dot(found.n, pair.direction()) > 16 * kUnitRoundoff<double> * sum(magnitude(found.n));
+  return (found.outcome != Outcome::miss || ends) && take(out, found.outcome, found.n);
 }
 
 }  // namespace detail
