@@ -59,7 +59,7 @@ template <Scalar S>
 [[nodiscard]] bool goes_to_the_end(const GuidedPair<S>& pair, double horizon, Triple& n, Counters& counters) {
   const Triple& r = pair.direction();
   const double r_sq = dot(r, r), rate = dot(n, r), least = 16 * kUnitRoundoff<double> * sum(magnitude(n));
-  if (horizon <= 2 * pair.extent() / std::sqrt(r_sq) || rate > least) return true;
+  if (!(horizon > swept_reach(pair, horizon)) || rate > least) return true;
   n = n + ((4 * least - rate) / r_sq) * r;
   PairSupport<S> support(pair, counters);
   PairVertex w;
@@ -77,7 +77,7 @@ template <Scalar S>
   return true;
 }
 
-// Of two polytopes that move by each other, or not: by GJK on the swept set, or by the portals of a cast.
+// Of two polytopes, one of which moves past the other: by GJK on the swept set, or by the portals of a cast.
 template <Scalar S, bool kBoth>
 [[nodiscard]] bool quick_swept_gjk(const GuidedPair<S>& pair, double horizon,
                                    const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
