@@ -4,8 +4,8 @@
 // becomes a subnormal or 0, and the case means what it then says.
 #pragma once
 
+#include <graze/hull.hpp>
 #include <graze/rotating_body.hpp>
-#include <graze/support/hull_graph.hpp>
 #include <vector>
 
 #include "corpus/case.hpp"

@@ -21,7 +21,7 @@ constexpr unsigned kQueries = 7;
 constexpr std::uint8_t kAdjacency = 0x80, kInvalid = 0xf0, kAsItIs = 0xff;
 
 // A kind of shape is its index in graze::Shape; combinators are the last.
-constexpr unsigned kKinds = std::variant_size_v<Shape<double>>, kMissing = 15;
+constexpr unsigned kKinds = std::variant_size_v<Shape<double>::Kinds>, kMissing = 15;
 constexpr unsigned kFirstCombinator = 10;
 static_assert(kKinds == 14);
 
@@ -29,7 +29,8 @@ static_assert(kKinds == 14);
 constexpr std::uint32_t kFloatExponent = 0xffu << 23;
 constexpr std::uint64_t kExponent = 0x7ffull << 52;
 constexpr std::uint64_t kWideFrom = 1023 - 192, kWide = 384, kNearFrom = 1023 - 16, kNear = 32;
-static_assert(std::is_same_v<std::variant_alternative_t<kFirstCombinator, Shape<double>>, Posed<double>>);
+static_assert(
+    std::is_same_v<std::variant_alternative_t<kFirstCombinator, Shape<double>::Kinds>, Posed<double>>);
 
 template <class T>
 concept Combining = requires(T s) {

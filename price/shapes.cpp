@@ -1,7 +1,7 @@
 #include "price/shapes.hpp"
 
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/hull.hpp>
 
 namespace graze::price {
 

@@ -101,9 +101,25 @@ struct HullOf {
   std::vector<SharedShape<S>> shapes;
 };
 
+// One of these. It is used as the std::variant that it is derived from: std::visit, std::get, std::get_if and
+// std::holds_alternative take it. What copies, moves and destroys fourteen kinds is compiled with the library,
+// and not again in every file that holds a shape.
 template <Scalar S>
-using Shape = std::variant<Point<S>, Segment<S>, Triangle<S>, Sphere<S>, Capsule<S>, Box<S>, Ellipsoid<S>,
-                           Cylinder<S>, Cone<S>, Hull<S>, Posed<S>, Rounded<S>, Sum<S>, HullOf<S>>;
+class Shape
+    : public std::variant<Point<S>, Segment<S>, Triangle<S>, Sphere<S>, Capsule<S>, Box<S>, Ellipsoid<S>,
+                          Cylinder<S>, Cone<S>, Hull<S>, Posed<S>, Rounded<S>, Sum<S>, HullOf<S>> {
+ public:
+  using Kinds = typename Shape::variant;
+  using Kinds::Kinds;
+  using Kinds::operator=;
+
+  Shape() = default;
+  Shape(const Shape&);
+  Shape(Shape&&) noexcept;
+  Shape& operator=(const Shape&);
+  Shape& operator=(Shape&&) noexcept;
+  ~Shape();
+};
 
 template <Scalar S>
 struct ShapeNode {
@@ -143,3 +159,7 @@ Shape<S> swept(Shape<S> shape, const Vec3<S>& displacement) {
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE
+
+#ifndef GRAZE_COMPILED
+#include <graze/support/shape_copies.hpp>
+#endif

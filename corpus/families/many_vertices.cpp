@@ -8,7 +8,7 @@
 // normal of three neighbours in a row, a simplex of nearly coplanar supports.
 #include <algorithm>
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/hull.hpp>
 #include <utility>
 
 #include "corpus/families/families_list.hpp"

@@ -1,7 +1,7 @@
 #include "corpus/format/shape_json.hpp"
 
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/hull.hpp>
 
 namespace graze::corpus {
 namespace {

@@ -1,7 +1,7 @@
 // Shapes exchanged for others that a checker might confuse with them: the same set written otherwise, or
 // another set in the same bounding box.
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/hull.hpp>
 #include <vector>
 
 #include "corpus/support_value.hpp"

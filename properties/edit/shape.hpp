@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <graze/support/hull_graph.hpp>
+#include <graze/hull.hpp>
 #include <optional>
 #include <vector>
 

@@ -126,7 +126,7 @@ TEST(RoundTrip, OfEveryShape) {
     expect_round_trip(problem);
     kinds.insert(shape.index());
   }
-  EXPECT_EQ(kinds.size(), std::variant_size_v<Shape<double>>);
+  EXPECT_EQ(kinds.size(), std::variant_size_v<Shape<double>::Kinds>);
 }
 
 TEST(SameCase, TellsEveryShapeFromEveryOther) {

@@ -40,7 +40,7 @@ TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::initially_overlapping}) {
     EXPECT_GE(outcomes[outcome], kCases / 10) << label_of(outcome);
   }
-  for (std::size_t shape = 0; shape < std::variant_size_v<Shape<double>>; ++shape) {
+  for (std::size_t shape = 0; shape < std::variant_size_v<Shape<double>::Kinds>; ++shape) {
     EXPECT_GE(shapes[shape], drawn / 200) << shape;
   }
   EXPECT_GE(touching, kCases / 50);
