@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/format/xml_text.hpp"
 #include "report/statistics.hpp"
@@ -267,7 +268,7 @@ std::string certification_json(const Certification& certification, const Setting
          {"beyond_limits", std::move(beyond)},
          {"families", std::move(families)}});
   }
-  return all.dump();
+  return corpus::document_text(all);
 }
 
 std::string certification_junit(const Certification& certification, const Settings& settings,

@@ -7,13 +7,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 #include "engines/guarantees_text.hpp"
 
 namespace graze::engine {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // Beyond these a row must say by which mechanism.
 constexpr double kPlainKappa = 1024;
@@ -108,8 +109,8 @@ double Guarantee::kappa(const corpus::Case& problem) const {
 }
 
 std::vector<Guarantee> parse_guarantees(std::string_view text) {
-  const Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded() || !document.is_object()) refuse("guarantees", "must be one JSON object");
+  const Json document = corpus::parse_document(text);
+  if (!document.is_object()) refuse("guarantees", "must be one JSON object");
   if (text_field(document, "guarantees", "schema") != "graze.guarantees/1") {
     refuse("guarantees.schema", "must be \"graze.guarantees/1\"");
   }

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "corpus/format/json_value.hpp"
+
 namespace graze::price {
 namespace {
 
@@ -71,7 +73,7 @@ Json json_of(const PriceTable& table) {
     shown.push_back({{"id", one.id},
                      {"outcome", one.outcome},
                      {"toi", one.toi ? Json::array({one.toi->first, one.toi->second}) : Json(nullptr)},
-                     {"case", one.written.empty() ? Json(nullptr) : Json::parse(one.written)}});
+                     {"case", one.written.empty() ? Json(nullptr) : corpus::parse_document(one.written)}});
   }
   return {{"part", kParts[static_cast<std::size_t>(table.part)]},
           {"series", table.series},
@@ -242,7 +244,8 @@ PriceTable table_from(const Reader& in) {
       if (ends.size() != 2) toi.fail("is no pair of numbers");
       shown.toi = std::pair(ends[0], ends[1]);
     }
-    if (const Reader written = one.at("case"); !written.is_null()) shown.written = written.raw().dump();
+    if (const Reader written = one.at("case"); !written.is_null())
+      shown.written = corpus::document_text(written.raw());
     table.shown.push_back(std::move(shown));
   });
   return table;
@@ -313,13 +316,12 @@ std::string write_document(const Document& document) {
                      {"tables", std::move(tables)},
                      {"advice", std::move(advice)},
                      {"sentences", std::move(sentences)}};
-  return json.dump();
+  return corpus::document_text(json);
 }
 
 Document read_document(const std::string& text, const std::string& file) {
   try {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw std::runtime_error("is no JSON");
+    const Json json = corpus::parse_document(text);
     const Reader in(json, "");
     if (!json.is_object()) throw std::runtime_error("is no object; graze price --json writes one");
     if (const std::string schema = in.at("schema").text(); schema != kSchema)

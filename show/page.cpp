@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "corpus/format/json_value.hpp"
 #include "corpus/format/xml_text.hpp"
 #include "viewer/viewer_text.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 // JSON within a script element: no "<" is left that could end it, or begin a comment.
 std::string within_script(const nlohmann::ordered_json& data) {
-  const std::string text = data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const std::string text = corpus::document_text(data);
   std::string out;
   out.reserve(text.size());
   for (const char c : text) {

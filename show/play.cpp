@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "corpus/format/json_value.hpp"
 #include "scene/format/report_json.hpp"
 #include "show/mesh.hpp"
 #include "show/mesh_json.hpp"
@@ -22,7 +23,7 @@ using scene::Event;
 class Shapes {
  public:
   std::size_t index_of(const Json& shape, const Shape<double>& value) {
-    const auto [found, is_new] = places_.emplace(shape.dump(), list_.size());
+    const auto [found, is_new] = places_.emplace(corpus::document_text(shape), list_.size());
     if (is_new)
       list_.push_back({{"shape", shape}, {"mesh", mesh_json(mesh_of(value, draw::Vec::Zero(), kCoarse))}});
     return found->second;

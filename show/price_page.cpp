@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "corpus/format/case_io.hpp"
+#include "corpus/format/json_value.hpp"
 #include "engines/guarantees.hpp"
 #include "show/page.hpp"
 
@@ -95,7 +96,7 @@ class Scenes {
       const auto shown = std::find_if(table["shown"].begin(), table["shown"].end(),
                                       [&](const Json& one) { return one.value("id", "") == id; });
       if (shown == table["shown"].end() || !shown->contains("case") || (*shown)["case"].is_null()) return;
-      corpus::ReadResult read = corpus::read_text((*shown)["case"].dump(), id, false);
+      corpus::ReadResult read = corpus::read_text(corpus::document_text((*shown)["case"]), id, false);
       if (!read.ok() || read.cases.size() != 1) return;
       found = cases_.emplace(id, std::pair(std::move(read.cases.front()), std::vector<const Asked*>{})).first;
     }
@@ -140,13 +141,7 @@ class Scenes {
 
 }  // namespace
 
-Json read_price(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(std::string("is no JSON: ") + error.what());
-  }
-}
+Json read_price(std::string_view text) { return corpus::parse_document(text); }
 
 std::string price_page(const Json& document, const PricePageSettings& settings) {
   try {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 
 namespace graze::tool {
@@ -56,7 +57,8 @@ Json findings_json(const std::vector<Finding>& findings) {
 
 // A count: nothing negative, no fraction.
 std::uint64_t whole_number(const Json& json) {
-  if (!json.is_number_unsigned()) throw std::runtime_error(json.dump() + " is no whole number");
+  if (!json.is_number_unsigned())
+    throw std::runtime_error(corpus::document_text(json) + " is no whole number");
   return json.get<std::uint64_t>();
 }
 
@@ -98,7 +100,8 @@ std::vector<OtherContender> others_of(const Json& part) {
 
 CampaignState state_of(const Json& json) {
   if (json.at("schema") != kSchema) {
-    throw std::runtime_error(fmt::format("schema is {}, not \"{}\"", json.at("schema").dump(), kSchema));
+    throw std::runtime_error(
+        fmt::format("schema is {}, not \"{}\"", corpus::document_text(json.at("schema")), kSchema));
   }
   CampaignState state;
   const Json& settings = json.at("settings");
@@ -127,7 +130,8 @@ CampaignState state_of(const Json& json) {
   for (const Json& range : json.at("done")) {
     const BlockRange blocks(whole_number(range.at(0)), whole_number(range.at(1)));
     if (boost::icl::is_empty(blocks) || !boost::icl::within(blocks, state.share())) {
-      throw std::runtime_error(fmt::format("done: {} is no range of the shard's blocks", range.dump()));
+      throw std::runtime_error(
+          fmt::format("done: {} is no range of the shard's blocks", corpus::document_text(range)));
     }
     state.done += blocks;
   }
@@ -196,12 +200,12 @@ std::string state_text(const CampaignState& state) {
     level["widest"] = state.tally.counts[i].widest;
     json["levels"].push_back(std::move(level));
   }
-  return json.dump(1) + "\n";
+  return corpus::document_text(json, 1) + "\n";
 }
 
 CampaignState parse_state(std::string_view text, const std::string& name) {
   try {
-    return state_of(Json::parse(text));
+    return state_of(corpus::parse_document(text));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: is no state of a campaign: {}", name, error.what()));
   }

@@ -3,6 +3,7 @@
 // errors, numbers beyond the largest double as errors, and every error as a value of one line.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,5 +49,11 @@ struct ParsedJson {
 [[nodiscard]] std::string json_quote_short(std::string_view text);
 // The shortest decimal that reads back to the same bits; "inf", "-inf" and "nan" as JSON strings.
 [[nodiscard]] std::string json_number(double x);
+
+// Documents of our own, in the library's type. Its parser and its writer take a compiler two seconds in each file that
+// names them; here they are compiled once. Throws std::runtime_error: "is no JSON", and where.
+[[nodiscard]] nlohmann::ordered_json parse_document(std::string_view text);
+// On one line, or with `indent` spaces a level. Bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string document_text(const nlohmann::ordered_json& document, int indent = -1);
 
 }  // namespace graze::corpus

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "corpus/format/json_value.hpp"
 
 namespace graze::attack {
 namespace {
@@ -37,7 +40,8 @@ State read_state(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error(path.string() + ": cannot be read");
   try {
-    const Json json = Json::parse(in);
+    const Json json = corpus::parse_document(
+        std::string{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
     if (json.at("schema") != kSchema) throw std::runtime_error("");
     State state{
         .seed = json.at("seed"),
@@ -77,7 +81,7 @@ void write_state(const std::filesystem::path& path, const State& state) {
   fresh += ".new";
   {
     std::ofstream out(fresh);
-    out << json.dump(1) << "\n";
+    out << corpus::document_text(json, 1) << "\n";
     out.close();
     if (!out) throw std::runtime_error(fresh.string() + ": cannot be written");
   }
