@@ -58,24 +58,29 @@ endif()
 set(GRAZE_COLD $<$<CONFIG:Release>:-O1>)
 set(GRAZE_WARM $<$<CONFIG:Release>:-O2>)  # the judge: its time goes into oracles and into core, which has -O3
 
-# graze_precompiled(name LIBRARIES l... HEADERS h...): headers that most files of some targets include, compiled once for
-# them all; graze_precompile(target name) makes a target use them. Nothing of it decides what a file may use: with
-# GRAZE_PCH=OFF each stands by itself, and a test of `./run check` compiles them so.
+# graze_precompiled(name OPTIMIZED o LIBRARIES l... HEADERS h...): headers that most files of some targets include, compiled
+# once for them all; graze_precompile(target name) makes a target use them. Nothing of it decides what a file may use: with
+# GRAZE_PCH=OFF each stands by itself, and a test of `./run check` compiles them so. g++ optimises a file as the precompiled
+# header that it uses was, and overlooks an -O1 of the file's own (seen with g++ 12): so o is said once, with the headers.
 function(graze_precompiled name)
+  cmake_parse_arguments(arg "" "OPTIMIZED" "LIBRARIES;HEADERS" ${ARGN})
+  set_property(GLOBAL PROPERTY GRAZE_OPTIMIZED_${name} "${arg_OPTIMIZED}")
   if(NOT GRAZE_PCH)
     return()
   endif()
-  cmake_parse_arguments(arg "" "" "LIBRARIES;HEADERS" ${ARGN})
   set(nothing ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   file(CONFIGURE OUTPUT ${nothing} CONTENT "// The precompiled headers belong to this.\n")
   add_library(${name} OBJECT ${nothing})
   target_link_libraries(${name} PRIVATE graze_own ${arg_LIBRARIES})
+  target_compile_options(${name} PRIVATE ${arg_OPTIMIZED})
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -fpch-preprocess)  # for ccache
   endif()
 endfunction()
 function(graze_precompile target name)
+  get_property(optimized GLOBAL PROPERTY GRAZE_OPTIMIZED_${name})
+  target_compile_options(${target} PRIVATE ${optimized})
   if(NOT GRAZE_PCH)
     return()
   endif()

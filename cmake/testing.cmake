@@ -4,7 +4,7 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
-graze_precompiled(graze_test_headers LIBRARIES graze::corpus GTest::gtest
+graze_precompiled(graze_test_headers OPTIMIZED ${GRAZE_COLD} LIBRARIES graze::corpus GTest::gtest
   HEADERS <gtest/gtest.h> <algorithm> <cmath> <functional> <string> <vector> ${PROJECT_SOURCE_DIR}/corpus/case.hpp)
 
 # Core as users may build it. Such tests link it before the library as it is.
@@ -24,14 +24,13 @@ function(graze_test name)
   cmake_parse_arguments(arg "STANDALONE;CONTRACTED" "" "LABELS;SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE graze_own ${arg_LIBRARIES} GTest::gtest_main)
-  if(NOT arg_STANDALONE AND NOT arg_CONTRACTED)
-    graze_precompile(${name} graze_test_headers)
-  endif()
   if(arg_CONTRACTED)
     graze_contract(${name})
     target_link_libraries(${name} PRIVATE graze_contracted_core)
-  else()
+  elseif(arg_STANDALONE)
     target_compile_options(${name} PRIVATE ${GRAZE_COLD})
+  else()
+    graze_precompile(${name} graze_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE GRAZE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABELS}")
