@@ -56,7 +56,7 @@ endif()
 # What is not called a million times a second (commands, reports, tests' own files) need not be compiled to be. It is added
 # to a target after the -O3 of a release build, whose place it takes.
 set(GRAZE_COLD $<$<CONFIG:Release>:-O1>)
-set(GRAZE_WARM $<$<CONFIG:Release>:-O2>)  # the judge: its time goes into oracles and into core, which has -O3
+set(GRAZE_WARM $<$<CONFIG:Release>:-O2>)  # oracles: the judge spends its time there, and in core, which has -O3
 
 # graze_precompiled(name OPTIMIZED o LIBRARIES l... HEADERS h...): headers that most files of some targets include, compiled
 # once for them all; graze_precompile(target name) makes a target use them. Nothing of it decides what a file may use: with
