@@ -73,9 +73,14 @@ std::string verdict_line(const Certification& certification, double seconds) {
                         : !certification.unfinished.empty() ? "Stopped: no guarantee is broken so far"
                         : is_promised                       ? "Every method keeps its guarantee"
                                                             : "Nothing is promised, and no answer fails";
-  return fmt::format("{}: {} answers to {} cases of {} suites judged in {}, {} faults, {} stalls.\n", verdict,
-                     grouped(certification.answers), grouped(certification.questions), families.size(),
-                     duration_text(seconds), grouped(faults), grouped(stalls));
+  const auto counted = [](std::size_t n, std::string_view what) {
+    return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
+  };
+  return fmt::format("{}: {} to {} of {} judged in {}, {}, {}.\n", verdict,
+                     counted(certification.answers, "answer"), counted(certification.questions, "case"),
+                     counted(families.size(), "suite"),
+                     seconds < 1 ? "less than a second" : duration_text(seconds), counted(faults, "fault"),
+                     counted(stalls, "stall"));
 }
 
 std::string summary_table(const Certification& certification, const Settings& settings) {
