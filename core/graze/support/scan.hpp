@@ -99,26 +99,27 @@ inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const
   }
   return best;
 }
-// visit(k) for every point of value not below `least`, as rounded; NaN counts as not below.
-template <class Visit>
-void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
-                    float least, const Visit& visit) {
+// A bit for each of at most kScanChunk points whose value is not below `least`, as rounded; NaN counts as not below.
+inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
+                                    const Vec3<float>& d, float least) {
   using P = Pack<float>;
   const P::Type dx = P::all(d[0]), dy = P::all(d[1]), dz = P::all(d[2]), bound = P::all(least);
-  for (std::size_t k = 0; k < n; k += 4) {
+  const auto above = [&](std::size_t k) {
     const P::Type value =
         P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
-    unsigned above = unsigned(_mm_movemask_ps(_mm_cmpnlt_ps(value, bound)));
-    for (; above != 0; above &= above - 1) visit(k + static_cast<std::size_t>(std::countr_zero(above)));
-  }
+    return unsigned(_mm_movemask_ps(_mm_cmpnlt_ps(value, bound)));
+  };
+  std::uint64_t out = 0;
+  for (std::size_t k = 0; k < n; k += 8) out |= std::uint64_t{above(k) | above(k + 4) << 4} << k;
+  return out;
 }
 #else
-template <class Visit>
-void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
-                    float least, const Visit& visit) {
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(x[k] * d[0] + y[k] * d[1] + z[k] * d[2] < least)) visit(k);
-  }
+inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
+                                    const Vec3<float>& d, float least) {
+  std::uint64_t out = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    out |= std::uint64_t{!(x[k] * d[0] + y[k] * d[1] + z[k] * d[2] < least)} << k;
+  return out;
 }
 template <Scalar S>
 std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
@@ -150,5 +151,23 @@ std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S
   return best;
 }
 #endif
+
+// visit(k) for every point of value not below `least`, but for those of a chunk, named by its first, that skipped()
+// has bits of.
+template <class Skipped, class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Skipped& skipped, const Visit& visit) {
+  for (std::size_t first = 0; first < n; first += kScanChunk) {
+    const std::size_t size = std::min(n - first, kScanChunk);
+    std::uint64_t above = above_in_chunk(x + first, y + first, z + first, size, d, least) & ~skipped(first);
+    for (; above != 0; above &= above - 1) visit(first + static_cast<std::size_t>(std::countr_zero(above)));
+  }
+}
+template <class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Visit& visit) {
+  for_each_above(
+      x, y, z, n, d, least, [](std::size_t) { return std::uint64_t{0}; }, visit);
+}
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail
