@@ -318,7 +318,7 @@ TEST(MeetingBounds, WitnessesOfFacetsThatAreMet) {
     if (answer.passage != exact::Passage::ahead || answer.facet.size != 3) continue;
     Meeting<double> meeting(search.pair(), search.scene(), answer.facet, search.v());
     const double t = meeting.time().lower;
-    const Vec3<double> p = meeting.witness(s.a, true, t), q = meeting.witness(s.b, false, t);
+    const auto [p, q] = meeting.witnesses(t);
     const double unit = power_of_two(search.pair().length_exponent());
     const double size = unit * (search.pair().a().reach() + search.pair().b().reach()) + s.a.position.norm() +
                         s.b.position.norm() + t * s.b.displacement.norm() +

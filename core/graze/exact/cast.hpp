@@ -58,9 +58,9 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
       if (asks_for(options.request, Request::normal))
         out.normal = Vec3<double>(-meeting.normal()).template cast<S>();
       if (asks_for(options.request, Request::witnesses)) {
-        const double t = double(out.toi_lower);
-        out.point_a = meeting.witness(a, true, t).template cast<S>();
-        out.point_b = meeting.witness(b, false, t).template cast<S>();
+        const std::array<Vec3<double>, 2> points = meeting.witnesses(double(out.toi_lower));
+        out.point_a = points[0].template cast<S>();
+        out.point_b = points[1].template cast<S>();
       }
     }
   }

@@ -8,9 +8,10 @@
 // the quotient: n.g / n.v tells t - s far below a unit in the last place of s. What it does not tell is left to
 // facet.hpp. The same lambda are the weights of the contact, and g says whether the two bodies' points are one.
 //
-// For two bodies that are no combinators, a path and a facet of three corners.
+// For two bodies that are no combinators, a path and a facet of three corners. What is done to both is done to both at
+// once, side by side; one that does not turn, beside one that does, is turned by the identity, which rounds nothing.
 //
-// Errors, internal length, per component; u in double; X, Y the largest coordinates of A's and B's corners:
+// Errors, internal length, per component; u in double; X, Y bound the coordinates of A's and B's vertices:
 //   e, f   25 u S,  S = |steps of A|_1 + |steps of B|_1 bounds |e|_2: each step rounds once, its rotation is within
 //          21 u (prepared_pair.hpp), their difference rounds once;
 //   n      2 * 25 sqrt(3) u S_e S_f, 3 u S_e S_f for the product, and what is left of second order: 100 u S_e S_f;
@@ -24,21 +25,44 @@
 namespace graze::inline GRAZE_LINKAGE::exact {
 
 // x s, within 2^-97 of the product of their sizes (pair.hpp).
-template <bool kFused>
-PairOf<kFused> times(const PairOf<kFused>& x, double s) {
-  const PairOf<kFused> p = product<kFused>(x.hi, s);
+template <bool kFused, class T>
+PairOf<kFused, T> times(const PairOf<kFused, T>& x, T s) {
+  const PairOf<kFused, T> p = product<kFused>(x.hi, s);
   return {p.hi, p.lo + x.lo * s};
 }
 // x / w, w > 0; within 2^-97 of x's size over w, as its first guess, with the reciprocal rounded, is within 2^-48.
-template <bool kFused>
-PairOf<kFused> over(const PairOf<kFused>& x, const PairOf<kFused>& w, double reciprocal) {
-  const double q = x.hi * reciprocal;
-  const PairOf<kFused> p = product<kFused>(q, w.hi);
+template <bool kFused, class T>
+PairOf<kFused, T> over(const PairOf<kFused, T>& x, const PairOf<kFused, T>& w, T reciprocal) {
+  const T q = x.hi * reciprocal;
+  const PairOf<kFused, T> p = product<kFused>(q, w.hi);
   return {q, (((x.hi - p.hi) - p.lo) + (x.lo - q * w.lo)) * reciprocal};
 }
+// A vector of either body, side by side.
+struct Both {
+  TwoLanes x, y, z;
+
+  [[nodiscard]] Triple of(std::size_t body) const { return {x[body], y[body], z[body]}; }
+  friend Both operator+(const Both& p, const Both& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+  friend Both operator-(const Both& p, const Both& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+  friend Both operator*(double s, const Both& p) { return {s * p.x, s * p.y, s * p.z}; }
+};
+inline Both both(const Triple& a, const Triple& b) {
+  return {TwoLanes{a.x, b.x}, TwoLanes{a.y, b.y}, TwoLanes{a.z, b.z}};
+}
+inline TwoLanes dot(const Both& p, const Both& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+// The same in pairs: of one body.
 template <bool kFused>
-Pair3Of<kFused> turned_by(const FineTurn& turn, const Pair3Of<kFused>& x) {
-  return pairs_as<kFused>(turn.turned<kFused>(pairs_as<false>(x)));
+Pair3Of<kFused> of_one(const Pair3Of<kFused, TwoLanes>& x, std::size_t lane) {
+  const auto at = [&](std::size_t i) { return PairOf<kFused>{x[i].hi[lane], x[i].lo[lane]}; };
+  return {at(0), at(1), at(2)};
+}
+// x of one body, for either.
+template <bool kFused>
+Pair3Of<kFused, TwoLanes> twice(const Pair3Of<kFused>& x) {
+  const auto at = [&](std::size_t i) {
+    return PairOf<kFused, TwoLanes>{TwoLanes{x[i].hi, x[i].hi}, TwoLanes{x[i].lo, x[i].lo}};
+  };
+  return {at(0), at(1), at(2)};
 }
 template <bool kFused>
 Vec3<double> rounded(const Pair3Of<kFused>& x) {
@@ -53,6 +77,7 @@ class Meeting {
       : pair_(pair), scene_(scene), facet_(facet), v_(v) {
     const bool takes = scene.is_of_two_leaves() && facet.size == 3 && v.kind == Term::Kind::motion;
     fused_ = fuses();
+    turned_ = takes && (scene.leaves()[0].turned || scene.leaves()[1].turned);
     known_ = takes && guess() && (fused_ ? correct<true>() : correct<false>());
   }
 
@@ -69,18 +94,20 @@ class Meeting {
                                                                              : unit_normal(scene_, facet_);
   }
 
-  // Of one body, the point where the origin is at time t, caller's unit of it; world coordinates.
-  [[nodiscard]] Vec3<double> witness(const Body<S>& body, bool of_a, double t) {
-    const Guide<S>& guide = of_a ? pair_.a() : pair_.b();
-    if (!has_weights_) find_weights();
-    if (!known_) return facet_point(body, guide, scene_.length_exponent(), facet_, weight_, of_a, t);
-    const Part& part = part_[!of_a];
-    Triple own = guide.own(of_a ? facet_.corner[0].a : facet_.corner[0].b);
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (part.moves[i]) own = own + weight_[i + 1] * part.rounded_step(i);
-    }
-    const Triple shift = guide.placed_center() + t * triple(body.displacement);
-    return (shift + power_of_two(scene_.length_exponent()) * guide.to_world(own)).vector();
+  // Of A and of B the point where the origin is at time t, caller's unit of it; world coordinates.
+  [[nodiscard]] std::array<Vec3<double>, 2> witnesses(double t) {
+    find_weights();
+    const Guide<S>&a = pair_.a(), &b = pair_.b();
+    const int k = scene_.length_exponent();
+    if (!known_)
+      return {facet_point(a.body(), a, k, facet_, weight_, true, t),
+              facet_point(b.body(), b, k, facet_, weight_, false, t)};
+    const auto shift = [&](const Guide<S>& of) {
+      return of.placed_center() + t * triple(of.body().displacement);
+    };
+    const Both own = (own_ + weight_[1] * high(0)) + weight_[2] * high(1),
+               out = both(shift(a), shift(b)) + power_of_two(k) * to_world(own);
+    return {out.of(0).vector(), out.of(1).vector()};
   }
 
   // What tests hold to the truth. Internal units; t is within `error` of s + delta, each component of g within g_error.
@@ -96,38 +123,44 @@ class Meeting {
  private:
   static constexpr double kU = kUnitRoundoff<double>;
 
-  // What one body has in the corners: its vertex in c_0 and the steps from there, exactly, in its own axes.
-  struct Part {
-    Vec3<double> x0;  // as given
-    std::array<Pair3, 2> step;
-    std::array<bool, 2> moves;
-    double size;  // of the coordinates
-
-    [[nodiscard]] bool is_still() const { return !moves[0] && !moves[1]; }
-    [[nodiscard]] Triple rounded_step(std::size_t i) const {
-      return {step[i][0].hi, step[i][1].hi, step[i][2].hi};
-    }
-  };
-  void gather(bool of_b) {
-    const Leaf<S>& leaf = scene_.leaves()[of_b];
-    Part& out = part_[of_b];
-    const auto vertex = [&](std::size_t i) { return of_b ? facet_.corner[i].b : facet_.corner[i].a; };
-    const std::uint32_t first = vertex(0);
-    out.x0 = scene_.at(leaf, first);
-    out.size = out.x0.cwiseAbs().maxCoeff();
+  // What the bodies have in the corners: their vertices in c_0 and the steps from there, exactly, in their own axes.
+  void gather() {
+    const auto leaves = scene_.leaves();
+    const auto at = [&](std::size_t i) {
+      const Vertex& v = facet_.corner[i];
+      return both(triple(scene_.at(leaves[0], v.a)), triple(scene_.at(leaves[1], v.b)));
+    };
+    x0_ = at(0);
+    const Vertex& first = facet_.corner[0];
     for (std::size_t i = 0; i < 2; ++i) {
-      out.moves[i] = vertex(i + 1) != first;
-      if (!out.moves[i]) continue;
-      const Vec3<double> x = scene_.at(leaf, vertex(i + 1));
-      out.size = std::max(out.size, x.cwiseAbs().maxCoeff());
-      out.step[i] = {difference(x[0], out.x0[0]), difference(x[1], out.x0[1]), difference(x[2], out.x0[2])};
+      const Both x = at(i + 1);
+      step_[i] = {step(x.x, x0_.x), step(x.y, x0_.y), step(x.z, x0_.z)};
+      moves_[0][i] = facet_.corner[i + 1].a != first.a;
+      moves_[1][i] = facet_.corner[i + 1].b != first.b;
     }
+    own_ = x0_ - scene_.unit() * both(pair_.a().center(), pair_.b().center());
+    if (!turned_) return;
+    const auto row = [](const Guide<S>& of, std::size_t i) {
+      return of.turned() ? of.row(i) : Triple{double(i == 0), double(i == 1), double(i == 2)};
+    };
+    for (std::size_t i = 0; i < 3; ++i) row_[i] = both(row(pair_.a(), i), row(pair_.b(), i));
+  }
+  static PairOf<false, TwoLanes> step(TwoLanes to, TwoLanes from) {
+    const detail::TwoDoublesOfTwo s = detail::two_sum(to, -from);
+    return {s.hi, s.lo};
+  }
+  // The steps, rounded.
+  [[nodiscard]] Both high(std::size_t i) const { return {step_[i][0].hi, step_[i][1].hi, step_[i][2].hi}; }
+  [[nodiscard]] bool is_still(std::size_t body) const { return !moves_[body][0] && !moves_[body][1]; }
+  // As the bodies' own to_world: a row of the identity changes nothing.
+  [[nodiscard]] Both to_world(const Both& x) const {
+    if (!turned_) return x;
+    return {dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)};
   }
 
   // Of doubles if the bodies' points are then within 8 u of the pair's extent of each other, as what they are added up
   // from rounds.
   void find_weights() {
-    has_weights_ = true;
     if (known_) {
       const double most = 8 * kU * pair_.extent();
       if (largest(at_.g - at_.delta * pair_.direction()) <= most) {
@@ -140,28 +173,15 @@ class Meeting {
 
   // s, lambda, n and n.r in doubles.
   bool guess() {
-    gather(false);
-    gather(true);
-    const Guide<S>&a = pair_.a(), &b = pair_.b();
+    gather();
     const auto edge = [&](std::size_t i, double& size) {
-      Triple out{0, 0, 0};
-      size = 0;
-      if (part_[0].moves[i]) {
-        const Triple step = part_[0].rounded_step(i);
-        size += sum(magnitude(step));
-        out = a.to_world(step);
-      }
-      if (part_[1].moves[i]) {
-        const Triple step = part_[1].rounded_step(i);
-        size += sum(magnitude(step));
-        out = out - b.to_world(step);
-      }
-      return out;
+      const Both own = high(i), out = to_world(own);
+      size = sum(magnitude(own.of(0))) + sum(magnitude(own.of(1)));
+      return out.of(0) - out.of(1);
     };
     double size_e = 0, size_f = 0;
-    const Vertex& first = facet_.corner[0];
-    const Triple e = edge(0, size_e), f = edge(1, size_f),
-                 c0 = a.at(first.a) - (b.at(first.b) + pair_.offset());
+    const Both first = to_world(own_);
+    const Triple e = edge(0, size_e), f = edge(1, size_f), c0 = first.of(0) - (first.of(1) + pair_.offset());
     const Triple& r = pair_.direction();
     n_ = cross(e, f);
     along_ = dot(n_, r);
@@ -176,37 +196,45 @@ class Meeting {
     return std::abs(at_.s) > 0x1p-500 && std::abs(at_.s) < 0x1p500;
   }
 
-  // The corners' point of a body at those weights, in world axes about the body's position.
+  // The corners' points of both bodies at those weights, in world axes about the bodies' positions, side by side.
   template <bool kFused>
-  [[gnu::flatten]] Pair3Of<kFused> point(bool of_b) const {
-    using P = PairOf<kFused>;
-    const Part& part = part_[of_b];
-    Pair3Of<kFused> x = {P{part.x0[0], 0}, P{part.x0[1], 0}, P{part.x0[2], 0}};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!part.moves[i]) continue;
-      for (std::size_t j = 0; j < 3; ++j)
-        x[j] = x[j] + times(pair_as<kFused>(part.step[i][j]), at_.lambda[i]);
-    }
-    if (!scene_.leaves()[of_b].turned) return x;
-    const FineTurn& turn = scene_.turn(of_b);
-    const Pair3Of<kFused> out = turned_by(turn, x);
-    const P weight = pair_as<kFused>(turn.weight);
-    const double reciprocal = 1 / rounded(weight);
+  [[gnu::flatten]] Pair3Of<kFused, TwoLanes> points() {
+    using P = PairOf<kFused, TwoLanes>;
+    const auto at = [&](TwoLanes first, std::size_t j) {
+      const TwoLanes l0 = {at_.lambda[0], at_.lambda[0]}, l1 = {at_.lambda[1], at_.lambda[1]};
+      return (P{first, TwoLanes{0, 0}} + times(pair_as<kFused>(step_[0][j]), l0)) +
+             times(pair_as<kFused>(step_[1][j]), l1);
+    };
+    const Pair3Of<kFused, TwoLanes> x = {at(x0_.x, 0), at(x0_.y, 1), at(x0_.z, 2)};
+    if (!turned_) return x;
+    const Quaternion<double>&p = scene_.leaves()[0].outer, &q = scene_.leaves()[1].outer;
+    turn_.template form<kFused>(TwoLanes{p.w, q.w}, TwoLanes{p.x, q.x}, TwoLanes{p.y, q.y},
+                                TwoLanes{p.z, q.z});
+    const Pair3Of<kFused, TwoLanes> out = turn_.template of<kFused>(x);
+    const P weight = pair_as<kFused>(turn_.weight);
+    const TwoLanes reciprocal = 1.0 / (weight.hi + weight.lo);
     return {over(out[0], weight, reciprocal), over(out[1], weight, reciprocal),
             over(out[2], weight, reciprocal)};
+  }
+
+  // Bounds a body's coordinates in its own axes: those about its centre, as S rounded their middle and half.
+  [[nodiscard]] double coordinates(const Guide<S>& of) const {
+    return 1.01 * of.size() + scene_.unit() * largest(of.center());
   }
 
   // g, and with it delta and its error.
   template <bool kFused>
   [[gnu::flatten]] bool correct() {
-    const Pair3Of<kFused> a = point<kFused>(false), b = point<kFused>(true),
+    const Pair3Of<kFused, TwoLanes> both = points<kFused>();
+    const Pair3Of<kFused> a = of_one<kFused>(both, 0), b = of_one<kFused>(both, 1),
                           apart = pairs_as<kFused>(scene_.apart()), v = pairs_as<kFused>(scene_.motion());
     const auto difference = [&](std::size_t i) {
       return rounded(((a[i] - b[i]) + apart[i]) - times(v[i], at_.s));
     };
     at_.g = {difference(0), difference(1), difference(2)};
     const Triple shift{apart[0].hi, apart[1].hi, apart[2].hi}, path{v[0].hi, v[1].hi, v[2].hi};
-    const double size = part_[0].size + part_[1].size + largest(shift) + std::abs(at_.s) * largest(path);
+    const double size =
+        coordinates(pair_.a()) + coordinates(pair_.b()) + largest(shift) + std::abs(at_.s) * largest(path);
     const double n = largest(n_);
     at_.g_error = 0x1p-90 * size;
     at_.delta = dot(n_, at_.g) / along_;
@@ -246,70 +274,71 @@ class Meeting {
   // that easily had.
   template <bool kFused>
   [[gnu::flatten]] bool find_normal(Vec3<double>& n) const {
-    const Part &a = part_[0], &b = part_[1];
     double size = 0;
     Pair3Of<kFused> fine;
-    if (const bool of_b = a.is_still(); of_b || b.is_still() || scene_.turned_alike()) {
+    if (const bool of_b = is_still(0); of_b || is_still(1) || scene_.turned_alike()) {
       // In the bodies' own axes, and turned once.
       double size_e = 0, size_f = 0;
-      const Pair3Of<kFused> e = pairs_as<kFused>(edge(0, size_e)), f = pairs_as<kFused>(edge(1, size_f));
+      const Pair3Of<kFused> e = edge<kFused>(0, size_e), f = edge<kFused>(1, size_f);
       fine = cross(e, f);
       size = size_e * size_f;
       if (scene_.leaves()[of_b].turned) {
-        const FineTurn& turn = scene_.turn(of_b);
-        fine = turned_by(turn, fine);
-        size *= 2 * turn.weight.hi;
+        fine = of_one<kFused>(turn_.template of<kFused>(twice<kFused>(fine)), of_b);
+        size *= 2 * turn_.weight.hi[of_b];
       }
     } else {
       // An edge of either: the multiples of them in e and f are 0 or 1.
       const auto& c = facet_.corner;
-      const bool edge_a = !(a.moves[0] && a.moves[1]) || c[1].a == c[2].a,
-                 edge_b = !(b.moves[0] && b.moves[1]) || c[1].b == c[2].b;
-      const int sign = int(b.moves[0] && a.moves[1]) - int(a.moves[0] && b.moves[1]);
+      const bool edge_a = !(moves_[0][0] && moves_[0][1]) || c[1].a == c[2].a,
+                 edge_b = !(moves_[1][0] && moves_[1][1]) || c[1].b == c[2].b;
+      const int sign = int(moves_[1][0] && moves_[0][1]) - int(moves_[0][0] && moves_[1][1]);
       if (!edge_a || !edge_b || sign == 0) return false;
-      double size_a = 0, size_b = 0;
-      const Pair3Of<kFused> along_a = turned_step<kFused>(false, size_a),
-                            along_b = turned_step<kFused>(true, size_b);
+      // The first step that there is.
+      const std::size_t i = moves_[0][0] ? 0 : 1, k = moves_[1][0] ? 0 : 1;
+      Pair3Of<kFused, TwoLanes> along;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const auto &a = step_[i][j], &b = step_[k][j];
+        along[j] = {TwoLanes{a.hi[0], b.hi[1]}, TwoLanes{a.lo[0], b.lo[1]}};
+      }
+      size = largest(high(i).of(0)) * largest(high(k).of(1));
+      if (turned_) {
+        along = turn_.template of<kFused>(along);
+        size *= (2 * turn_.weight.hi[0]) * (2 * turn_.weight.hi[1]);
+      }
+      const Pair3Of<kFused> along_a = of_one<kFused>(along, 0), along_b = of_one<kFused>(along, 1);
       fine = sign > 0 ? cross(along_a, along_b) : cross(along_b, along_a);
-      size = size_a * size_b;
     }
     n = rounded(fine);
     return size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize &&
            n.cwiseAbs().maxCoeff() > 0x1p-30 * size;
   }
-  static double size_of(const Pair3& x) {
-    return std::max({std::abs(x[0].hi), std::abs(x[1].hi), std::abs(x[2].hi)});
-  }
   // e or f where nothing turns, or all as one.
-  Pair3 edge(std::size_t i, double& size) const {
-    const Part &a = part_[0], &b = part_[1];
-    size = (a.moves[i] ? size_of(a.step[i]) : 0) + (b.moves[i] ? size_of(b.step[i]) : 0);
-    if (!b.moves[i]) return a.step[i];
-    const Pair3 back = {-b.step[i][0], -b.step[i][1], -b.step[i][2]};
-    if (!a.moves[i]) return back;
-    return {a.step[i][0] + back[0], a.step[i][1] + back[1], a.step[i][2] + back[2]};
-  }
-  // The first step that there is.
   template <bool kFused>
-  Pair3Of<kFused> turned_step(bool of_b, double& size) const {
-    const Pair3& step = part_[of_b].step[part_[of_b].moves[0] ? 0 : 1];
-    size = size_of(step);
-    if (!scene_.leaves()[of_b].turned) return pairs_as<kFused>(step);
-    const FineTurn& turn = scene_.turn(of_b);
-    size *= 2 * turn.weight.hi;
-    return turned_by(turn, pairs_as<kFused>(step));
+  Pair3Of<kFused> edge(std::size_t i, double& size) const {
+    const Both own = high(i);
+    size = largest(own.of(0)) + largest(own.of(1));
+    const Pair3Of<kFused, TwoLanes> step = pairs_as<kFused>(step_[i]);
+    const Pair3Of<kFused> a = of_one<kFused>(step, 0), b = of_one<kFused>(step, 1);
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
 
   const GuidedPair<S>& pair_;
   const Scene<S>& scene_;
   const Facet& facet_;
   const Term& v_;
-  bool known_ = false, has_weights_ = false, fused_ = false;
+  bool known_ = false, fused_ = false, turned_ = false;
   Quotient at_;
   Triple n_{};
   double along_ = 0, n_error_ = 0, along_error_ = 0;
   std::array<double, 3> weight_{};
-  std::array<Part, 2> part_;  // where known_
+  // Of A and B, where known_: c_0's vertices as given and about the centres, the steps from there, which are 0 where a
+  // body does not move, and where turned_ the rotations, in doubles and in pairs; of a body that does not turn, the
+  // identity.
+  Both x0_, own_;
+  std::array<Pair3Of<false, TwoLanes>, 2> step_;
+  std::array<std::array<bool, 2>, 2> moves_;
+  std::array<Both, 3> row_;
+  FineTurnOf<TwoLanes> turn_;
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -43,6 +43,7 @@ class Scene {
   [[nodiscard]] std::span<const Leaf<S>> leaves() const { return leaves_; }
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
+  [[nodiscard]] double unit() const { return unit_; }  // 2^-k
 
   // `straight`: in the bodies' own axes, without their rotation; for terms that is_straight() is true of.
   [[nodiscard]] Fine fine(const Term& term, bool straight = false) const {

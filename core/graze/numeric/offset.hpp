@@ -19,10 +19,18 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 struct TwoDoubles {
   double hi = 0, lo = 0;
 };
+// Of two numbers side by side.
+struct TwoDoublesOfTwo {
+  TwoLanes hi, lo;
+};
 
 // a + b = hi + lo exactly (Knuth).
 inline TwoDoubles two_sum(double a, double b) {
   const double hi = a + b, bb = hi - a;
+  return {hi, (a - (hi - bb)) + (b - bb)};
+}
+inline TwoDoublesOfTwo two_sum(TwoLanes a, TwoLanes b) {
+  const TwoLanes hi = a + b, bb = hi - a;
   return {hi, (a - (hi - bb)) + (b - bb)};
 }
 
@@ -42,6 +50,17 @@ TwoDoubles two_product(double a, double b) {
   const double a_hi = p - (p - a), a_lo = a - a_hi, b_hi = q - (q - b), b_lo = b - b_hi;
   return {hi, ((a_hi * b_hi - hi) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 #endif
+}
+template <bool kFused = false>
+TwoDoublesOfTwo two_product(TwoLanes a, TwoLanes b) {
+#if GRAZE_FUSES_IF_THERE
+  if constexpr (kFused) {
+    const TwoLanes hi = a * b;
+    return {hi, fused_difference(a, b, hi)};
+  }
+#endif
+  const TwoDoubles p = two_product<kFused>(a[0], b[0]), q = two_product<kFused>(a[1], b[1]);
+  return {TwoLanes{p.hi, q.hi}, TwoLanes{p.lo, q.lo}};
 }
 
 // Relative errors below 2^-100 for each of these (Joldes, Muller, Popescu 2017, algorithms 6, 10 and 17).

@@ -20,20 +20,22 @@
 namespace graze::inline GRAZE_LINKAGE::exact {
 
 using detail::fuses;
+using detail::TwoLanes;
 
-template <bool kFused>
+// T: a double, or two of them side by side (machine.hpp), one of either body.
+template <bool kFused, class T = double>
 struct PairOf {
-  double hi, lo;  // not set unless given
+  T hi, lo;  // not set unless given
 };
-template <bool kFused>
-using Pair3Of = std::array<PairOf<kFused>, 3>;
+template <bool kFused, class T = double>
+using Pair3Of = std::array<PairOf<kFused, T>, 3>;
 using Pair = PairOf<false>;
 using Pair3 = Pair3Of<false>;
 
 // Exact. Fused: only where fuses().
-template <bool kFused = false>
-PairOf<kFused> product(double a, double b) {
-  const detail::TwoDoubles p = detail::two_product<kFused>(a, b);
+template <bool kFused = false, class T = double>
+PairOf<kFused, T> product(T a, T b) {
+  const auto p = detail::two_product<kFused>(a, b);
   return {p.hi, p.lo};
 }
 template <bool kFused = false>
@@ -43,31 +45,31 @@ PairOf<kFused> difference(double a, double b) {
 }
 
 // The same number.
-template <bool kFused, bool kOther>
-PairOf<kFused> pair_as(const PairOf<kOther>& x) {
+template <bool kFused, bool kOther, class T>
+PairOf<kFused, T> pair_as(const PairOf<kOther, T>& x) {
   return {x.hi, x.lo};
 }
-template <bool kFused, bool kOther>
-Pair3Of<kFused> pairs_as(const Pair3Of<kOther>& x) {
+template <bool kFused, bool kOther, class T>
+Pair3Of<kFused, T> pairs_as(const std::array<PairOf<kOther, T>, 3>& x) {
   return {pair_as<kFused>(x[0]), pair_as<kFused>(x[1]), pair_as<kFused>(x[2])};
 }
 
-template <bool kFused>
-PairOf<kFused> operator+(const PairOf<kFused>& x, const PairOf<kFused>& y) {
-  const detail::TwoDoubles s = detail::two_sum(x.hi, y.hi);
+template <bool kFused, class T>
+PairOf<kFused, T> operator+(const PairOf<kFused, T>& x, const PairOf<kFused, T>& y) {
+  const auto s = detail::two_sum(x.hi, y.hi);
   return {s.hi, s.lo + (x.lo + y.lo)};
 }
-template <bool kFused>
-PairOf<kFused> operator-(const PairOf<kFused>& x) {
+template <bool kFused, class T>
+PairOf<kFused, T> operator-(const PairOf<kFused, T>& x) {
   return {-x.hi, -x.lo};
 }
-template <bool kFused>
-PairOf<kFused> operator-(const PairOf<kFused>& x, const PairOf<kFused>& y) {
+template <bool kFused, class T>
+PairOf<kFused, T> operator-(const PairOf<kFused, T>& x, const PairOf<kFused, T>& y) {
   return x + -y;
 }
-template <bool kFused>
-PairOf<kFused> operator*(const PairOf<kFused>& x, const PairOf<kFused>& y) {
-  const PairOf<kFused> p = product<kFused>(x.hi, y.hi);
+template <bool kFused, class T>
+PairOf<kFused, T> operator*(const PairOf<kFused, T>& x, const PairOf<kFused, T>& y) {
+  const PairOf<kFused, T> p = product<kFused>(x.hi, y.hi);
   return {p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi)};
 }
 template <bool kFused>
@@ -75,12 +77,13 @@ template <bool kFused>
   return x.hi + x.lo;
 }
 
-template <bool kFused>
-PairOf<kFused> dot(const Pair3Of<kFused>& a, const Pair3Of<kFused>& b) {
+template <bool kFused, class T>
+PairOf<kFused, T> dot(const std::array<PairOf<kFused, T>, 3>& a, const std::array<PairOf<kFused, T>, 3>& b) {
   return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
-template <bool kFused>
-Pair3Of<kFused> cross(const Pair3Of<kFused>& a, const Pair3Of<kFused>& b) {
+template <bool kFused, class T>
+Pair3Of<kFused, T> cross(const std::array<PairOf<kFused, T>, 3>& a,
+                         const std::array<PairOf<kFused, T>, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline Pair3 scaled(const Pair3& x, const Pair& s) { return {x[0] * s, x[1] * s, x[2] * s}; }

@@ -54,17 +54,42 @@ struct Fine {
   }
 };
 
-// |q|^2 R(q) and |q|^2, for a q whose largest component is in [1, 2): entries within 2^-99 |q|^2.
-struct FineTurn {
-  std::array<Pair3, 3> row;  // not set by the default constructor
-  Pair weight;
+// |q|^2 R(q) and |q|^2, for a q whose largest component is in [1, 2): entries within 2^-99 |q|^2. T: of one q, or of two
+// side by side.
+template <class T>
+struct FineTurnOf {
+  std::array<Pair3Of<false, T>, 3> row;  // not set by the default constructor
+  PairOf<false, T> weight;
 
+  // Flat, so that a number is split once for all its products.
+  template <bool kFused>
+  [[gnu::flatten]] void form(T w, T x, T y, T z) {
+    using P = PairOf<kFused, T>;
+    const auto times = [](T a, T b) { return product<kFused>(a, b); };
+    const P ww = times(w, w), xx = times(x, x), yy = times(y, y), zz = times(z, z);
+    const P xy = times(x, y), xz = times(x, z), yz = times(y, z), wx = times(w, x), wy = times(w, y),
+            wz = times(w, z);
+    const auto same = [](const P& p) { return pair_as<false>(p); };
+    const auto twice = [](const P& p) { return PairOf<false, T>{2.0 * p.hi, 2.0 * p.lo}; };
+    row[0] = {same((ww + xx) - (yy + zz)), twice(xy - wz), twice(xz + wy)};
+    row[1] = {twice(xy + wz), same((ww + yy) - (xx + zz)), twice(yz - wx)};
+    row[2] = {twice(xz - wy), twice(yz + wx), same((ww + zz) - (xx + yy))};
+    weight = same((ww + xx) + (yy + zz));
+  }
+  template <bool kFused>
+  [[nodiscard, gnu::flatten]] Pair3Of<kFused, T> of(const Pair3Of<kFused, T>& x) const {
+    const auto along = [&](std::size_t i) { return dot(pairs_as<kFused>(row[i]), x); };
+    return {along(0), along(1), along(2)};
+  }
+};
+
+struct FineTurn : FineTurnOf<double> {
   FineTurn() = default;
   explicit FineTurn(const Quaternion<double>& q) {
     if (fuses()) {
-      form<true>(q);
+      form<true>(q.w, q.x, q.y, q.z);
     } else {
-      form<false>(q);
+      form<false>(q.w, q.x, q.y, q.z);
     }
   }
   void operator()(Fine& v) const {
@@ -73,28 +98,9 @@ struct FineTurn {
     v.weight = v.weighted ? v.weight * weight : weight;
     v.weighted = true;
   }
-  // Flat, so that a number is split once for all its products.
   template <bool kFused>
-  [[nodiscard, gnu::flatten]] Pair3 turned(const Pair3& given) const {
-    const Pair3Of<kFused> x = pairs_as<kFused>(given);
-    const auto along = [&](std::size_t i) { return pair_as<false>(dot(pairs_as<kFused>(row[i]), x)); };
-    return {along(0), along(1), along(2)};
-  }
-
- private:
-  template <bool kFused>
-  [[gnu::flatten]] void form(const Quaternion<double>& q) {
-    using P = PairOf<kFused>;
-    const auto times = [](double a, double b) { return product<kFused>(a, b); };
-    const P ww = times(q.w, q.w), xx = times(q.x, q.x), yy = times(q.y, q.y), zz = times(q.z, q.z);
-    const P xy = times(q.x, q.y), xz = times(q.x, q.z), yz = times(q.y, q.z), wx = times(q.w, q.x),
-            wy = times(q.w, q.y), wz = times(q.w, q.z);
-    const auto same = [](const P& x) { return pair_as<false>(x); };
-    const auto twice = [](const P& x) { return Pair{2 * x.hi, 2 * x.lo}; };
-    row[0] = {same((ww + xx) - (yy + zz)), twice(xy - wz), twice(xz + wy)};
-    row[1] = {twice(xy + wz), same((ww + yy) - (xx + zz)), twice(yz - wx)};
-    row[2] = {twice(xz - wy), twice(yz + wx), same((ww + zz) - (xx + yy))};
-    weight = same((ww + xx) + (yy + zz));
+  [[nodiscard]] Pair3 turned(const Pair3& x) const {
+    return pairs_as<false>(of<kFused>(pairs_as<kFused>(x)));
   }
 };
 
