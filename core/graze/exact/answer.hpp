@@ -20,16 +20,20 @@ double squared_length(const Vec3<double>& n) {
   return rounded((square(0) + square(1)) + square(2));
 }
 // n over its length, which is rounded once; 0 where a number outgrew its room.
-inline Vec3<double> over_length(Vec3<double> n) {
+template <bool kFused>
+Vec3<double> over_length_as(Vec3<double> n) {
   const double most = n.cwiseAbs().maxCoeff();
   if (!(most > 0)) return Vec3<double>::Zero();
   n *= power_of_two(-exponent_of(most));
-  return n / std::sqrt(fuses() ? squared_length<true>(n) : squared_length<false>(n));
+  return n / std::sqrt(squared_length<kFused>(n));
+}
+inline Vec3<double> over_length(const Vec3<double>& n) {
+  return fuses() ? over_length_as<true>(n) : over_length_as<false>(n);
 }
 
 // f_1 x f_2 over its length.
 template <Scalar S>
-Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
+[[gnu::noinline]] Vec3<double> unit_normal(const Scene<S>& scene, const Facet& facet) {
   const Fine p = scene.fine(facet.f1), q = scene.fine(facet.f2);
   const double size = p.size * q.size;
   Vec3<double> n = Vec3<double>::Zero();

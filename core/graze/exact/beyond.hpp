@@ -148,7 +148,7 @@ class BeyondSearch {
 
   // The leaf's whole rotation; R^T n is within `turn` |n| per component: each matrix within 16 u a row, each
   // product of two adds 3 sqrt(3) u.
-  [[nodiscard]] static Mat3<double> turn_into(const Leaf<S>& leaf, double& turn) {
+  [[nodiscard, gnu::noinline]] static Mat3<double> turn_into(const Leaf<S>& leaf, double& turn) {
     Mat3<double> r = detail::rotation_matrix(leaf.outer);
     for (const Quaternion<double>& q : leaf.inner) r = Mat3<double>(r * detail::rotation_matrix(q));
     turn = 24 * static_cast<double>(leaf.inner.size() + 1) * kUnitRoundoff<double>;
@@ -158,7 +158,7 @@ class BeyondSearch {
   [[nodiscard]] static Vec3<double> vertex(const Leaf<S>& leaf, std::uint32_t k) { return leaf.point(k); }
 
   // A vertex beside x_0: is it farther?
-  void try_vertex(Search& s, std::uint32_t k) const {
+  [[gnu::noinline]] void try_vertex(Search& s, std::uint32_t k) const {
     if (k == s.at) return;
     const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.at);
     const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
@@ -288,7 +288,8 @@ class BeyondSearch {
   }
   // n's place on the cube is known within 2^-15: what the map's squares are larger than they need be
   // (direction_map.hpp), and more.
-  [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
+  [[nodiscard, gnu::noinline]] static bool find_list(const Search& s, const DirectionMap& map,
+                                                     DirectionMap::List& out) {
     const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
     const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();
     if (map.empty() || !(s.error.cwiseProduct(reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0))

@@ -78,7 +78,7 @@ class Meeting {
     const bool takes = scene.is_of_two_leaves() && facet.size == 3 && v.kind == Term::Kind::motion;
     fused_ = fuses();
     turned_ = takes && (scene.leaves()[0].turned || scene.leaves()[1].turned);
-    known_ = takes && guess() && (fused_ ? correct<true>() : correct<false>());
+    known_ = takes && (fused_ ? find_fused() : find<false>());
   }
 
   // The quotient n.c_0 / n.v between its neighbouring doubles.
@@ -88,26 +88,13 @@ class Meeting {
   }
 
   // e x f over its length, each component within 2 u.
-  [[nodiscard]] Vec3<double> normal() const {
-    Vec3<double> n;
-    return known_ && (fused_ ? find_normal<true>(n) : find_normal<false>(n)) ? over_length(n)
-                                                                             : unit_normal(scene_, facet_);
-  }
+  [[nodiscard]] Vec3<double> normal() const { return fused_ ? fused_normal() : normal_as<false>(); }
 
   // Of A and of B the point where the origin is at time t, caller's unit of it; world coordinates.
   [[nodiscard]] std::array<Vec3<double>, 2> witnesses(double t) {
-    find_weights();
-    const Guide<S>&a = pair_.a(), &b = pair_.b();
-    const int k = scene_.length_exponent();
-    if (!known_)
-      return {facet_point(a.body(), a, k, facet_, weight_, true, t),
-              facet_point(b.body(), b, k, facet_, weight_, false, t)};
-    const auto shift = [&](const Guide<S>& of) {
-      return of.placed_center() + t * triple(of.body().displacement);
-    };
-    const Both own = (own_ + weight_[1] * high(0)) + weight_[2] * high(1),
-               out = both(shift(a), shift(b)) + power_of_two(k) * to_world(own);
-    return {out.of(0).vector(), out.of(1).vector()};
+    if (!known_) return facet_points(t);
+    const std::array<double, 2> weight = has_near_weights() ? at_.lambda : finer_weights();
+    return fused_ ? fused_points(t, weight) : points_at(t, weight);
   }
 
   // What tests hold to the truth. Internal units; t is within `error` of s + delta, each component of g within g_error.
@@ -122,6 +109,45 @@ class Meeting {
 
  private:
   static constexpr double kU = kUnitRoundoff<double>;
+
+  template <bool kFused>
+  bool find() {
+    return guess() && correct<kFused>();
+  }
+  GRAZE_FUSED bool find_fused() { return find<true>(); }
+  template <bool kFused>
+  [[nodiscard]] Vec3<double> normal_as() const {
+    Vec3<double> n;
+    return known_ && find_normal<kFused>(n) ? over_length_as<kFused>(n) : unit_normal(scene_, facet_);
+  }
+  GRAZE_FUSED [[nodiscard]] Vec3<double> fused_normal() const { return normal_as<true>(); }
+
+  // By the weights of the corners but the first.
+  [[nodiscard]] std::array<Vec3<double>, 2> points_at(double t, const std::array<double, 2>& weight) const {
+    const Guide<S>&a = pair_.a(), &b = pair_.b();
+    const auto shift = [&](const Guide<S>& of) {
+      return of.placed_center() + t * triple(of.body().displacement);
+    };
+    const Both own = (own_ + weight[0] * high(0)) + weight[1] * high(1),
+               out = both(shift(a), shift(b)) + power_of_two(scene_.length_exponent()) * to_world(own);
+    return {out.of(0).vector(), out.of(1).vector()};
+  }
+  GRAZE_FUSED [[nodiscard]] std::array<Vec3<double>, 2> fused_points(
+      double t, const std::array<double, 2>& weight) const {
+    return points_at(t, weight);
+  }
+  // In pairs of doubles or exactly.
+  [[nodiscard, gnu::noinline]] std::array<double, 2> finer_weights() const {
+    const std::array<double, 3> weight = facet_weights(scene_, facet_, v_);
+    return {weight[1], weight[2]};
+  }
+  [[nodiscard, gnu::noinline]] std::array<Vec3<double>, 2> facet_points(double t) const {
+    const std::array<double, 3> weight = facet_weights(scene_, facet_, v_);
+    const Guide<S>&a = pair_.a(), &b = pair_.b();
+    const int k = scene_.length_exponent();
+    return {facet_point(a.body(), a, k, facet_, weight, true, t),
+            facet_point(b.body(), b, k, facet_, weight, false, t)};
+  }
 
   // What the bodies have in the corners: their vertices in c_0 and the steps from there, exactly, in their own axes.
   void gather() {
@@ -158,17 +184,10 @@ class Meeting {
     return {dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)};
   }
 
-  // Of doubles if the bodies' points are then within 8 u of the pair's extent of each other, as what they are added up
-  // from rounds.
-  void find_weights() {
-    if (known_) {
-      const double most = 8 * kU * pair_.extent();
-      if (largest(at_.g - at_.delta * pair_.direction()) <= most) {
-        weight_ = {1 - at_.lambda[0] - at_.lambda[1], at_.lambda[0], at_.lambda[1]};
-        return;
-      }
-    }
-    weight_ = facet_weights(scene_, facet_, v_);
+  // Are the bodies' points, by weights in doubles, within 8 u of the pair's extent of each other, as what they are added
+  // up from rounds?
+  [[nodiscard]] bool has_near_weights() const {
+    return largest(at_.g - at_.delta * pair_.direction()) <= 8 * kU * pair_.extent();
   }
 
   // s, lambda, n and n.r in doubles.
@@ -198,7 +217,7 @@ class Meeting {
 
   // The corners' points of both bodies at those weights, in world axes about the bodies' positions, side by side.
   template <bool kFused>
-  [[gnu::flatten]] Pair3Of<kFused, TwoLanes> points() {
+  Pair3Of<kFused, TwoLanes> points() {
     using P = PairOf<kFused, TwoLanes>;
     const auto at = [&](TwoLanes first, std::size_t j) {
       const TwoLanes l0 = {at_.lambda[0], at_.lambda[0]}, l1 = {at_.lambda[1], at_.lambda[1]};
@@ -224,7 +243,7 @@ class Meeting {
 
   // g, and with it delta and its error.
   template <bool kFused>
-  [[gnu::flatten]] bool correct() {
+  bool correct() {
     const Pair3Of<kFused, TwoLanes> both = points<kFused>();
     const Pair3Of<kFused> a = of_one<kFused>(both, 0), b = of_one<kFused>(both, 1),
                           apart = pairs_as<kFused>(scene_.apart()), v = pairs_as<kFused>(scene_.motion());
@@ -273,7 +292,7 @@ class Meeting {
   // e x f up to a factor > 0, each component within 2^-57 of the largest before it is rounded; false where it is not
   // that easily had.
   template <bool kFused>
-  [[gnu::flatten]] bool find_normal(Vec3<double>& n) const {
+  bool find_normal(Vec3<double>& n) const {
     double size = 0;
     Pair3Of<kFused> fine;
     if (const bool of_b = is_still(0); of_b || is_still(1) || scene_.turned_alike()) {
@@ -330,7 +349,6 @@ class Meeting {
   Quotient at_;
   Triple n_{};
   double along_ = 0, n_error_ = 0, along_error_ = 0;
-  std::array<double, 3> weight_{};
   // Of A and B, where known_: c_0's vertices as given and about the centres, the steps from there, which are 0 where a
   // body does not move, and where turned_ the rotations, in doubles and in pairs; of a body that does not turn, the
   // identity.

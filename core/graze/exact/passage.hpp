@@ -44,20 +44,7 @@ class PassageSearch {
   [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
     Seeds seeds;
     if (Answer out; seek(t_max, seeds, out.miss)) return out;
-    return with_walk(seeds, [&](PortalWalk<S>& walk) {
-      Answer out;
-      const int height = walk.height_sign();
-      if (height == 0) {
-        contact_in(walk.facet(), out);
-      } else if (walk.refine(height > 0 ? -1 : 1, [&] { return walk.height_sign() != height; })) {
-        out.passage = Passage::contact;
-        out.hull_size = walk.hull_before(out.hull);
-      } else {
-        out.passage = height > 0 ? Passage::ahead : Passage::behind;
-        out.facet = walk.facet();
-      }
-      return out;
-    });
+    return fuses() ? pass_fused(seeds) : pass_from(seeds);
   }
   // t_in (toward -1) or t_out (+1) of the line.
   [[nodiscard]] Answer end(int toward) {
@@ -140,6 +127,23 @@ class PassageSearch {
     miss = {Term::given(f1), Term::given(f2), n[z] > 0 ? 1 : -1};
     return true;
   }
+  [[nodiscard]] Answer pass_from(const Seeds& seeds) {
+    return with_walk(seeds, [&](PortalWalk<S>& walk) {
+      Answer out;
+      const int height = walk.height_sign();
+      if (height == 0) {
+        contact_in(walk.facet(), out);
+      } else if (walk.refine(height > 0 ? -1 : 1, [&] { return walk.height_sign() != height; })) {
+        out.passage = Passage::contact;
+        out.hull_size = walk.hull_before(out.hull);
+      } else {
+        out.passage = height > 0 ? Passage::ahead : Passage::behind;
+        out.facet = walk.facet();
+      }
+      return out;
+    });
+  }
+  GRAZE_FUSED [[nodiscard]] Answer pass_fused(const Seeds& seeds) { return pass_from(seeds); }
   // `go(walk)` once the line is found to pass through C.
   template <class Go>
   Answer with_walk(const Seeds& seeds, const Go& go) {

@@ -66,7 +66,7 @@ class Scene {
   // |error of the fine determinant| <= 2^-87 of the product of the sizes: six products of
   // three, each of whose factors is within 2^-92, and what pairs round. The product of the sizes must leave
   // room for low parts above the least normal number.
-  [[nodiscard]] int determinant_sign(const Term& a, const Term& b, const Term& c) const {
+  [[nodiscard, gnu::noinline]] int determinant_sign(const Term& a, const Term& b, const Term& c) const {
     const bool straight = unturned_ || is_straight(a, b, c);
     if (has_fine()) {
       const Fine x = fine(a, straight), y = fine(b, straight), z = fine(c, straight);
@@ -143,7 +143,7 @@ class Scene {
     if (q.is_identity()) return {};
     return scaled_to_one({double(q.w), double(q.x), double(q.y), double(q.z)});
   }
-  void add_body(const Body<S>& body, bool of_b, const Quaternion<double>& outer) {
+  [[gnu::noinline]] void add_body(const Body<S>& body, bool of_b, const Quaternion<double>& outer) {
     const std::size_t first = more_.size();
     std::vector<Quaternion<double>> inner;
     add_parts(body.shape, of_b, outer, inner);

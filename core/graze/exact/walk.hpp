@@ -208,7 +208,7 @@ class PortalWalk {
     out.id = id;
     place(out, pair_.a().at(id.a), pair_.b().at(id.b));
   }
-  void support(const Triple& n, Corner& out) const {
+  [[gnu::noinline]] void support(const Triple& n, Corner& out) const {
     ++counters_.supports;
     // Near 1, so that no component that counts leaves the range of floats.
     const double size = largest(n);
@@ -235,7 +235,7 @@ class PortalWalk {
 
   // ---- signs ----
 
-  [[nodiscard]] int height_sign_exactly() const {
+  [[nodiscard, gnu::noinline]] int height_sign_exactly() const {
     const Facet at = facet();
     return scene_.determinant_sign(Term::point(at.c0), at.f1, at.f2);
   }
@@ -281,7 +281,9 @@ class PortalWalk {
     // Of a difference: twice that of q, and u of its length, below 2.9 extent.
     const double error = 2.5 * bounds_.seen;
     const int sign = sign_in_doubles(d.qx - c.qx, d.qy - c.qy, e.qx - c.qx, e.qy - c.qy, error);
-    if (sign != 0) return sign;
+    return sign != 0 ? sign : turn_exactly(c, d, e);
+  }
+  [[nodiscard, gnu::noinline]] int turn_exactly(const Corner& c, const Corner& d, const Corner& e) const {
     if (e.id == c.id || e.id == d.id || c.id == d.id) return 0;
     return scene_.determinant_sign(Term::difference(c.id, d.id), Term::difference(c.id, e.id), line_.v);
   }
@@ -297,7 +299,7 @@ class PortalWalk {
   }
 
   // Three vertices, in the hope that they are a triangle around o, or close to it.
-  bool start() {
+  [[gnu::noinline]] bool start() {
     Corner &first = slot_[0], &second = slot_[1], &third = slot_[2];
     support(-line_.r, first);
     double nx = -first.qx, ny = -first.qy;
@@ -316,7 +318,7 @@ class PortalWalk {
   }
 
   // The first three as a triangle that turns left; false: seen along v, C has no area, and size_ says what it has.
-  bool make_triangle() {
+  [[gnu::noinline]] bool make_triangle() {
     int s = turn(at(0), at(1), at(2));
     if (s == 0) s = find_triangle();
     if (s < 0) std::swap(order_[1], order_[2]);
@@ -354,7 +356,7 @@ class PortalWalk {
   // x and, of a point, y: (x x y).v > 0.
   [[nodiscard]] Term axis(std::size_t i) const { return unit(axis_[i]); }
   // A vertex beyond an exact plane through the corner as the next.
-  bool look_beyond(const Term& f1, const Term& f2, int sign, const Corner& from) {
+  [[gnu::noinline]] bool look_beyond(const Term& f1, const Term& f2, int sign, const Corner& from) {
     ++counters_.supports;
     Vertex w;
     if (!find_beyond(f1, f2, sign, from.id, w)) return false;
@@ -405,8 +407,11 @@ class PortalWalk {
   // ---- 2 ----
 
   bool walk_around() {
-    int edge = outside_edge();
-    last_ = last_ && edge < 0;
+    const int edge = outside_edge();
+    return edge < 0 || walk_beyond(edge);
+  }
+  [[gnu::noinline]] bool walk_beyond(int edge) {
+    last_ = false;
     while (edge >= 0 && goes_on()) {
       // The edge first.
       if (edge == 1) order_ = {order_[1], order_[2], order_[0], order_[3]};
@@ -454,12 +459,16 @@ class PortalWalk {
     const Corner &c0 = at(0), &c1 = at(1), &c2 = at(2);
     const Triple e = edge(c0, c1), f = edge(c0, c2);
     const Triple n = double(toward_) * cross(e, f);
-    const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     Corner& w = next();
     if (last_) {
       last_ = false;
       return surely_above(n, e, f, w);
     }
+    return look_above(n, e, f, w);
+  }
+  [[gnu::noinline]] bool look_above(const Triple& n, const Triple& e, const Triple& f, Corner& w) {
+    const Corner& c0 = at(0);
+    const double e_1 = sum(magnitude(e)), f_1 = sum(magnitude(f));
     support(n, w);
     if (!is_corner(w.id)) {
       const Triple g = edge(c0, w);
@@ -508,7 +517,7 @@ class PortalWalk {
     return id == at(0).id || id == at(1).id || id == at(2).id;
   }
   // The next takes the place of the corner whose opposite edge makes with it the triangle that holds o.
-  void replace() {
+  [[gnu::noinline]] void replace() {
     const Corner& w = next();
     previous_ = {at(0).id, at(1).id, at(2).id};
     newest_ = w.id;

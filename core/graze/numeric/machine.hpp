@@ -5,15 +5,20 @@
 // compiler may use it anyway, there is one.
 //
 // The fused instruction is written down rather than left to the compiler: of a function that is compiled for such
-// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine.
+// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine. What runs only where there is one is
+// compiled for AVX, though (GRAZE_FUSED), which every processor with fused multiply-adds has: that fuses nothing and
+// rounds nothing otherwise, and most of the instructions that only copy registers, a quarter of all, are left out.
 #pragma once
 
 #include <graze/linkage.hpp>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
 #define GRAZE_FUSES_IF_THERE 1
+// Of a function that runs only where fuses(): what it calls becomes part of it.
+#define GRAZE_FUSED [[gnu::target("avx"), gnu::flatten, gnu::noinline]]
 #else
 #define GRAZE_FUSES_IF_THERE 0
+#define GRAZE_FUSED [[gnu::flatten, gnu::noinline]]
 #endif
 
 namespace graze::inline GRAZE_LINKAGE::detail {
