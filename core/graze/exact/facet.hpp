@@ -31,6 +31,11 @@ inline double next_up(double x) {
   return std::bit_cast<double>(bits >= 0 ? bits + 1 : bits - 1);
 }
 inline double next_down(double x) { return -next_up(-x); }
+// Either, of x != 0: without a branch, as nothing foretells which.
+inline double next(double x, bool up) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  return std::bit_cast<double>(bits + 1 - 2 * std::int64_t{up != (bits >= 0)});
+}
 
 // The exact quotient n.c_0 / n.v in the caller's unit of time, to be compared with doubles.
 struct ExactTime {

@@ -274,10 +274,10 @@ class Meeting {
     const double t = near * power_of_two(exponent);  // exact
     if (std::abs(rest) > error) {
       const bool up = rest > 0;
-      const double other = up ? next_up(near) : next_down(near);
+      const double other = next(near, up);
       if (!(std::abs(rest) + error < std::abs(other - near))) return false;
       const double t_other = other * power_of_two(exponent);
-      out = up ? TimeBracket{t, t_other} : TimeBracket{t_other, t};
+      out = {lesser(t, t_other), greater(t, t_other)};
       return true;
     }
     // A multiple of 2^grid, so 0 if it is below that.

@@ -117,8 +117,7 @@ class PassageSearch {
     // The quick walk lets a path end where C does. Of a longer one n proves a miss only if n.v > 0, r being within
     // u of v per component, below 2, and three products and sums as large: 14 u |n|_1.
     if (!(horizon <= 2 * pair_.extent()) && !(dot(n, pair_.direction()) > 16 * kU * sum(size))) return false;
-    const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : size.y > size.z ? 1 : 2;
-    const int x = (z + 1) % 3, y = (z + 2) % 3;
+    const int z = largest_axis(size), x = z == 2 ? 0 : z + 1, y = 3 - z - x;
     Vec3<double> f1 = Vec3<double>::Zero(), f2 = Vec3<double>::Zero();
     f1[z] = -n[x];
     f1[x] = n[z];

@@ -55,18 +55,20 @@ struct Line {
   int sign = 1;               // of v_z
 
   Line(const Term& v_term, const Triple& rounded) : v(v_term), r(rounded) {
-    const Triple size = magnitude(rounded);
-    z = size.x > size.y ? (size.x > size.z ? 0 : 2) : size.y > size.z ? 1 : 2;
-    x = (z + 1) % 3;
-    y = (z + 2) % 3;
-    const double along = r[z];
-    const double slope_x = r[x] / along, slope_y = r[y] / along;
-    const auto unit = [&](int axis, double slope) {
-      const auto at = [&](int i) { return i == axis ? 1.0 : i == z ? -slope : 0.0; };
-      return Triple{at(0), at(1), at(2)};
-    };
-    across_x = unit(x, slope_x);
-    across_y = unit(y, slope_y);
+    z = largest_axis(magnitude(rounded));
+    x = z == 2 ? 0 : z + 1;
+    y = 3 - z - x;
+    // By numbers: nothing foretells the axis.
+    const std::array<double, 3> at = {rounded.x, rounded.y, rounded.z};
+    const auto axis = [](int i) { return static_cast<std::size_t>(i); };
+    const double along = at[axis(z)];
+    std::array<double, 3> of_x = {0, 0, 0}, of_y = {0, 0, 0};
+    of_x[axis(x)] = 1;
+    of_x[axis(z)] = -(at[axis(x)] / along);
+    of_y[axis(y)] = 1;
+    of_y[axis(z)] = -(at[axis(y)] / along);
+    across_x = {of_x[0], of_x[1], of_x[2]};
+    across_y = {of_y[0], of_y[1], of_y[2]};
     sign = along > 0 ? 1 : -1;
   }
 };
@@ -483,17 +485,22 @@ class PortalWalk {
   void find_own_normal(Direction& out) const {
     if (!scene_.is_of_two_leaves()) return;
     const Vertex &v0 = at(0).id, &v1 = at(1).id, &v2 = at(2).id;
-    const bool alike = scene_.turned_alike(), of_a = v0.b == v1.b && v0.b == v2.b,
-               of_b = v0.a == v1.a && v0.a == v2.a;
-    if (!(alike || of_a || of_b)) return;
+    // All of them are asked: one branch that nothing foretells is enough.
+    const bool alike = scene_.turned_alike(), of_a = ((v0.b ^ v1.b) | (v0.b ^ v2.b)) == 0,
+               of_b = ((v0.a ^ v1.a) | (v0.a ^ v2.a)) == 0;
+    if (!(unsigned(alike) | unsigned(of_a) | unsigned(of_b))) return;
     out.of_body = {alike || of_a, alike || of_b};
-    const auto step_a = [&](const Vertex& v) {
-      return of_b ? Triple{0, 0, 0} : pair_.a().own(v.a) - pair_.a().own(v0.a);
-    };
-    const auto step_b = [&](const Vertex& v) {
-      return of_a ? Triple{0, 0, 0} : pair_.b().own(v.b) - pair_.b().own(v0.b);
-    };
-    const Steps e{step_a(v1), step_b(v1)}, f{step_a(v2), step_b(v2)};
+    Steps e{{0, 0, 0}, {0, 0, 0}}, f = e;
+    if (alike) {
+      e = {pair_.a().own(v1.a) - pair_.a().own(v0.a), pair_.b().own(v1.b) - pair_.b().own(v0.b)};
+      f = {pair_.a().own(v2.a) - pair_.a().own(v0.a), pair_.b().own(v2.b) - pair_.b().own(v0.b)};
+    } else {
+      // As steps of A, either of them: two that are negated have the same product.
+      const Guide<S>& body = of_b ? pair_.b() : pair_.a();
+      const Triple first = body.own(of_b ? v0.b : v0.a);
+      e.a = body.own(of_b ? v1.b : v1.a) - first;
+      f.a = body.own(of_b ? v2.b : v2.a) - first;
+    }
     out.own = (double(toward_) * cross(e.edge(), f.edge())).vector();
     out.own_error = normal_error(e, f);
   }

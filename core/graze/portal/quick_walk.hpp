@@ -91,10 +91,10 @@ class QuickWalk {
     return separates(n, w);
   }
   [[gnu::always_inline]] bool separates(const Triple& n, QuickCorner& w) {
-    const double level = std::min(0.0, dot(n, end_));
-    if (!support_.may_separate(n, w, level)) [[likely]]
+    const double along = dot(n, end_);
+    if (!support_.may_separate(n, w, along)) [[likely]]
       return false;
-    if (!support_.separates(n, w, level)) {
+    if (!support_.separates(n, w, lesser(along, 0))) {
       see(w);
       return false;
     }
@@ -213,7 +213,8 @@ class QuickWalk {
       before_[0] = c0;
       before_[1] = c1;
       before_[2] = c2;
-      QuickCorner* const gone = out == 0 ? c0 : out == 1 ? c1 : c2;
+      const Portal corner = {c0, c1, c2};
+      QuickCorner* const gone = corner[out];
       c0 = out == 0 ? free : c0;
       c1 = out == 1 ? free : c1;
       c2 = out == 2 ? free : c2;

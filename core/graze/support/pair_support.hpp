@@ -59,10 +59,11 @@ class PairSupport {
     return dot(n, w.w) < bound;
   }
 
-  // Not if this is false.
+  // Not at the lesser of 0 and `level`, if this is false. Both are compared, without a branch.
   [[nodiscard, gnu::always_inline]] bool may_separate(const Triple& n, const PairVertex& w,
                                                       double level) const {
-    return dot(n, w.w) < level - margin_ * sum(magnitude(n));
+    const double reach = dot(n, w.w), slack = margin_ * sum(magnitude(n));
+    return bool(unsigned(reach < -slack) & unsigned(reach < level - slack));
   }
 
   [[nodiscard]] const GuidedPair<S>& pair() const { return pair_; }

@@ -42,7 +42,17 @@ inline Triple cross(const Triple& a, const Triple& b) {
 }
 inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
 inline double sum(const Triple& a) { return a.x + a.y + a.z; }
-inline double largest(const Triple& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+// As std::min and std::max, by value: compilers make branches of those, which nothing foretells.
+inline double lesser(double a, double b) { return b < a ? b : a; }
+inline double greater(double a, double b) { return a < b ? b : a; }
+inline double largest(const Triple& a) {
+  return greater(greater(std::abs(a.x), std::abs(a.y)), std::abs(a.z));
+}
+// The axis along which a triple of magnitudes is largest.
+inline int largest_axis(const Triple& size) {
+  const int second = int(!(size.x > size.y)), third = int(!(greater(size.x, size.y) > size.z));
+  return third << 1 | (second & ~third);
+}
 
 namespace detail {
 
