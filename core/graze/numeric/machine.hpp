@@ -5,12 +5,15 @@
 // compiler may use it anyway, there is one.
 //
 // The fused instruction is written down rather than left to the compiler: of a function that is compiled for such
-// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine. What runs only where there is one is
-// compiled for AVX, though (GRAZE_FUSED), which every processor with fused multiply-adds has: that fuses nothing and
-// rounds nothing otherwise, and most of the instructions that only copy registers, a quarter of all, are left out.
+// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine. What runs only where
+// there is one is compiled for AVX, though (GRAZE_FUSED), which every processor with fused multiply-adds has: that fuses
+// nothing and rounds nothing otherwise, and most of the instructions that only copy registers, a quarter of all, are
+// left out.
 #pragma once
 
 #include <graze/linkage.hpp>
+
+#include <cstddef>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
 #define GRAZE_FUSES_IF_THERE 1
@@ -25,7 +28,21 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 
 // Two doubles side by side, of what is done to two bodies alike: one instruction does for both where there is one (SSE2,
 // which every x86-64 processor has), with the bits of two.
+#if defined(__GNUC__)
 using TwoLanes = double __attribute__((vector_size(16)));
+#else
+struct TwoLanes {
+  double lane[2];
+
+  double operator[](std::size_t i) const { return lane[i]; }
+  friend TwoLanes operator-(const TwoLanes& x) { return {-x[0], -x[1]}; }
+  friend TwoLanes operator+(const TwoLanes& x, const TwoLanes& y) { return {x[0] + y[0], x[1] + y[1]}; }
+  friend TwoLanes operator-(const TwoLanes& x, const TwoLanes& y) { return {x[0] - y[0], x[1] - y[1]}; }
+  friend TwoLanes operator*(const TwoLanes& x, const TwoLanes& y) { return {x[0] * y[0], x[1] * y[1]}; }
+  friend TwoLanes operator*(double s, const TwoLanes& x) { return {s * x[0], s * x[1]}; }
+  friend TwoLanes operator/(double s, const TwoLanes& x) { return {s / x[0], s / x[1]}; }
+};
+#endif
 
 // A fused multiply-add that the compiler may not use?
 [[nodiscard]] inline bool fuses() {
