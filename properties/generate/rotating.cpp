@@ -41,6 +41,8 @@ class TurningDrawing {
     if (!linear_only) {
       if (std::isinf(problem.t_max)) problem.t_max = 1;
       problem.start_policy = corpus::StartPolicy::report;
+      // A horizon that is no sum of few powers of two: what divides it rounds.
+      if (random_.once_in(4)) problem.t_max *= 0.7;
     }
     choose_turns();
     constexpr std::array kTimes = {0.0, 0.25, 0.5, 0.5, 0.75, 1.0, 1.0, 1.5};

@@ -38,8 +38,9 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
     out.n = axis;
     return false;
   };
+  // By the number of the step: found from t again it could be the step that t is, as quotient and product round.
   const double width = limits.end / limits.steps;
-  double t = limits.begin, last = t;
+  double t = limits.begin, step = std::floor(t / width);
   while (!touches(t)) {
     if (t >= limits.end) {
       out.outcome = Outcome::miss;
@@ -50,9 +51,9 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
       out.lower = 0;
       return out;
     }
-    last = t;
-    t = std::min(std::floor(t / width + 1) * width, limits.end);
-    if (!(t > last)) t = limits.end;
+    const double before = t;
+    while (step < limits.steps && !(t > before)) t = ++step * width;
+    if (!(step < limits.steps)) t = limits.end;
   }
   out.upper = t;
   if (t == 0) {
