@@ -11,6 +11,9 @@ namespace graze::law {
 [[nodiscard]] Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin,
                                    const Quaternion<double>& turn, double t, const Vec3<double>& x);
 
+// Each component within size of 0.
+[[nodiscard]] Vec3<double> draw_vector(corpus::Random& random, double size);
+
 // Of integers of 1 to 4, or within [-1, 1]: not of length 1.
 [[nodiscard]] Quaternion<double> draw_orientation(corpus::Random& random);
 

@@ -12,12 +12,6 @@ using corpus::Random;
 
 namespace {
 
-Vec3<double> vector(Random& random, double size) {
-  Vec3<double> v;
-  for (int i = 0; i < 3; ++i) v[i] = random.uniform(-size, size);
-  return v;
-}
-
 // A point of the surface, and the normal there, of any length.
 struct Flank {
   Vec3<double> at, normal;
@@ -47,9 +41,9 @@ Case draw_round_tie(Random& random) {
                                      : Shape<double>(Cylinder<double>{radius, half_height});
   const Flank flank = flank_of(random, radius, is_cone ? 0 : radius, half_height);
   const Quaternion<double> inner = draw_orientation(random), outer = draw_orientation(random);
-  const Vec3<double> inside = vector(random, 4);
+  const Vec3<double> inside = draw_vector(random, 4);
   problem.a.shape = posed<double>(part, inside, inner);
-  problem.a.position = vector(random, 8);
+  problem.a.position = draw_vector(random, 8);
   problem.a.orientation = outer;
   const auto to_world = [&](const Vec3<double>& x) {
     return corpus::rotate(outer, corpus::rotate(inner, x));
@@ -57,7 +51,7 @@ Case draw_round_tie(Random& random) {
   const Vec3<double> n = to_world(flank.normal).normalized();
   const double ball = random.once_in(2) ? random.uniform(0.1, 1) : 0;
   if (ball > 0) problem.b.shape = Sphere<double>{ball};
-  Vec3<double> v = vector(random, 4);
+  Vec3<double> v = draw_vector(random, 4);
   if (v.dot(n) > 0) v = -v;
   problem.b.displacement = v;
   const double t = random.uniform(0.25, 0.75);

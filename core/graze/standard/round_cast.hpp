@@ -62,7 +62,7 @@ template <Scalar S>
     if (!(lower > 0 && lower <= upper)) return false;
     const Triple& r = pair.direction();
     out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
-    fill_round_contact(a, b, options, pair, walk, (1 / found.length) * found.n, found, double(lower), out);
+    fill_round_contact(a, b, options, pair, walk, found.normal, found, double(lower), out);
   } else if (found.outcome == Outcome::miss) {
     lower = upper = kInfinity<S>;
   }
@@ -70,7 +70,7 @@ template <Scalar S>
   out.toi_lower = lower;
   out.toi_upper = upper;
   if (asks_for(options.request, Request::proof)) {
-    const Triple n = found.length > 0 ? (1 / found.length) * found.n : Triple{0, 0, 0};
+    const Triple n = hit ? found.normal : found.length > 0 ? (1 / found.length) * found.n : Triple{0, 0, 0};
     out.proof =
         prove(a, b, options, out.outcome, upper, Vec3<S>(n.vector().template cast<S>()), out.counters);
   }

@@ -47,8 +47,9 @@ template <Scalar S>
 struct RoundSweep {
   Outcome outcome = Outcome::not_converged;
   double lower = 0, upper = 0;  // hit: of s
-  Triple n{0, 0, 0};            // hit, miss: the axis
+  Triple n{0, 0, 0};            // hit, miss: the axis; of a hit from what is nearest at upper
   double length = 0;            // |n|
+  Triple normal{0, 0, 0};       // hit: the axis of lower, of length 1
   double reach = 0;             // hit: n.w for the farthest vertex that was found along n
   int size = 0;                 // of F
   std::array<double, 3> lambda{};
@@ -211,6 +212,8 @@ class RoundWalk {
       return false;
     }
     s_low_ = std::max((along - std::sqrt(std::max(all_sq - beside_sq, 0.0))) / r_sq_ - margin_, 0.0);
+    low_axis_ = s_low_ * r_ - c;
+    low_axis_ = (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_;
     const double ball = (0.58 * reach + radius_) * r_sq_,
                  room = std::max(ball * ball - r_sq_ * beside_sq, 0.0);
     Triple n = -(ball * beside + room * r_);
@@ -265,8 +268,9 @@ class RoundWalk {
     double h = dot(n, w.w) + ball;
     // Nothing is met before what is proved so far.
     const double bound = std::min(s_low_ * rate, dot(n, end_));
-    const bool ends = h - at <= noise_ / 2 * length && guess_ > noise_;
-    if (ends || (h < bound - slack && !(h < bound - slack - guess_ * length))) {
+    const bool ends = h - at <= noise_ / 2 * length && guess_ > noise_,
+               sure = ends || (h < bound - slack && !(h < bound - slack - guess_ * length));
+    if (sure) {
       support_.sure(n, w);
       h = dot(n, w.w) + ball;
     }
@@ -276,14 +280,24 @@ class RoundWalk {
       return true;
     }
     const double before = s_low_;
-    if (rate < 0 && h < 0) s_low_ = std::max(s_low_, std::min((h + slack) / rate, s_end_));
+    // What floats guess may lie as much below the farthest.
+    const double most = h + slack + (sure ? 0.0 : guess_ * length);
+    if (rate < 0 && most < 0) {
+      if (const double low = std::min(most / rate, s_end_); low > s_low_) {
+        s_low_ = low;
+        low_axis_ = (1 / length) * n;
+      }
+    }
     ahead_ = !ahead_ || s_low_ > before;
-    const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_;
+    // The path comes in: where R is below the noise, the side of a flat C that x lies on is rounding, and C has both for
+    // its border.
+    const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_ && rate < 0;
     const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_;
     if (met && (h - at <= noise_ / 2 * length || is_near)) {
       out_.outcome = Outcome::hit;
       out_.lower = is_near ? std::min(s_low_, s) : s;
       out_.upper = s;
+      out_.normal = is_near ? low_axis_ : (1 / length) * n;
       set(n, length, h - ball, lambda);
       return true;
     }
@@ -311,6 +325,7 @@ class RoundWalk {
   PairSupport<S> support_;
   Counters& counters_;
   Triple r_, end_;
+  Triple low_axis_{0, 0, 0};  // of length 1: C has nothing of the path before s_low_ r along it
   double radius_, r_sq_ = 1, s_low_ = 0, s_end_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   int budget_, size_ = 0, stalls_ = 0;
   bool ahead_ =

@@ -8,6 +8,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
+#include "properties/generate/near_ball.hpp"
 #include "properties/generate/round_tie.hpp"
 #include "properties/laws/reach.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
@@ -59,6 +60,17 @@ TEST_P(Laws, hold_for_flanks_of_round_bodies) {
     if (run.holds_for(draw_round_tie(random))) continue;
     run.minimise();
     FAIL() << run.report("flank " + std::to_string(i));
+  }
+  run.print();
+}
+
+TEST_P(Laws, hold_for_balls_on_near_ties) {
+  LawRun run(GetParam(), "balls on near ties");
+  corpus::Random random(20261126);
+  for (int i = 0; i < family_seeds(GetParam().needs) / 4; ++i) {
+    if (run.holds_for(draw_near_ball(random))) continue;
+    run.minimise();
+    FAIL() << run.report("ball " + std::to_string(i));
   }
   run.print();
 }

@@ -1,0 +1,89 @@
+// Casts of balls about polytopes that the round walk answers: what a tolerance may not change, and the normal.
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <graze/cast.hpp>
+
+#include "tests/shared/generate.hpp"
+
+namespace graze {
+namespace {
+
+using test::Draw;
+
+// Report: with a tolerance of 1e-8 the whole bracket lay after the contact. Mechanism: the lower end rested on the vertex
+// that floats take for the farthest, of three that are one to a float.
+TEST(RoundCast, IsNeverLateWhereFloatsCannotTellVerticesApart) {
+  Draw draw{311};
+  int hits = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const auto near = [&](const Vec3<double>& p) {
+      return Vec3<double>(p +
+                          1e-7 * Vec3<double>(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)));
+    };
+    const Vec3<double> corner(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1)),
+        v(-3.1, -1.9, 2.4);
+    const Vec3<double> beside(draw.between(-0.12, 0.12), draw.between(-0.12, 0.12),
+                              draw.between(-0.12, 0.12));
+    const Body<double> a{.shape = Hull<double>{corner, near(corner), near(corner), Vec3<double>(-corner)}};
+    const Body<double> b{
+        .shape = Sphere<double>{0.125}, .position = corner + beside - 0.5 * v, .displacement = v};
+    const CastResult<double> truth = cast(a, b, {.tier = Tier::certified});
+    if (truth.outcome != Outcome::hit) continue;
+    ++hits;
+    for (const double tolerance : {0.0, 1e-12, 1e-10, 1e-8, 1e-6, 1e-3}) {
+      const CastResult<double> r = cast(a, b, {.tolerance = tolerance});
+      ASSERT_EQ(r.outcome, Outcome::hit) << tolerance;
+      EXPECT_LE(r.toi_lower, truth.toi_upper + 1e-13) << "tolerance " << tolerance << ", round " << round;
+      EXPECT_GE(r.toi_upper, truth.toi_lower - 1e-13) << "tolerance " << tolerance << ", round " << round;
+    }
+  }
+  EXPECT_GT(hits, 400);
+}
+
+// Of a hit with a tolerance the normal is the axis that the lower end is proved by: nothing of C lies beyond its plane
+// through the path's point then.
+TEST(RoundCast, TheNormalSupportsWhatTheLowerEndSays) {
+  Draw draw{312};
+  int hits = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const auto extents = [&] {
+      return Vec3<double>(std::max(draw.between(-1, 2), 0.0), draw.between(0, 2), draw.between(0, 2));
+    };
+    const Vec3<double> half_a = extents(), half_b = extents(),
+                       from(draw.between(-4, 4), draw.between(-4, 4), 5);
+    const Vec3<double> v(draw.between(-4, 4), draw.between(-4, 4), -8);
+    const double distance = draw.between(0, 1), tolerance = std::pow(10.0, draw.between(-9, -2));
+    const Body<double> a{.shape = Box<double>{half_a}},
+        b{.shape = Box<double>{half_b}, .position = from, .displacement = v};
+    const CastResult<double> r =
+        cast(a, b, {.method = Method::gjk_ray_cast, .target_distance = distance, .tolerance = tolerance});
+    if (r.outcome != Outcome::hit) continue;
+    ++hits;
+    const Vec3<double>& n = r.normal;
+    EXPECT_NEAR(n.norm(), 1, 1e-14);
+    EXPECT_LT(n.dot(v), 0);
+    const double reach = n.cwiseAbs().dot(half_a + half_b) + distance - n.dot(from);
+    EXPECT_LE(reach - r.toi_lower * n.dot(v), 1e-12) << "round " << round << ", tolerance " << tolerance;
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+// Report: normals from B to A. Mechanism: of a ball far smaller than the rounding of where it is, the side of a flat shape
+// that it lies on at contact is rounding.
+TEST(RoundCast, ABallOfNoSizeMeetsTheSideThatItComesFrom) {
+  const Body<double> a{.shape = Triangle<double>{{-3, -3, 0.1}, {3, -2, 0.7}, {0.3, 4, -0.9}}};
+  for (const double radius : {1e-17, 1e-15, 1e-13}) {
+    for (int k = 0; k < 400; ++k) {
+      const Body<double> b{.shape = Sphere<double>{radius},
+                           .position = {0.1 + 0.001 * k, 0.2, 2},
+                           .displacement = {0.3, 0.002 * k, -5}};
+      const CastResult<double> r = cast(a, b);
+      ASSERT_EQ(r.outcome, Outcome::hit);
+      EXPECT_LT(r.normal.dot(b.displacement), 0) << radius << ", " << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze
