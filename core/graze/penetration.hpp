@@ -41,6 +41,8 @@ struct PenetrationResult {
   // initially_overlapping, when asked for: world points of A and of B, point_a - point_b = depth normal
   // (along d: depth d/|d|), which the move brings together: up to kappa u scale along the normal, and
   // sideways by the root of 2 depth times that: |x - depth n|^2 <= 2 depth (depth - n.x) for |x| <= depth.
+  // Of curved shapes the points are those of the search's last face, whose own directions differ from the normal: off
+  // by up to 4,000 u scale along it was seen (a cone and a box, float).
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
   Counters counters;
 };
