@@ -305,8 +305,7 @@ std::vector<Law> linear_advancement_laws() {
        Needs::oracle, &interrupted_is_right},
       {"tolerance_bounds_the_error",
        "A looser tolerance widens the backward error, and the normal's, by no more than itself, is never "
-       "late, and changes no "
-       "verdict.",
+       "late, and changes no verdict.",
        Needs::oracle, &tolerance_bounds_the_error},
   };
 }
