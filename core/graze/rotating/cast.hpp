@@ -173,17 +173,11 @@ class RotatingCast {
 
   void follow_plan() {
     const bool provable = options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report;
-    if (!(wants_proof() && provable && options_.tier != Tier::exact)) return simulate();
-    // A chain says what was proved of the whole motion, whatever the plan spares. Where it leaves a contact open (flat bodies
-    // that cross) and nothing is seen to turn, what is simulated decides, as without a proof.
-    if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
-    run(RotatingMethod::bilateral_advancement);
-    const bool turns = out_.plan.effects == Effects::rotating || out_.plan.added > 0;
-    if (out_.outcome == Outcome::not_converged && !turns) simulate();
-  }
-
-  // What the plan says.
-  void simulate() {
+    if (wants_proof() && provable && options_.tier != Tier::exact) {
+      // A chain says what was proved of the whole motion, whatever the plan spares.
+      if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+      return run(RotatingMethod::bilateral_advancement);
+    }
     switch (out_.plan.effects) {
       case Effects::nothing:
         out_.outcome = Outcome::miss;
