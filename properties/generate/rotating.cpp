@@ -41,8 +41,6 @@ class TurningDrawing {
     if (!linear_only) {
       if (std::isinf(problem.t_max)) problem.t_max = 1;
       problem.start_policy = corpus::StartPolicy::report;
-      // A horizon that is no sum of few powers of two: what divides it rounds.
-      if (random_.once_in(4)) problem.t_max *= 0.7;
     }
     choose_turns();
     constexpr std::array kTimes = {0.0, 0.25, 0.5, 0.5, 0.75, 1.0, 1.0, 1.5};
@@ -69,6 +67,8 @@ class TurningDrawing {
       // Where the bounds may never meet.
       problem.b.position[random_.integer(0, 2)] += random_.once_in(2) ? 32 : -32;
     }
+    // A horizon that is no sum of few powers of two: what divides it rounds.
+    if (!linear_only && random_.once_in(4)) problem.t_max *= random_.once_in(2) ? 0.7 : 1.3;
     return problem;
   }
 
