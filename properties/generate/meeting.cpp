@@ -15,7 +15,7 @@ Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin, const Q
   return corpus::rotate(turn, arm) + pivot + t * body.displacement;
 }
 
-Vec3<double> draw_vector(Random& random, double size) {
+Vec3<double> draw_vector(corpus::Random& random, double size) {
   Vec3<double> v;
   for (int i = 0; i < 3; ++i) v[i] = random.uniform(-size, size);
   return v;

@@ -15,7 +15,7 @@ namespace {
 
 // A hull with three corners within 2^-23 of each other; the first.
 Vec3<double> take_near_corners(Random& random, Shape<double>& shape) {
-  const Vec3<double> corner = draw_vector(random, 1);
+  Vec3<double> corner = draw_vector(random, 1);
   std::vector<Vec3<double>> points = {corner, corner + draw_vector(random, 0x1p-23),
                                       corner + draw_vector(random, 0x1p-23)};
   const int others = random.integer(1, 5);
