@@ -21,14 +21,13 @@ Case of_family(const Family& family, std::size_t turn) {
 std::vector<Case> linear_cases(int count) {
   std::vector<Case> out;
   corpus::Random random(20260117), balls(20261126);
-  int turn = 0;
   for (int seed = 0; static_cast<int>(out.size()) < count; ++seed) {
     for (const Family& family : corpus::families()) {
       out.push_back(of_family(family, static_cast<std::size_t>(seed)));
       out.push_back(draw_case(random, seed % 100));
-      if (++turn % 8 == 0) out.push_back(draw_near_ball(balls));
     }
   }
+  for (int i = 0; i < count / 16; ++i) out.push_back(draw_near_ball(balls));
   return out;
 }
 

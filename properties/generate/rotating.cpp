@@ -67,8 +67,10 @@ class TurningDrawing {
       // Where the bounds may never meet.
       problem.b.position[random_.integer(0, 2)] += random_.once_in(2) ? 32 : -32;
     }
-    // A horizon that is no sum of few powers of two: what divides it rounds.
-    if (!linear_only && random_.once_in(4)) problem.t_max *= random_.once_in(2) ? 0.7 : 1.3;
+    // A horizon that is no sum of few powers of two: what divides it rounds. From a copy, so that the next case is drawn as
+    // if this one kept its own.
+    Random aside = random_;
+    if (!linear_only && aside.once_in(4)) problem.t_max *= aside.once_in(2) ? 0.7 : 1.3;
     return problem;
   }
 
