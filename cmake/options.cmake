@@ -58,7 +58,7 @@ endif()
 set(GRAZE_COLD $<$<CONFIG:Release>:-O1>)
 set(GRAZE_WARM $<$<CONFIG:Release>:-O2>)  # oracles: the judge spends its time there, and in core, which has -O3
 
-# Of a file that would take more than 1.2 GB to compile: g++ collects its garbage sooner, for at most an eighth of the time.
+# Of a file that would take more than 1.2 GB to compile: g++ collects its garbage sooner, for at most a quarter of the time.
 set(GRAZE_SPARING $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=30>)
 
 # graze_precompiled(name OPTIMIZED o LIBRARIES l... HEADERS h...): headers that most files of some targets include, compiled

@@ -213,7 +213,6 @@ class RoundWalk {
     }
     s_low_ = std::max((along - std::sqrt(std::max(all_sq - beside_sq, 0.0))) / r_sq_ - margin_, 0.0);
     low_axis_ = s_low_ * r_ - c;
-    low_axis_ = (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_;
     const double ball = (0.58 * reach + radius_) * r_sq_,
                  room = std::max(ball * ball - r_sq_ * beside_sq, 0.0);
     Triple n = -(ball * beside + room * r_);
@@ -285,7 +284,7 @@ class RoundWalk {
     if (rate < 0 && most < 0) {
       if (const double low = std::min(most / rate, s_end_); low > s_low_) {
         s_low_ = low;
-        low_axis_ = (1 / length) * n;
+        low_axis_ = n;
       }
     }
     ahead_ = !ahead_ || s_low_ > before;
@@ -297,7 +296,7 @@ class RoundWalk {
       out_.outcome = Outcome::hit;
       out_.lower = is_near ? std::min(s_low_, s) : s;
       out_.upper = s;
-      out_.normal = is_near ? low_axis_ : (1 / length) * n;
+      out_.normal = is_near ? (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_ : (1 / length) * n;
       set(n, length, h - ball, lambda);
       return true;
     }
@@ -325,7 +324,7 @@ class RoundWalk {
   PairSupport<S> support_;
   Counters& counters_;
   Triple r_, end_;
-  Triple low_axis_{0, 0, 0};  // of length 1: C has nothing of the path before s_low_ r along it
+  Triple low_axis_{0, 0, 0};  // C has nothing of the path before s_low_ r along it
   double radius_, r_sq_ = 1, s_low_ = 0, s_end_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   int budget_, size_ = 0, stalls_ = 0;
   bool ahead_ =

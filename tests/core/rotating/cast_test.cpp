@@ -361,6 +361,7 @@ TEST(RotatingCast, StepsReachTheEndOfAnyHorizon) {
     for (const RotatingMethod method : {RotatingMethod::time_steps, RotatingMethod::bounding_spheres}) {
       const RotatingResult<double> r = cast(a, b, {.method = method, .t_max = t_max});
       EXPECT_EQ(r.outcome, Outcome::hit) << to_text(method) << " until " << t_max;
+      // The steps, the start, and halving down to neighbouring doubles.
       EXPECT_LE(r.counters.iterations, 64 + 1 + 60) << to_text(method) << " until " << t_max;
     }
   }

@@ -61,7 +61,8 @@ TEST(RoundCast, TheNormalSupportsWhatTheLowerEndSays) {
     if (r.outcome != Outcome::hit) continue;
     ++hits;
     const Vec3<double>& n = r.normal;
-    EXPECT_NEAR(n.norm(), 1, 1e-14);
+    // Its length, the quotient and the products, and here the norm: 8 u.
+    EXPECT_NEAR(n.norm(), 1, 8 * kUnitRoundoff<double>);
     EXPECT_LT(n.dot(v), 0);
     const double reach = n.cwiseAbs().dot(half_a + half_b) + distance - n.dot(from);
     EXPECT_LE(reach - r.toi_lower * n.dot(v), 1e-12) << "round " << round << ", tolerance " << tolerance;
