@@ -18,7 +18,8 @@
 // are larger by kEdge = 2^-10 on every side than those that are looked up; 2^-14 is left for whoever knows his direction
 // so well only.
 //
-// Made by halving squares, of each the list of the one that it is a quarter of, while most lists do not fit a slot, and
+// Made by halving squares, of each the list of the one that it is a quarter of, while more than one list in 16 does not
+// fit a slot (what does not costs a miss of the caches more, and its length is not foretold), and
 // all of them are below kEntries a vertex: of rings and clusters of points some stay long. The x that are tried are the
 // greatest along nine directions of the square.
 #pragma once
@@ -108,8 +109,8 @@ class DirectionMap {
   [[nodiscard]] static std::size_t padded(std::size_t size) {
     return size <= kSlot ? kSlot : (size + kBlock - 1) / kBlock * kBlock;
   }
-  [[nodiscard]] static bool mostly_long(const std::vector<Candidates>& lists) {
-    return 2 * std::ranges::count_if(lists, [](const Candidates& l) { return l.size() > kSlot; }) >
+  [[nodiscard]] static bool often_long(const std::vector<Candidates>& lists) {
+    return 16 * std::ranges::count_if(lists, [](const Candidates& l) { return l.size() > kSlot; }) >
            std::ssize(lists);
   }
   [[nodiscard]] static std::size_t entries_of(const std::vector<Candidates>& lists) {
@@ -172,7 +173,7 @@ inline DirectionMap::DirectionMap(const float* x, const float* y, const float* z
   std::size_t k = 1;
   std::vector<Candidates> lists;
   for (std::size_t face = 0; face < 6; ++face) lists.push_back(of_square(q, square_of(face, 1), all));
-  while (k < kMost && mostly_long(lists)) {
+  while (k < kMost && often_long(lists)) {
     std::vector<Candidates> finer = divided(q, k, lists);
     if (entries_of(finer) > kEntries * n) break;
     k *= 2;
