@@ -1,10 +1,11 @@
 // A point that is greatest along a direction, as floats see it, of points stored by axis: the scan of
-// scan.hpp for few points, where calls, loops and buffers cost more than the sums. Any of those that tie.
+// scan.hpp for few points, where calls, loops and buffers cost more than the sums. The first of those that tie.
 //
 // n counts whole blocks of 8 (hull.hpp); up to 64 points the count is a constant of the code.
 #pragma once
 
 #include <graze/support/scan.hpp>
+#include <graze/support/wide_scan.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
@@ -43,8 +44,9 @@ template <std::size_t kBlocks>
   return guess_scan_blocks<kBlocks>(x, dx, dy, dz);
 }
 
-[[nodiscard, gnu::always_inline]] inline std::uint32_t guess_scan(const float* x, std::size_t n, float d_x,
-                                                                  float d_y, float d_z) {
+// Without wide instructions.
+[[nodiscard, gnu::always_inline]] inline std::uint32_t narrow_guess_scan(const float* x, std::size_t n,
+                                                                         float d_x, float d_y, float d_z) {
   const __m128 dx = _mm_set1_ps(d_x), dy = _mm_set1_ps(d_y), dz = _mm_set1_ps(d_z);
   if (n == 8) return guess_scan_blocks<1>(x, dx, dy, dz);
   if (n == 16) return guess_scan_blocks<2>(x, dx, dy, dz);
@@ -66,9 +68,17 @@ template <std::size_t kBlocks>
   }
 }
 #else
-inline std::uint32_t guess_scan(const float* x, std::size_t n, float d_x, float d_y, float d_z) {
+inline std::uint32_t narrow_guess_scan(const float* x, std::size_t n, float d_x, float d_y, float d_z) {
   return static_cast<std::uint32_t>(scan(x, x + n, x + 2 * n, n, Vec3<float>(d_x, d_y, d_z)));
 }
 #endif
+
+[[nodiscard, gnu::always_inline]] inline std::uint32_t guess_scan(const float* x, std::size_t n, float d_x,
+                                                                  float d_y, float d_z) {
+#if GRAZE_WIDE
+  if (n > 16 && n <= kScanChunk && is_wide()) return wide_scan(x, x + n, x + 2 * n, n, d_x, d_y, d_z);
+#endif
+  return narrow_guess_scan(x, n, d_x, d_y, d_z);
+}
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -199,9 +199,9 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
   EXPECT_GT(left_out, 100000);
 }
 
-// Measured: 16 to 19 vertices a list on a sphere, 65 to 95 bytes a vertex; 155 of 4,096 on two rings.
+// Measured: 16 vertices a list on a sphere, 96 to 192 bytes a vertex; 155 of 4,096 on two rings.
 TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
-  for (const int vertices : {256, 1024, 4096}) {
+  for (const int vertices : {256, 1024, 2048, 4096}) {
     const Hull<double> hull = mapped<double>(Family::sphere, vertices);
     const DirectionMap& map = hull.graph().map;
     Draw draw{6};
@@ -213,8 +213,8 @@ TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
       ASSERT_TRUE(map.find(d[0], d[1], d[2], list));
       sum += static_cast<double>(list.size);
     }
-    EXPECT_LT(sum / kRounds, 24) << vertices;
-    EXPECT_LT(map.bytes(), 128u * hull.size()) << vertices;
+    EXPECT_LT(sum / kRounds, 17) << vertices;
+    EXPECT_LT(map.bytes(), 200u * hull.size()) << vertices;
   }
   for (const Family family : {Family::cylinder, Family::cone, Family::turned_cylinder}) {
     const Hull<double> hull = mapped<double>(family, 4096);
