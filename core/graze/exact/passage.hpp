@@ -42,19 +42,20 @@ class PassageSearch {
 
   // As far as t in [0, t_max] goes: a line that is met later only may come out as one that is beside C.
   [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
+    Answer out;
     Seeds seeds;
-    if (Answer out; seek(t_max, seeds, out.miss)) return out;
-    return fuses() ? pass_fused(seeds) : pass_from(seeds);
+    if (!seek(t_max, seeds, out.miss)) fuses() ? pass_fused(seeds, out) : pass_from(seeds, out);
+    return out;
   }
   // t_in (toward -1) or t_out (+1) of the line.
   [[nodiscard]] Answer end(int toward) {
-    return with_walk({}, [&](PortalWalk<S>& walk) {
-      Answer out;
+    Answer out;
+    with_walk({}, out, [&](PortalWalk<S>& walk) {
       walk.refine(toward, [] { return false; });
       out.passage = toward < 0 ? Passage::ahead : Passage::behind;
       out.facet = walk.facet();
-      return out;
     });
+    return out;
   }
   // In contact at t = 0: does the motion leave or slide as it begins? At rest: is the origin on C's border?
   [[nodiscard]] bool leaves_or_slides() {
@@ -126,9 +127,8 @@ class PassageSearch {
     miss = {Term::given(f1), Term::given(f2), n[z] > 0 ? 1 : -1};
     return true;
   }
-  [[nodiscard]] Answer pass_from(const Seeds& seeds) {
-    return with_walk(seeds, [&](PortalWalk<S>& walk) {
-      Answer out;
+  void pass_from(const Seeds& seeds, Answer& out) {
+    with_walk(seeds, out, [&](PortalWalk<S>& walk) {
       const int height = walk.height_sign();
       if (height == 0) {
         contact_in(walk.facet(), out);
@@ -139,18 +139,18 @@ class PassageSearch {
         out.passage = height > 0 ? Passage::ahead : Passage::behind;
         out.facet = walk.facet();
       }
-      return out;
     });
   }
-  GRAZE_FUSED [[nodiscard]] Answer pass_fused(const Seeds& seeds) { return pass_from(seeds); }
-  // `go(walk)` once the line is found to pass through C.
+  GRAZE_FUSED void pass_fused(const Seeds& seeds, Answer& out) { pass_from(seeds, out); }
+  // `go(walk)` once the line is found to pass through C; else how it misses.
   template <class Go>
-  Answer with_walk(const Seeds& seeds, const Go& go) {
+  void with_walk(const Seeds& seeds, Answer& out, const Go& go) {
     PortalWalk<S> walk(pair_, scene(), motion(), counters_);
-    if (walk.find(false, seeds)) return go(walk);
-    Answer out;
-    out.miss = walk.miss();
-    return out;
+    if (walk.find(false, seeds)) {
+      go(walk);
+    } else {
+      out.miss = walk.miss();
+    }
   }
 
   const Body<S>&a_, &b_;
