@@ -4,11 +4,11 @@
 // becomes a subnormal or 0, and the case means what it then says.
 #pragma once
 
-#include <graze/hull.hpp>
 #include <graze/rotating_body.hpp>
 #include <vector>
 
 #include "corpus/case.hpp"
+#include "engines/own_hull.hpp"
 
 namespace graze::engine {
 
@@ -62,14 +62,7 @@ template <Scalar To, Scalar From>
     Shape<To> operator()(const Cone<From>& c) const {
       return Cone<To>{number(c.radius), number(c.half_height)};
     }
-    Shape<To> operator()(const Hull<From>& h) const {
-      if constexpr (std::same_as<To, From>) return h;
-      std::vector<Vec3<To>> vertices;
-      vertices.reserve(h.size());
-      for (const Vec3<From>& v : h.vertices()) vertices.push_back(round_to<To>(v));
-      if (h.has_adjacency()) return with_adjacency<To>(vertices);
-      return Hull<To>(std::span<const Vec3<To>>(vertices));
-    }
+    Shape<To> operator()(const Hull<From>& h) const { return own_hull<To>(h); }
     Shape<To> operator()(const Posed<From>& p) const {
       return Posed<To>{round_to<To>(p.shape), round_to<To>(p.position), round_to<To>(p.orientation)};
     }

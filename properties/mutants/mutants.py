@@ -63,7 +63,8 @@ class Build:
         self.methods = options.methods or list(METHODS)
         core = sorted((self.source / "core/graze").rglob("*.hpp"))
         here = [self.source / "properties/mutants" / name for name in ("sites.py", "mutate.py", "mutants.hpp")]
-        engines = [self.source / f"engines/{m}.cpp" for m in self.methods] + [self.source / "engines/convert.hpp"]
+        engines = [self.source / "engines" / name
+                   for name in (*(f"{m}.cpp" for m in self.methods), "convert.hpp", "own_hull.hpp")]
         key = f"{options.seed}-{options.count}" + ("-double" if options.double else "")
         if len(self.methods) < len(METHODS):
             key += "-" + "-".join(self.methods)
