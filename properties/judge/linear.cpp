@@ -101,12 +101,12 @@ bool is_question_for(const Method& method, const Case& seen) {
 
 namespace {
 
-std::string describe(const CaseTruth& truth) {
+std::string text_of(const CaseTruth& truth) {
   return fmt::format("{}, toi in [{}, {}]", label_of(truth.outcome()), hex(truth.toi_lower()),
                      hex(truth.toi_upper()));
 }
 
-std::string over(double error, const CaseTruth& truth) {
+std::string over_scale(double error, const CaseTruth& truth) {
   return fmt::format("{} ({:.3g} of the scale)", error, error / truth.scale().low);
 }
 
@@ -117,12 +117,12 @@ std::string verdict_fault(const CaseTruth& truth, const Answer& answer, double b
   if (is_undecided(truth)) return "";
   const bool contact = truth.outcome() != Outcome::miss;
   if (answer.outcome == Outcome::miss && contact && truth.depth().low > bound) {
-    return fmt::format("miss claimed of a path of depth {}; true: {}", over(truth.depth().low, truth),
-                       describe(truth));
+    return fmt::format("miss claimed of a path of depth {}; true: {}", over_scale(truth.depth().low, truth),
+                       text_of(truth));
   }
   if (claims_contact(answer) && !contact && truth.clearance().low > bound) {
     return fmt::format("{} claimed of a path of clearance {}", label_of(answer.outcome),
-                       over(truth.clearance().low, truth));
+                       over_scale(truth.clearance().low, truth));
   }
   return "";
 }
@@ -133,7 +133,7 @@ std::string late_fault(const CaseTruth& truth, const Answer& answer, double boun
   const double late = truth.lateness(answer.toi_lower).low;
   if (!(late > bound)) return "";
   return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer), hex(answer.toi_lower),
-                     over(late, truth), describe(truth));
+                     over_scale(late, truth), text_of(truth));
 }
 
 std::string early_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -142,7 +142,7 @@ std::string early_fault(const CaseTruth& truth, const Answer& answer, double bou
   const double early = truth.distance_at(answer.toi_upper).low;
   if (!(early > bound)) return "";
   return fmt::format("{} {} is early by a distance of {}; true: {}", upper_name(answer),
-                     hex(answer.toi_upper), over(early, truth), describe(truth));
+                     hex(answer.toi_upper), over_scale(early, truth), text_of(truth));
 }
 
 std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -156,7 +156,7 @@ std::string time_fault(const CaseTruth& truth, const Answer& answer, double boun
     const double error = truth.backward_error(t).low;
     if (error > bound) {
       return fmt::format("{} at {} has backward error {}; true: {}", label_of(answer.outcome), hex(t),
-                         over(error, truth), describe(truth));
+                         over_scale(error, truth), text_of(truth));
     }
   }
   return "";
@@ -176,7 +176,7 @@ std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<d
   if (at_truth <= bound || at_claim <= bound) return "";
   return fmt::format(
       "the normal {} misses the cone of supporting normals by {} at the true contact, by {} at its own",
-      hex(n), over(at_truth, truth), at_claim);
+      hex(n), over_scale(at_truth, truth), at_claim);
 }
 
 std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -185,7 +185,7 @@ std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double
   const double margin = contact ? truth.depth().low : truth.clearance().low;
   if (!(margin > bound)) return "";
   return fmt::format("undecided, though the {} is {}; true: {}", contact ? "depth" : "clearance",
-                     over(margin, truth), describe(truth));
+                     over_scale(margin, truth), text_of(truth));
 }
 
 std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound) {

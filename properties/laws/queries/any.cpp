@@ -23,7 +23,7 @@ namespace {
 
 bool is_about_motion(Query query) { return query == Query::line || query == Query::swept_overlap; }
 
-std::string pair_of(const Answer& one, const Answer& two) {
+std::string against(const Answer& one, const Answer& two) {
   return describe(one) + "; against " + describe(two);
 }
 
@@ -36,7 +36,7 @@ LawResult same_answers(const Method& method, const Question& first, const Answer
     const bool gap = method.query != Query::penetration_along;
     if (const double off = gap ? apart(gap_of(one), gap_of(two)) : 0; off > allowed) {
       return broken(fmt::format("{} changes the answer by {}, the rows allow {}: {}", edit, off, allowed,
-                                pair_of(one, two)));
+                                against(one, two)));
     }
     const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
     const bool far = one.depth && two.depth && apart(*one.depth, *two.depth) > allowed;
@@ -74,7 +74,7 @@ LawResult query_swapping(const Case& problem, const Method& method) {
                          (method.is_exact() ? 32 * question->u * h.error / kUnitRoundoff<double> : 0);
   if (off > allowed) {
     return broken(fmt::format("the normal of the swapped, negated, is {} off the gap, {} allowed: {}", off,
-                              allowed, pair_of(one, two)));
+                              allowed, against(one, two)));
   }
   return result;
 }
@@ -146,7 +146,7 @@ LawResult query_scaling(const Case& problem, const Method& method) {
     if (loses_bits(one, least * std::max(1.0, std::scalbn(1.0, -k))) || loses_bits(two, least)) continue;
     const std::string fault = changed_by_scale(one, two, k);
     if (!fault.empty())
-      return broken(fmt::format("every length times 2^{} changes the {}: {}", k, fault, pair_of(one, two)));
+      return broken(fmt::format("every length times 2^{} changes the {}: {}", k, fault, against(one, two)));
     return holds({label_of(one.outcome), std::abs(k) > 20 ? "far scale" : "near scale"});
   }
   return not_applicable("no power of two keeps every number in range");
@@ -162,11 +162,11 @@ LawResult query_requesting(const Case& problem, const Method& method) {
     if (less.outcome != all.outcome || !same(less.separation, all.separation) ||
         !same(less.depth, all.depth) || !same(less.t_in, all.t_in) || !same(less.t_out, all.t_out) ||
         less.stalled != all.stalled) {
-      return broken("asking for less changes the answer: " + pair_of(less, all));
+      return broken("asking for less changes the answer: " + against(less, all));
     }
     if (less.counters.supports > all.counters.supports ||
         less.counters.iterations > all.counters.iterations) {
-      return broken("asking for less costs more: " + pair_of(less, all));
+      return broken("asking for less costs more: " + against(less, all));
     }
     // The axis of a miss comes with its verdict; a distance has no miss.
     const bool verdict_has_axis = all.outcome == Outcome::miss && method.query != Query::distance;
@@ -178,7 +178,7 @@ LawResult query_requesting(const Case& problem, const Method& method) {
     if ((normal && (less.normal != all.normal || less.normal_out != all.normal_out)) ||
         (points &&
          (less.has_points != all.has_points || less.point_a != all.point_a || less.point_b != all.point_b))) {
-      return broken("asked for alone it is another: " + pair_of(less, all));
+      return broken("asked for alone it is another: " + against(less, all));
     }
   }
   return holds({label_of(all.outcome)});
