@@ -2,6 +2,7 @@
 
 #include "corpus/families.hpp"
 #include "properties/generate/case.hpp"
+#include "properties/generate/large_hull.hpp"
 #include "properties/generate/near_ball.hpp"
 #include "properties/generate/near_degenerate.hpp"
 #include "properties/generate/rotating.hpp"
@@ -20,7 +21,7 @@ Case of_family(const Family& family, std::size_t turn) {
 
 std::vector<Case> linear_cases(int count) {
   std::vector<Case> out;
-  corpus::Random random(20260117), balls(20261126);
+  corpus::Random random(20260117), balls(20261126), large(20261127);
   for (int seed = 0; static_cast<int>(out.size()) < count; ++seed) {
     for (const Family& family : corpus::families()) {
       out.push_back(of_family(family, static_cast<std::size_t>(seed)));
@@ -28,6 +29,7 @@ std::vector<Case> linear_cases(int count) {
     }
   }
   for (int i = 0; i < count / 16; ++i) out.push_back(draw_near_ball(balls));
+  for (int i = 0; i < count / 24; ++i) out.push_back(draw_large_hull(large));
   return out;
 }
 
@@ -52,7 +54,7 @@ std::vector<Case> near_touches(int count) {
 
 std::vector<Case> rotating_cases(int count) {
   std::vector<Case> out;
-  corpus::Random random(20261121);
+  corpus::Random random(20261121), large(20261128);
   const auto families = corpus::rotating_families();
   for (int i = 0; static_cast<int>(out.size()) < count; ++i) {
     if (i % 8 != 7) {
@@ -64,6 +66,7 @@ std::vector<Case> rotating_cases(int count) {
     const std::size_t level = turn / families.size() % ((family.levels.size() + 1) / 2);
     out.push_back(family.generate(family.levels[level], turn));
   }
+  for (int i = 0; i < count / 24; ++i) out.push_back(draw_turning_large_hull(large));
   return out;
 }
 

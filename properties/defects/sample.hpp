@@ -14,9 +14,10 @@ struct Sample {
   std::vector<corpus::Case> ties;  // for those that judge by proof, in microseconds; several times as many
 };
 
-// Linear and query: half drawn, half from the easier half of the families' levels, and a few balls on near ties.
-// Near-ties: of linear laws casts, and among them some on the flanks of round bodies; of queries hulls face to face that
-// hardly touch. Rotating: drawn, and every eighth from the rotating families; none are near-ties.
+// Linear and query: half drawn, half from the easier half of the families' levels, a few balls on near ties and a few
+// large hulls. Near-ties: of linear laws casts, and among them some on the flanks of round bodies; of queries hulls face to
+// face that hardly touch. Rotating: drawn, every eighth from the rotating families, and a few large hulls; none are
+// near-ties.
 [[nodiscard]] Sample sample_for(Kind kind, int count);
 
 }  // namespace graze::law

@@ -1,6 +1,7 @@
 #include "properties/edit/same_body.hpp"
 
 #include <cmath>
+#include <graze/support/hull_graph.hpp>
 #include <utility>
 
 namespace graze::law {
@@ -158,6 +159,16 @@ std::optional<Shape<double>> with_redundant_points(const Shape<double>& shape, s
   if (all.size() == given->size()) return std::nullopt;
   if ((salt & 1) != 0) shuffle(all, salt);
   return hull_like(shape, all);
+}
+
+std::optional<Shape<double>> with_other_adjacency(const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  if (hull == nullptr) return with_one_part(shape, &with_other_adjacency);
+  if (hull->has_adjacency()) return Hull<double>(hull->vertices());
+  if (hull->size() < kMapFrom) return std::nullopt;
+  Hull<double> derived = with_adjacency(hull->vertices());
+  if (!derived.has_adjacency()) return std::nullopt;
+  return derived;
 }
 
 std::optional<Shape<double>> described_otherwise(const Shape<double>& shape, std::uint64_t salt) {

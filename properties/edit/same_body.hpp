@@ -24,4 +24,8 @@ namespace graze::law {
 [[nodiscard]] std::optional<Shape<double>> described_otherwise(const Shape<double>& shape,
                                                                std::uint64_t salt);
 
+// Its hulls with adjacency given without, and those without that are large enough for it to matter (hull_graph.hpp) with:
+// the first such part of a combinator.
+[[nodiscard]] std::optional<Shape<double>> with_other_adjacency(const Shape<double>& shape);
+
 }  // namespace graze::law

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "properties/edit/same_body.hpp"
 #include "properties/laws/ask_twice.hpp"
 #include "properties/laws/linear/proof.hpp"
 #include "properties/laws/tables.hpp"
@@ -278,7 +279,24 @@ LawResult asking_again(const Case& problem, const Method& method) {
     return broken(fmt::format("asked again, after another question: {}; before it: {}", describe(second),
                               describe(first)));
   }
-  return holds({label_of(first.outcome)});
+  LawResult result = holds({label_of(first.outcome)});
+  // Adjacency says nothing of the bodies that their vertices do not.
+  Case given = seen;
+  bool differs = false;
+  for (Body<double>* body : {&given.a, &given.b}) {
+    if (auto shape = with_other_adjacency(body->shape)) {
+      body->shape = *std::move(shape);
+      differs = true;
+    }
+  }
+  if (!differs) return result;
+  const Answer third = method.ask(given, ask);
+  if (!is_same_answer(first, third)) {
+    return broken(fmt::format("with adjacency where there was none, or without: {}; as it was: {}",
+                              describe(third), describe(first)));
+  }
+  result.labels.push_back("adjacency");
+  return result;
 }
 
 }  // namespace
@@ -291,7 +309,9 @@ std::vector<Law> linear_advancement_laws() {
        Needs::metamorphic, &interrupting},
       {"tightening", "A tighter tolerance never lowers toi_lower and never raises toi_upper.",
        Needs::metamorphic, &tightening},
-      {"asking_again", "The same question gets the same bits, whatever was asked between.",
+      {"asking_again",
+       "The same question gets the same bits, whatever was asked between, and with adjacency of its hulls or "
+       "without.",
        Needs::metamorphic, &asking_again},
       {"scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
        Needs::metamorphic, &scalars_meet},

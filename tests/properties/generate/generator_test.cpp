@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <graze/support/hull_graph.hpp>
 #include <map>
 
 #include "corpus/format/case_io.hpp"
@@ -10,6 +11,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/far.hpp"
+#include "properties/generate/large_hull.hpp"
 #include "properties/generate/shrink.hpp"
 #include "properties/judge/linear.hpp"
 
@@ -114,6 +116,54 @@ TEST(DrawFar, arms_are_long_and_turn_alike_but_for_a_unit_or_two) {
   EXPECT_GE(one_vector, kCases / 4);
   EXPECT_LE(one_vector, kCases * 3 / 4);
   EXPECT_GE(balls, kCases / 20);
+}
+
+// Whether it is a hull with a map of directions.
+bool is_mapped(const Shape<double>& shape) {
+  const auto* hull = std::get_if<Hull<double>>(&shape);
+  return hull != nullptr && hull->has_adjacency() && !hull->graph().map.empty();
+}
+
+TEST(DrawLargeHull, has_a_map_and_meets_it_from_every_side) {
+  corpus::Random random(31);
+  const engine::Method& certified = *engine::find_method(engine::Kind::linear, "certified");
+  std::map<Outcome, int> outcomes;
+  int mapped = 0, both = 0, rotated = 0, far = 0, in_float = 0, rays = 0;
+  constexpr int kCases = 200;
+  for (int i = 0; i < kCases; ++i) {
+    const corpus::Case problem = draw_large_hull(random);
+    ASSERT_TRUE(in_domain(problem)) << corpus::write_case(problem);
+    const bool of_a = is_mapped(problem.a.shape), of_b = is_mapped(problem.b.shape);
+    mapped += of_a || of_b;
+    both += of_a && of_b;
+    rays += std::holds_alternative<Point<double>>(problem.a.shape) ||
+            std::holds_alternative<Point<double>>(problem.b.shape);
+    const Body<double>& large = of_a ? problem.a : problem.b;
+    rotated += !large.orientation.is_identity();
+    if (const auto* hull = std::get_if<Hull<double>>(&large.shape)) {
+      far += hull->center().cwiseAbs().maxCoeff() > 4;
+      const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+      in_float += std::all_of(hull->vertices().begin(), hull->vertices().end(), [&](const Vec3<double>& v) {
+        return is_float(v[0]) && is_float(v[1]) && is_float(v[2]);
+      });
+    }
+    ++outcomes[certified.ask(problem, {}).outcome];
+  }
+  EXPECT_GE(mapped, kCases * 3 / 4);
+  EXPECT_GE(both, kCases / 50);
+  EXPECT_GE(rotated, kCases / 4);
+  EXPECT_GE(far, kCases / 20);
+  EXPECT_GE(in_float, kCases / 4);
+  EXPECT_GE(rays, kCases / 50);
+  for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::initially_overlapping}) {
+    EXPECT_GE(outcomes[outcome], kCases / 20) << label_of(outcome);
+  }
+}
+
+TEST(DrawLargeHull, is_a_function_of_its_bits) {
+  corpus::Random one(99), two(99);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_TRUE(same_input(draw_turning_large_hull(one), draw_turning_large_hull(two)));
 }
 
 // What an oracle said of one is not what it says of the other.

@@ -8,6 +8,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
+#include "properties/generate/large_hull.hpp"
 #include "properties/generate/near_ball.hpp"
 #include "properties/generate/round_tie.hpp"
 #include "properties/laws/reach.hpp"
@@ -54,10 +55,10 @@ TEST_P(Laws, hold_for_the_families) {
 }
 
 void expect_to_hold(const Law& law, const std::string& name, std::uint64_t seed,
-                    corpus::Case (*draw)(corpus::Random&)) {
+                    corpus::Case (*draw)(corpus::Random&), int count) {
   LawRun run(law, name);
   corpus::Random random(seed);
-  for (int i = 0; i < family_seeds(law.needs) / 4; ++i) {
+  for (int i = 0; i < count; ++i) {
     if (run.holds_for(draw(random))) continue;
     run.minimise();
     FAIL() << run.report(name + " " + std::to_string(i));
@@ -66,11 +67,17 @@ void expect_to_hold(const Law& law, const std::string& name, std::uint64_t seed,
 }
 
 TEST_P(Laws, hold_for_flanks_of_round_bodies) {
-  expect_to_hold(GetParam(), "flanks", 20260118, &draw_round_tie);
+  expect_to_hold(GetParam(), "flanks", 20260118, &draw_round_tie, family_seeds(GetParam().needs) / 4);
 }
 
 TEST_P(Laws, hold_for_balls_on_near_ties) {
-  expect_to_hold(GetParam(), "balls on near ties", 20261126, &draw_near_ball);
+  expect_to_hold(GetParam(), "balls on near ties", 20261126, &draw_near_ball,
+                 family_seeds(GetParam().needs) / 4);
+}
+
+// To make one takes longer than to ask an oracle about it.
+TEST_P(Laws, hold_for_large_hulls) {
+  expect_to_hold(GetParam(), "large hulls", 20261127, &draw_large_hull, family_seeds(Needs::oracle) / 4);
 }
 
 TEST_P(Laws, hold_for_the_curated_corpus) {

@@ -10,6 +10,7 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
+#include "properties/generate/large_hull.hpp"
 #include "properties/laws/reach.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
 
@@ -65,6 +66,17 @@ TEST_P(QueryLaws, hold_for_the_families) {
   }
   run.print();
   EXPECT_EQ(run.shortfall_over_families(), "");
+}
+
+TEST_P(QueryLaws, hold_for_large_hulls) {
+  LawRun run(GetParam(), "large hulls");
+  corpus::Random random(20261127);
+  for (int i = 0; i < (is_slow(GetParam()) ? 2 : 10); ++i) {
+    if (run.holds_for(draw_large_hull(random))) continue;
+    run.minimise();
+    FAIL() << run.report("large hulls " + std::to_string(i));
+  }
+  run.print();
 }
 
 TEST_P(QueryLaws, hold_for_the_curated_corpus) {

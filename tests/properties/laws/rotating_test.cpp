@@ -16,6 +16,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/edit/turning.hpp"
 #include "properties/generate/generators.hpp"
+#include "properties/generate/large_hull.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/law.hpp"
 #include "properties/laws/rotating/question.hpp"
@@ -100,6 +101,16 @@ TEST(RotatingLaws, hold_for_the_families) {
         FAIL() << run.report(seed_of(family.name, hardness, number));
       }
     }
+  }
+  run.print();
+}
+
+TEST(RotatingLaws, hold_for_large_hulls) {
+  RotatingRun run("large hulls");
+  corpus::Random random(20261128);
+  for (int i = 0; i < 10; ++i) {
+    if (run.holds_for(draw_turning_large_hull(random))) continue;
+    FAIL() << run.report("large hulls " + std::to_string(i));
   }
   run.print();
 }
