@@ -257,8 +257,10 @@ class BeyondSearch {
     const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
     if (listed) {
       const float *a = list.xyz, *b = a + list.size, *c = b + list.size;
-      detail::for_each_above(a, b, c, list.size, d, below(double(height(s.at)) - error),
-                             [&](std::size_t k) { try_vertex(s, list.vertex[k]); });
+      detail::for_each_above(a, b, c, list.size, d, below(double(height(s.at)) - error), [&](std::size_t k) {
+        // The list's tail is its first again, which was tried.
+        if (k == 0 || list.vertex[k] != list.vertex[0]) try_vertex(s, list.vertex[k]);
+      });
       return;
     }
     detail::for_each_above(

@@ -137,6 +137,17 @@ class RoundWalk {
     }
     return a + (l[1] * ab + l[2] * ac);
   }
+  // Of a sliver the weights of the point nearest to x round by u |edges|^2 / f_sq of its length, and |x - p| hardly tells:
+  // p is `point`, in the plane. What they leave of it is solved for again.
+  void correct(const Triple& point, std::array<double, 3>& l) const {
+    if (!(l[0] > 0 && l[1] > 0 && l[2] > 0)) return;
+    const Triple ab = f_[1].w - f_[0].w, ac = f_[2].w - f_[0].w, f = cross(ab, ac);
+    const double f_sq = dot(f, f);
+    if (!(f_sq > kLeast * kLeast)) return;
+    const Triple left = (point - f_[0].w) - (l[1] * ab + l[2] * ac);
+    const double b = l[1] + dot(cross(left, ac), f) / f_sq, c = l[2] + dot(cross(ab, left), f) / f_sq;
+    if (b > 0 && c > 0 && b + c < 1) l = {1 - (b + c), b, c};
+  }
   void keep(const std::array<double, 3>& lambda) {
     int kept = 0;
     for (int i = 0; i < size_; ++i) {
@@ -297,6 +308,7 @@ class RoundWalk {
       out_.lower = is_near ? std::min(s_low_, s) : s;
       out_.upper = s;
       out_.normal = is_near ? (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_ : (1 / length) * n;
+      if (size_ == 3) correct(x - n, lambda);
       set(n, length, h - ball, lambda);
       return true;
     }

@@ -86,5 +86,24 @@ TEST(RoundCast, ABallOfNoSizeMeetsTheSideThatItComesFrom) {
   }
 }
 
+// The weights of a sliver round by the square of how thin it is, and the distance of a ball that lands on it hardly tells.
+TEST(RoundCast, WitnessesOnSliversLieAtEachOther) {
+  Draw draw{313};
+  int hits = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const double width = std::ldexp(1.0, -static_cast<int>(draw.bits() % 16));
+    const Vec3<double> across = width * draw.vector<double>(1), along = draw.vector<double>(1);
+    const Vec3<double> corner = draw.vector<double>(1), met = corner + 0.3 * across + 0.4 * along;
+    const Vec3<double> normal = along.cross(across).normalized();
+    const Body<double> a{.shape = Triangle<double>{corner, corner + across, corner + along}},
+        b{.shape = Sphere<double>{1}, .position = met + 2 * normal, .displacement = -2 * normal};
+    const CastResult<double> r = cast(a, b, {.method = Method::gjk_ray_cast});
+    if (r.outcome != Outcome::hit) continue;
+    ++hits;
+    EXPECT_LT((r.point_a - r.point_b).norm(), 2e-14) << "round " << round << ", width " << width;
+  }
+  EXPECT_GT(hits, 1900);
+}
+
 }  // namespace
 }  // namespace graze

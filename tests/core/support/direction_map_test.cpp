@@ -299,6 +299,7 @@ void expect_same_casts(Tier tier, std::optional<Method> method) {
       EXPECT_EQ(with.toi_upper, without.toi_upper);
       EXPECT_EQ(with.normal, without.normal);
       EXPECT_EQ(with.counters.supports, without.counters.supports);
+      EXPECT_EQ(with.counters.exact_decisions, without.counters.exact_decisions);
     }
   }
   EXPECT_GT(hits, 50);
