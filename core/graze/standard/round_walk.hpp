@@ -304,11 +304,11 @@ class RoundWalk {
     const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_ && rate < 0;
     const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_;
     if (met && (h - at <= noise_ / 2 * length || is_near)) {
+      if (size_ == 3) correct(x - n, lambda);
       out_.outcome = Outcome::hit;
       out_.lower = is_near ? std::min(s_low_, s) : s;
       out_.upper = s;
       out_.normal = is_near ? (1 / std::sqrt(dot(low_axis_, low_axis_))) * low_axis_ : (1 / length) * n;
-      if (size_ == 3) correct(x - n, lambda);
       set(n, length, h - ball, lambda);
       return true;
     }
