@@ -14,7 +14,7 @@ struct LineEnd {
   State state = State::exhausted;  // entered: found; missed; exhausted: the bracket is what is known
   S lower = -kInfinity<S>, upper = kInfinity<S>;
   Vec3<S> n = Vec3<S>::Zero();  // unit: proves lower, or the miss
-  Simplex<S> contact;           // entered: points of C and their weights, the combination at upper
+  Simplex<S> contact;  // where upper is finite: points of C and their weights, the combination at upper
 };
 
 // mirror 1: where the line enters; -1: where it leaves.
@@ -34,7 +34,11 @@ LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const Sw
   if (search.state == State::missed) return out;
   out.upper = search.upper;
   out.lower = std::min(search.lower, search.upper);
-  if (search.state != State::entered) return out;
+  if (search.state != State::entered) {
+    if (search.portal.size > 0) search.lambda = detail::portal_weights(search.portal);
+    out.contact = contact_of(search);
+    return out;
+  }
   out.contact = contact_of(search);
   // A portal whose plane lies almost along the line: where exactly the plane meets it is the plane's rounding
   // over n_z, while the portal's own point is no deeper in C than the gap (mpr.hpp).

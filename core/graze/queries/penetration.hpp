@@ -259,11 +259,16 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const Frame<S> frame(unit(direction));
-  // Is the origin on the part of the line that is in C? First its end, which is the answer.
-  const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
+  // Is the origin on the part of the line that is in C? First its end, which is the answer. A bracket of it
+  // that a tolerance leaves wide may have the origin in it, and say nothing of contact.
+  LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
+  if (limits.target > limits.noise && end.lower <= limits.noise && end.upper > limits.noise) {
+    SweepLimits<S> narrow = limits;
+    narrow.target = limits.noise;
+    end = line_end(cso, frame, S(-1), narrow, out.counters);
+  }
   out.counters.iterations = out.counters.portal_steps;
-  if (end.state == State::missed || (end.state == State::entered && -end.lower < -limits.noise))
-    return detail::no_contact(out, end.n);
+  if (end.state == State::missed || end.lower > limits.noise) return detail::no_contact(out, end.n);
   const detail::PortalView<S> view{cso, frame, S(1), out.counters};
   PortalSearch<S> begin = find_portal(view, limits.budget);
   if (begin.state == State::entered) {
@@ -280,7 +285,8 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
       (begin.state == State::entered && !in_contact)) {
     return detail::no_contact(out, begin.n);
   }
-  if (!in_contact) {
+  // Of an end that the budget left open, only its point in C is known.
+  if (!in_contact || (end.state != State::entered && end.upper > limits.noise)) {
     out.outcome = Outcome::not_converged;
     out.stalled = true;
     return out;

@@ -59,6 +59,40 @@ TEST(QueryOptions, ASpentBudgetIsNoVerdictAlongADirection) {
   EXPECT_GT(spent, 20);
 }
 
+// The other side: the far end of the line in C lies before the origin, and a few portal steps, or a tolerance, do not tell.
+TEST(QueryOptions, NeitherASpentBudgetNorAToleranceIsContactAlongADirection) {
+  Draw draw{73};
+  int spent = 0, wide = 0;
+  for (int round = 0; round < 100; ++round) {
+    const Body<double> a{.shape = Ellipsoid<double>{{1, 0.5, 0.25}}, .orientation = draw.turn<double>()};
+    Body<double> b{.shape = Ellipsoid<double>{{0.5, 1, 0.75}},
+                   .position = draw.vector<double>(0.25),
+                   .orientation = draw.turn<double>()};
+    const V d = unit(draw.vector<double>(1));
+    b.position += (penetration_along(a, b, d).upper + 1e-3) * d;
+    ASSERT_EQ(penetration_along(a, b, d).outcome, Outcome::miss);
+    for (const int budget : {1, 2, 3, 4, 6, 8}) {
+      const auto r = penetration_along(a, b, d, {.max_iterations = budget});
+      EXPECT_NE(r.outcome, Outcome::initially_overlapping) << round << ' ' << budget;
+      spent += r.outcome == Outcome::not_converged;
+    }
+    for (const double tolerance : {0.01, 0.1, 1.0}) {
+      EXPECT_EQ(penetration_along(a, b, d, {.tolerance = tolerance}).outcome, Outcome::miss) << round;
+    }
+    // In contact the points of a bracket left wide are points of the bodies.
+    b.position -= (penetration_along(a, b, V(-d)).lower + 0.25) * d;
+    for (const int budget : {1, 2, 3, 4, 6, 8}) {
+      const auto r = penetration_along(a, b, d, {.max_iterations = budget});
+      if (r.outcome != Outcome::initially_overlapping) continue;
+      wide += r.stalled;
+      EXPECT_LE(distance(a, Body<double>{.position = r.point_a}).upper, 1e-13) << round << ' ' << budget;
+      EXPECT_LE(distance(b, Body<double>{.position = r.point_b}).upper, 1e-13) << round << ' ' << budget;
+    }
+  }
+  EXPECT_GT(spent, 20);
+  EXPECT_GT(wide, 20);
+}
+
 TEST(QueryOptions, ADepthSaysWhetherItsBracketIsWide) {
   Draw draw{72};
   int wide = 0;
