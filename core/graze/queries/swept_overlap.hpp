@@ -30,6 +30,23 @@ void swept_by_portals(SweptOverlapResult<S>& out, const Cso<S>& cso, const Sweep
   if (out.outcome == Outcome::miss) out.normal = sweep.n;
 }
 
+// Searches let the path end where C does: at s_end. Does the axis n of a miss, `gap` wide, separate to the
+// path's own end? One that faces the path does not for long; one that lies across it is tilted until it faces
+// away, beyond the rounding of n.r.
+template <Scalar S>
+[[nodiscard]] bool goes_to_the_end(const Cso<S>& cso, const SweepLimits<S>& limits, S s_end, S gap,
+                                   Vec3<S>& n, Counters& counters) {
+  const Vec3<S>& r = cso.direction();
+  const S rate = n.dot(r), least = 16 * kUnitRoundoff<S> * n.cwiseAbs().sum() * r.cwiseAbs().maxCoeff();
+  if (!(limits.s_max > s_end) || rate > least) return true;
+  if (gap + limits.s_max * (rate - least) > 0) return true;
+  const Vec3<S> tilted = unit(Vec3<S>(n + ((4 * least - rate) / r.squaredNorm()) * r));
+  ++counters.supports;
+  if (!(tilted.dot(r) > 2 * least) || !(tilted.dot(cso.support(tilted).w) + cso.radius() < 0)) return false;
+  n = tilted;
+  return true;
+}
+
 // 0 from the swept set by GJK; `support` is the set's, of the core.
 template <Scalar S, class Support>
 void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S s_end,
@@ -46,6 +63,11 @@ void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const Swee
   } else if (d.lower - R > 0) {
     out.outcome = Outcome::miss;
     out.normal = d.n;
+    if (!goes_to_the_end(cso, limits, s_end, S(d.lower - R), out.normal, out.counters)) {
+      // By portals an axis separates to the end, or lies across the path.
+      const Sweep<S> sweep = mpr_sweep(cso, limits, out.counters);
+      if (sweep.outcome == Outcome::miss) out.normal = sweep.n;
+    }
   } else {
     // Apart, but with an axis too tilted to say so (distance.hpp), or inside without a tetrahedron.
     swept_by_portals(out, cso, limits);

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <graze/distance.hpp>
 #include <graze/support/cso.hpp>
 #include <graze/swept_overlap.hpp>
 
@@ -102,6 +103,39 @@ TYPED_TEST(SweptOverlap, TouchingAtTheLastMomentAndSlidingCount) {
     const Body<S> rests{.shape = Box<S>{{1, 1, 1}}, .position = {3, 0, 0}};
     EXPECT_EQ(swept_overlap(box, rests, options).outcome, Outcome::miss);
   }
+}
+
+// The search ends its path where A is left behind; the axis of a miss has to part the bodies for all of it.
+TYPED_TEST(SweptOverlap, TheAxisOfAMissPartsTheBodiesToTheEnd) {
+  using S = TypeParam;
+  const double u = kUnitRoundoff<S>;
+  Draw draw{94};
+  int misses = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Body<S> a{.shape = Ellipsoid<S>{{1, S(0.5), S(0.25)}}, .orientation = draw.turn<S>()};
+    const Body<S> b{.shape = sum<S>(Box<S>{{1, S(0.25), S(0.125)}}, Segment<S>{{0, 0, 0}, {1, 0, 0}}),
+                    .position = draw.vector<S>(4),
+                    .orientation = draw.turn<S>(),
+                    .displacement = draw.vector<S>(4)};
+    for (const SweptMethod method : kMethods) {
+      for (const S t_max : {S(1), S(1e4), kInfinity<S>}) {
+        const auto r = swept_overlap(a, b, SweptOverlapOptions<S>{.method = method, .t_max = t_max});
+        if (r.outcome != Outcome::miss) continue;
+        ++misses;
+        const double rate = r.normal.template cast<double>().dot(b.displacement.template cast<double>());
+        const double gap = distance(a, b).upper;  // an upper bound of the gap along any axis
+        if (t_max == kInfinity<S>) {
+          EXPECT_GE(rate, -16 * u * double(b.displacement.norm()))
+              << round << ' ' << static_cast<int>(method);
+        } else {
+          EXPECT_GE(gap + double(t_max) * rate,
+                    -256 * u * (8 + double(t_max) * double(b.displacement.norm())))
+              << round << ' ' << static_cast<int>(method);
+        }
+      }
+    }
+  }
+  EXPECT_GT(misses, 400);
 }
 
 TEST(SweptOverlapCost, BeforeAndAfterIsTheSumWithTwiceTheScan) {
