@@ -299,19 +299,6 @@ std::size_t touching_face(const EpaPolytope<S>& P, S within, Simplex<S>& contact
 
 }  // namespace detail
 
-namespace detail {
-
-template <Scalar S>
-Vec3<S> combination(const Simplex<S>& simplex) {
-  Vec3<S> out = Vec3<S>::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
-    out += simplex.lambda[i] * simplex.point[i].w;
-  }
-  return out;
-}
-
-}  // namespace detail
-
 // `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach.
 // `noise`: what rounding cannot tell from nothing (sweep.hpp). Ends after `budget` supports beside the first
 // twelve.

@@ -36,6 +36,20 @@ struct Simplex {
   }
 };
 
+namespace detail {
+
+// sum lambda w: the point that the weights make of the corners.
+template <Scalar S>
+Vec3<S> combination(const Simplex<S>& simplex) {
+  Vec3<S> out = Vec3<S>::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+    out += simplex.lambda[i] * simplex.point[i].w;
+  }
+  return out;
+}
+
+}  // namespace detail
+
 // (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in
 // every direction, also along them, where the face reaches far; the short edge keeps the error relative to
 // the area. Where the corners are nearly in a line even that is not short: what the product has along the

@@ -87,8 +87,11 @@ DistanceResult<S>& careful_distance(const Body<S>& a, const Body<S>& b, const Di
   out.warm.axis = d.n.template cast<double>();
   if (asks_for(options.request, Request::normal)) out.normal = d.n;
   if (asks_for(options.request, Request::witnesses)) {
-    out.point_a = witness(a, cso.side_a(), cso, simplex, d.n, true, S(0));
-    out.point_b = witness(b, cso.side_b(), cso, simplex, d.n, false, S(0));
+    // The radii lie along what joins the cores' points. Where the distance is small beside them the axis is
+    // known to the root of the rounding only, and a tolerance leaves it as far off.
+    const Vec3<S> n = R > 0 ? unit(Vec3<S>(-combination(simplex))) : d.n;
+    out.point_a = witness(a, cso.side_a(), cso, simplex, n, true, S(0));
+    out.point_b = witness(b, cso.side_b(), cso, simplex, n, false, S(0));
   }
   return out;
 }

@@ -39,6 +39,30 @@ TEST(QueryTolerance, DistanceIsBracketedAsNarrowlyAsAsked) {
   EXPECT_GE(cheaper, apart);
 }
 
+// However wide the bracket, the points are as far apart as its upper end says: also where the axis, which a tolerance or
+// the rounding of a small distance leaves tilted, is not the way from one to the other.
+TEST(QueryTolerance, TheClosestPointsAreAsFarApartAsUpper) {
+  Draw draw{54};
+  int tilted = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Body<double> a{.shape = Ellipsoid<double>{{1, 0.5, 0.25}}, .orientation = draw.turn<double>()};
+    Body<double> b{.shape = rounded<double>(Ellipsoid<double>{{0.5, 1, 0.75}}, 0.5),
+                   .position = draw.vector<double>(4),
+                   .orientation = draw.turn<double>()};
+    if (round % 2 == 0) {  // nearly in contact
+      const auto apart = distance(a, b);
+      b.position -= (apart.upper - 1e-12) * apart.normal;
+    }
+    for (const double tolerance : {0.0, 1e-6, 1e-3, 1e-1}) {
+      const auto r = distance(a, b, {.tolerance = tolerance});
+      if (!(r.lower > 0)) continue;
+      EXPECT_NEAR((r.point_b - r.point_a).norm(), r.upper, 1e-13) << round << ' ' << tolerance;
+      tilted += r.normal.dot(r.point_b - r.point_a) < r.upper - 1e-9;
+    }
+  }
+  EXPECT_GT(tilted, 20);
+}
+
 // Balls' depth has a closed form; their cores are points, apart.
 TEST(QueryTolerance, PenetrationOfRoundedBodiesWithCoresApart) {
   Draw draw{52};
