@@ -234,7 +234,11 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                         [&](const Hull<Given>& hull) {
                           side.support = &hull_of_side<S, Given>;
                           side.shape = &hull;
-                          side.unit = static_cast<S>(power_of_two(hull.exponent() - k));
+                          // A hull of one point has the exponent 0, which says nothing: beside the least
+                          // floats the unit would be infinite.
+                          side.unit = hull.size_about_center() > 0
+                                          ? static_cast<S>(power_of_two(hull.exponent() - k))
+                                          : S(0);
                         },
                         [&](const auto&) {
                           side.support = &tree_of_side<S, Given>;

@@ -129,6 +129,21 @@ TYPED_TEST(Line, RoundedBodiesByTheirQuadratic) {
   EXPECT_GT(hits, 50);
 }
 
+// A hull of one point beside a body of the least floats: its own exponent says nothing.
+TEST(LineRange, APointGivenAsAHullBesideTheLeastFloats) {
+  const float least = 0x1p-147f;
+  const Body<float> a{.shape = Cylinder<float>{4 * least, 4 * least}};
+  Body<float> b{.shape = Hull<float>({Vec3<float>::Zero(), Vec3<float>::Zero()}),
+                .position = {-8 * least, 0, 0},
+                .displacement = {2 * least, 0, 0}};
+  const auto r = line(a, b);
+  ASSERT_EQ(r.outcome, Outcome::hit);
+  EXPECT_NEAR(r.in_upper, 2, 1e-5);
+  EXPECT_NEAR(r.out_lower, 6, 1e-5);
+  b.position[1] = 16 * least;
+  EXPECT_EQ(line(a, b).outcome, Outcome::miss);
+}
+
 TEST(LineDoor, BadInputIsRefused) {
   EXPECT_EQ(line<double>({.shape = Hull<double>()}, {}).invalid, Invalid::empty_hull);
   LineOptions<double> options;
