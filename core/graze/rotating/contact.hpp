@@ -117,6 +117,32 @@ inline void add_above(const Cso<double>& cso, Simplex<double>& three, Counters& 
   three.add(n.dot(above.w - a) > n.dot(a - below.w) ? above : below);
 }
 
+// To two points that the origin lies between, as where bodies meet along a common axis of revolution: of these
+// and the supports in three directions around, the four that hold it deepest, if any do.
+inline void add_around(const Cso<double>& cso, Simplex<double>& two, Counters& counters) {
+  const Vec3<double> along = two.point[1].w - two.point[0].w;
+  if (along == Vec3<double>::Zero()) return;
+  const Frame<double> about(unit(along));
+  constexpr std::array<std::array<double, 2>, 3> kAround = {{{1, 0}, {-0.5, 0.875}, {-0.5, -0.875}}};
+  std::array<CsoPoint<double>, 5> all = {two.point[0], two.point[1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ++counters.supports;
+    all[2 + i] = cso.support(unit(Vec3<double>(kAround[i][0] * about.e1 + kAround[i][1] * about.e2)));
+  }
+  double best = 0;
+  for (std::size_t skip = 0; skip < all.size(); ++skip) {
+    Simplex<double> tried;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i != skip) tried.add(all[i]);
+    }
+    const auto& p = tried.point;
+    const double depth = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w});
+    if (!(depth > best)) continue;
+    best = depth;
+    two = tried;
+  }
+}
+
 // Weights of the origin in a tetrahedron, by volumes; in two doubles, as a thin one's are small differences.
 inline void weigh(Simplex<double>& pairs) {
   double sum = 0;
@@ -205,6 +231,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   out.proved = R > 0 && d.upper + e <= R;
   if (out.proved || d.lower - R > e) return out;
   if (simplex.size == 3 && d.upper == 0) add_above(cso, out.pairs, counters);
+  if (simplex.size == 2 && d.upper == 0) add_around(cso, out.pairs, counters);
   if (out.pairs.size == 4) out.proved = deepen(cso, out.pairs, e, counters) > e;
   const Vec3<double> n = n_hint == zero ? Vec3<double>(Vec3<double>::UnitZ()) : graze::unit(n_hint);
   if (!out.proved) {

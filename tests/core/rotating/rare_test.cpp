@@ -134,6 +134,26 @@ TEST(RotatingRare, AContactThatNoFourCornersSurroundIsOneAtTheStart) {
   EXPECT_EQ(cast(a, b, options).outcome, Outcome::initially_overlapping);
 }
 
+// A point in the middle of a cone's base: the origin is between the base's centre and the apex, and of the corners of
+// C that searches meet on that line no four surround it. Those around it do.
+TEST(RotatingRare, APointOnTheAxisOfAConeIsContact) {
+  const RotatingBody<double> a{.body = {.shape = Point<double>{}}};
+  for (const double turn : {0.0, 6.0}) {
+    const RotatingBody<double> b{
+        .body = {.shape = Cone<double>{1, 1}, .position = {0, 0, 4.5}, .displacement = {0, 0, -5}},
+        .rotation = {0, 0, turn}};
+    for (const Tier tier : {Tier::standard, Tier::certified}) {
+      const auto r = cast(a, b, {.tier = tier, .request = Request::everything});
+      ASSERT_EQ(r.outcome, Outcome::hit) << turn;
+      EXPECT_LE(r.toi_lower, 0.7);
+      EXPECT_GE(r.toi_upper, 0.7);
+      EXPECT_LE(r.toi_upper - r.toi_lower, 1e-8);
+      ASSERT_TRUE(r.proof.has_value());
+      EXPECT_EQ(r.proof->contact_size, 4);
+    }
+  }
+}
+
 // Bodies on equal arms of 2.7e8 about pivots apart: each moves at 1.7e8, neither to the other. One slice says
 // so.
 TEST(RotatingRare, EqualArmsStandStillToEachOther) {
