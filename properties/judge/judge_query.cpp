@@ -237,6 +237,15 @@ class QueryJudge {
     verdict(
         answer_.outcome == Outcome::hit, exact.outcome() != Outcome::miss, [&] { return exact.clearance(); },
         [&] { return exact.depth(); });
+    if (answer_.outcome == Outcome::miss && answer_.has_normal()) separating_for_the_path();
+  }
+  // Of a miss: h(n) + m <= min(0, T n.v), where n.v may be off by limit over scale of |v|, as in a cast.
+  void separating_for_the_path() {
+    const corpus::Case& asked = truth_.problem();
+    const Vec3<double> v = asked.b.displacement - asked.a.displacement;
+    const double rate = answer_.normal.dot(v) + (scale_ > 0 ? limit_ / scale_ : 0.0) * v.norm();
+    const double way = rate < 0 ? asked.t_max * rate : 0.0;
+    normal_off(truth_.penetration().reach(answer_.normal).low + asked.target_distance - way);
   }
 
   Truth& truth_;

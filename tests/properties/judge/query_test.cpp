@@ -150,6 +150,8 @@ TEST(QueryJudge, swept_overlap) {
              short_of = cubes(Query::swept_overlap, {-4, 0, 0}, {2, 0, 0});
   falls(meets, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
   falls(short_of, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
+  // Parts the cubes at the start, not at the end.
+  falls(short_of, &Judgement::bad_contact, [](Answer& a) { a.normal = {-0.6, 0.8, 0}; });
 }
 
 TEST(QueryJudge, every_method_has_a_row) {
