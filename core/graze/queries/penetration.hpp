@@ -25,10 +25,11 @@ CastOptions<S> checked(const PenetrationOptions<S>& options) {
   return out;
 }
 
+// radial: unit, where the points of the radii lie.
 template <Scalar S>
 void fill_penetration(PenetrationResult<S>& out, const Body<S>& a, const Body<S>& b,
                       const PenetrationOptions<S>& options, const Cso<S>& cso, S lower, S upper,
-                      const Vec3<S>& n, const Simplex<S>& contact) {
+                      const Vec3<S>& n, const Simplex<S>& contact, const Vec3<S>& radial) {
   out.outcome = Outcome::initially_overlapping;
   // A depth below zero, or a bound above the other, is rounding.
   upper = std::max(upper, S(0));
@@ -36,8 +37,8 @@ void fill_penetration(PenetrationResult<S>& out, const Body<S>& a, const Body<S>
   out.lower = cso.to_length(std::min(std::max(lower, S(0)), upper));
   if (asks_for(options.request, Request::normal)) out.normal = n;
   if (asks_for(options.request, Request::witnesses)) {
-    out.point_a = witness(a, cso.side_a(), cso, contact, n, true, S(0));
-    out.point_b = witness(b, cso.side_b(), cso, contact, n, false, S(0));
+    out.point_a = witness(a, cso.side_a(), cso, contact, radial, true, S(0));
+    out.point_b = witness(b, cso.side_b(), cso, contact, radial, false, S(0));
   }
 }
 
@@ -188,7 +189,12 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
       steady_axis(d, cso, simplex, limits, out.counters);
     }
     out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
-    fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex);
+    // The axis is known to the root of the rounding only: off by an angle, it carries radii along it off by the
+    // cores' distance times that, and radii along what joins the cores' points by the depth times that.
+    const Vec3<S> joining = combination(simplex);
+    const bool shallow = R - d.upper < d.upper && joining != Vec3<S>::Zero();
+    fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex,
+                     shallow ? unit(Vec3<S>(-joining)) : d.n);
     return out;
   }
   // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
@@ -215,7 +221,7 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
   const bool touching = least.contact.size == 0 ||
                         !(combination(least.contact).norm() <= std::max(least.upper, S(0)) + limits.noise);
   fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
-                   touching ? simplex : least.contact);
+                   touching ? simplex : least.contact, least.n);
   return out;
 }
 
@@ -292,7 +298,7 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
     return out;
   }
   out.stalled = end.state != State::entered;
-  detail::fill_penetration(out, a, b, options, cso, -end.upper, -end.lower, end.n, end.contact);
+  detail::fill_penetration(out, a, b, options, cso, -end.upper, -end.lower, end.n, end.contact, end.n);
   return out;
 }
 

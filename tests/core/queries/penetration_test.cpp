@@ -178,6 +178,28 @@ TYPED_TEST(Penetration, CurvedBodiesByTheirClosedForms) {
   EXPECT_NEAR(r.lower, 0.25, slack);
 }
 
+// What the header says of the points, also where cores are apart, and the axis is known to the root of the rounding only.
+TYPED_TEST(Penetration, ShallowPointsOfRoundedBodiesAreBroughtTogether) {
+  using S = TypeParam;
+  Draw draw{62};
+  for (int round = 0; round < 200; ++round) {
+    const Body<S> a{.shape = Cylinder<S>{1, 1}, .orientation = draw.turn<S>()};
+    Body<S> b{
+        .shape = Capsule<S>{S(0.5), S(0.25)}, .position = draw.vector<S>(4), .orientation = draw.turn<S>()};
+    const auto apart = distance(a, b);
+    if (!(apart.lower > 0)) continue;
+    b.position -= (apart.upper + std::pow(S(2), S(-2 - round % 12))) * apart.normal;
+    const auto r = penetration(a, b);
+    if (r.outcome != Outcome::initially_overlapping || r.stalled) continue;
+    // The scale is below 4; twice the slack for the coordinates' own rounding.
+    const double limit = 2 * 64 * double(kUnitRoundoff<S>) * 4, depth = double(r.upper);
+    const Vec3<double> n = r.normal.template cast<double>(),
+                       x = r.point_a.template cast<double>() - r.point_b.template cast<double>();
+    EXPECT_NEAR(n.dot(x), depth, limit) << round;
+    EXPECT_LE((x - n.dot(x) * n).norm(), std::sqrt(2 * depth * limit) + limit) << round;
+  }
+}
+
 TYPED_TEST(Penetration, RunningOutIsSaidAndKeepsABracket) {
   using S = TypeParam;
   Draw draw{74};
