@@ -54,10 +54,13 @@ class Hull {
   // The boundary's edges and the map of directions, where it was derived or verified: see with_adjacency, with_faces.
   [[nodiscard]] bool has_adjacency() const { return graph_ != nullptr; }
   [[nodiscard]] const HullGraph<S>& graph() const { return *graph_; }
+  // Is there such a map? Known without reading the graph, which may be in no cache.
+  [[nodiscard]] bool has_map() const { return has_map_; }
   // `graph` must be this hull's.
-  [[nodiscard]] Hull with_graph(std::shared_ptr<const HullGraph<S>> graph) const {
+  [[nodiscard]] Hull with_graph(std::shared_ptr<const HullGraph<S>> graph, bool has_map) const {
     Hull out = *this;
     out.graph_ = std::move(graph);
+    out.has_map_ = has_map;
     return out;
   }
 
@@ -123,6 +126,7 @@ class Hull {
   };
   std::shared_ptr<const Data> data_;
   std::shared_ptr<const HullGraph<S>> graph_;
+  bool has_map_ = false;
 };
 
 template <PointList Points>

@@ -237,38 +237,40 @@ class BeyondSearch {
     s.best = s.at ^ flips;
   }
 
-  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre. Of a hull with a
-  // map, where n is known well enough, those of the list of n's cell alone: what is not in it is lower than one that is,
-  // by more than floats round.
+  // All vertices whose height is not below x_0's beyond rounding: scan units, about the hull's centre.
   void search_hull(Search& s, const Hull<S>& hull) const {
-    DirectionMap::List list;
-    const bool listed = hull.has_adjacency() && find_list(s, hull.graph().map, list);
     const Vec3<double> half = hull.scan_half_extents().template cast<double>();
     const double size = s.d.cwiseAbs().maxCoeff();
     // Near 1, so that no component that counts leaves the range of floats.
     const double scale = size > 0 ? power_of_two(-exponent_of(size)) : 1.0;
     const Vec3<float> d = (scale * s.d).template cast<float>();
     const float *x = hull.guess_scan(0), *y = hull.guess_scan(1), *z = hull.guess_scan(2);
-    const auto height = [&](std::size_t k) { return x[k] * d[0] + y[k] * d[1] + z[k] * d[2]; };
+    const float height = x[s.at] * d[0] + y[s.at] * d[1] + z[s.at] * d[2];
     // Of a height as rounded: u of d, u of the point, 3 u of products and sums, u of float, over at most 9/8
     // of the half extents (hull.hpp); of x_0's as well, and of the difference. And n's own error, over 2
     // half.
     const double rounding = 14 * kUnitRoundoff<float> * scale * s.d.cwiseAbs().dot(half);
     const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
-    if (listed) {
-      const float *a = list.xyz, *b = a + list.size, *c = b + list.size;
-      detail::for_each_above(a, b, c, list.size, d, below(double(height(s.at)) - error), [&](std::size_t k) {
-        // The list's tail is its first again, which was tried.
-        if (k == 0 || list.vertex[k] != list.vertex[0]) try_vertex(s, list.vertex[k]);
-      });
-      return;
-    }
+    const float least = below(double(height) - error);
+    if (hull.has_map() && search_list(s, hull.graph().map, d, least)) return;
     detail::for_each_above(
-        x, y, z, hull.padded_size(), d, below(double(height(s.at)) - error),
-        [&](std::size_t first) { return known_in_chunk(s, first); },
+        x, y, z, hull.padded_size(), d, least, [&](std::size_t first) { return known_in_chunk(s, first); },
         [&](std::size_t k) {
           if (k < hull.size()) try_vertex(s, static_cast<std::uint32_t>(k));
         });
+  }
+  // Of a hull with a map, where n is known well enough, those of the list of n's cell alone: what is not in it is lower
+  // than one that is, by more than floats round. False: nothing was searched.
+  [[nodiscard, gnu::noinline]] bool search_list(Search& s, const DirectionMap& map, const Vec3<float>& d,
+                                                float least) const {
+    DirectionMap::List list;
+    if (!find_list(s, map, list)) return false;
+    const float *x = list.xyz, *y = x + list.size, *z = y + list.size;
+    detail::for_each_above(x, y, z, list.size, d, least, [&](std::size_t k) {
+      // The list's tail is its first again, which was tried.
+      if (k == 0 || list.vertex[k] != list.vertex[0]) try_vertex(s, list.vertex[k]);
+    });
+    return true;
   }
   // Of the 64 vertices from `first` on a bit for x_0 and for those that tie by their index (ties_by_index), of two
   // leaves and three corners: without a branch, as nothing foretells whose edges a portal has.
@@ -290,12 +292,10 @@ class BeyondSearch {
   }
   // n's place on the cube is known within 2^-15: what the map's squares are larger than they need be
   // (direction_map.hpp), and more.
-  [[nodiscard, gnu::noinline]] static bool find_list(const Search& s, const DirectionMap& map,
-                                                     DirectionMap::List& out) {
+  [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
     const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
     const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();
-    if (map.empty() || !(s.error.cwiseProduct(reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0))
-      return false;
+    if (!(s.error.cwiseProduct(reach).maxCoeff() <= 0x1p-17 * size) || !(size > 0)) return false;
     const double scale = power_of_two(-exponent_of(size));
     return map.find(float(scale * s.d[0]), float(scale * s.d[1]), float(scale * s.d[2]), out);
   }

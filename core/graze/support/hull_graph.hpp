@@ -202,7 +202,8 @@ Hull<S> with_surface(std::span<const Vec3<S>> vertices, const MakeSurface& make_
   if (surface.empty()) return hull;
   HullGraph<S> graph = maker.graph<S>(surface);
   graph.map = map_of(hull);
-  return hull.with_graph(std::make_shared<const HullGraph<S>>(std::move(graph)));
+  const bool has_map = !graph.map.empty();
+  return hull.with_graph(std::make_shared<const HullGraph<S>>(std::move(graph)), has_map);
 }
 
 }  // namespace detail

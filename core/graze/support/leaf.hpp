@@ -125,7 +125,7 @@ std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
 }
 template <Scalar S, Scalar Given>
 std::uint32_t hull_support(const Hull<Given>& hull, const Vec3<S>& d) {
-  if (hull.has_adjacency() && !hull.graph().map.empty()) {
+  if (hull.has_map()) {
     const DirectionMap& map = hull.graph().map;
     DirectionMap::List list;
     if (map.find(float(d[0]), float(d[1]), float(d[2]), list)) return support_of_list(hull, map, list, d);

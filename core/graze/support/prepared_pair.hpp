@@ -84,7 +84,7 @@ class Guide {
   explicit Guide(const Body<S>& body) : body_(body) {
     if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
       kind_ = Kind::hull;
-      if (hull->has_adjacency() && !hull->graph().map.empty()) {
+      if (hull->has_map()) {
         kind_ = Kind::mapped;
         map_ = &hull->graph().map;
       }
