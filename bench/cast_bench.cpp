@@ -1,10 +1,10 @@
 // What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast and btContinuousConvexCollision, side
 // by side.
 //
-// One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, cast() with
-// its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of a family; its
-// processor time over the number of cases is the round's time, the median over the rounds is the number shown, and a
-// ratio is the median of the rounds' ratios. Four sets of families:
+// One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, with hulls of
+// their own, cast() with its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of
+// a family, after one that is not timed; its processor time over the number of cases is the round's time, the median over
+// the rounds is the number shown, and a ratio is the median of the rounds' ratios. Five sets of families:
 //
 //   response   what an engine hands out, time, normal and contact points: ten families, bodies turned or not, in the
 //              same order each round (the processor learns branches) and in a new random one each. Wrong: where a
@@ -14,7 +14,7 @@
 //   rotation   the same of bodies that turn (rotating_families.cpp). Late: a contact that tier certified proves to be
 //              over kLate of the step earlier.
 //   growth     hulls of 16 to 4,096 vertices, with adjacency and without (growth_families.cpp), of many shapes in a new
-//              random order each round, and of two shapes in the same order.
+//              random order each round, without a sweep before, and of two shapes in the same order.
 //   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
 //              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
 //              the 99th percentile of that over the cases, over its median.
