@@ -185,13 +185,13 @@ Vec3<double> take_other(Random& random, Body<double>& b, const Vec3<double>& n) 
       return triangle.b;
     }
     case 3: {
-      const Vec3<double> half(random.uniform(0.5, 4), random.uniform(0.5, 4), random.uniform(0.125, 1));
+      Vec3<double> half(random.uniform(0.5, 4), random.uniform(0.5, 4), random.uniform(0.125, 1));
       b.shape = Box<double>{half};
       return half;
     }
     default: {
       Large other = draw_hull(random);
-      const Vec3<double> x = farthest(other.hull, -n);
+      Vec3<double> x = farthest(other.hull, -n);
       b.shape = random.once_in(3) ? Hull<double>(other.hull.vertices()) : std::move(other.hull);
       return x;
     }
