@@ -12,16 +12,6 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-// The simplex's point v, of a search about the origin.
-template <Scalar S>
-Vec3<S> weighted(const Simplex<S>& simplex) {
-  Vec3<S> v = Vec3<S>::Zero();
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
-    v += simplex.lambda[i] * simplex.point[i].w;
-  }
-  return v;
-}
-
 // The closest of the features that hold the newest point.
 template <Scalar S>
 Closest<S> closest_with_newest(const Simplex<S>& simplex) {
@@ -87,7 +77,7 @@ void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S no
     return true;
   };
   constexpr int kRounds = 8;
-  try_axis(d.n != Vec3<S>::Zero() ? d.n : Vec3<S>(-unit(weighted(contact))));
+  try_axis(d.n != Vec3<S>::Zero() ? d.n : Vec3<S>(-unit(combination(contact))));
   for (int round = 0; round < kRounds && simplex.size < 4 && !simplex.holds(last); ++round) {
     simplex.add(last);
     const int newest = simplex.size - 1;
@@ -135,7 +125,7 @@ void steady_axis(Distance<S>& d, const Cso<S>& cso, Simplex<S>& contact, const S
   const auto support = [&cso](const Vec3<S>& n) { return cso.support(n); };
   const auto steady = [&] { return d.upper - d.lower <= limits.noise; };
   go_on(d, support, contact, limits.noise, counters);
-  const Vec3<S> v = weighted(contact);
+  const Vec3<S> v = combination(contact);
   if (!steady()) turn_axis(d, support, contact, limits.noise, counters);
   if (!steady() && v != Vec3<S>::Zero()) {
     const PortalSearch<S> entry =

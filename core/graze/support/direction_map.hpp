@@ -19,9 +19,9 @@
 // so well only.
 //
 // Made by halving squares, of each the list of the one that it is a quarter of, while more than one list in 16 does not
-// fit a slot (what does not costs a miss of the caches more, and its length is not foretold), and
-// all of them are below kEntries a vertex: of rings and clusters of points some stay long. The x that are tried are the
-// greatest along nine directions of the square.
+// fit a slot (what does not costs a miss of the caches more, and its length is not foretold), and all of them are below
+// kEntries a vertex: of rings and clusters of points some stay long. The x that are tried are the greatest along nine
+// directions of the square.
 #pragma once
 
 #include <algorithm>

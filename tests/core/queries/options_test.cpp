@@ -35,16 +35,27 @@ TEST(QueryOptions, NoBudgetOrNoNumberIsRefused) {
               Invalid::bad_tolerance);
 }
 
+// Two ellipsoids that overlap, and a direction.
+struct Overlapping {
+  Body<double> a, b;
+  V d;
+};
+Overlapping draw_overlapping(Draw& draw) {
+  Overlapping out;
+  out.a = {.shape = Ellipsoid<double>{{1, 0.5, 0.25}}, .orientation = draw.turn<double>()};
+  out.b = {.shape = Ellipsoid<double>{{0.5, 1, 0.75}},
+           .position = draw.vector<double>(0.25),
+           .orientation = draw.turn<double>()};
+  out.d = unit(draw.vector<double>(1));
+  return out;
+}
+
 // Bodies that touch by 1e-7 on the side that the direction comes from: a few portal steps do not tell.
 TEST(QueryOptions, ASpentBudgetIsNoVerdictAlongADirection) {
   Draw draw{71};
   int spent = 0;
   for (int round = 0; round < 100; ++round) {
-    const Body<double> a{.shape = Ellipsoid<double>{{1, 0.5, 0.25}}, .orientation = draw.turn<double>()};
-    Body<double> b{.shape = Ellipsoid<double>{{0.5, 1, 0.75}},
-                   .position = draw.vector<double>(0.25),
-                   .orientation = draw.turn<double>()};
-    const V d = unit(draw.vector<double>(1));
+    auto [a, b, d] = draw_overlapping(draw);
     b.position -= (penetration_along(a, b, V(-d)).lower - 1e-7) * d;
     ASSERT_EQ(penetration_along(a, b, d).outcome, Outcome::initially_overlapping);
     for (const int budget : {1, 2, 3, 4, 6, 8}) {
@@ -64,11 +75,7 @@ TEST(QueryOptions, NeitherASpentBudgetNorAToleranceIsContactAlongADirection) {
   Draw draw{73};
   int spent = 0, wide = 0;
   for (int round = 0; round < 100; ++round) {
-    const Body<double> a{.shape = Ellipsoid<double>{{1, 0.5, 0.25}}, .orientation = draw.turn<double>()};
-    Body<double> b{.shape = Ellipsoid<double>{{0.5, 1, 0.75}},
-                   .position = draw.vector<double>(0.25),
-                   .orientation = draw.turn<double>()};
-    const V d = unit(draw.vector<double>(1));
+    auto [a, b, d] = draw_overlapping(draw);
     b.position += (penetration_along(a, b, d).upper + 1e-3) * d;
     ASSERT_EQ(penetration_along(a, b, d).outcome, Outcome::miss);
     for (const int budget : {1, 2, 3, 4, 6, 8}) {
