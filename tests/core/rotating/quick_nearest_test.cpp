@@ -123,7 +123,7 @@ TEST(QuickNearest, ATetrahedronWithoutWeightsIsGivenUp) {
       continue;
     }
     ++inside;
-    EXPECT_LE(detail::weighted(simplex).norm(), 0x1p-46) << round;
+    EXPECT_LE(detail::combination(simplex).norm(), 0x1p-46) << round;
   }
   EXPECT_GT(given_up, 20);
 }
