@@ -76,18 +76,18 @@ Answer of_penetration(const PenetrationResult<S>& result, const Ask& ask) {
   }
   return answer;
 }
-template <Scalar S>
-PenetrationOptions<S> penetration_options(const Ask& ask) {
-  return {.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)};
+// What an Ask says of every search.
+template <Scalar S, class Options>
+Options searching(Options options, const Ask& ask) {
+  if constexpr (requires { options.tolerance; }) options.tolerance = static_cast<S>(ask.tolerance);
+  if constexpr (requires { options.request; }) options.request = ask.request;
+  if (ask.max_iterations != 0) options.max_iterations = ask.max_iterations;
+  return options;
 }
 
 template <Scalar S>
 LineOptions<S> line_options(const Case& c, const Ask& ask) {
-  LineOptions<S> options;
-  options.request = ask.request;
-  options.tolerance = static_cast<S>(ask.tolerance);
-  options.target_distance = static_cast<S>(c.target_distance);
-  return options;
+  return searching<S>(LineOptions<S>{.target_distance = static_cast<S>(c.target_distance)}, ask);
 }
 template <Scalar S>
 Answer of_line(const LineResult<S>& result, const Ask&) {
@@ -103,12 +103,11 @@ Answer of_line(const LineResult<S>& result, const Ask&) {
 }
 
 template <Scalar S>
-SweptOverlapOptions<S> swept_options(const Case& c, SweptMethod method = {}) {
-  SweptOverlapOptions<S> options;
-  options.method = method;
-  options.t_max = static_cast<S>(c.t_max);
-  options.target_distance = static_cast<S>(c.target_distance);
-  return options;
+SweptOverlapOptions<S> swept_options(const Case& c, const Ask& ask, SweptMethod method = {}) {
+  return searching<S>(SweptOverlapOptions<S>{.method = method,
+                                             .t_max = static_cast<S>(c.t_max),
+                                             .target_distance = static_cast<S>(c.target_distance)},
+                      ask);
 }
 template <Scalar S>
 Answer of_swept(const SweptOverlapResult<S>& result, const Ask&) {
@@ -146,8 +145,8 @@ void add_queries(std::vector<Method>& out) {
     out.push_back(method_of<S>(query, name, tier, call, widen));
   };
   const auto swept_by = [](SweptMethod method) {
-    return [method](const B& a, const B& b, const Case& c, const Ask&) {
-      return swept_overlap(a, b, swept_options<S>(c, method));
+    return [method](const B& a, const B& b, const Case& c, const Ask& ask) {
+      return swept_overlap(a, b, swept_options<S>(c, ask, method));
     };
   };
   // The first of a query, in double, is its default.
@@ -160,20 +159,19 @@ void add_queries(std::vector<Method>& out) {
   add(
       Query::distance, "gjk", "standard",
       [](const B& a, const B& b, const Case&, const Ask& ask) {
-        return distance(
-            a, b, DistanceOptions<S>{.request = ask.request, .tolerance = static_cast<S>(ask.tolerance)});
+        return distance(a, b, searching<S>(DistanceOptions<S>{}, ask));
       },
       &of_distance<S>);
   add(
       Query::penetration, "epa", "standard",
       [](const B& a, const B& b, const Case&, const Ask& ask) {
-        return penetration(a, b, penetration_options<S>(ask));
+        return penetration(a, b, searching<S>(PenetrationOptions<S>{}, ask));
       },
       &of_penetration<S>);
   add(
       Query::penetration_along, "mpr", "standard",
       [](const B& a, const B& b, const Case& c, const Ask& ask) {
-        return penetration_along(a, b, round_to<S>(c.direction), penetration_options<S>(ask));
+        return penetration_along(a, b, round_to<S>(c.direction), searching<S>(PenetrationOptions<S>{}, ask));
       },
       &of_penetration<S>);
   add(
@@ -196,8 +194,8 @@ void add_queries(std::vector<Method>& out) {
       &of_line<S>);
   add(
       Query::swept_overlap, "exact", "exact",
-      [](const B& a, const B& b, const Case& c, const Ask&) {
-        return swept_overlap_exact(a, b, swept_options<S>(c));
+      [](const B& a, const B& b, const Case& c, const Ask& ask) {
+        return swept_overlap_exact(a, b, swept_options<S>(c, ask));
       },
       &of_swept<S>);
 }

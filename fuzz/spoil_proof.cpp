@@ -80,11 +80,11 @@ class Spoiler {
                             static_cast<std::ptrdiff_t>(random_.below(proof.chain.size())));
         break;
       case 6:
-        proof.contact_size = random_.integer(0, 4);
+        proof.contact_size = random_.integer(0, kContactPairs);
         for (double& w : proof.weight) w = random_.once_in(2) ? w : random_.integer(-1, 3);
         break;
       case 7:
-        pair(proof.contact[random_.below(4)]);
+        pair(proof.contact[random_.below(kContactPairs)]);
         break;
       default:
         proof.crossing = !proof.crossing;

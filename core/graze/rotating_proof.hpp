@@ -7,12 +7,14 @@
 // where n(t) is n itself (frame world) or turns with a body: n(t) = R(t rotation_A) n (frame a), and so b.
 // The chain's slices follow each other from t = 0, so together they say: no contact before toi_lower.
 //
-// Contact at toi_upper: k <= 4 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. With c_i = a_i -
+// Contact at toi_upper: k <= 6 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. With c_i = a_i -
 // b_i at that time, offsets included, and r_i what the offsets leave of the radii that the vertices of the
 // two cores carry (sphere, capsule, rounded), contact is proved if either
 //   |sum l_i c_i| <= sum l_i (r_i + m),
-// or four c_i hold the origin strictly inside their hull, or at toi_upper 0, where nothing has turned and all
-// is exact, the hull of the k points, grown by m, holds it, boundary included; the weights are then not read.
+// or k >= 4 and four points hold the origin strictly inside their hull: c_0, c_1, c_2, and c_3 or, of more, the mean of
+// c_3 .. c_(k-1) by their weights (the middle of an octahedron needs all six corners, a point below its tip five), or at
+// toi_upper 0, where nothing has turned and all is exact, the hull of k <= 4 points, grown by m, holds it, boundary
+// included; of four pairs no weights are read.
 // A flat A - B holds nothing strictly: there contact is a crossing. Three pairs, and a time contact_from:
 // seen along some direction the triangle of the c_i has the origin inside at every t in [contact_from,
 // toi_upper], and the origin is on one side of it at the beginning, on the other at the end.
@@ -45,6 +47,8 @@ struct TimeSlice {
   AxisFrame frame = AxisFrame::world;
 };
 
+inline constexpr std::size_t kContactPairs = 6;
+
 struct RotatingProof {
   // Claim: TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.
   double toi_lower = 0;
@@ -58,8 +62,8 @@ struct RotatingProof {
   int contact_size = 0;
   // Placed at toi_upper as the body moves; an offset, in world axes, is of the ball about the placed point,
   // and of a crossing zero.
-  std::array<SupportPair, 4> contact;
-  std::array<double, 4> weight = {0, 0, 0, 0};
+  std::array<SupportPair, kContactPairs> contact;
+  std::array<double, kContactPairs> weight = {};
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE

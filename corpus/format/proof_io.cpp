@@ -22,7 +22,7 @@ constexpr std::string_view kChain = "chain";
 constexpr std::string_view kChainForm =
     "a chain is an array of slices {\"end\", \"axis\", \"frame\"}, the first from t = 0 on";
 constexpr std::string_view kContactForm =
-    "contact is an array of at most four weighted pairs {\"a\", \"b\", \"weight\"}";
+    "contact is an array of at most six weighted pairs {\"a\", \"b\", \"weight\"}";
 constexpr std::string_view kContactFrom = "contact_from";
 constexpr auto kAxisFrameNames = core_names<AxisFrame, 3>();
 

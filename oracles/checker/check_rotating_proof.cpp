@@ -3,6 +3,7 @@
 // (contact_claim.hpp, crossing_claim.hpp).
 #include "oracles/checker/check_rotating_proof.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "oracles/arithmetic/default_environment.hpp"
@@ -65,9 +66,9 @@ class Claims {
     if (proof_.toi_upper > problem_.t_max)
       return {RotatingRefusal::upper_beyond_end,
               "toi_upper " + text(proof_.toi_upper) + " exceeds t_max, " + text(problem_.t_max)};
-    if (!proof_.crossing && proof_.contact_size < 4 && !weights_hold(proof_))
+    if (!proof_.crossing && proof_.contact_size != 4 && !weights_hold(proof_))
       return {RotatingRefusal::weights_missing,
-              "fewer than four pairs need finite weights of at least 0, one of them above it"};
+              "pairs that are not four need finite weights of at least 0, one of them above it"};
     ContactAnswer answer{ContactFinding::open};
     for (std::size_t k = 0; k < kPrecisions.size() && answer.finding == ContactFinding::open; ++k) {
       const WorkingPrecision working(kPrecisions[k]);
@@ -83,13 +84,13 @@ class Claims {
   // At t = 0 nothing has turned yet, and the hull of the named points holds the origin or does not, exactly,
   // its boundary included.
   [[nodiscard]] bool holds_at_start() const {
-    if (proof_.toi_upper != 0 || proof_.crossing) return false;
+    if (proof_.toi_upper != 0 || proof_.crossing || proof_.contact_size > 4) return false;
     corpus::Case start = problem_;
     start.spin_a = start.spin_b = {};
     Proof portal;
     portal.toi_upper = 0;
     portal.portal_size = proof_.contact_size;
-    portal.portal = proof_.contact;
+    std::copy_n(proof_.contact.begin(), portal.portal.size(), portal.portal.begin());
     return check_proof(start, portal).accepted();
   }
 
@@ -155,7 +156,7 @@ class Claims {
       case ContactFinding::apart:
         return {
             RotatingRefusal::contact_not_proved,
-            weights_hold(proof_) ? values : "the origin is not strictly inside the hull of the four pairs"};
+            weights_hold(proof_) ? values : "the origin is not strictly inside the hull of the pairs"};
       case ContactFinding::open:
         break;
     }

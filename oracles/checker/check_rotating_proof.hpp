@@ -36,7 +36,7 @@ namespace graze::oracle {
 // The first claim that fails, in the order in which they are checked.
 enum class RotatingRefusal {
   none,          // accepted
-  malformed,     // NaN, a part without a shape, a contact_size out of 0..4, an index beyond the vertices, a
+  malformed,     // NaN, a part without a shape, a contact_size out of 0..6, an index beyond the vertices, a
                  // feature with more than kCurvedParts curved parts, a crossing with an offset, a bound below
                  // zero, a slice that ends before it begins, a frame of no known kind; a crossing with other
                  // than three pairs, or a contact_from that is not in [0, toi_upper)
@@ -49,7 +49,7 @@ enum class RotatingRefusal {
   contact_missing,      // toi_upper finite without a pair
   upper_beyond_end,     // toi_upper beyond t_max, where nothing moves
   point_outside,        // a point of a curved part outside that part
-  weights_missing,      // fewer than four pairs, and weights below zero or none above
+  weights_missing,      // other than four pairs, and weights below zero or none above
   contact_not_proved,   // the weighted points stay apart, and no four hold the origin strictly inside
   crossing_not_proved,  // the line along the normal is not shown to stay inside the triangle, or the origin
                         // does not change its side

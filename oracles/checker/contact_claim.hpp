@@ -53,7 +53,7 @@ struct ContactAnswer {
 // The points that the pairs name; finding: holds, unnamed, point_outside, or open where a point of a curved
 // part, or an offset, is too near its boundary.
 struct NamedPairs {
-  std::array<NamedPoint, 4> a, b;
+  std::array<NamedPoint, kContactPairs> a, b;
   ContactAnswer answer;
 
   NamedPairs(const PairMotion& motion, const RotatingProof& proof) {
@@ -93,8 +93,8 @@ struct NamedPairs {
   if (pairs.refused()) return pairs.answer;
   const PairInstant end(motion, proof.toi_upper);
   const auto size = static_cast<std::size_t>(proof.contact_size);
-  std::array<BallVec, 4> c;
-  std::array<Ball, 4> reach;
+  std::array<BallVec, kContactPairs> c;
+  std::array<Ball, kContactPairs> reach;
   ContactAnswer answer = pairs.answer;
   for (std::size_t i = 0; i < size; ++i) {
     c[i] = (end.a.place(pairs.a[i]) + BallVec(proof.contact[i].a.offset)) -
@@ -120,7 +120,15 @@ struct NamedPairs {
     answer.distance = (sqrt(square) / whole).mid_double();
     answer.reach = (room / whole).mid_double();
   }
-  if (found != Answer::yes && size == 4) found = either(found, holds_origin(c));
+  if (found != Answer::yes && size >= 4) {
+    // Any length of the last tells the same: the sum by the weights is as good as their mean.
+    BallVec last = c[3];
+    if (size > 4) {
+      last = BallVec();
+      for (std::size_t i = 3; i < size; ++i) last = last + Ball(proof.weight[i]) * c[i];
+    }
+    if (size == 4 || weighted) found = either(found, holds_origin({c[0], c[1], c[2], last}));
+  }
   if (found == Answer::yes && answer.finding == ContactFinding::open) found = Answer::unknown;
   answer.finding = found == Answer::yes  ? ContactFinding::holds
                    : found == Answer::no ? ContactFinding::apart

@@ -30,7 +30,8 @@ namespace graze::oracle {
       return malformed(name + " has a frame of no known kind");
     begin = slice.end;
   }
-  if (proof.contact_size < 0 || proof.contact_size > 4) return malformed("a contact_size outside 0..4");
+  if (proof.contact_size < 0 || proof.contact_size > static_cast<int>(kContactPairs))
+    return malformed("a contact_size outside 0..6");
   if (proof.crossing) {
     if (proof.contact_size != 3)
       return malformed("a crossing of " + std::to_string(proof.contact_size) +

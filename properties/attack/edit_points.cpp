@@ -78,9 +78,9 @@ void edit_index(Proof& proof, const Case& problem, Random& random) {
 
 void edit_index(RotatingProof& proof, const Case& problem, Random& random) {
   const auto size = static_cast<std::size_t>(proof.contact_size);
-  if (size > 0 && (size == 4 || proof.crossing || random.once_in(2))) {
+  if (size > 0 && (size == kContactPairs || proof.crossing || random.once_in(2))) {
     edit_pair(proof.contact[random.below(size)], problem, random);
-  } else if (size < 4) {
+  } else if (size < kContactPairs) {
     // With some weight or with none, when it is not read.
     proof.contact[size] = any_pair(problem, random);
     proof.weight[size] = small_part(random) * small_part(random);

@@ -132,18 +132,21 @@ void write_pairs(Writer& out, std::vector<Weighted> pairs) {
 }
 
 void write_contact(Writer& out, const RotatingProof& proof) {
-  const int size = std::clamp(proof.contact_size, 0, 4);
+  const auto size =
+      static_cast<std::size_t>(std::clamp(proof.contact_size, 0, static_cast<int>(kContactPairs)));
   double sum = 0;
-  for (int i = 0; i < size; ++i) sum += proof.weight[static_cast<std::size_t>(i)];
-  std::vector<Weighted> pairs;
-  for (int i = 0; i < size; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    // Three of a crossing and four that may hold the origin inside count without a weight.
-    const double weight = proof.crossing ? 0 : proof.weight[k] / sum;
-    if (size == 4 || proof.crossing || weight != 0) pairs.push_back({proof.contact[k], weight, {}});
+  for (std::size_t i = 0; i < size; ++i) sum += proof.weight[i];
+  // Of more than four, those that may hold the origin by themselves and those that do by their mean.
+  std::vector<Weighted> pairs, mean;
+  for (std::size_t i = 0; i < size; ++i) {
+    // Three of a crossing and those that may hold the origin inside count without a weight.
+    const double weight = proof.crossing ? 0 : proof.weight[i] / sum;
+    if (size >= 4 || proof.crossing || weight != 0)
+      (size > 4 && i >= 3 ? mean : pairs).push_back({proof.contact[i], weight, {}});
   }
   out.exact(proof.crossing ? proof.contact_from : -1);
   write_pairs(out, std::move(pairs));
+  write_pairs(out, std::move(mean));
 }
 
 void write_factors(Writer& out, const Proof& proof) {

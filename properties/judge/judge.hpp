@@ -21,7 +21,9 @@ namespace graze::law {
 // brackets.
 [[nodiscard]] Judgement judge_linear(Truth& truth, const engine::Method& method, const engine::Answer& answer,
                                      Request request, bool measure);
-[[nodiscard]] Judgement judge_query(Truth& truth, const engine::Method& method, const engine::Answer& answer);
+// `tolerance`: what the query was asked with, over scale: what a bracket may be wider by.
+[[nodiscard]] Judgement judge_query(Truth& truth, const engine::Method& method, const engine::Answer& answer,
+                                    double tolerance = 0);
 [[nodiscard]] Judgement judge_rotating(Truth& truth, const engine::Method& method,
                                        const engine::Answer& answer, Request request, bool measure);
 
@@ -29,7 +31,7 @@ namespace graze::law {
 // made of them. A fault is what a bracket proves beyond the limit, and a verdict that the bracket leaves open
 // is excused. The normals of misses, and of penetrations along a direction, are not judged.
 [[nodiscard]] Judgement judge_curved_query(const corpus::Case& seen, const engine::Method& method,
-                                           const engine::Answer& answer);
+                                           const engine::Answer& answer, double tolerance = 0);
 
 // The errors of an answer to a linear cast against any truth: for a float answer, against the input before it
 // was rounded.

@@ -50,7 +50,7 @@ bool is_along_the_path(Query query) { return query == Query::line || query == Qu
 
 class CurvedJudge {
  public:
-  CurvedJudge(const Case& problem, const Method& method, const Answer& answer)
+  CurvedJudge(const Case& problem, const Method& method, const Answer& answer, double tolerance)
       : problem_(problem),
         answer_(answer),
         has_witnesses_(method.holds.witnesses),
@@ -59,6 +59,7 @@ class CurvedJudge {
     scale_ = scale_of_question(problem.query, problem.target_distance, pair_.scale().high);
     limits_ = limits_of(method, problem, scale_);
     limit_ = limits_.limit;
+    wide_ = limit_ + tolerance * scale_;
     judgement_.outcome = answer.outcome;
     judgement_.errors.scale = scale_;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
@@ -99,7 +100,7 @@ class CurvedJudge {
   void erred(double length) {
     const double error = std::max(length, 0.0);
     judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
-    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
+    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, wide_));
   }
   [[nodiscard]] double in_scale(double length) const { return over(length, scale_); }
 
@@ -132,19 +133,22 @@ class CurvedJudge {
   void measure(const char* what, double error) {
     if (judgement_.stalled) return;
     erred(error);
-    if (!(error <= limit_)) {
+    if (!(error <= wide_)) {
       convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
   }
   // A bracket that does not hold the truth is off, however wide it says it is.
-  void holds(const char* what, const Interval& bracket, const Enclosure& value) {
-    if (!(bracket.lower <= bracket.upper))
-      return convict(judgement_.off, fmt::format("{} has no bracket", what));
-    const double miss = std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0});
+  void held(const char* what, double miss) {
     if (!(miss <= limit_)) {
       convict(judgement_.off,
               fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
     }
+  }
+  void holds(const char* what, const Interval& bracket, const Enclosure& value) {
+    if (!(bracket.lower <= bracket.upper))
+      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+    const double miss = std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0});
+    held(what, miss);
     measure(what, std::max({value.low - bracket.lower, bracket.upper - value.high, miss}));
   }
   [[nodiscard]] double rounding(const Vec3<double>& point) const {
@@ -176,13 +180,13 @@ class CurvedJudge {
     if (!answer_.separation) return convict(judgement_.wrong, "no distance");
     const Enclosure true_distance = rest_.distance();
     holds("the distance", *answer_.separation, true_distance);
-    if (answer_.outcome != Outcome::miss || judgement_.stalled || !witnesses()) return;
+    if (answer_.outcome != Outcome::miss || !witnesses() || judgement_.stalled) return;
     const double between = (answer_.point_a - answer_.point_b).norm();
     // A pair of points on bodies that reach less far than those that are seen is farther apart by as much.
     const double reach = std::max(answer_.reach_a, answer_.reach_b);
     const double error = std::max(true_distance.low - between, between - reach - true_distance.high) -
                          rounding(answer_.point_a) - rounding(answer_.point_b);
-    if (!(error <= 3 * limit_)) {
+    if (!(error <= 2 * limit_ + wide_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
     }
@@ -205,14 +209,14 @@ class CurvedJudge {
       const double beyond = reach.low - answer_.depth->upper;
       if (!judgement_.stalled) {
         judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(beyond, 0.0)));
-        if (!(beyond <= limit_)) {
+        if (!(beyond <= wide_)) {
           convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(beyond)));
         }
       }
       proved.high = std::min(proved.high, reach.high);
     }
     holds("the depth", *answer_.depth, proved);
-    if (!judgement_.stalled) (void)witnesses();
+    (void)witnesses();
   }
 
   // What is left of the line beyond t v, seen along the motion (onward) or back: its depth in C, less what
@@ -240,8 +244,16 @@ class CurvedJudge {
       if (!(t * relative(path)).allFinite() || std::isnan(given)) {
         return convict(judgement_.off, fmt::format("{} is not finite", what));
       }
-      measure(what, std::max(truth.distance_at(t).low, depth_beyond(path, t, onward)));
+      if (!judgement_.stalled)
+        measure(what, std::max(truth.distance_at(t).low, depth_beyond(path, t, onward)));
     }
+    // Beyond the end on the wrong side of it, however wide: there is contact before t_in, none after t_out.
+    const auto missed_by = [&](double t, bool in_contact) {
+      t = std::clamp(t, -largest, largest);
+      return in_contact ? depth_beyond(path, t, onward) : truth.distance_at(t).low;
+    };
+    if (bracket.lower > end.high) held(what, missed_by(bracket.lower, !onward));
+    if (bracket.upper < end.low) held(what, missed_by(bracket.upper, onward));
   }
 
   void penetration_along() {
@@ -252,15 +264,14 @@ class CurvedJudge {
     const Interval times = {answer_.depth->lower / d.norm(), answer_.depth->upper / d.norm()};
     const BracketTruth truth(path);
     end_of_line("the depth", path, truth, times, truth.contact_interval().t_out, true);
-    if (!judgement_.stalled) (void)witnesses();
+    (void)witnesses();
   }
 
   void line() {
     const oracle::LineContact contact = pair_.contact_interval();
-    const bool claims = answer_.outcome == Outcome::hit;
-    if (answer_.outcome == Outcome::not_converged) return;
+    const bool claims = answer_.outcome == Outcome::hit, open = answer_.outcome == Outcome::not_converged;
     if (contact.outcome == Outcome::not_converged) {
-      judgement_.excused = true;
+      judgement_.excused = !open;
       return;
     }
     const Case path = as_cast(problem_);
@@ -269,7 +280,8 @@ class CurvedJudge {
       if (claims) verdict_errs(moves ? line_clearance(path) : pair_.clearance().low, "they are apart");
       return;
     }
-    if (!claims) {
+    if (open && (!moves || !answer_.t_in || !answer_.t_out)) return;
+    if (!claims && !open) {
       return verdict_errs(moves ? depth_beyond(path, contact.t_in.low, true) : pair_.depth().low,
                           "they overlap");
     }
@@ -297,14 +309,14 @@ class CurvedJudge {
   bool has_witnesses_;
   Limits limits_;
   BracketTruth rest_, pair_;  // at t = 0 without the target distance; as the query asks
-  double scale_ = 0, limit_ = 0;
+  double scale_ = 0, limit_ = 0, wide_ = 0;  // wide_: of the ends of a bracket, the tolerance counted
   Judgement judgement_;
 };
 
 }  // namespace
 
-Judgement judge_curved_query(const Case& seen, const Method& method, const Answer& answer) {
-  return CurvedJudge(seen, method, answer)();
+Judgement judge_curved_query(const Case& seen, const Method& method, const Answer& answer, double tolerance) {
+  return CurvedJudge(seen, method, answer, tolerance)();
 }
 
 }  // namespace graze::law

@@ -27,13 +27,14 @@ using oracle::Enclosure;
 
 class QueryJudge {
  public:
-  QueryJudge(Truth& truth, const Method& method, const Answer& answer)
+  QueryJudge(Truth& truth, const Method& method, const Answer& answer, double tolerance)
       : truth_(truth), answer_(answer), has_witnesses_(method.holds.witnesses) {
     const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
     scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
                                (moves ? truth.moving() : truth.at_rest()).scale().high);
     limits_ = limits_of(method, truth.problem(), scale_);
     limit_ = limits_.limit;
+    wide_ = limit_ + tolerance * scale_;
     judgement_.outcome = answer.outcome;
     judgement_.errors.scale = scale_;
     judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
@@ -75,7 +76,7 @@ class QueryJudge {
   void erred(double length) {
     const double error = std::max(length, 0.0);
     judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
-    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, limit_));
+    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, wide_));
   }
   [[nodiscard]] double in_scale(double length) const { return over(length, scale_); }
 
@@ -97,24 +98,26 @@ class QueryJudge {
   void measure(const char* what, double error) {
     if (judgement_.stalled) return;
     erred(error);
-    if (!(error <= limit_)) {
+    if (!(error <= wide_)) {
       convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
   }
   // A bracket that does not hold the truth is off, however wide it says it is.
-  void holds(const char* what, const Interval& bracket, const Enclosure& value) {
-    if (!(bracket.lower <= bracket.upper))
-      return convict(judgement_.off, fmt::format("{} has no bracket", what));
-    const double miss = std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0});
+  void held(const char* what, double miss) {
     if (!(miss <= limit_)) {
       convict(judgement_.off,
               fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
     }
+  }
+  void holds(const char* what, const Interval& bracket, const Enclosure& value) {
+    if (!(bracket.lower <= bracket.upper))
+      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+    held(what, std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0}));
     measure(what, std::max(std::abs(bracket.lower - value.low), std::abs(bracket.upper - value.high)));
   }
-  void normal_off(double error) {
+  void normal_off(double error, double limit) {
     judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(error, 0.0)));
-    if (!(error <= limit_)) {
+    if (!(error <= limit)) {
       convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
     }
   }
@@ -149,7 +152,7 @@ class QueryJudge {
   // Of a miss: all of C is on the far side, h(n) <= 0.
   void separating_normal() {
     if (answer_.outcome == Outcome::miss && answer_.has_normal()) {
-      normal_off(truth_.penetration().reach(answer_.normal).low);
+      normal_off(truth_.penetration().reach(answer_.normal).low, limit_);
     }
   }
 
@@ -158,14 +161,19 @@ class QueryJudge {
     if (!answer_.separation) return convict(judgement_.wrong, "no distance");
     const Enclosure exact = truth_.at_rest().distance();
     holds("the distance", *answer_.separation, exact);
-    if (answer_.outcome != Outcome::miss || judgement_.stalled) return;
+    if (answer_.outcome != Outcome::miss) return;
+    // However wide the bracket, the points are points of the bodies, and the axis separates.
+    if (judgement_.stalled) {
+      separating_normal();
+      return witnesses();
+    }
     // h(n) = -distance for the axis of the closest points.
-    if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high);
+    if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high, wide_);
     witnesses();
     if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
     const double beyond = (answer_.point_a - answer_.point_b).norm() - exact.high,
                  error = std::max(-beyond, beyond - pair_reach()) - pair_rounding();
-    if (!(error <= 3 * limit_)) {
+    if (!(error <= 2 * limit_ + wide_)) {
       convict(judgement_.bad_contact,
               fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
     }
@@ -181,24 +189,29 @@ class QueryJudge {
   void penetration() {
     if (!has_depth()) return separating_normal();
     holds("the depth", *answer_.depth, truth_.penetration().depth());
-    if (judgement_.stalled) return;
-    if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low);
+    if (judgement_.stalled) return witnesses();
+    if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low, wide_);
     witnesses();
     if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
     const double error = truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low -
                          pair_rounding() - pair_reach();
-    if (!(error <= 3 * limit_)) {
+    if (!(error <= 2 * limit_ + wide_)) {
       convict(judgement_.bad_contact,
               fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
     }
   }
   void penetration_along() {
-    if (!has_depth()) return;
+    if (!has_depth()) return separating_normal();
     const Vec3<double> d = truth_.problem().direction;
-    for (const double depth : {answer_.depth->lower, answer_.depth->upper}) {
-      // s d in length: the quotient rounds by u of the depth.
-      const double rounded = 4 * kUnitRoundoff<double> * depth;
-      measure("the depth", truth_.penetration().along_error(d, depth / d.norm()).low - rounded);
+    const Interval way{answer_.depth->lower / d.norm(), answer_.depth->upper / d.norm()};
+    // s d in length: the quotient rounds by u of the depth.
+    const auto error_of = [&](double s) {
+      return truth_.penetration().along_error(d, s).low - 4 * kUnitRoundoff<double> * s * d.norm();
+    };
+    for (const double s : {way.lower, way.upper}) measure("the depth", error_of(s));
+    if (const std::optional<oracle::DepthAlong> exact = truth_.penetration().along(d)) {
+      if (way.lower > exact->factor_bounds.high) held("the depth", error_of(way.lower));
+      if (way.upper < exact->factor_bounds.low) held("the depth", error_of(way.upper));
     }
     witnesses();
   }
@@ -209,7 +222,7 @@ class QueryJudge {
     verdict(
         answer_.outcome == Outcome::hit, meets, [&] { return exact.line_clearance(); },
         [&] { return exact.line_depth(); });
-    if (answer_.outcome != Outcome::hit || !meets || !answer_.t_in || !answer_.t_out) return;
+    if (answer_.outcome == Outcome::miss || !meets || !answer_.t_in || !answer_.t_out) return;
     const oracle::ContactInterval ends = *exact.contact_interval();
     end_of_line("t_in", *answer_.t_in, ends.in, [&](double t) { return exact.entry_error(t).low; });
     end_of_line("t_out", *answer_.t_out, ends.out, [&](double t) { return exact.exit_error(t).low; });
@@ -228,8 +241,11 @@ class QueryJudge {
                                ? double(std::numeric_limits<float>::max())
                                : std::numeric_limits<double>::max();
     const bool finite = std::isfinite(end.low) && std::isfinite(end.high);
-    for (const double t : {bracket.lower, bracket.upper})
-      measure(what, error(finite ? std::clamp(t, -largest, largest) : t));
+    const auto error_of = [&](double t) { return error(finite ? std::clamp(t, -largest, largest) : t); };
+    for (const double t : {bracket.lower, bracket.upper}) measure(what, error_of(t));
+    // Beyond the end on the wrong side of it, however wide.
+    if (bracket.lower > end.high) held(what, error_of(bracket.lower));
+    if (bracket.upper < end.low) held(what, error_of(bracket.upper));
   }
 
   void swept_overlap() {
@@ -245,14 +261,14 @@ class QueryJudge {
     const Vec3<double> v = asked.b.displacement - asked.a.displacement;
     const double rate = answer_.normal.dot(v) + (scale_ > 0 ? limit_ / scale_ : 0.0) * v.norm();
     const double way = rate < 0 ? asked.t_max * rate : 0.0;
-    normal_off(truth_.penetration().reach(answer_.normal).low + asked.target_distance - way);
+    normal_off(truth_.penetration().reach(answer_.normal).low + asked.target_distance - way, limit_);
   }
 
   Truth& truth_;
   const Answer& answer_;
   bool has_witnesses_;
   Limits limits_;
-  double scale_ = 0, limit_ = 0;
+  double scale_ = 0, limit_ = 0, wide_ = 0;  // wide_: of the ends of a bracket, the tolerance counted
   Judgement judgement_;
 };
 
@@ -307,10 +323,11 @@ bool is_represented(const corpus::Case& problem) {
 
 }  // namespace
 
-Judgement judge_query(Truth& truth, const Method& method, const Answer& answer) {
+Judgement judge_query(Truth& truth, const Method& method, const Answer& answer, double tolerance) {
   if (method.is_exact()) return judge_exact_query(truth, method, answer);
-  Judgement judgement = is_represented(truth.problem()) ? QueryJudge(truth, method, answer)()
-                                                        : judge_curved_query(truth.problem(), method, answer);
+  Judgement judgement = is_represented(truth.problem())
+                            ? QueryJudge(truth, method, answer, tolerance)()
+                            : judge_curved_query(truth.problem(), method, answer, tolerance);
   judgement.by_oracle = true;
   return judgement;
 }

@@ -11,7 +11,7 @@ std::vector<Law> linear_metamorphic_laws(), linear_motion_laws(), linear_symmetr
     linear_distance_laws(), linear_advancement_laws(), linear_exact_laws(), linear_proof_laws(),
     linear_checker_laws(), linear_oracle_laws();
 std::vector<Law> query_any_laws(), query_gap_laws(), query_motion_laws(), query_proof_laws(),
-    query_oracle_laws();
+    query_oracle_laws(), query_advancement_laws();
 std::vector<Law> rotating_time_laws(), rotating_symmetry_laws(), rotating_plan_laws(), rotating_answer_laws(),
     rotating_standing_laws(), rotating_validity_laws(), rotating_proof_laws(), rotating_oracle_laws();
 
@@ -35,6 +35,7 @@ inline constexpr LawTable kLawTables[] = {
     {Kind::query, &query_motion_laws},
     {Kind::query, &query_proof_laws},
     {Kind::query, &query_oracle_laws},
+    {Kind::query, &query_advancement_laws},
     {Kind::rotating, &rotating_time_laws},
     {Kind::rotating, &rotating_symmetry_laws},
     {Kind::rotating, &rotating_plan_laws},

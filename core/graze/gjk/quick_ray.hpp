@@ -42,7 +42,7 @@ class QuickRay {
     s_max_ = horizon;
     r_sq_ = dot(r_, r_);
     noise_ = support_.noise();
-    target_ = std::max(noise_, tolerance * pair.size());
+    target_ = std::max(noise_, pair.tolerated(tolerance));
     margin_ = support_.margin();
     guess_ = pair.a().slip() + pair.b().slip();
     // What floats guess decides in doubles only after a second look.

@@ -58,7 +58,7 @@ class QuickWalk {
     // Beyond its extent nothing of C is met.
     end_ = std::min(horizon, 2 * pair.extent()) * r_;
     s_max_ = horizon;
-    target_ = std::max(support_.noise(), tolerance * pair.size());
+    target_ = std::max(support_.noise(), pair.tolerated(tolerance));
   }
 
   [[nodiscard]] const QuickSweep& run() {

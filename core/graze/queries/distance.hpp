@@ -19,7 +19,7 @@ template <Scalar S>
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
   const double gap = options.tolerance > 0
-                         ? std::max(support.noise(), double(options.tolerance) * pair.size())
+                         ? std::max(support.noise(), pair.tolerated(double(options.tolerance)))
                          : support.fine();
   const QuickState state = gjk.run(options.start, gap, false, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;

@@ -85,7 +85,7 @@ template <Scalar S>
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
   const double gap = options.tolerance > 0
-                         ? std::max(support.noise(), double(options.tolerance) * pair.size())
+                         ? std::max(support.noise(), pair.tolerated(double(options.tolerance)))
                          : support.fine();
   const QuickState state = gjk.run({}, gap, true, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
@@ -197,9 +197,11 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
                      shallow ? unit(Vec3<S>(-joining)) : d.n);
     return out;
   }
-  // On a curved C there is always a point a little farther out: near the noise it adds rounding, not room, to
-  // its faces as to their neighbours.
-  const S epa_gap = cso.curved() ? std::max(gap, 2 * limits.noise) : gap;
+  // That search ends with a bracket of twice its gap where the depth is another face's than the contact. On a curved C
+  // there is always a point a little farther out: near the noise it adds rounding, not room, to its faces as to their
+  // neighbours.
+  const S half = options.tolerance > 0 ? std::max(gap / 2, fine) : fine,
+          epa_gap = cso.curved() ? std::max(half, 2 * limits.noise) : half;
   const Epa<S> least =
       epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
              cso.scale(), options.max_iterations - out.counters.supports, out.counters);
@@ -215,8 +217,7 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
     }
   }
   // In contact no depth is below zero.
-  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <=
-                  std::max(cso.curved() ? 2 * epa_gap : gap, limits.noise));
+  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <= std::max(2 * epa_gap, limits.noise));
   // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
   const bool touching = least.contact.size == 0 ||
                         !(combination(least.contact).norm() <= std::max(least.upper, S(0)) + limits.noise);

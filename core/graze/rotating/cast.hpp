@@ -1,6 +1,7 @@
 // The search behind a rotating cast: by its plan, or by one method. Declared in graze/rotating_cast.hpp.
 #pragma once
 
+#include <algorithm>
 #include <graze/cast.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/rotating/bilateral_published.hpp>
@@ -319,7 +320,7 @@ class RotatingCast {
       return false;
     proof.toi_upper = 0;
     proof.contact_size = start.proof->portal_size;
-    proof.contact = start.proof->portal;
+    std::copy(start.proof->portal.begin(), start.proof->portal.end(), proof.contact.begin());
     proof.weight = {0.25, 0.25, 0.25, 0.25};
     return true;
   }
@@ -402,18 +403,23 @@ class RotatingCast {
     pair_->place(found.upper);
     const Cso<double>& cso = pair_->cso();
     const Vec3<double> none = Vec3<double>::Zero();
-    const auto size = static_cast<std::size_t>(found.contact.pairs.size);
+    // The fourth, or those that it is the mean of.
+    const auto means = found.contact.means, last = means > 0 ? std::size_t(3) : std::size_t(4);
+    const auto size = means > 0 ? last + means : static_cast<std::size_t>(found.contact.pairs.size);
     for (std::size_t i = 0; i < size; ++i) {
-      const CsoPoint<double>& p = found.contact.pairs.point[i];
+      const CsoPoint<double>& p =
+          i < last ? found.contact.pairs.point[i] : found.contact.mean_of[i - last];
       SupportPair& named = proof.contact[i];
       if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))
         return proof;
-      proof.weight[i] = found.contact.crossing ? 0.0 : found.contact.pairs.lambda[i];
+      proof.weight[i] = found.contact.crossing ? 0.0
+                        : i < last             ? found.contact.pairs.lambda[i]
+                                               : found.contact.pairs.lambda[last] / double(means);
     }
     proof.crossing = found.contact.crossing;
     proof.contact_from = found.contact.from;
-    proof.contact_size = found.contact.pairs.size;
+    proof.contact_size = static_cast<int>(size);
     proof.toi_upper = found.upper;
     return proof;
   }

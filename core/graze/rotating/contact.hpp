@@ -4,9 +4,11 @@
 // names, R is the sum of the radii and the target distance. Contact holds if either
 //   - |sum l_i w_i| + e <= R: the closest point of the cores is near enough; or
 //   - the ball of radius e about the origin lies inside the tetrahedron of four support points: then h(n) > e
-//     for every unit n, and moving each point by up to e leaves h > 0.
+//     for every unit n, and moving each point by up to e leaves h > 0. One of the four may be the mean of several,
+//     where no four hold the origin: below the tip of an octahedron every four have it on their border.
 #pragma once
 
+#include <bit>
 #include <graze/gjk/gjk.hpp>
 #include <graze/portal/sweep.hpp>
 #include <graze/rotating/moving_pair.hpp>
@@ -19,6 +21,9 @@ struct Contact {
   bool proved = false;
   Simplex<double> pairs;   // weighted, but for a crossing
   bool unweighed = false;  // four that hold the origin: weigh() says how
+  // Of the last of four: it is the mean of these, if there are any.
+  std::array<CsoPoint<double>, 3> mean_of;
+  std::size_t means = 0;
   bool crossing = false;   // crossing.hpp: between `from` and the time of the contact
   double from = 0;
 };
@@ -154,15 +159,19 @@ inline void weigh(Simplex<double>& pairs) {
   for (double& l : pairs.lambda) l = sum > 0 ? l / sum : 0.25;
 }
 
-// Of the corners of two portals, one where a line through the origin enters C, one where it leaves, the four
-// that hold the origin deepest. 0: none do.
-inline double surround(const PortalSearch<double>& in, const PortalSearch<double>& out,
-                       Simplex<double>& four) {
-  std::array<const CsoPoint<double>*, 6> all;
+// The corners of two portals, one where a line through the origin enters C, one where it leaves.
+using CornersAround = std::array<const CsoPoint<double>*, 6>;
+inline CornersAround corners_of(const PortalSearch<double>& in, const PortalSearch<double>& out) {
+  CornersAround all;
   for (std::size_t i = 0; i < 3; ++i) {
     all[i] = &in.portal.p[i].c;
     all[3 + i] = &out.portal.p[i].c;
   }
+  return all;
+}
+
+// Of these the four that hold the origin deepest. 0: none do.
+inline double surround(const CornersAround& all, Simplex<double>& four) {
   double best = 0;
   for (std::size_t skip = 0; skip < 6; ++skip) {
     for (std::size_t also = skip + 1; also < 6; ++also) {
@@ -175,6 +184,53 @@ inline double surround(const PortalSearch<double>& in, const PortalSearch<double
       if (!(depth > best)) continue;
       best = depth;
       four = tried;
+    }
+  }
+  return best;
+}
+
+// Of these, three and the mean of the others, or of two of the others, that hold the origin deepest; less what the mean
+// rounds. 0: none do.
+inline double surround_by_mean(const CornersAround& all, Contact& found) {
+  double best = 0;
+  // The others by their places among the three that are left: all, or all but one.
+  constexpr std::size_t kNone = 3;
+  for (unsigned three = 0; three < 64; ++three) {
+    if (std::popcount(three) != 3) continue;
+    Simplex<double> tried;
+    std::array<const CsoPoint<double>*, 3> left;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      if ((three >> i & 1u) != 0) {
+        tried.add(*all[i]);
+      } else {
+        left[others++] = all[i];
+      }
+    }
+    for (std::size_t skip = 0; skip <= kNone; ++skip) {
+      Vec3<double> sum = Vec3<double>::Zero();
+      double most = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (i == skip) continue;
+        sum += left[i]->w;
+        most = std::max(most, left[i]->w.norm());
+      }
+      const std::size_t means = skip == kNone ? 3 : 2;
+      const Vec3<double> mean = sum / double(means);
+      const auto& p = tried.point;
+      // Two sums and a quotient.
+      const double depth =
+          depth_inside({p[0].w, p[1].w, p[2].w, mean}) - 4 * kUnitRoundoff<double> * most;
+      if (!(depth > best)) continue;
+      best = depth;
+      found.pairs = tried;
+      found.means = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (i != skip) found.mean_of[found.means++] = *left[i];
+      }
+      CsoPoint<double> fourth = *left[skip == 0 ? 1 : 0];
+      fourth.w = mean;
+      found.pairs.add(fourth);
     }
   }
   return best;
@@ -195,7 +251,11 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (in.state == State::missed || in.portal.size != 3) continue;
     const PortalSearch<double> out = leave_line(cso, frame, depth / 8, budget, counters);
     if (out.state == State::missed || out.state == State::rejected || out.portal.size != 3) continue;
-    if (surround(in, out, found.pairs) > e) return true;
+    const CornersAround all = corners_of(in, out);
+    const double held = surround(all, found.pairs);
+    if (held > e) return true;
+    if (held == 0 && surround_by_mean(all, found) > e) return true;
+    found.means = 0;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 // whether the hull of up to four of them holds the origin, its boundary included, is decided exactly.
 #pragma once
 
+#include <algorithm>
 #include <graze/certified/named_point.hpp>
 #include <graze/rotating/moving_pair.hpp>
 #include <graze/rotating_proof.hpp>
@@ -68,7 +69,7 @@ bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const S
   if (!holds_origin(c, closest.size)) return false;
   proof.toi_upper = 0;
   proof.contact_size = closest.size;
-  proof.weight = closest.lambda;
+  std::copy(closest.lambda.begin(), closest.lambda.end(), proof.weight.begin());
   return true;
 }
 

@@ -88,7 +88,7 @@ class CurvedWalk {
     end_ = std::min(horizon, 2 * (pair.extent() + radius_)) * r_;
     noise_ = kContact * unit * pair.size();
     reach_ = pair.a().reach() + pair.b().reach() + radius_;
-    target_ = std::max(noise_, tolerance * pair.size());
+    target_ = std::max(noise_, pair.tolerated(tolerance));
     margin_ = pair.ball_margin();
     guess_ = pair.a().slip() + pair.b().slip();
     set_frame();

@@ -72,7 +72,7 @@ class RoundWalk {
     s_end_ = std::min(horizon, 2 * (pair.extent() + radius_));
     end_ = s_end_ * r_;
     noise_ = kContact * unit * pair.size();
-    target_ = std::max(noise_, tolerance * pair.size());
+    target_ = std::max(noise_, pair.tolerated(tolerance));
     margin_ = pair.ball_margin();
     guess_ = pair.a().slip() + pair.b().slip();
   }

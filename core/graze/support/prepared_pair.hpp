@@ -412,6 +412,8 @@ class GuidedPair {
   // The largest of the bodies' sizes, balls and all, and of the offset's components, in [1, 2): within a factor 4 of the
   // pair's scale, and below twice that (a core's size is at most 3.5 times half its longest side, hull.hpp).
   [[nodiscard]] double size() const { return size_; }
+  // A tolerance over the pair's scale, as a length: no more than that.
+  [[nodiscard]] double tolerated(double tolerance) const { return tolerance * (size_ / 2); }
   [[nodiscard]] double offset_error() const { return offset_error_; }  // per component
   [[nodiscard]] double extent() const { return extent_; }      // M, bounds |c| over the cores' difference
   [[nodiscard]] double radius() const { return radius_; }      // R

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "properties/edit/case.hpp"
+#include "properties/edit/same_body.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
@@ -184,6 +185,34 @@ LawResult query_requesting(const Case& problem, const Method& method) {
   return holds({label_of(all.outcome)});
 }
 
+// The same question twice, another between; and its hulls with adjacency where they have none, or without.
+LawResult query_asking_again(const Case& problem, const Method& method) {
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const Answer first = method.answer(question->seen);
+  (void)method.answer(swapped(question->seen));
+  const Answer second = method.answer(question->seen);
+  if (const std::string fault = changed_by_scale(first, second, 0); !fault.empty())
+    return broken(fmt::format("asked again it has another {}: {}", fault, against(second, first)));
+  LawResult result = holds({label_of(first.outcome)});
+  Case given = question->seen;
+  bool differs = false;
+  for (Body<double>* body : {&given.a, &given.b}) {
+    if (auto shape = with_other_adjacency(body->shape)) {
+      body->shape = *std::move(shape);
+      differs = true;
+    }
+  }
+  if (!differs) return result;
+  const Answer third = method.answer(given);
+  if (const std::string fault = changed_by_scale(first, third, 0); !fault.empty()) {
+    return broken(fmt::format("with adjacency where there was none, or without, it has another {}: {}", fault,
+                              against(third, first)));
+  }
+  result.labels.push_back("adjacency");
+  return result;
+}
+
 bool is_bracket(const std::optional<Interval>& x) { return x && x->lower <= x->upper; }
 bool is_length(const std::optional<Interval>& x) {
   return is_bracket(x) && x->lower >= 0 && std::isfinite(x->upper);
@@ -312,6 +341,9 @@ std::vector<Law> query_any_laws() {
        Needs::metamorphic, &query_translating},
       {"query_requesting", "Of a query, too, asking for less changes no answer and computes nothing unasked.",
        Needs::metamorphic, &query_requesting},
+      {"query_asking_again",
+       "The same query gets the same bits, whatever was asked between, and with adjacency of its hulls or without.",
+       Needs::metamorphic, &query_asking_again},
       {"query_answer_is_consistent",
        "Outcome and brackets of a query say one thing; normals are unit, points finite, wide brackets "
        "stalls.",

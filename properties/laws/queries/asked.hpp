@@ -58,7 +58,7 @@ struct Reach {
 // where the oracle does not take the bodies: curved ones, many vertices.
 [[nodiscard]] std::optional<Judgement> oracle_judgement(const engine::Method& method,
                                                         const corpus::Case& seen,
-                                                        const engine::Answer& answer);
+                                                        const engine::Answer& answer, double tolerance = 0);
 
 struct AskedQuery {
   std::string_view name;

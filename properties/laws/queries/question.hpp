@@ -8,7 +8,7 @@
 
 namespace graze::law {
 
-// A line and a swept overlap ask for the motion as it is. The others are asked at rest, without a target
+// A line asks for the motion as it is, a swept overlap for it or for one that goes on in the same way far longer. The others are asked at rest, without a target
 // distance: B stands where the path has it at one of a few times, chosen by `pick`; most of the families aim
 // at t = 1/2, so that the bodies are apart, near, just in each other or deep in each other. The direction of
 // penetration_along is the motion's. Starts are reported; nothing is expected.

@@ -154,6 +154,36 @@ TEST(RotatingRare, APointOnTheAxisOfAConeIsContact) {
   }
 }
 
+// An octahedron that spins about its diagonal: on it no four of the six corners have the origin inside. Three and the
+// mean of two do, and a square pyramid's five as well; a hexagon's tip has four.
+TEST(RotatingRare, ATipOnAPointIsContact) {
+  const RotatingBody<double> a{.body = {.shape = Point<double>{}}};
+  for (const int corners : {4, 6}) {
+    for (const bool pyramid : {false, true}) {
+      std::vector<V> tips = {{0, 0, -1}};
+      if (!pyramid) tips.push_back({0, 0, 1});
+      for (int i = 0; i < corners; ++i) {
+        const double angle = i * 2 * M_PI / corners;
+        tips.push_back(corners == 4 ? V(i == 0 ? 1 : i == 2 ? -1 : 0, i == 1 ? 1 : i == 3 ? -1 : 0, 0)
+                                    : V(std::cos(angle), std::sin(angle), 0));
+      }
+      const RotatingBody<double> b{.body = {.shape = Hull<double>(std::span<const V>(tips)),
+                                            .position = {0, 0, 4.5},
+                                            .displacement = {0, 0, -5}},
+                                   .rotation = {0, 0, 6}};
+      for (const Tier tier : {Tier::standard, Tier::certified}) {
+        const auto r = cast(a, b, {.tier = tier, .request = Request::everything});
+        ASSERT_EQ(r.outcome, Outcome::hit) << corners << pyramid;
+        EXPECT_LE(r.toi_lower, 0.7);
+        EXPECT_GE(r.toi_upper, 0.7);
+        EXPECT_LE(r.toi_upper - r.toi_lower, 1e-8);
+        ASSERT_TRUE(r.proof.has_value());
+        EXPECT_EQ(r.proof->contact_size, corners == 4 ? 5 : 4);
+      }
+    }
+  }
+}
+
 // Bodies on equal arms of 2.7e8 about pivots apart: each moves at 1.7e8, neither to the other. One slice says
 // so.
 TEST(RotatingRare, EqualArmsStandStillToEachOther) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "oracles/checker/check_rotating_proof.hpp"
 
@@ -304,6 +305,40 @@ TEST(RotatingProof, CurvedPointsMustLieInTheirShapes) {
   EXPECT_REFUSED(contact_not_proved, problem, proof);
 }
 
+// Below the tip of an octahedron, on the diagonal that it spins about, no four corners hold a point inside: three and the
+// mean of others do.
+TEST(RotatingProof, MoreThanFourPairsHoldTheOriginByAMean) {
+  const std::vector<V> corners = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  Case problem;
+  problem.a.shape = Hull<double>(std::span<const V>(corners));
+  problem.spin_a.rotation = V(0, 0, 1);
+  problem.b.position = V(0, 0, 0.75);
+  EXPECT_REFUSED(undecided, problem, upper(0.5, {{4, 0}, {0, 0}, {2, 0}, {1, 0}}));  // on their border
+  const RotatingProof five = upper(0.5, {{4, 0}, {0, 0}, {2, 0}, {1, 0, 0.5}, {3, 0, 0.25}}),
+                      six = upper(0.5, {{4, 0}, {0, 0}, {2, 0}, {1, 0, 1}, {3, 0, 1}, {5, 0, 1}});
+  EXPECT_ACCEPTED(problem, five);
+  EXPECT_ACCEPTED(problem, six);
+  const auto weighted = [&](double first, double fourth, double fifth) {
+    RotatingProof other = five;
+    other.weight[0] = first;
+    other.weight[3] = fourth;
+    other.weight[4] = fifth;
+    return other;
+  };
+  EXPECT_ACCEPTED(problem, weighted(1, 0.25, 0.5));
+  // A mean that is a corner, or none; no weights.
+  EXPECT_REFUSED(undecided, problem, weighted(0, 1, 0));
+  EXPECT_REFUSED(contact_not_proved, problem, weighted(1, 0, 0));
+  EXPECT_REFUSED(weights_missing, problem, weighted(0, 0, 0));
+  EXPECT_REFUSED(weights_missing, problem, weighted(1, 1, -0.5));
+  // Which are the three counts.
+  EXPECT_REFUSED(contact_not_proved, problem,
+                 upper(0.5, {{0, 0}, {1, 0}, {2, 0}, {4, 0, 1}, {3, 0, 0.25}}));
+  problem.b.position = V(0, 0, 1.25);
+  EXPECT_REFUSED(contact_not_proved, problem, five);
+  EXPECT_REFUSED(contact_not_proved, problem, six);
+}
+
 // Points of balls are named by an offset, in world axes where they are placed: it ends within the ball, and
 // what is left of the radius counts on.
 TEST(RotatingProof, OffsetsEndWithinTheirBalls) {
@@ -394,7 +429,7 @@ TEST(RotatingProof, MalformedProofsAndCases) {
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.chain[1].end = kNan; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.chain[1].axis[2] = kNan; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.chain[1].frame = static_cast<AxisFrame>(3); }));
-  EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact_size = 5; }));
+  EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact_size = 7; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact_size = -1; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].a.vertex = 2; }));
   EXPECT_REFUSED(malformed, sound, edited([](P& p) { p.contact[0].b.offset = V(0, kNan, 0); }));
