@@ -154,9 +154,8 @@ class Claims {
         return {RotatingRefusal::point_outside,
                 "a point of contact pair " + std::to_string(answer.pair) + " lies outside its shape"};
       case ContactFinding::apart:
-        return {
-            RotatingRefusal::contact_not_proved,
-            weights_hold(proof_) ? values : "the origin is not strictly inside the hull of the pairs"};
+        return {RotatingRefusal::contact_not_proved,
+                weights_hold(proof_) ? values : "the origin is not strictly inside the hull of the pairs"};
       case ContactFinding::open:
         break;
     }

@@ -308,7 +308,7 @@ class CurvedJudge {
   const Answer& answer_;
   bool has_witnesses_;
   Limits limits_;
-  BracketTruth rest_, pair_;  // at t = 0 without the target distance; as the query asks
+  BracketTruth rest_, pair_;                 // at t = 0 without the target distance; as the query asks
   double scale_ = 0, limit_ = 0, wide_ = 0;  // wide_: of the ends of a bracket, the tolerance counted
   Judgement judgement_;
 };

@@ -306,7 +306,8 @@ TEST(ProofIo, RefusesMalformedRotatingProofs) {
       {replaced("\"vertex\": 7", "\"vertex\": -7"), "p.jsonl:1: proof.contact[0].a.vertex: the number -7"},
       {replaced("\"weight\": 0.3", "\"weight\": \"inf\""), "p.jsonl:1: proof.contact[0].weight: "},
       {replaced(", \"weight\": 0.3", ""), "p.jsonl:1: proof.contact[0].weight: missing"},
-      {replaced("\"contact\": [", "\"contact\": [1, 2, 3, 4, 5, "), "p.jsonl:1: proof.contact: an array of 7"},
+      {replaced("\"contact\": [", "\"contact\": [1, 2, 3, 4, 5, "),
+       "p.jsonl:1: proof.contact: an array of 7"},
   };
   for (const auto& malformation : malformations) {
     const ProofReadResult result = read_proofs_text(malformation.text + "\n" + sound, "p.jsonl");

@@ -117,7 +117,7 @@ class CertifiedCast {
     // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
     // every motion stays there for a while.
     const ProvedView<S> ahead = view(false);
-    const ProvedPortal in = ahead.enter({}, gap()), out = leave();
+    const ProvedPortal in = ahead.enter({}, gap()), out = view(true).enter({}, gap());
     // Of long thin shapes the search's axis is rounded by more than they are thick.
     for (const Vec3<double>& axis : {in.n, in.across, out.n, out.across}) {
       if (prove_lower(context_, axis, true, away, counters_)) return Start::leaves;
@@ -166,11 +166,12 @@ class CertifiedCast {
                                                                   {-0.40625, 0.859375, 0.3125},
                                                                   {0.28125, -0.34375, 0.89453125},
                                                                   {-0.640625, -0.5703125, 0.515625}}};
+  // Where it enters C; at s <= 0 it need not be known how far back.
   [[nodiscard]] ProvedPortal enter(const Portal<double>& first = {}) {
-    return view(false).enter(first, gap());
+    return view(false).enter(first, gap(), 0);
   }
   // The same line backwards: -upper is not above the s where it leaves C.
-  [[nodiscard]] ProvedPortal leave() { return view(true).enter({}, gap()); }
+  [[nodiscard]] ProvedPortal leave() { return view(true).enter({}, gap(), 0); }
 
   bool is_miss(const Vec3<double>& axis) {
     if (proof.toi_lower == kInfinity<double>) return true;
@@ -209,7 +210,7 @@ class CertifiedCast {
     Simplex<double> simplex;
     const Distance<double> d =
         gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
-    if (is_miss(d.n)) return;
+    if (is_miss(d.n) || (d.upper < cso_.radius() + gap() && is_shown_at_start())) return;
     const ProvedPortal in = enter(), out = leave();
     if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
     if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
@@ -229,6 +230,7 @@ class CertifiedCast {
     using State = PortalSearch<double>::State;
     if ((search.state == State::missed || search.state == State::rejected) && is_miss_by_search(search.n))
       return;
+    if (search.state == State::entered && search.upper < 0 && is_shown_at_start()) return;
     portal = enter(search.portal);
     if (!portal.found || !(portal.upper <= context_.s_max * (1 - 4 * kUnitRoundoff<double>))) {
       if (is_miss(portal.found ? portal.n : portal.across) || is_miss_by_search(search.n)) return;
@@ -257,17 +259,20 @@ class CertifiedCast {
   // Where the portals along the path are not to be had, or lie almost along it, contact at its start may be
   // plain along another direction.
   bool is_deep_at_start() {
-    Proof start;
-    prove_start(context_, start, counters_);
-    if (start.portal_size == 4) {
-      outcome = Outcome::initially_overlapping;
-      lower = upper = 0;
-      proof = start;
-      return true;
-    }
+    if (is_shown_at_start()) return true;
     const auto portals = around_origin(false);
     if (portals) overlap(portals->first, portals->second);
     return portals.has_value();
+  }
+  // By four points around the origin, of a start that is as deep as rounding.
+  bool is_shown_at_start() {
+    Proof start;
+    prove_start(context_, start, counters_);
+    if (start.portal_size != 4) return false;
+    outcome = Outcome::initially_overlapping;
+    lower = upper = 0;
+    proof = start;
+    return true;
   }
   // Portals on either side of the origin along a line of kSkew, or, `strictly`, with the origin inside of
   // their hull: beyond the doubt of their heights, or exactly. In a body that lies far out in its own frame
@@ -275,9 +280,10 @@ class CertifiedCast {
   [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
     for (const auto& [x, y, z] : kSkew) {
       const ProvedView<S> view = along(Vec3<double>(x, y, z), false);
-      const ProvedPortal in = view.enter({}, gap());
+      const double enough = strictly ? -kInfinity<double> : 0.0;
+      const ProvedPortal in = view.enter({}, gap(), enough);
       if (!in.found || !(strictly || in.upper <= 0)) continue;
-      const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap());
+      const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap(), enough);
       if (!out.found || !(strictly || out.upper <= 0)) continue;
       const bool beyond_doubt = in.upper < 0 && out.upper < 0 && view.is_surrounded(in, out);
       if (!strictly || beyond_doubt || surrounding(points_, in, out, true).found) return std::pair(in, out);

@@ -60,8 +60,9 @@ class ProvedView {
   }
 
   // s where the portal lies, refined to within `gap` of C's surface (internal length). `first`: where to
-  // begin.
-  [[nodiscard]] ProvedPortal enter(const Portal<double>& first, double gap) const {
+  // begin. `enough`: a portal at no later an s will do as it is.
+  [[nodiscard]] ProvedPortal enter(const Portal<double>& first, double gap,
+                                   double enough = -kInfinity<double>) const {
     ProvedPortal out;
     if (first.size == 3) {
       std::array<ProvedPoint, 3> p;
@@ -75,7 +76,7 @@ class ProvedView {
       static_cast<void>(take(out, p));
     }
     if (!out.found) discover(out);
-    if (out.found) refine(out, gap);
+    if (out.found) refine(out, gap, enough);
     return out;
   }
 
@@ -379,12 +380,13 @@ class ProvedView {
   }
   // Where the line passes an edge or a corner of the portal exactly, a new corner may leave the height as it
   // is, and would for ever: others near it are tried first, and a step aside is taken when none goes on.
-  void refine(ProvedPortal& portal, double gap) const {
+  void refine(ProvedPortal& portal, double gap, double enough) const {
     for (int step = 0, aside_steps = 0; step < kSteps; ++step) {
       const std::array<ProvedPoint, 3> p = portal.p;
       const Vec3<double> n = normal_of(p);
       if (!(n.cwiseAbs().maxCoeff() > 0)) return;
       portal.n = n;
+      if (portal.upper <= enough) return;
       portal.beyond = 0;
       ProvedPortal aside;
       const bool moved = go_along(n, portal, aside, [&](const ProvedPoint& w) {

@@ -112,7 +112,6 @@ class BeyondSearch {
     Vec3<double> error = Vec3<double>::Zero();  // of a step's height, over the step's components
     bool found = false;
     std::uint32_t best = 0;
-    double height = 0;
   };
 
   void search(Search& s) const {
@@ -164,18 +163,26 @@ class BeyondSearch {
     const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
     if (height < -error) return;
     if (height > error) {
-      accept(s, k, height);
+      accept(s, k);
       return;
     }
     if (ties_by_axes(s, step) || ties_by_index(s, k) || ties_by_both(s, k)) return;
-    if (scene_.determinant_sign(Term::step(s.index, s.at, k), s.n.f1, s.n.f2) * s.n.sign > 0)
-      accept(s, k, height);
+    if (rises_exactly(s, s.at, k)) accept(s, k);
   }
-  static void accept(Search& s, std::uint32_t k, double height) {
-    if (s.found && !(height > s.height)) return;
+  // The farthest of those that are beyond, by the same signs: of a cap of thousands that is parallel to the plane but for
+  // the last bits, any other would do as well, and cost the walk a step each.
+  void accept(Search& s, std::uint32_t k) const {
+    if (s.found) {
+      const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.best);
+      const double height = s.d.dot(step), error = 1.01 * s.error.dot(step.cwiseAbs()) + kUnderflow;
+      if (height < -error) return;
+      if (!(height > error) && (ties_by_axes(s, step) || !rises_exactly(s, s.best, k))) return;
+    }
     s.found = true;
     s.best = k;
-    s.height = height;
+  }
+  [[nodiscard]] bool rises_exactly(const Search& s, std::uint32_t from, std::uint32_t to) const {
+    return scene_.determinant_sign(Term::step(s.index, from, to), s.n.f1, s.n.f2) * s.n.sign > 0;
   }
   // A step that is 0 along every axis along which n is not known to be: of a face across an axis.
   [[nodiscard]] static bool ties_by_axes(const Search& s, const Vec3<double>& step) {

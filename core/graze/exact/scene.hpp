@@ -30,7 +30,11 @@ class Scene {
       leaves_ = own_;
       unturned_ = !own_[0].turned && !own_[1].turned;
       const Quaternion<double>&p = own_[0].outer, &q = own_[1].outer;
-      alike_ = p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
+      // q and -q are one rotation.
+      const auto is = [&](double sign) {
+        return p.w == sign * q.w && p.x == sign * q.x && p.y == sign * q.y && p.z == sign * q.z;
+      };
+      alike_ = is(1) || is(-1);
       return;
     }
     add_body(a, false, turn_a);

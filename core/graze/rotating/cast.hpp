@@ -282,8 +282,13 @@ class RotatingCast {
     limits.record = wants_proof();
     limits.normal = asks_for(options_.request, Request::normal);
     limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
+    limits.asks_start = options_.tier == Tier::certified;
     March found = march(*pair_, limits, out_.counters);
-    if (is_open_at_start(found) && touches_at_start()) return;
+    if (is_open_at_start(found)) {
+      if (touches_at_start()) return;
+      limits.asks_start = false;
+      found = march(*pair_, limits, out_.counters);
+    }
     if (limits.record) out_.proof = proof_of(found);
     fill(found);
   }
@@ -407,8 +412,7 @@ class RotatingCast {
     const auto means = found.contact.means, last = means > 0 ? std::size_t(3) : std::size_t(4);
     const auto size = means > 0 ? last + means : static_cast<std::size_t>(found.contact.pairs.size);
     for (std::size_t i = 0; i < size; ++i) {
-      const CsoPoint<double>& p =
-          i < last ? found.contact.pairs.point[i] : found.contact.mean_of[i - last];
+      const CsoPoint<double>& p = i < last ? found.contact.pairs.point[i] : found.contact.mean_of[i - last];
       SupportPair& named = proof.contact[i];
       if (!name_feature(a_.body, cso.side_a(), p.vertex_a, p.n, none, 0.0, named.a) ||
           !name_feature(b_.body, cso.side_b(), p.vertex_b, Vec3<double>(-p.n), none, 0.0, named.b))

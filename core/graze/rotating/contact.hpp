@@ -24,7 +24,7 @@ struct Contact {
   // Of the last of four: it is the mean of these, if there are any.
   std::array<CsoPoint<double>, 3> mean_of;
   std::size_t means = 0;
-  bool crossing = false;   // crossing.hpp: between `from` and the time of the contact
+  bool crossing = false;  // crossing.hpp: between `from` and the time of the contact
   double from = 0;
 };
 
@@ -160,15 +160,7 @@ inline void weigh(Simplex<double>& pairs) {
 }
 
 // The corners of two portals, one where a line through the origin enters C, one where it leaves.
-using CornersAround = std::array<const CsoPoint<double>*, 6>;
-inline CornersAround corners_of(const PortalSearch<double>& in, const PortalSearch<double>& out) {
-  CornersAround all;
-  for (std::size_t i = 0; i < 3; ++i) {
-    all[i] = &in.portal.p[i].c;
-    all[3 + i] = &out.portal.p[i].c;
-  }
-  return all;
-}
+using CornersAround = std::array<CsoPoint<double>, 6>;
 
 // Of these the four that hold the origin deepest. 0: none do.
 inline double surround(const CornersAround& all, Simplex<double>& four) {
@@ -177,7 +169,7 @@ inline double surround(const CornersAround& all, Simplex<double>& four) {
     for (std::size_t also = skip + 1; also < 6; ++also) {
       Simplex<double> tried;
       for (std::size_t i = 0; i < 6; ++i) {
-        if (i != skip && i != also) tried.add(*all[i]);
+        if (i != skip && i != also) tried.add(all[i]);
       }
       const auto& p = tried.point;
       const double depth = depth_inside({p[0].w, p[1].w, p[2].w, p[3].w});
@@ -202,9 +194,9 @@ inline double surround_by_mean(const CornersAround& all, Contact& found) {
     std::size_t others = 0;
     for (std::size_t i = 0; i < 6; ++i) {
       if ((three >> i & 1u) != 0) {
-        tried.add(*all[i]);
+        tried.add(all[i]);
       } else {
-        left[others++] = all[i];
+        left[others++] = &all[i];
       }
     }
     for (std::size_t skip = 0; skip <= kNone; ++skip) {
@@ -219,8 +211,7 @@ inline double surround_by_mean(const CornersAround& all, Contact& found) {
       const Vec3<double> mean = sum / double(means);
       const auto& p = tried.point;
       // Two sums and a quotient.
-      const double depth =
-          depth_inside({p[0].w, p[1].w, p[2].w, mean}) - 4 * kUnitRoundoff<double> * most;
+      const double depth = depth_inside({p[0].w, p[1].w, p[2].w, mean}) - 4 * kUnitRoundoff<double> * most;
       if (!(depth > best)) continue;
       best = depth;
       found.pairs = tried;
@@ -243,6 +234,10 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
                             Contact& found, Counters& counters) {
   using State = PortalSearch<double>::State;
   const Frame<double> about(n);
+  // Of the last tilt, and how deep any of them holds the origin.
+  CornersAround corner;
+  double most = 0;
+  bool any = false;
   constexpr std::array<std::array<double, 2>, 4> kTilts = {
       {{0, 0}, {0.4375, 0.1875}, {-0.375, 0.3125}, {0.0625, -0.5625}}};
   for (const auto& [x, y] : kTilts) {
@@ -251,12 +246,18 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (in.state == State::missed || in.portal.size != 3) continue;
     const PortalSearch<double> out = leave_line(cso, frame, depth / 8, budget, counters);
     if (out.state == State::missed || out.state == State::rejected || out.portal.size != 3) continue;
-    const CornersAround all = corners_of(in, out);
-    const double held = surround(all, found.pairs);
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = in.portal.p[i].c;
+      corner[3 + i] = out.portal.p[i].c;
+    }
+    any = true;
+    const double held = surround(corner, found.pairs);
     if (held > e) return true;
-    if (held == 0 && surround_by_mean(all, found) > e) return true;
-    found.means = 0;
+    most = std::max(most, held);
   }
+  // What four hold, if only within the rounding, they hold better a little later.
+  if (any && most == 0 && surround_by_mean(corner, found) > e) return true;
+  found.means = 0;
   return false;
 }
 

@@ -50,6 +50,7 @@ class Marcher {
       open_ = true;  // too near for axes, or for the next double of t
       place(now_.t);
       if (contact_here()) return out_;
+      if (limits_.asks_start && now_.t == 0) return out_;
       unproved_ = now_.t;
       if (now_.t >= limits_.end || is_spent()) return out_;
       before_.reset();
@@ -199,6 +200,24 @@ class Marcher {
     }
   }
 
+  // In contact the search has no axis, and that of the last gap may be of another face: a crate that yaws from one tile
+  // onto the next meets its edge, and then rests on its top, along which nothing moves. Where the axis does not support C,
+  // that of the face that the origin is on does.
+  void face_contact() {
+    if (now_.near.n != Vec3<double>::Zero() || supports(axis_)) return;
+    place(now_.t);
+    if (pair_.cso().middle() == Vec3<double>::Zero()) return;
+    const PortalSearch<double> in = enter_line(pair_.cso(), Frame<double>(pair_.cso().middle()),
+                                               kInfinity<double>, pair_.error(), limits_.budget, counters_);
+    if (supports(in.facing)) axis_ = in.facing;
+  }
+  // C reaches no farther along n than the stop.
+  [[nodiscard]] bool supports(const Vec3<double>& n) {
+    if (n == Vec3<double>::Zero()) return false;
+    ++counters_.supports;
+    return n.dot(pair_.cso().support(n).w) + pair_.radius() <= limits_.stop;
+  }
+
   // How fast the gap changes at most, seen along the axis.
   [[nodiscard]] double speed_on() const {
     const double fast = pair_.approach_speed(limits_.end);
@@ -207,6 +226,7 @@ class Marcher {
   }
 
   double stride_on() {
+    face_contact();
     const double fast = speed_on();
     double bend = pair_.top_bend();
     if (axis_ != Vec3<double>::Zero()) {

@@ -33,6 +33,7 @@ struct MarchLimits {
   double touching = -1;       // a start with no more distance is in contact; below 0: only what is proved
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain
+  bool asks_start = false;    // a start that stays open ends the march, for its caller to decide
   bool normal = false;        // of a hit: as good as rounding lets it be, however wide the bracket may be
   WholeTurns may_sweep{true, true};  // whole_turns.hpp
 };

@@ -102,9 +102,9 @@ std::string fault_of(const Method& method, const Question& question, const Known
                        beside(cut, full, ask));
   }
   if (!differ(cut, full)) return {};
-  const LawResult judged = arbitrate({{told(ask), method, question.seen, cut},
-                                      {"in full", method, question.seen, full}},
-                                     "contact to one and none to the other");
+  const LawResult judged =
+      arbitrate({{told(ask), method, question.seen, cut}, {"in full", method, question.seen, full}},
+                "contact to one and none to the other");
   result.labels.push_back("arbitrated");
   return judged.reason;
 }
@@ -142,8 +142,8 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
       if (!*x || may_be_wide) continue;
       const double width = (*x)->upper - (*x)->lower;
       if (!(width <= tolerance * scale + 2 * question->limit))
-        return broken(fmt::format("a bracket {} wide is no stall {}", width,
-                                  beside(loose, known.answer, ask)));
+        return broken(
+            fmt::format("a bracket {} wide is no stall {}", width, beside(loose, known.answer, ask)));
       if (width > 2 * question->limit) result.labels.push_back("wide");
     }
   }
@@ -221,7 +221,8 @@ LawResult query_tolerance_is_kept(const Case& problem, const Method& method) {
 std::vector<Law> query_advancement_laws() {
   return {
       {"query_interrupting",
-       "A query cut short by its budget leaves brackets that meet the whole ones, and no verdict that distance "
+       "A query cut short by its budget leaves brackets that meet the whole ones, and no verdict that "
+       "distance "
        "or depth contradict.",
        Needs::metamorphic, &query_interrupting},
       {"query_tolerance_widens",
@@ -232,11 +233,13 @@ std::vector<Law> query_advancement_laws() {
        "However wide the bracket that a budget or a tolerance leaves, the points are points of the bodies.",
        Needs::proof, &points_are_of_the_bodies},
       {"interrupted_query_is_right",
-       "A query cut short by its budget holds the truth in its brackets, and its verdict is right, within kappa u "
+       "A query cut short by its budget holds the truth in its brackets, and its verdict is right, within "
+       "kappa u "
        "scale.",
        Needs::oracle, &interrupted_query_is_right},
       {"query_tolerance_is_kept",
-       "With a tolerance a query's verdict is as right as without, and its brackets are off by no more than that.",
+       "With a tolerance a query's verdict is as right as without, and its brackets are off by no more than "
+       "that.",
        Needs::oracle, &query_tolerance_is_kept},
   };
 }

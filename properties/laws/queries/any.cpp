@@ -342,7 +342,8 @@ std::vector<Law> query_any_laws() {
       {"query_requesting", "Of a query, too, asking for less changes no answer and computes nothing unasked.",
        Needs::metamorphic, &query_requesting},
       {"query_asking_again",
-       "The same query gets the same bits, whatever was asked between, and with adjacency of its hulls or without.",
+       "The same query gets the same bits, whatever was asked between, and with adjacency of its hulls or "
+       "without.",
        Needs::metamorphic, &query_asking_again},
       {"query_answer_is_consistent",
        "Outcome and brackets of a query say one thing; normals are unit, points finite, wide brackets "

@@ -14,7 +14,8 @@ using corpus::Case;
 using corpus::Query;
 
 Case question_for(Case problem, Query query, std::size_t pick) {
-  constexpr std::array<double, 5> kTimes = {0, 0.375, 0.46875, 0.484375, 0.5}, kHorizons = {1, 1, 1, 16, 0x1p20};
+  constexpr std::array<double, 5> kTimes = {0, 0.375, 0.46875, 0.484375, 0.5},
+                                  kHorizons = {1, 1, 1, 16, 0x1p20};
   problem.query = query;
   problem.expect.reset();
   problem.start_policy = StartPolicy::report;

@@ -164,7 +164,13 @@ TEST(RotatingRare, ATipOnAPointIsContact) {
       if (!pyramid) tips.push_back({0, 0, 1});
       for (int i = 0; i < corners; ++i) {
         const double angle = i * 2 * M_PI / corners;
-        tips.push_back(corners == 4 ? V(i == 0 ? 1 : i == 2 ? -1 : 0, i == 1 ? 1 : i == 3 ? -1 : 0, 0)
+        tips.push_back(corners == 4 ? V(i == 0   ? 1
+                                        : i == 2 ? -1
+                                                 : 0,
+                                        i == 1   ? 1
+                                        : i == 3 ? -1
+                                                 : 0,
+                                        0)
                                     : V(std::cos(angle), std::sin(angle), 0));
       }
       const RotatingBody<double> b{.body = {.shape = Hull<double>(std::span<const V>(tips)),
@@ -182,6 +188,37 @@ TEST(RotatingRare, ATipOnAPointIsContact) {
       }
     }
   }
+}
+
+// A crate that yaws slides from one floor tile onto the next, level with it: before they touch the axis is that of the
+// tile's edge, along which the crate goes on, in contact that of its top, along which nothing moves. The contact is a tie
+// and stays open; that must not cost a look at every millionth of the step.
+TEST(RotatingRare, AContactThatStaysATieIsNotLookedAtAllAlong) {
+  const RotatingBody<double> tile{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {3, 0, -1}}};
+  for (const double spin : {1e-3, 1.0, 10.0}) {
+    RotatingBody<double> crate{.body = {.shape = Box<double>{{0.5, 0.5, 0.5}},
+                                        .position = {0, 0, 0.5},
+                                        .displacement = {3, 0, 0}},
+                               .rotation = {0, 0, spin}};
+    for (const Tier tier : {Tier::standard, Tier::certified}) {
+      const auto r = cast(tile, crate, {.tier = tier});
+      EXPECT_NE(r.outcome, Outcome::miss) << spin;
+      EXPECT_LT(r.counters.supports, 4000) << spin;
+      crate.body.position[2] = 0.5 - 1e-9;
+      EXPECT_EQ(cast(tile, crate, {.tier = tier}).outcome, Outcome::hit) << spin;
+      crate.body.position[2] = 0.5;
+    }
+  }
+}
+
+// The start is asked before the rest of the motion is looked at.
+TEST(RotatingRare, ABoxThatSpinsWhereItRestsIsInContactAtOnce) {
+  const RotatingBody<double> floor{.body = {.shape = Box<double>{{50, 50, 1}}}};
+  const RotatingBody<double> box{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {0, 0, 2}},
+                                 .rotation = {0, 0, 10}};
+  const auto r = cast(floor, box, {.tier = Tier::certified});
+  EXPECT_EQ(r.outcome, Outcome::initially_overlapping);
+  EXPECT_LT(r.counters.supports, 200);
 }
 
 // Bodies on equal arms of 2.7e8 about pivots apart: each moves at 1.7e8, neither to the other. One slice says

@@ -332,8 +332,7 @@ TEST(RotatingProof, MoreThanFourPairsHoldTheOriginByAMean) {
   EXPECT_REFUSED(weights_missing, problem, weighted(0, 0, 0));
   EXPECT_REFUSED(weights_missing, problem, weighted(1, 1, -0.5));
   // Which are the three counts.
-  EXPECT_REFUSED(contact_not_proved, problem,
-                 upper(0.5, {{0, 0}, {1, 0}, {2, 0}, {4, 0, 1}, {3, 0, 0.25}}));
+  EXPECT_REFUSED(contact_not_proved, problem, upper(0.5, {{0, 0}, {1, 0}, {2, 0}, {4, 0, 1}, {3, 0, 0.25}}));
   problem.b.position = V(0, 0, 1.25);
   EXPECT_REFUSED(contact_not_proved, problem, five);
   EXPECT_REFUSED(contact_not_proved, problem, six);
