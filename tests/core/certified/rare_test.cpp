@@ -80,5 +80,24 @@ TEST(CertifiedRare, ATargetDistanceFarBeyondTheBodiesIsContact) {
   }
 }
 
+// Round and curved bodies in each other, at rest or not, whatever symmetry the line has: four points around the origin, or
+// a portal at s <= 0 on either side, and nothing is refined that no one asks for.
+TEST(CertifiedRare, BodiesInEachOtherCostFewSupports) {
+  const std::vector<Shape<double>> shapes = {
+      Sphere<double>{1},        Capsule<double>{0.5, 1}, Ellipsoid<double>{{1, 0.5, 0.75}},
+      Cylinder<double>{0.5, 1}, Cone<double>{1, 1},      rounded<double>(Box<double>{{0.5, 0.25, 1}}, 0.25)};
+  for (const Shape<double>& shape : shapes) {
+    for (const double apart : {0.0, 0.0625, 0.5}) {
+      for (const V& v : {V(0, 0, 0), V(1, 0, 0), V(1, 2, 3)}) {
+        const Body<double> a{.shape = shape};
+        const Body<double> b{.shape = shape, .position = {apart, 0, 0}, .displacement = v};
+        const auto r = cast_certified(a, b, CastOptions<double>{.tier = Tier::certified});
+        EXPECT_EQ(r.outcome, Outcome::initially_overlapping) << shape.index() << ' ' << apart;
+        EXPECT_LE(r.counters.supports, 200) << shape.index() << ' ' << apart << ' ' << v.transpose();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze

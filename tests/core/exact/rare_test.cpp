@@ -1,10 +1,14 @@
 // What exact casts rarely meet: a C that has no area seen along the path, bodies at rest that touch, slivers
 // that are turned, and numbers that outgrow their room in the queries beside the cast.
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
 #include <graze/cast.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
+#include <numbers>
 
 #include <graze/exact/queries.hpp>
 
@@ -321,6 +325,53 @@ TEST(ExactRare, ThePartsOfACombinatorAreNotTakenForLeaves) {
     EXPECT_EQ(r.invalid, Invalid::none) << round;
     EXPECT_NE(r.outcome, Outcome::invalid_input) << round;
   }
+}
+
+// --- thousands of vertices within rounding of the last plane
+
+// Two discs whose caps are parallel but for the last bits, as one orientation is the other's over its length. Of the
+// vertices beyond the portal's plane the farthest is taken: any of them would do, and cost the walk hundreds of steps.
+TEST(ExactRare, CapsThatAreNearlyParallelTakeFewSteps) {
+  Draw draw{37};
+  std::vector<V> disc;
+  constexpr int kCorners = 512;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kCorners;
+    for (const double z : {-0.5, 0.5}) disc.emplace_back(std::cos(angle), std::sin(angle), z);
+  }
+  const Hull<double> hull{std::span<const V>(disc)};
+  for (int round = 0; round < 20; ++round) {
+    const Quaternion<double> q = draw.turn<double>();
+    const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z) * 1.1;
+    const Quaternion<double> other{q.w / length, q.x / length, q.y / length, q.z / length};
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+    const Body<double> a{.shape = hull, .orientation = q};
+    const Body<double> b{.shape = hull,
+                         .position = turn * V(draw.between(-0.3, 0.3), draw.between(-0.3, 0.3), 3),
+                         .orientation = other,
+                         .displacement = turn * V(0, 0, -4)};
+    const auto r = exactly(a, b);
+    ASSERT_EQ(r.outcome, Outcome::hit);
+    EXPECT_NEAR(r.toi_lower, 0.5, 1e-12);  // 2 of the way of 4, within the rounding of pose and motion
+    EXPECT_LE(r.counters.portal_steps, 40) << round;
+  }
+}
+
+// q and -q are one rotation: what ties as it stands costs no exact arithmetic.
+TEST(ExactRare, OppositeQuaternionsAreOneRotation) {
+  const Quaternion<double> q{0.8, 0.1, -0.3, 0.5}, minus{-0.8, -0.1, 0.3, -0.5};
+  const Body<double> a{.shape = Box<double>{{1, 1, 1}}, .orientation = q};
+  Body<double> b{.shape = Box<double>{{0.5, 0.5, 0.5}},
+                 .position = {0.25, 0, 5},
+                 .orientation = q,
+                 .displacement = {0, 0, -5}};
+  const auto same = exactly(a, b);
+  b.orientation = minus;
+  const auto r = exactly(a, b);
+  EXPECT_EQ(r.outcome, same.outcome);
+  EXPECT_EQ(r.toi_lower, same.toi_lower);
+  EXPECT_EQ(r.counters.exact_decisions, same.counters.exact_decisions);
+  EXPECT_EQ(r.counters.supports, same.counters.supports);
 }
 
 }  // namespace

@@ -196,10 +196,9 @@ TEST(RotatingRare, ATipOnAPointIsContact) {
 TEST(RotatingRare, AContactThatStaysATieIsNotLookedAtAllAlong) {
   const RotatingBody<double> tile{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {3, 0, -1}}};
   for (const double spin : {1e-3, 1.0, 10.0}) {
-    RotatingBody<double> crate{.body = {.shape = Box<double>{{0.5, 0.5, 0.5}},
-                                        .position = {0, 0, 0.5},
-                                        .displacement = {3, 0, 0}},
-                               .rotation = {0, 0, spin}};
+    RotatingBody<double> crate{
+        .body = {.shape = Box<double>{{0.5, 0.5, 0.5}}, .position = {0, 0, 0.5}, .displacement = {3, 0, 0}},
+        .rotation = {0, 0, spin}};
     for (const Tier tier : {Tier::standard, Tier::certified}) {
       const auto r = cast(tile, crate, {.tier = tier});
       EXPECT_NE(r.outcome, Outcome::miss) << spin;
