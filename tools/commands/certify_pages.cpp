@@ -10,6 +10,7 @@
 #include "certify/report_page.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "show/page.hpp"
 #include "tools/commands/commands.hpp"
@@ -38,10 +39,14 @@ void print_known_failures(const Settings& settings, bool in_full) {
 // What was given beside casts, and what of all that nothing judges.
 void print_intake(const Intake& intake) {
   if (intake.questions > 0) {
-    fmt::print("{} questions beside the cast are judged as they are asked.\n", intake.questions);
+    fmt::print("{} beside the cast {} judged as {} asked.\n", counted(intake.questions, "question"),
+               intake.questions == 1 ? "is" : "are", intake.questions == 1 ? "it is" : "they are");
   }
-  if (intake.recast > 0) fmt::print("{} of contact are judged as casts, too.\n", intake.recast);
-  if (intake.left_out > 0) fmt::print("{} cases are not judged.\n", intake.left_out);
+  if (intake.recast > 0)
+    fmt::print("{} of contact {}, too.\n", intake.recast,
+               intake.recast == 1 ? "is judged as a cast" : "are judged as casts");
+  if (intake.left_out > 0)
+    fmt::print("{} {} not judged.\n", counted(intake.left_out, "case"), intake.left_out == 1 ? "is" : "are");
 }
 
 void print_screen(const Certification& certification, const Settings& settings) {

@@ -21,7 +21,7 @@ TEST(SceneCommand, tells_events_in_the_order_of_time_and_what_was_simulated) {
   const Folder folder;
   const CommandRun run = folder.graze("scene - --threads 1", kScene);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* part : {"two: standard, 1 events", "wall - crate", "[rotating]", "sight - wall",
+  for (const char* part : {"two: standard, 1 event\n", "wall - crate", "[rotating]", "sight - wall",
                            "1 simulated: rotating", "1 nothing: at rest, and their bounds are apart"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
   }
