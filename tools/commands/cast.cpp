@@ -126,7 +126,7 @@ class CastRun {
         ask_engines(file.name, problem);
       }
     }
-    if (proofs_) proofs_->close();
+    if (proofs_) bad_ ? proofs_->close_what_is_written() : proofs_->close();
     for (const std::string& line : engines_->finish()) {
       complain(line);
       ++failed_;

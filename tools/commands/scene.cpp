@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "report/progress.hpp"
 #include "report/stop.hpp"
@@ -103,9 +104,10 @@ class SceneRun {
       for (const corpus::ReadError& error : read.errors) refuse(error.text());
       if (read.document) play(file, *read.document);
     }
-    if (proofs_) proofs_->close();
+    const int signal = StopBySignal::received();
+    if (proofs_) bad_ || signal != 0 ? proofs_->close_what_is_written() : proofs_->close();
     if (!settings_.report.empty()) write_page();
-    if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
+    if (signal != 0) return 128 + signal;
     return bad_ ? 2 : 0;
   }
 
@@ -132,8 +134,8 @@ class SceneRun {
       show(document, report);
     }
     if (report.status == scene::Status::interrupted) {
-      complain(fmt::format("{}: interrupted with {} pairs left; what is shown is what is known", file,
-                           report.counts.unfinished));
+      complain(fmt::format("{}: interrupted with {} left; what is shown is what is known", file,
+                           counted(report.counts.unfinished, "pair")));
     }
     if (proofs_) write_proofs(document, report);
     if (!settings_.report.empty()) {
@@ -217,11 +219,12 @@ class SceneRun {
   static void show(const scene::Document& document, const scene::Report& report) {
     const scene::Scene& all = document.scene;
     const Request request = document.options.request;
-    fmt::print("{}: {}, {} events\n", document.id, to_text(document.options.tier), report.events.size());
+    fmt::print("{}: {}, {}\n", document.id, to_text(document.options.tier),
+               counted(report.events.size(), "event"));
     for (const scene::Event& event : report.events) {
       show_event(event, all.bodies[event.a].name, all.bodies[event.b].name, request);
     }
-    if (!all.probes.empty()) fmt::print("rays and casts: {} events\n", report.probe_events.size());
+    if (!all.probes.empty()) fmt::print("rays and casts: {}\n", counted(report.probe_events.size(), "event"));
     for (const scene::Event& event : report.probe_events) {
       show_event(event, all.probes[event.a].name, all.bodies[event.b].name, request);
     }

@@ -100,6 +100,27 @@ TEST(Outputs, what_a_file_held_is_there_after_a_refused_run) {
   EXPECT_EQ(folder.read("out").find("of yesterday"), std::string::npos);
 }
 
+// Nothing was read, or nothing of it was answered: that is no reason to lose what there was.
+TEST(Outputs, what_a_file_held_is_there_after_a_run_that_writes_nothing) {
+  const Folder folder;
+  folder.write("invalid.json", with(kHit, "1.4]", "1e200]"));
+  folder.write("no.json", "{");
+  folder.write("out", "of yesterday");
+  for (const std::string line :
+       {"cast missing.json --proof out", "cast invalid.json --proof out", "cast no.json --proof out",
+        "scene missing.json --proof out", "scene invalid.json --proof out", "scene no.json --proof out",
+        "certify --stability --family aligned_boxes --count 0 --save out"}) {
+    SCOPED_TRACE(line);
+    EXPECT_EQ(folder.graze(line).exit_code, 2);
+    EXPECT_EQ(folder.read("out"), "of yesterday");
+  }
+  // A run that has nothing to write says so: the file is empty.
+  folder.write("scene.json", R"({"schema": "graze.scene/1", "id": "one", "bodies": [
+    {"name": "a", "shape": {"type": "sphere", "radius": 1}}]})");
+  EXPECT_EQ(folder.graze("scene scene.json --proof out").exit_code, 0);
+  EXPECT_EQ(folder.read("out"), "");
+}
+
 TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
   for (const Output& output : kOutputs) {
     const bool is_table = output.line.find("--guarantees IN") != std::string::npos;
