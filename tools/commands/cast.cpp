@@ -1,7 +1,6 @@
 // graze cast: the answer of a method to each case of the files.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -40,11 +40,6 @@ void check(const CastSettings& settings) {
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
         fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
-  }
-  if (!(settings.tolerance >= 0 && std::isfinite(settings.tolerance))) {
-    throw std::runtime_error(
-        fmt::format("--tolerance: {} is no tolerance; it is a length over the scale of the bodies, 0 or more",
-                    settings.tolerance));
   }
   if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
     throw std::runtime_error(
@@ -316,6 +311,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
           "--tolerance", settings->tolerance,
           "The search may stop once the bracket is as narrow, a length over the scale of the bodies; "
           "0 (the default): where rounding ends it. Tier exact and whether bodies overlap need none")
+      ->check(number_from(0))
       ->type_name("X");
   command->add_flag("--json", settings->json,
                     "One JSON object a line, which says all that the text says; numbers read back to the "
@@ -363,7 +359,10 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "the "
       "other\ncases are answered all the same. 1 if an engine of others crashed, hung or wrote what is no "
       "answer; what it does not\ntake is said and counted.");
-  command->callback([settings, &exit_code] { exit_code = CastRun(*settings)(); });
+  command->callback([settings, command, &exit_code] {
+    require_engine(*command);
+    exit_code = CastRun(*settings)();
+  });
 }
 
 }  // namespace graze::tool

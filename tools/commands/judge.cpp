@@ -209,7 +209,7 @@ int run_judge_command(const JudgeArguments& arguments) {
 }
 
 CLI::Option* add_limit(CLI::App& command, const char* name, std::optional<double>& target, const char* what) {
-  return command.add_option(name, target, what)->check(CLI::NonNegativeNumber)->type_name("X");
+  return command.add_option(name, target, what)->check(number_from(0))->type_name("X");
 }
 
 }  // namespace
@@ -240,7 +240,7 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.json");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
-      ->check(whole_number(0, kMostThreads))
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command->footer(
       "Of each answer at fault a line: the case, the fault, the reason. Then what certify prints of engines "
