@@ -124,6 +124,8 @@ std::string summary_table(const Certification& certification, const Settings& se
         worst_family = tally.family;
       }
     }
+    // What was asked nothing has nothing to say.
+    if (both.cases == 0 && both.not_asked == 0) continue;
     if (last != nullptr && last->kind != method->kind) table.add_gap();
     if (last == nullptr || last->kind != method->kind) add_heading(table, method->kind);
     last = method;
