@@ -134,13 +134,15 @@ class CastRun {
   }
 
  private:
+  // Standard output is one thing's: beside proofs that go there the answers go to stderr.
+  [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
     complain(fmt::format("{}: case {}: {}", file, problem.id, why));
     bad_ = true;
   }
   void show(const std::string& file, const corpus::Case& problem, const engine::Method& method,
             const engine::Answer& answer) {
-    fmt::print("{}\n",
+    fmt::print(screen(), "{}\n",
                settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
     if (answer.outcome == Outcome::invalid_input) {
       refuse(file, problem,
@@ -220,8 +222,9 @@ class CastRun {
           continue;
         }
         is_asked = true;
-        fmt::print("{}\n", settings_.json ? answer_json(problem, method, answer)
-                                          : answer_block(problem, method, answer));
+        fmt::print(
+            screen(), "{}\n",
+            settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
         if (answer.failure != engine::Failure::none) ++failed_;
         save_proof(method, problem, answer);
       }
@@ -242,7 +245,7 @@ class CastRun {
       return refuse(file, problem, fmt::format("is invalid_input: {}", why));
     }
     const Plan plan = method.plan(problem, ask_);
-    fmt::print("{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
+    fmt::print(screen(), "{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
   }
 
   void ask(const std::string& file, const corpus::Case& problem) {

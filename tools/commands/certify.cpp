@@ -170,7 +170,8 @@ int run_certify_command(const CertifyArguments& arguments) {
   const std::vector<std::string> left_behind = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   print_certification(arguments, selection, certification, settings, intake, took.count());
-  if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));
+  if (!arguments.findings.empty())
+    fmt::print(arguments.screen(), "\n{}", save_findings(findings, arguments.findings));
   files.write(certification, settings, took.count(), html);
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   if (bad || is_unasked) return 2;
