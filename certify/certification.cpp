@@ -1,5 +1,7 @@
 #include "certify/certification.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,6 +47,20 @@ struct JudgedCase {
   std::vector<Judged> by_method = {};
   bool oracle_made = false;
 };
+
+// What no method takes is refused, rightly: that is no answer.
+bool is_refusal(const Judgement& judgement) {
+  return judgement.outcome == Outcome::invalid_input && !judgement.faulty();
+}
+
+// Why a case is no question for a method.
+std::string why_unasked(const Method& method, const Case& asked) {
+  if (std::string why = law::why_invalid(asked); !why.empty()) return "it has " + why;
+  if (!method.is_ours()) return method.refuses(asked);
+  if (method.is_exact() && !engine::is_exact_question(method.seen(asked)))
+    return "tier exact answers polytopes without a target distance";
+  return {};
+}
 
 // Every fault, every excuse and the larger length of two answers to one question.
 Judgement worse_of(Judgement first, const Judgement& second) {
@@ -105,6 +121,7 @@ Judged judge_one(const Method& method, const Case& asked, std::vector<std::uniqu
   for (const Request request : requests) {
     const engine::Answer answer = own.ask({.request = request});
     Judgement judgement = law::judge(truth, method, answer, request, measure);
+    judgement.not_asked = judgement.not_asked || is_refusal(judgement);
     judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
     if (is_first) judged.counters = answer.counters;
     is_first = false;
@@ -230,7 +247,7 @@ class CertificationRun {
 
   void count(const Suite& suite, std::size_t i, JudgedCase& one, std::span<Tally* const> tallies) {
     if (one.by_method.empty()) return;  // left out, or by a stop
-    bool convicted = false, asked = false;
+    bool convicted = false, asked = false, answered = false;
     for (std::size_t m = 0; m < tallies.size(); ++m) {
       const Judged& judged = one.by_method[m];
       if (!judged.asked) continue;
@@ -240,7 +257,11 @@ class CertificationRun {
       tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement, judged.counters);
       if (settings_.judged) settings_.judged(suite, i, *tally.method, judged.judgement);
       tally.true_backward.push_back(judged.true_backward);
-      if (judged.judgement.not_asked && !tallies[m]->method->is_ours()) continue;
+      if (judged.judgement.not_asked && judged.judgement.wrong.empty()) {
+        note_unasked(*tallies[m]->method, *judged.asked);
+        continue;
+      }
+      answered = true;
       result_.answers += tallies[m]->method->is_ours() ? requests_of(tallies[m]->method->kind).size() : 1;
       failed_ = failed_ || (judged.judgement.faulty() && !judged.beyond_limits);
       if (!judged.judgement.faulty() && !judged.judgement.stalled) continue;
@@ -249,7 +270,14 @@ class CertificationRun {
       convicted = true;
     }
     result_.questions += asked ? 1 : 0;
+    result_.answered += answered ? 1 : 0;
     result_.oracle_cases += one.oracle_made ? 1 : 0;
+  }
+
+  void note_unasked(const Method& method, const Case& asked) {
+    if (!result_.unasked.empty()) return;
+    if (const std::string why = why_unasked(method, asked); !why.empty())
+      result_.unasked = fmt::format("{} of {}: {}", method.question_name(), asked.id, why);
   }
 
   const Settings& settings_;

@@ -36,7 +36,9 @@ struct Certification {
   std::vector<Tally> beyond_limits = {};
   std::vector<std::string> breaches = {};    // empty: every method keeps its row
   std::vector<corpus::Case> convicted = {};  // as asked, each once, where some method is at fault or stalls
-  std::size_t answers = 0, questions = 0;    // judged; cases of suites that some method was asked about
+  std::size_t answers = 0, answered = 0;     // judged; and of how many cases
+  std::size_t questions = 0;                 // cases of suites that some method was to be asked about
+  std::string unasked = {};                  // the first that a method was not asked, or refused, and why
   std::size_t oracle_cases = 0;              // of casts without a turn, for which an exact answer was made
   std::vector<std::string> unfinished = {};  // suites that a stop left in part or out
 

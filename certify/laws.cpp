@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -54,7 +55,7 @@ void make_small(LawBreach& breach, const LawSettings& settings) {
   const engine::Method& method = method_of(law, breach.method, settings);
   const auto stop = std::chrono::steady_clock::now() + kMostOfAnother;
   const auto is_broken = [&](const corpus::Case& c) {
-    if (!method.is_ours() && std::chrono::steady_clock::now() > stop) return false;
+    if (settings.stop() || (!method.is_ours() && std::chrono::steady_clock::now() > stop)) return false;
     return check(law, c, method).holding == Holding::broken;
   };
   problem = law::minimised(problem, is_broken,
@@ -116,9 +117,11 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
   std::mutex mutex;
   for (std::size_t s = 0; s < suites.size(); ++s) {
     const LawSuite& one = suites[s];
-    result.cases += one.suite.size();
+    std::atomic<std::size_t> seen_cases = 0;
     Progress progress("laws on " + one.suite.family, one.suite.size());
     for_each_index(one.suite.size(), settings.threads, [&](std::size_t i) {
+      if (settings.stop()) return;
+      ++seen_cases;
       const corpus::Case problem = one.suite.at(i);
       // All laws on one case, then the next: they share what the oracle said about it.
       for (std::size_t l = 0; l < settings.laws.size(); ++l) {
@@ -161,6 +164,8 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
       }
       progress.step();
     });
+    result.cases += seen_cases;
+    if (seen_cases < one.suite.size()) result.unfinished.push_back(one.suite.family);
   }
   for (auto& [key, breach] : breaches) result.breaches.push_back(std::move(breach));
   Progress progress("making broken cases small", result.breaches.size());

@@ -28,6 +28,8 @@ struct LawSettings {
   // Engines of others, as_laws_ask them (laws_of_others.hpp); where they stay.
   std::span<const engine::Method> others = {};
   unsigned threads = 1;
+  // Asked between cases: whether to stop. What was seen then is kept.
+  std::function<bool()> stop = [] { return false; };
   int shrinking = 1000;  // calls of a law to make its first broken case small; a tenth where bodies turn
 };
 
@@ -50,10 +52,11 @@ struct OtherLawTally {
 };
 
 struct LawCertification {
-  std::size_t cases = 0;
-  std::vector<law::LawTally> tallies;  // by law
-  std::vector<OtherLawTally> others;   // by law, then by method of others; of laws of its kind
-  std::vector<LawBreach> breaches;     // by law, then by method
+  std::size_t cases = 0;                // that the laws were asked about
+  std::vector<law::LawTally> tallies;   // by law
+  std::vector<OtherLawTally> others;    // by law, then by method of others; of laws of its kind
+  std::vector<LawBreach> breaches;      // by law, then by method
+  std::vector<std::string> unfinished;  // suites that a stop left in part or out
 };
 
 [[nodiscard]] LawCertification certify_laws(std::span<const LawSuite> suites, const LawSettings& settings);

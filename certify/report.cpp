@@ -9,6 +9,7 @@
 
 #include "certify/engine_report.hpp"
 #include "corpus/format/names.hpp"
+#include "report/counted.hpp"
 #include "report/progress.hpp"
 #include "report/statistics.hpp"
 #include "report/table.hpp"
@@ -71,16 +72,19 @@ std::string verdict_line(const Certification& certification, double seconds) {
   }
   const char* verdict = !certification.breaches.empty()     ? "A method breaks its guarantee"
                         : !certification.unfinished.empty() ? "Stopped: no guarantee is broken so far"
+                        : certification.answers == 0        ? "Nothing was judged"
                         : is_promised                       ? "Every method keeps its guarantee"
                                                             : "Nothing is promised, and no answer fails";
   const auto counted = [](std::size_t n, std::string_view what) {
     return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
   };
-  return fmt::format("{}: {} to {} of {} judged in {}, {}, {}.\n", verdict,
-                     counted(certification.answers, "answer"), counted(certification.questions, "case"),
+  const bool is_little =
+      certification.breaches.empty() && certification.answers > 0 && certification.answers < kFewAnswers;
+  return fmt::format("{}: {} to {} of {} judged in {}, {}, {}{}.\n", verdict,
+                     counted(certification.answers, "answer"), counted(certification.answered, "case"),
                      counted(families.size(), "suite"),
                      seconds < 1 ? "less than a second" : duration_text(seconds), counted(faults, "fault"),
-                     counted(stalls, "stall"));
+                     counted(stalls, "stall"), is_little ? "; so few answers certify little" : "");
 }
 
 std::string summary_table(const Certification& certification, const Settings& settings) {
@@ -120,6 +124,8 @@ std::string summary_table(const Certification& certification, const Settings& se
         worst_family = tally.family;
       }
     }
+    // What was asked nothing has nothing to say.
+    if (both.cases == 0 && both.not_asked == 0) continue;
     if (last != nullptr && last->kind != method->kind) table.add_gap();
     if (last == nullptr || last->kind != method->kind) add_heading(table, method->kind);
     last = method;
@@ -140,9 +146,9 @@ std::string exact_summary(const Certification& certification, const Settings& se
     if (!method->is_exact() || method->kind != Kind::linear) continue;
     const Tally sum = certification.total(*method);
     const std::size_t faults = sum.at_fault;
-    text +=
-        fmt::format("{}: {} casts to the last bit, {} wrong, {} stalled; {} cases are not for the tier.\n",
-                    method->full_name(), sum.cases, faults, sum.stalled, sum.not_asked);
+    text += fmt::format("{}: {} to the last bit, {} wrong, {} stalled; {} not for the tier.\n",
+                        method->full_name(), tool::counted(sum.cases, "cast"), faults, sum.stalled,
+                        sum.not_asked == 1 ? "1 case is" : fmt::format("{} cases are", sum.not_asked));
     casts += sum.cases;
     failures += faults + sum.stalled;
   }
@@ -431,8 +437,8 @@ std::string full_tables(const Certification& certification, const Settings& sett
       judged += tally.method->kind == Kind::linear ? tally.cases : 0;
     }
     text += fmt::format(
-        "Casts: {} judged, by proof first; {} cases answered by the exact oracle as well.\n\n{}\n{}\n",
-        judged, certification.oracle_cases, linear_table(certification), kLinearWords);
+        "Casts: {} judged, by proof first; {} answered by the exact oracle as well.\n\n{}\n{}\n", judged,
+        tool::counted(certification.oracle_cases, "case"), linear_table(certification), kLinearWords);
     if (const std::string exact = exact_summary(certification, settings); !exact.empty()) {
       text += fmt::format("Tier exact\n\n{}\n", exact);
     }

@@ -9,7 +9,8 @@
 namespace graze::tool {
 
 // How many cases and answers were judged, how many were found wanting, and whether every method keeps its
-// row.
+// row. That fewer answers than kFewAnswers keep it is said to certify little.
+inline constexpr std::size_t kFewAnswers = 10;
 [[nodiscard]] std::string verdict_line(const Certification& certification, double seconds);
 
 // A line a method, both scalars side by side: answers, faults and stalls, the worst error over its limit and

@@ -182,21 +182,25 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
   std::erase_if(methods, [&](const engine::Method* method) { return method->kind != kind; });
   const std::vector<Place> places = places_of(family, methods, count, settings.seed);
   FamilyStability result{.family = std::string(family.name),
-                         .hardness_meaning = std::string(family.hardness_meaning),
-                         .cases = places.size()};
+                         .hardness_meaning = std::string(family.hardness_meaning)};
   for (const engine::Method* method : methods) add_curves(result.curves, *method, family);
   const auto drawn = [&](std::size_t i) {
     return family.generate(family.levels[places[i].level], places[i].seed);
   };
-  std::vector<std::vector<Measured>> measured(result.cases);
+  std::vector<std::vector<Measured>> measured(places.size());  // empty: not measured, by a stop
   {
-    Progress progress("stability, " + result.family, result.cases);
-    for_each_index(result.cases, settings.threads, [&](std::size_t i) {
+    Progress progress("stability, " + result.family, places.size());
+    for_each_index(places.size(), settings.threads, [&](std::size_t i) {
+      if (settings.stop()) return;
       measured[i] = measure_all(drawn(i), methods);
       progress.step();
     });
   }
-  for (std::size_t i = 0; i < result.cases; ++i) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_measured = measured[i].size() == methods.size();
+    result.cases += is_measured ? 1 : 0;
+    result.stopped = result.stopped || !is_measured;
+    if (!is_measured) continue;
     bool convicted = false;
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const Measured& one = measured[i][m];

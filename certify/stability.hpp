@@ -5,6 +5,7 @@
 //   shows which methods are, and where the others break.   u: unit roundoff of the method's scalar.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -67,11 +68,14 @@ struct StabilitySettings {
   std::size_t count = 1, rotating_count = 1;        // cases a level
   std::uint64_t seed = 1;
   unsigned threads = 1;  // the result does not depend on them
+  // Asked between cases: whether to stop. What is measured then is kept.
+  std::function<bool()> stop = [] { return false; };
 };
 
 struct FamilyStability {
   std::string family, hardness_meaning;
-  std::size_t cases = 0;
+  std::size_t cases = 0;           // that were measured
+  bool stopped = false;            // before all were
   std::vector<Curve> curves = {};  // by method, polytopes first; of kinds that occur
   struct NotAsked {
     std::string method = {};

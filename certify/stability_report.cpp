@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "certify/engine_report.hpp"
+#include "report/counted.hpp"
 #include "report/statistics.hpp"
 #include "report/table.hpp"
 
@@ -98,12 +99,12 @@ std::string family_line(const FamilyStability& family) {
     most = error;
     worst_curve = &curve;
   }
-  std::string text = fmt::format("{}: {} cases", family.family, family.cases);
+  std::string text = fmt::format("{}: {}", family.family, counted(family.cases, "case"));
   if (worst_curve != nullptr) {
     text += fmt::format(", {} u scale at most ({}, {}, hardness {})", in_u(most, 1), worst_curve->method,
                         shapes_text(*worst_curve), hardness_text(worst_curve->hardest()));
   }
-  text += fmt::format(", {} beyond a row, {} stalls", faults, stalls);
+  text += fmt::format(", {} beyond a row, {}", faults, counted(stalls, "stall"));
   for (const FamilyStability::NotAsked& one : family.not_asked)
     text += fmt::format("; {} are not asked of {}", one.cases, one.method);
   for (const Curve& curve : family.curves) {

@@ -145,8 +145,10 @@ Declaration read_declared(const JsonValue& value) {
     out.shapes.emplace_back(kShapes[corpus::read_choice(shapes[i], corpus::item_path("shapes", i), kShapes)]);
   constexpr std::string_view kQueriesForm = "queries is an object with one or more queries";
   const JsonValue& queries = fields.required("queries", kQueriesForm);
-  if (queries.kind != JsonValue::Kind::object || queries.items.empty())
-    throw Malformed{"queries", describe(queries) + "; " + std::string(kQueriesForm)};
+  const bool is_object = queries.kind == JsonValue::Kind::object;
+  if (!is_object || queries.items.empty())
+    throw Malformed{"queries", (is_object ? "an object without one" : describe(queries)) + "; " +
+                                   std::string(kQueriesForm) + ": " + corpus::joined(kQuestions)};
   for (std::size_t i = 0; i < queries.items.size(); ++i)
     out.offers.push_back(
         read_offer(queries.keys[i], queries.items[i], corpus::child_path("queries", queries.keys[i])));
@@ -180,6 +182,8 @@ std::string_view to_text(Question question) { return kQuestions[static_cast<std:
 bool Declaration::takes(std::string_view shape) const {
   return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
+
+std::span<const std::string_view> shape_names() { return kShapes; }
 
 Declaration parse_declaration(std::string_view line) {
   const corpus::ParsedJson parsed = corpus::parse_json(line);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,9 @@ struct Declaration {
   }
   [[nodiscard]] bool takes(std::string_view shape) const;
 };
+
+// The types of the case format that an engine may say that it takes.
+[[nodiscard]] std::span<const std::string_view> shape_names();
 
 // Throws std::runtime_error: one line that says what was wrong, in which field, and what would be right.
 [[nodiscard]] Declaration parse_declaration(std::string_view line);

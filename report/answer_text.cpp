@@ -8,6 +8,7 @@
 
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
+#include "report/counted.hpp"
 
 namespace graze::tool {
 namespace {
@@ -50,6 +51,11 @@ std::string method_fields(const engine::Method& method) {
 }
 std::string work_fields(const Counters& counters) {
   return fmt::format(R"("iterations": {}, "supports": {})", counters.iterations, counters.supports);
+}
+
+std::string work_text(const Counters& counters) {
+  return fmt::format("{}, {}", counted(counters.iterations, "iteration"),
+                     counted(counters.supports, "support evaluation"));
 }
 
 // What the answers of linear and rotating casts have in common, in JSON without braces.
@@ -100,8 +106,7 @@ namespace {
 std::string linear_block(const corpus::Case& problem, const engine::Method& method,
                          const engine::Answer& answer) {
   return fmt::format("{}\n", problem.id) + method_line(method) + cast_lines(answer) +
-         line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
-                                  answer.counters.supports));
+         line("work", work_text(answer.counters));
 }
 
 std::string linear_json(const corpus::Case& problem, const engine::Method& method,
@@ -146,8 +151,7 @@ std::string query_block(const corpus::Case& problem, const engine::Method& metho
   for (const auto& [name, value, given] : vectors(answer)) {
     if (given) text += line(name, vector_text(value));
   }
-  return text + line("work", fmt::format("{} iterations, {} support evaluations", answer.counters.iterations,
-                                         answer.counters.supports));
+  return text + line("work", work_text(answer.counters));
 }
 
 std::string query_json(const corpus::Case& problem, const engine::Method& method,
@@ -201,9 +205,8 @@ std::string rotating_block(const corpus::Case& problem, const engine::Method& me
   if (answer.hidden_motion > 0) {
     text += line("hidden", fmt::format("contacts by motions below {} may be missed", answer.hidden_motion));
   }
-  return text + line("work", fmt::format("{} iterations, {} support evaluations, {} poses",
-                                         answer.counters.iterations, answer.counters.supports,
-                                         answer.counters.poses));
+  return text + line("work", fmt::format("{}, {}", work_text(answer.counters),
+                                         counted(answer.counters.poses, "pose")));
 }
 
 std::string rotating_json(const corpus::Case& problem, const engine::Method& method,

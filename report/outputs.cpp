@@ -163,6 +163,12 @@ void OutputFile::close() {
   if (!stream()) throw std::runtime_error(not_written(name_));
 }
 
+void OutputFile::close_what_is_written() {
+  if (emptied_ || is_stdout_) return close();
+  open_.reset();
+  file_.close();
+}
+
 void secure_standard_streams() {
   // Each opened the wrong way round, so that to read or to write it fails as it would have.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

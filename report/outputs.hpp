@@ -33,6 +33,8 @@ class OutputFile {
   explicit OutputFile(std::string name);
   void write_line(const std::string& line);  // throws where it is seen at once that it cannot be written
   void close();                              // throws if anything could not be written
+  // Of a run that something was wrong with: the same, but where no line was written the file keeps what it held.
+  void close_what_is_written();
 
  private:
   [[nodiscard]] std::ostream& stream();

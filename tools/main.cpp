@@ -3,7 +3,9 @@
 
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "report/inputs.hpp"
@@ -12,6 +14,50 @@
 #include "tools/commands/options.hpp"
 
 namespace {
+
+// The command that the line names, as far as it was read: "corpus add"; empty: none yet.
+const CLI::App& named_command(const CLI::App& app, std::string& words) {
+  const auto parsed = app.get_subcommands();
+  if (parsed.empty()) return app;
+  words += (words.empty() ? "" : " ") + parsed.front()->get_name();
+  return named_command(*parsed.front(), words);
+}
+
+// What a command that is given nothing to do it with wants.
+std::string wanted_by(const std::string& words, const CLI::Option& missing) {
+  static const std::map<std::string, std::string> kWanted = {
+      {"cast", "a case file"},
+      {"show", "a case file"},
+      {"check", "a file of proofs"},
+      {"scene", "the file of a scene"},
+      {"merge", "the parts of a campaign, PART.json"},
+      {"generate", "a family"},
+      {"judge", "a file of answers"},
+      {"compare", "two files that graze price --json wrote"},
+      {"corpus add", "a file of cases"},
+      {"corpus fill", "a file of cases"},
+      {"corpus format", "a file of cases"},
+      {"corpus validate", "a file of cases"},
+  };
+  const auto known = kWanted.find(words);
+  return known != kWanted.end() ? known->second : missing.get_name();
+}
+
+// What was wrong with the command line, and where it says what would be right.
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
+  std::string words;
+  const CLI::App& command = named_command(app, words);
+  std::string what = error.what();
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    for (const CLI::Option* option : command.get_options()) {
+      const bool is_missing = option->get_required() && option->get_positional() && option->count() == 0;
+      if (!is_missing) continue;
+      what = words + ": name " + wanted_by(words, *option);
+      break;
+    }
+  }
+  return what + "; see graze " + words + (words.empty() ? "" : " ") + "--help";
+}
 
 int run(int argc, char** argv) {
   int exit_code = 0;
@@ -56,7 +102,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    throw std::runtime_error(std::string(error.what()) + "; see graze --help");
+    throw std::runtime_error(complaint_of(app, error));
   }
   return exit_code;
 }

@@ -43,7 +43,7 @@ graze_engine_outcome graze_engine_cast(const graze_engine_question* q, void* pre
   }
   const double along = dot(gap, motion), speed = dot(motion, motion), apart = sqrt(dot(gap, gap));
   if (apart <= reach) return GRAZE_ENGINE_INITIALLY_OVERLAPPING;
-  /* The squared distance of the centres is least at t = -along / speed; aside is what remains of the gap there. */
+  /* The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there. */
   if (along >= 0) return GRAZE_ENGINE_MISS;
   for (int i = 0; i < 3; ++i) rest[i] = gap[i] - along / speed * motion[i];
   const double aside = sqrt(dot(rest, rest));
@@ -51,8 +51,10 @@ graze_engine_outcome graze_engine_cast(const graze_engine_question* q, void* pre
   const double half_chord = sqrt((reach - aside) * (reach + aside) * speed);
   out->time = (apart - reach) * (apart + reach) / (half_chord - along);
   if (out->time > q->t_max) return GRAZE_ENGINE_MISS;
-  for (int i = 0; i < 3; ++i) rest[i] = gap[i] + out->time * motion[i];
+  /* The gap at `time`, of two perpendicular parts: gap + time * motion would cancel where the bodies come from afar. */
+  for (int i = 0; i < 3; ++i) rest[i] -= half_chord / speed * motion[i];
   const double length = sqrt(dot(rest, rest));
-  for (int i = 0; i < 3; ++i) out->normal[i] = rest[i] / length;
+  /* Points that meet leave no gap. */
+  for (int i = 0; i < 3; ++i) out->normal[i] = length > 0 ? rest[i] / length : -motion[i] / sqrt(speed);
   return GRAZE_ENGINE_HIT;
 }

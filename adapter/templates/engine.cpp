@@ -34,15 +34,18 @@ Answer cast(const Question& q) {
   const Vector motion = q.b.displacement - q.a.displacement;
   const double along = dot(gap, motion), speed = dot(motion, motion), apart = length(gap);
   if (apart <= reach) return Answer::overlapping();
-  // The squared distance of the centres is least at t = -along / speed; aside is what remains of the gap there.
+  // The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
   if (along >= 0) return Answer::miss();
-  const double aside = length(gap - (along / speed) * motion);
+  const Vector rest = gap - (along / speed) * motion;
+  const double aside = length(rest);
   if (aside > reach) return Answer::miss();
   const double half_chord = std::sqrt((reach - aside) * (reach + aside) * speed);
   const double time = (apart - reach) * (apart + reach) / (half_chord - along);
   if (time > q.t_max) return Answer::miss();
   Answer answer = Answer::hit(time);
-  answer.normal = normalized(gap + time * motion);
+  // The gap at `time`, of two perpendicular parts: gap + time * motion would cancel where the bodies come from afar.
+  const Vector touching = rest - (half_chord / speed) * motion;
+  answer.normal = normalized(length(touching) > 0 ? touching : -1 * motion);  // points that meet leave no gap
   return answer;
 }
 

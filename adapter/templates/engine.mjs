@@ -47,14 +47,17 @@ function cast(a, b, tMax) {
   const speed = dot(motion, motion);
   const apart = Math.hypot(...gap);
   if (apart <= reach) return { outcome: 'initially_overlapping' };
-  // The squared distance of the centres is least at t = -along / speed; aside is what remains of the gap there.
+  // The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
   if (along >= 0) return { outcome: 'miss' };
-  const aside = Math.hypot(...gap.map((x, i) => x - motion[i] * (along / speed)));
+  const rest = gap.map((x, i) => x - motion[i] * (along / speed));
+  const aside = Math.hypot(...rest);
   if (aside > reach) return { outcome: 'miss' };
   const halfChord = Math.sqrt((reach - aside) * (reach + aside) * speed);
   const time = ((apart - reach) * (apart + reach)) / (halfChord - along);
   if (time > tMax) return { outcome: 'miss' };
-  const normal = gap.map((x, i) => x + time * motion[i]);
+  // The gap at `time`, of two perpendicular parts: gap + time * motion would cancel where the bodies come from afar.
+  const touching = rest.map((x, i) => x - motion[i] * (halfChord / speed));
+  const normal = touching.some((x) => x !== 0) ? touching : motion.map((v) => -v); // points that meet leave no gap
   const length = Math.hypot(...normal);
   return { outcome: 'hit', time, normal: normal.map((x) => x / length) };
 }

@@ -53,17 +53,20 @@ def cast(a, b, t_max):
     apart = math.hypot(*gap)
     if apart <= reach:
         return {"outcome": "initially_overlapping"}
-    # The squared distance of the centres is least at t = -along / speed; aside is what remains of the gap there.
+    # The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
     if along >= 0:
         return {"outcome": "miss"}
-    aside = math.hypot(*(x - v * (along / speed) for x, v in zip(gap, motion)))
+    rest = [x - v * (along / speed) for x, v in zip(gap, motion)]
+    aside = math.hypot(*rest)
     if aside > reach:
         return {"outcome": "miss"}
     half_chord = math.sqrt((reach - aside) * (reach + aside) * speed)
     time = (apart - reach) * (apart + reach) / (half_chord - along)
     if time > t_max:
         return {"outcome": "miss"}
-    normal = [x + time * v for x, v in zip(gap, motion)]
+    # The gap at `time`, of two perpendicular parts: gap + time * motion would cancel where the bodies come from afar.
+    touching = [x - v * (half_chord / speed) for x, v in zip(rest, motion)]
+    normal = touching if any(touching) else [-v for v in motion]  # points that meet leave no gap
     length = math.hypot(*normal)
     return {"outcome": "hit", "time": time, "normal": [x / length for x in normal]}
 

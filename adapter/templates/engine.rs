@@ -166,7 +166,7 @@ fn cast(a: &Json, b: &Json, t_max: f64) -> String {
     if apart <= reach {
         return r#""outcome": "initially_overlapping""#.to_string();
     }
-    // The squared distance of the centres is least at t = -along / speed; aside is what remains of the gap there.
+    // The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
     if along >= 0.0 {
         return miss;
     }
@@ -180,13 +180,16 @@ fn cast(a: &Json, b: &Json, t_max: f64) -> String {
     if time > t_max {
         return miss;
     }
-    let rest = moved(gap, time, motion);
-    let length = dot(rest, rest).sqrt();
+    // The gap at `time`, of two perpendicular parts: gap + time * motion would cancel where the bodies come from afar.
+    let touching = moved(rest, -half_chord / speed, motion);
+    let is_gap = dot(touching, touching) > 0.0; // points that meet leave none
+    let normal = if is_gap { touching } else { motion.map(|v| -v) };
+    let length = dot(normal, normal).sqrt();
     format!(
         r#""outcome": "hit", "time": {time:e}, "normal": [{:e}, {:e}, {:e}]"#,
-        rest[0] / length,
-        rest[1] / length,
-        rest[2] / length
+        normal[0] / length,
+        normal[1] / length,
+        normal[2] / length
     )
 }
 

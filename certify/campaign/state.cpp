@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "corpus/format/fields.hpp"
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 
@@ -55,102 +59,206 @@ Json findings_json(const std::vector<Finding>& findings) {
   return list;
 }
 
-// A count: nothing negative, no fraction.
-std::uint64_t whole_number(const Json& json) {
-  if (!json.is_number_unsigned())
-    throw std::runtime_error(corpus::document_text(json) + " is no whole number");
-  return json.get<std::uint64_t>();
+using Names = std::vector<std::string_view>;
+
+// What a value is, for the first half of a message: `the string "zz"`.
+std::string described(const Json& json) {
+  constexpr std::size_t kMostQuoted = 60;
+  const std::string text = corpus::document_text(json);
+  const std::string shown = text.size() > kMostQuoted ? text.substr(0, kMostQuoted) + "..." : text;
+  return json.is_string() ? "the string " + shown : json.is_number() ? "the number " + shown : shown;
 }
 
-std::vector<Finding> findings_of(const Json& list) {
-  std::vector<Finding> findings;
-  for (const Json& finding : list) {
-    findings.push_back({.index = whole_number(finding.at("index")),
-                        .method = finding.at("method"),
-                        .family = finding.at("family"),
-                        .level = finding.at("level"),
-                        .seed = whole_number(finding.at("seed")),
-                        .reason = finding.at("reason")});
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw std::runtime_error(path.empty() ? what : path + ": " + what);
+}
+
+std::string child(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+const Json& array_at(const Json& json, const std::string& path) {
+  if (!json.is_array()) refuse(path, described(json) + "; an array");
+  return json;
+}
+std::string text_at(const Json& json, const std::string& path) {
+  if (!json.is_string()) refuse(path, described(json) + "; a string");
+  return json.get<std::string>();
+}
+double number_at(const Json& json, const std::string& path) {
+  if (!json.is_number()) refuse(path, described(json) + "; a number");
+  return json.get<double>();
+}
+// Nothing negative, no fraction.
+std::uint64_t count_at(const Json& json, const std::string& path) {
+  if (!json.is_number_unsigned()) refuse(path, described(json) + "; a whole number of 0 or more");
+  return json.get<std::uint64_t>();
+}
+std::vector<std::string> texts_at(const Json& json, const std::string& path) {
+  std::vector<std::string> texts;
+  for (const Json& one : array_at(json, path))
+    texts.push_back(text_at(one, fmt::format("{}[{}]", path, texts.size())));
+  return texts;
+}
+
+// An object of the state: every field is known, and is there unless it is named as one that may not be.
+class Object {
+ public:
+  Object(const Json& json, std::string path, const Names& known, const Names& may_be_missing = {})
+      : json_(json), path_(std::move(path)) {
+    if (!json.is_object())
+      refuse(path_, fmt::format("{}; an object with the fields {}", described(json), corpus::joined(known)));
+    for (const auto& [key, value] : json.items()) {
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      refuse(path_, fmt::format("unknown field {}; known fields: {}", corpus::json_quote_short(key),
+                                corpus::joined(known)));
+    }
+    for (const std::string_view key : known) {
+      const bool may_be =
+          std::find(may_be_missing.begin(), may_be_missing.end(), key) != may_be_missing.end();
+      if (!may_be && !has(key)) refuse(child(path_, key), "missing");
+    }
   }
+
+  [[nodiscard]] bool has(std::string_view key) const { return json_.contains(key); }
+  [[nodiscard]] const Json& at(std::string_view key) const { return json_.at(std::string(key)); }
+  [[nodiscard]] std::string path(std::string_view key) const { return child(path_, key); }
+  [[nodiscard]] const Json& array(std::string_view key) const { return array_at(at(key), path(key)); }
+  [[nodiscard]] std::string text(std::string_view key) const { return text_at(at(key), path(key)); }
+  [[nodiscard]] double number(std::string_view key) const { return number_at(at(key), path(key)); }
+  [[nodiscard]] std::uint64_t count(std::string_view key) const { return count_at(at(key), path(key)); }
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const {
+    return texts_at(at(key), path(key));
+  }
+  // read(item, its path), for every item of an array.
+  template <class Read>
+  void each(std::string_view key, const Read& read) const {
+    std::size_t index = 0;
+    for (const Json& item : array(key)) read(item, fmt::format("{}[{}]", path(key), index++));
+  }
+
+ private:
+  const Json& json_;
+  std::string path_;
+};
+
+std::vector<Finding> findings_of(const Object& state, std::string_view key) {
+  std::vector<Finding> findings;
+  state.each(key, [&](const Json& json, const std::string& path) {
+    const Object finding(json, path, {"index", "method", "family", "level", "seed", "reason"});
+    findings.push_back({.index = finding.count("index"),
+                        .method = finding.text("method"),
+                        .family = finding.text("family"),
+                        .level = finding.number("level"),
+                        .seed = finding.count("seed"),
+                        .reason = finding.text("reason")});
+  });
   return findings;
 }
 
-std::uint64_t hex_of(const std::string& text) {
-  std::size_t used = 0;
-  const std::uint64_t value = std::stoull(text, &used, 16);
-  if (used != text.size()) throw std::invalid_argument("no hexadecimal number");
+std::uint64_t digest_of(const Object& state) {
+  constexpr std::size_t kDigits = 16;
+  const std::string text = state.text("digest");
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value, 16);
+  if (text.size() != kDigits || error != std::errc() || stop != end)
+    refuse("digest", fmt::format("{}; {} hexadecimal digits", described(state.at("digest")), kDigits));
   return value;
 }
 
-std::vector<OtherContender> others_of(const Json& part) {
+std::vector<OtherContender> others_of(const Object& part) {
   std::vector<OtherContender> others;
-  if (!part.contains("others")) return others;
-  for (const Json& one : part.at("others")) {
-    others.push_back({.method = one.at("method"),
-                      .query = one.at("query"),
-                      .version = one.at("version"),
-                      .stall_cap = one.at("stall_cap"),
-                      .held_to = one.at("held_to")});
+  if (!part.has("others")) return others;
+  part.each("others", [&](const Json& json, const std::string& path) {
+    const Object one(json, path, {"method", "query", "version", "stall_cap", "held_to"});
+    others.push_back({.method = one.text("method"),
+                      .query = one.text("query"),
+                      .version = one.text("version"),
+                      .stall_cap = one.number("stall_cap"),
+                      .held_to = one.text("held_to")});
     const auto& names = corpus::kQueryNames;
     if (std::find(names.begin(), names.end(), others.back().query) == names.end())
-      throw std::runtime_error(fmt::format("others: {} is no query", others.back().query));
-  }
+      refuse(one.path("query"), described(one.at("query")) + "; " + corpus::joined(names));
+  });
   return others;
 }
 
-CampaignState state_of(const Json& json) {
-  if (json.at("schema") != kSchema) {
-    throw std::runtime_error(
-        fmt::format("schema is {}, not \"{}\"", corpus::document_text(json.at("schema")), kSchema));
-  }
-  CampaignState state;
-  const Json& settings = json.at("settings");
-  state.settings = {.parts = {},
-                    .seed = whole_number(settings.at("seed")),
-                    .block = whole_number(settings.at("block")),
-                    .fingerprint = settings.at("fingerprint")};
-  for (const Json& part : settings.at("parts")) {
-    state.settings.parts.push_back({.kind = part.at("kind"),
-                                    .methods = part.at("methods"),
-                                    .families = part.at("families"),
-                                    .count = whole_number(part.at("count")),
-                                    .oracle_every = whole_number(part.at("oracle_every")),
-                                    .judge_every = whole_number(part.at("judge_every")),
-                                    .others = others_of(part)});
-  }
-  if (state.settings.casts() == 0 || state.settings.block == 0) {
+CampaignSettings settings_of(const Json& json) {
+  const Object settings(json, "settings", {"parts", "seed", "block", "fingerprint"});
+  CampaignSettings out{.parts = {},
+                       .seed = settings.count("seed"),
+                       .block = settings.count("block"),
+                       .fingerprint = settings.text("fingerprint")};
+  settings.each("parts", [&](const Json& one, const std::string& path) {
+    const Object part(one, path,
+                      {"kind", "methods", "families", "count", "oracle_every", "judge_every", "others"},
+                      {"others"});
+    out.parts.push_back({.kind = part.text("kind"),
+                         .methods = part.texts("methods"),
+                         .families = part.texts("families"),
+                         .count = part.count("count"),
+                         .oracle_every = part.count("oracle_every"),
+                         .judge_every = part.count("judge_every"),
+                         .others = others_of(part)});
+  });
+  if (out.casts() == 0 || out.block == 0)
     throw std::runtime_error("the counts of settings.parts and settings.block must be 1 or more");
-  }
-  state.shard = {.index = whole_number(json.at("shard").at(0)),
-                 .count = whole_number(json.at("shard").at(1))};
-  if (state.shard.index < 1 || state.shard.index > state.shard.count) {
-    throw std::runtime_error("shard must be [i, n] with 1 <= i <= n");
-  }
-  state.left_out = json.at("left_out");
-  for (const Json& range : json.at("done")) {
-    const BlockRange blocks(whole_number(range.at(0)), whole_number(range.at(1)));
-    if (boost::icl::is_empty(blocks) || !boost::icl::within(blocks, state.share())) {
-      throw std::runtime_error(
-          fmt::format("done: {} is no range of the shard's blocks", corpus::document_text(range)));
-    }
-    state.done += blocks;
-  }
-  state.tally.digest = hex_of(json.at("digest"));
-  for (const Json& level : json.at("levels")) {
+  return out;
+}
+
+// Two numbers: "shard", or a range of blocks that are done.
+std::pair<std::uint64_t, std::uint64_t> pair_at(const Json& json, const std::string& path) {
+  if (!json.is_array() || json.size() != 2) refuse(path, described(json) + "; an array of two whole numbers");
+  return {count_at(json[0], path + "[0]"), count_at(json[1], path + "[1]")};
+}
+
+void read_levels(const Object& json, CampaignState& state) {
+  Names known = {"method", "family", "level", "widest"};
+  for (const CountField& field : kCountFields) known.emplace_back(field.name);
+  json.each("levels", [&](const Json& one, const std::string& path) {
+    // A state of before engines of others were asked has no count of their failures.
+    const Object level(one, path, known, {"failed"});
     state.cells.push_back(
-        {.method = level.at("method"), .family = level.at("family"), .level = level.at("level")});
+        {.method = level.text("method"), .family = level.text("family"), .level = level.number("level")});
     CampaignCounts counts;
-    counts.widest = level.at("widest");
-    for (const CountField& field : kCountFields) {
-      // A state of before engines of others were asked has no count of their failures.
-      const bool is_new = field.value == &CampaignCounts::failed;
-      counts.*field.value = is_new && !level.contains(field.name) ? 0 : whole_number(level.at(field.name));
-    }
+    counts.widest = level.number("widest");
+    for (const CountField& field : kCountFields)
+      counts.*field.value = level.has(field.name) ? level.count(field.name) : 0;
     state.tally.counts.push_back(counts);
-  }
-  state.tally.faults = findings_of(json.at("faults"));
-  state.tally.stalls = findings_of(json.at("stalls"));
-  state.tally.undecided = findings_of(json.at("undecided"));
+  });
+}
+
+// What it is comes first: the fields of another document are none of these.
+void require_schema(const Json& json) {
+  if (!json.is_object() || !json.contains("schema") || json.at("schema") == kSchema) return;
+  throw std::runtime_error(
+      fmt::format("schema is {}, not \"{}\"", corpus::document_text(json.at("schema")), kSchema));
+}
+
+CampaignState state_of(const Json& json) {
+  require_schema(json);
+  const Object all(json, "",
+                   {"schema", "settings", "shard", "left_out", "done", "digest", "levels", "faults", "stalls",
+                    "undecided"});
+  CampaignState state;
+  state.settings = settings_of(all.at("settings"));
+  const auto [index, count] = pair_at(all.at("shard"), "shard");
+  state.shard = {.index = index, .count = count};
+  if (index < 1 || index > count) refuse("shard", described(all.at("shard")) + "; [i, n] with 1 <= i <= n");
+  state.left_out = all.texts("left_out");
+  all.each("done", [&](const Json& range, const std::string& path) {
+    const auto [first, end] = pair_at(range, path);
+    const BlockRange blocks(first, end);
+    if (boost::icl::is_empty(blocks) || !boost::icl::within(blocks, state.share()))
+      refuse(path, described(range) + " is no range of the shard's blocks");
+    state.done += blocks;
+  });
+  state.tally.digest = digest_of(all);
+  read_levels(all, state);
+  state.tally.faults = findings_of(all, "faults");
+  state.tally.stalls = findings_of(all, "stalls");
+  state.tally.undecided = findings_of(all, "undecided");
   const CampaignCounts total = state.tally.total();
   if (total.casts + total.not_asked != state.casts_done()) {
     throw std::runtime_error(fmt::format("the levels count {} casts, the blocks that are done have {}",
@@ -212,8 +320,12 @@ CampaignState parse_state(std::string_view text, const std::string& name) {
 }
 
 CampaignState read_state(const std::filesystem::path& file) {
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  if (!in) {
+    throw std::runtime_error(fmt::format("{}: cannot be read{}{}", file.string(), errno != 0 ? ": " : "",
+                                         errno != 0 ? std::strerror(errno) : ""));
+  }
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   return parse_state(text, file.string());
 }

@@ -10,6 +10,7 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "report/table.hpp"
 
@@ -277,7 +278,9 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
     text += fmt::format("Left out, with hardly a question for {}: {}.\n",
                         has_others ? "all of these methods" : "the tier", fmt::join(state.left_out, ", "));
   }
-  if (total.not_asked > 0) text += fmt::format("{} cases were no question.\n", total.not_asked);
+  if (total.not_asked > 0)
+    text += fmt::format("{} {} no question.\n", counted(total.not_asked, "case"),
+                        total.not_asked == 1 ? "was" : "were");
   text += fmt::format("Digest of the answers: {:016x}; of the families: {}.\n", state.tally.digest,
                       settings.fingerprint);
   show_findings(text, state.tally.faults, "fault", named);

@@ -32,6 +32,14 @@ void read_one(std::string_view text, const std::string& name, int line, Ids& ids
   }
 }
 
+// Of a file of something else one line says so, and not each of its own.
+std::string held_by_its_first_line(std::string_view text) {
+  const std::vector<TextLine> lines = split_lines(text);
+  if (lines.empty()) return {};
+  const ParsedJson parsed = parse_json(lines.front().text);
+  return parsed.error ? std::string() : held_by_another_schema(parsed.value, kCaseSchemas);
+}
+
 // The fields of a case in the order of the schema; `starts_line` in the pretty form.
 struct Field {
   const char* key;
@@ -174,6 +182,8 @@ std::string Ids::taken(const std::string& id, const std::string& place) {
 ReadResult read_text(std::string_view text, const std::string& name, bool jsonl, Ids& ids) {
   ReadResult result;
   if (jsonl) {
+    const std::string held = held_by_its_first_line(text);
+    if (!held.empty()) return {{}, {{name, 0, "", held}}};
     for (const TextLine& line : split_lines(text)) read_one(line.text, name, line.number, ids, result);
   } else if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) {
     read_one(text, name, 0, ids, result);

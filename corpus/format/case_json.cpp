@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -171,6 +173,8 @@ void read_question(const Fields& fields, Case& problem) {
 }  // namespace
 
 Case case_from_json(const JsonValue& value, const std::string& path) {
+  if (std::string held = held_by_another_schema(value, kCaseSchemas); !held.empty())
+    throw Malformed{path, std::move(held)};
   const Fields fields(value, path,
                       {"schema", "id", "family", "hardness", "comment", "source", "flags", "a", "b", "t_max",
                        "target_distance", "start_policy", "query", "direction", "expect"});
@@ -205,8 +209,12 @@ std::vector<TextLine> split_lines(std::string_view text) {
 FileText read_whole_file(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return {"", "a directory; a .json or .jsonl file"};
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return {"", "cannot be opened; a readable .json or .jsonl file"};
+  if (!stream) {
+    const std::string why = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+    return {"", "cannot be opened" + why + "; a readable .json or .jsonl file"};
+  }
   std::ostringstream content;
   content << stream.rdbuf();
   if (stream.bad()) return {"", "cannot be read to its end; a readable .json or .jsonl file"};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "corpus/format/names.hpp"
+
 namespace graze::corpus {
 namespace {
 
@@ -52,6 +54,34 @@ std::string joined(std::span<const std::string_view> names) {
     text += names[i];
   }
   return text;
+}
+
+std::string held_by_another_schema(const JsonValue& value, std::span<const std::string_view> own) {
+  struct Held {
+    std::string_view schema, what, reader;
+  };
+  constexpr Held kHeld[] = {
+      {kCaseSchema, "a case", "graze cast answers it"},
+      {kSecondCaseSchema, "a case", "graze cast answers it"},
+      {"graze.scene/1", "a scene", "graze scene answers it"},
+      {"graze.events/1", "the events of a scene", "graze scene --json writes it"},
+      {"graze.proof/1", "a proof", "graze check checks it"},
+      {"graze.question/1", "a question", "graze serve answers it"},
+      {"graze.answer/1", "an answer", "graze judge judges it"},
+      {"graze.engine/1", "what an engine says of itself", "graze judge --engine-file reads it"},
+      {"graze.campaign/2", "the state of a campaign", "graze merge reads it"},
+      {"graze.price/1", "what graze price measured", "graze compare reads it"},
+      {"graze.certification/1", "what was counted", "graze certify --json writes it"},
+      {"graze.guarantees/1", "a table of guarantees", "graze certify --guarantees reads it"},
+  };
+  const JsonValue* schema = value.kind == JsonValue::Kind::object ? value.find("schema") : nullptr;
+  if (schema == nullptr || schema->kind != JsonValue::Kind::string) return {};
+  if (std::find(own.begin(), own.end(), schema->text) != own.end()) return {};
+  for (const Held& held : kHeld) {
+    if (schema->text == held.schema)
+      return std::string("holds ").append(held.what) + " (" + schema->text + "); " + std::string(held.reader);
+  }
+  return {};
 }
 
 std::string describe(const JsonValue& value) {

@@ -28,6 +28,11 @@ class Fields {
   std::string path_;
 };
 
+// What a document says by its schema that it holds, where that is known and none of `own`: "holds a scene
+// (graze.scene/1); graze scene answers it". Else empty.
+[[nodiscard]] std::string held_by_another_schema(const JsonValue& value,
+                                                 std::span<const std::string_view> own);
+
 // What a value is, in words, for the first half of a message: `a string`, `an array of 2`.
 [[nodiscard]] std::string describe(const JsonValue& value);
 

@@ -53,7 +53,7 @@ class TreeBuilder {
   bool key(std::string& name) {
     JsonValue& object = *stack_.back();
     if (object.find(name) != nullptr) {
-      return fail("the field " + json_quote_short(name) + " appears twice; each field at most once");
+      return fail("the field " + json_quote_short(name) + " appears twice; each field at most once", &name);
     }
     if (object.keys.size() >= kMaxJsonFields) {
       return fail("more than " + std::to_string(kMaxJsonFields) +
@@ -72,8 +72,8 @@ class TreeBuilder {
   }
 
  private:
-  bool fail(std::string what) {
-    error = Malformed{path(), std::move(what)};
+  bool fail(std::string what, const std::string* next_key = nullptr) {
+    error = Malformed{path(next_key), std::move(what)};
     return false;
   }
 
@@ -109,8 +109,9 @@ class TreeBuilder {
     return true;
   }
 
-  // Where the parser stands, cut after some levels: the head says where to look.
-  std::string path() const {
+  // Where the parser stands, cut after some levels: the head says where to look. At a key, that key's field: the last
+  // that its object has is done.
+  std::string path(const std::string* next_key = nullptr) const {
     constexpr std::size_t kMaxLevels = 8;
     std::string p;
     for (std::size_t i = 0; i < stack_.size(); ++i) {
@@ -120,7 +121,8 @@ class TreeBuilder {
         const bool inside = i + 1 < stack_.size();
         p += "[" + std::to_string(level.items.size() - (inside ? 1 : 0)) + "]";
       } else if (!level.keys.empty()) {
-        const std::string& name = level.keys.back();
+        const bool is_next = next_key != nullptr && i + 1 == stack_.size();
+        const std::string& name = is_next ? *next_key : level.keys.back();
         p += (p.empty() ? "" : ".") + (name.size() > kMaxQuoted ? json_quote_short(name) : name);
       }
     }

@@ -19,6 +19,8 @@ template <class Enum, std::size_t kCount>
 // What a case says that it is.
 inline constexpr std::string_view kCaseSchema = "graze.case/1", kSecondCaseSchema = "graze.case/2";
 
+inline constexpr std::array<std::string_view, 2> kCaseSchemas = {kCaseSchema, kSecondCaseSchema};
+
 // Indexed by the enumerators' values.
 inline constexpr auto kOutcomeNames = core_names<Outcome, 5>();
 inline constexpr auto kStartPolicyNames = core_names<StartPolicy, 2>();

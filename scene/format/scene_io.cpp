@@ -186,11 +186,14 @@ void read_options(const Fields& fields, Options& options) {
   length("tolerance", options.tolerance);
 }
 
+constexpr std::array<std::string_view, 1> kSchemas = {kSceneSchema};
+
 Document document_from(const JsonValue& value) {
+  if (std::string held = corpus::held_by_another_schema(value, kSchemas); !held.empty())
+    throw Malformed{"", std::move(held)};
   const Fields fields(value, "",
                       {"schema", "id", "comment", "tier", "ask", "request", "t_max", "target_distance",
                        "tolerance", "shapes", "bodies", "rays", "casts"});
-  constexpr std::array<std::string_view, 1> kSchemas = {kSceneSchema};
   (void)corpus::read_choice(fields.required("schema", "\"graze.scene/1\""), "schema", kSchemas);
   Document out;
   out.id = corpus::read_string(fields.required("id", "a name for the scene"), "id");

@@ -20,10 +20,10 @@ std::string to_text(const Counts& counts) {
   const auto line = [&](std::uint64_t number, std::string_view what) {
     if (number > 0) text.append(std::to_string(number)).append(" ").append(what).append("\n");
   };
-  line(counts.bodies, "bodies");
+  line(counts.bodies, counts.bodies == 1 ? "body" : "bodies");
   line(counts.resting, "of them at rest");
   line(counts.turning, "of them turning");
-  line(counts.pairs, "pairs");
+  line(counts.pairs, counts.pairs == 1 ? "pair" : "pairs");
   line(counts.filtered, "nothing: parted by their filters");
   line(counts.apart, "nothing: at rest, and their bounds are apart");
   line(counts.never_meet, "nothing: their swept bounds never meet");

@@ -582,6 +582,17 @@ TEST(State, what_is_wrong_in_a_file_is_named) {
   EXPECT_NE(with("\"seed\": 7", "\"seed\": -7").find("-7"), std::string::npos);
   EXPECT_NE(with("\"block\": 32", "\"block\": 16").find("the levels count"), std::string::npos);
   EXPECT_NE(with("\"block\"", "\"blocks\"").find("block"), std::string::npos);
+  const std::string place = "kept.json: is no state of a campaign: ";
+  const std::string digest = good.substr(good.find("\"digest\": \"") + 11, 16);
+  EXPECT_EQ(with(digest, "zz"), place + "digest: the string \"zz\"; 16 hexadecimal digits");
+  EXPECT_EQ(with("\"left_out\"", "\"left_in\"").find(place + "unknown field \"left_in\"; known fields: "),
+            0U);
+  EXPECT_EQ(with("\"widest\": ", "\"widest\": \"x\", \"w\": ").find(place + "levels[0]: unknown field \"w\""),
+            0U);
+  EXPECT_EQ(complaint_of(R"({"schema": "graze.campaign/2"})"), place + "settings: missing");
+  EXPECT_EQ(with("\"seed\": 7", "\"seed\": \"7\""),
+            place + "settings.seed: the string \"7\"; a whole number of 0 or more");
+  EXPECT_EQ(with("\"count\": ", "\"count\": [1], \"count_of\": ").find("json.exception"), std::string::npos);
 }
 
 }  // namespace

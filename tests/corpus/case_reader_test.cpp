@@ -64,9 +64,13 @@ const Malformation kMalformations[] = {
     {"duplicate_key", with_fields(R"("t_max": 1, "t_max": 2)"), "t_max", "appears twice"},
     {"duplicate_key_inside", with_shape(R"({"type": "sphere", "radius": 1, "radius": 1})"), "a.shape.radius",
      "appears twice"},
+    {"duplicate_key_after_an_object", with_fields(R"("expect": {"by": "x"}, "id": "other")"), "id",
+     "appears twice"},
     {"no_schema", R"({"id": "t/1"})", "schema", "missing; \"graze.case/1\""},
     {"later_schema", R"({"schema": "graze.case/3", "id": "t/1"})", "schema",
      "this version reads \"graze.case/1\" and \"graze.case/2\""},
+    {"scene", R"({"schema": "graze.scene/1", "id": "s", "ask": "pair"})", "",
+     "holds a scene (graze.scene/1); graze scene answers it"},
     {"measure_of_the_second_schema", with_fields(R"("expect": {"by": "x", "clearance": 1})"),
      "expect.clearance", "a field of \"graze.case/2\""},
     {"no_id", R"({"schema": "graze.case/1"})", "id", "missing; every case has an id"},
@@ -285,7 +289,9 @@ TEST(CaseReader, AnEmptyReadFails) {
 
 TEST(CaseReader, AFileThatCannotBeReadIsAnError) {
   const auto missing = std::filesystem::path(testing::TempDir()) / "graze_not_there.json";
-  EXPECT_NE(read_file(missing).errors.at(0).text().find("cannot be opened"), std::string::npos);
+  EXPECT_NE(
+      read_file(missing).errors.at(0).text().find("cannot be opened: No such file or directory; a readable"),
+      std::string::npos);
   EXPECT_NE(read_file(testing::TempDir()).errors.at(0).text().find("a directory"), std::string::npos);
   EXPECT_FALSE(read_directory(missing).ok());
 }

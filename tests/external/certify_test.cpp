@@ -190,7 +190,7 @@ TEST(Certify, RefusesToJudgeAnEngineByNothing) {
   EXPECT_EQ(folder.graze(words + "balls.jsonl").exit_code, 0);
   const CommandRun run = folder.graze(words + "box.jsonl");
   EXPECT_EQ(run.exit_code, 2) << run.out;
-  EXPECT_NE(run.err.find("bad: no answer of it was judged: of 1 cases it takes none"), std::string::npos)
+  EXPECT_NE(run.err.find("bad: no answer of it was judged: of 1 case it takes none"), std::string::npos)
       << run.err;
 }
 
@@ -203,6 +203,17 @@ TEST(Certify, SaysWhyNoCaseOfAFamilyIsAsked) {
                 "lattice: none of its cases is asked; the first, lattice/h0/s1: bad/double: its shape hull"),
             std::string::npos)
       << run.err;
+}
+
+TEST(Certify, SaysHowFewOfAFamilyAreAsked) {
+  const Folder folder;
+  const CommandRun run =
+      folder.graze("certify --queries 0 --count 20 --family random --engine \"" BAD_ENGINE " none\"");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.err.find("random: 1 of 20 cases is one that an engine takes; the first other is random/h"),
+            std::string::npos)
+      << run.err;
+  EXPECT_NE(run.out.find("so few answers certify little.\n"), std::string::npos) << run.out;
 }
 
 TEST(Certify, RefusesAnEngineThatCannotBeAsked) {

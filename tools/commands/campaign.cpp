@@ -22,6 +22,7 @@
 #include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -97,10 +98,7 @@ Shard parse_shard(const std::string& text) {
 }
 
 // Block numbers and the sums of counts stay far from overflow.
-void require_count(const char* option, std::uint64_t count) {
-  constexpr std::uint64_t kMost = 1'000'000'000'000'000;
-  if (count < 1 || count > kMost) throw std::runtime_error(fmt::format("{}: must be 1 to {}", option, kMost));
-}
+CLI::Validator count_of_casts() { return whole_number(1, 1'000'000'000'000'000); }
 
 // Fails now rather than after hours.
 void require_writable(const std::string& name) {
@@ -152,15 +150,6 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
 
 // What is asked, part by part.
 CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines) {
-  for (const auto& [option, count] : {std::pair("--casts", arguments.casts),
-                                      {"--per-family", arguments.per_family},
-                                      {"--rotating", arguments.rotating},
-                                      {"--rotating-per-family", arguments.rotating_per_family},
-                                      {"--queries", arguments.queries},
-                                      {"--judge-every", std::optional(arguments.judge_every)},
-                                      {"--block", arguments.block}}) {
-    if (count) require_count(option, *count);
-  }
   const auto only_one = [](const char* one, const char* other, bool both) {
     if (both) throw std::runtime_error(fmt::format("{}: says with {} how many casts; give one", one, other));
   };
@@ -253,25 +242,25 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
           "--casts", arguments->casts,
           fmt::format("Linear casts ({}, of engines of others {}, unless other questions are asked for)",
                       kCasts, kCastsOfOthers))
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--per-family", arguments->per_family,
                    "N of each family, by each method, in place of --casts")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command->add_option("--rotating", arguments->rotating, "Casts of turning bodies")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--rotating-per-family", arguments->rotating_per_family,
                    "N of each family, by each method, in place of --rotating")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--queries", arguments->queries,
                    "Ask each other query N times in each linear family, of each method")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--family", arguments->families,
@@ -285,7 +274,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
                       linear_names(), rotating_names()))
       ->type_name("NAME");
   command->add_option("--seed", arguments->seed, "Another campaign of the same kind (1)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(seed_number())
       ->type_name("S");
   command
       ->add_option(
@@ -293,18 +282,18 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
           fmt::format("The oracle judges one cast in N besides, chosen at random ({}; of turning bodies {}); "
                       "of queries, which have no proofs, it judges one in N alone (1); 0: none",
                       kCastOracleEvery, kRotatingOracleEvery))
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number())
       ->type_name("N");
   command
       ->add_option(
           "--judge-every", arguments->judge_every,
           "Judge one case in N, chosen at random, and every answer that did not converge, is refused or "
           "makes no sense; of the rest the outcomes are counted, for rates of stalls (1)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that cast; the result does not depend on them")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command
       ->add_option("--state", arguments->state,
@@ -316,7 +305,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       ->add_option(
           "--block", arguments->block,
           fmt::format("Casts that are done or not at all ({}; other than linear {})", kBlock, kSlowBlock))
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_of_casts())
       ->type_name("N");
   command->add_option("--save", arguments->outputs.save, "Write the cases of failures to this file")
       ->type_name("OUT.jsonl");
@@ -340,7 +329,10 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       "  graze campaign --state part3.json --shard 3/8      on one of eight machines; graze merge "
       "part*.json\n\n"
       "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input; 130 or 143 if stopped by a signal.");
-  command->callback([arguments, &exit_code] { exit_code = run_campaign_command(*arguments); });
+  command->callback([arguments, command, &exit_code] {
+    require_engine(*command);
+    exit_code = run_campaign_command(*arguments);
+  });
 }
 
 }  // namespace graze::tool

@@ -1,7 +1,6 @@
 // graze cast: the answer of a method to each case of the files.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -40,11 +40,6 @@ void check(const CastSettings& settings) {
   if (settings.scalar != "double" && settings.scalar != "float") {
     throw std::runtime_error(
         fmt::format("--scalar: {} is no scalar; it is double or float", settings.scalar));
-  }
-  if (!(settings.tolerance >= 0 && std::isfinite(settings.tolerance))) {
-    throw std::runtime_error(
-        fmt::format("--tolerance: {} is no tolerance; it is a length over the scale of the bodies, 0 or more",
-                    settings.tolerance));
   }
   if (settings.plan && !(settings.method.empty() && settings.proofs.empty())) {
     throw std::runtime_error(
@@ -126,7 +121,7 @@ class CastRun {
         ask_engines(file.name, problem);
       }
     }
-    if (proofs_) proofs_->close();
+    if (proofs_) bad_ ? proofs_->close_what_is_written() : proofs_->close();
     for (const std::string& line : engines_->finish()) {
       complain(line);
       ++failed_;
@@ -139,13 +134,15 @@ class CastRun {
   }
 
  private:
+  // Standard output is one thing's: beside proofs that go there the answers go to stderr.
+  [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& file, const corpus::Case& problem, const std::string& why) {
     complain(fmt::format("{}: case {}: {}", file, problem.id, why));
     bad_ = true;
   }
   void show(const std::string& file, const corpus::Case& problem, const engine::Method& method,
             const engine::Answer& answer) {
-    fmt::print("{}\n",
+    fmt::print(screen(), "{}\n",
                settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
     if (answer.outcome == Outcome::invalid_input) {
       refuse(file, problem,
@@ -225,8 +222,9 @@ class CastRun {
           continue;
         }
         is_asked = true;
-        fmt::print("{}\n", settings_.json ? answer_json(problem, method, answer)
-                                          : answer_block(problem, method, answer));
+        fmt::print(
+            screen(), "{}\n",
+            settings_.json ? answer_json(problem, method, answer) : answer_block(problem, method, answer));
         if (answer.failure != engine::Failure::none) ++failed_;
         save_proof(method, problem, answer);
       }
@@ -247,7 +245,7 @@ class CastRun {
       return refuse(file, problem, fmt::format("is invalid_input: {}", why));
     }
     const Plan plan = method.plan(problem, ask_);
-    fmt::print("{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
+    fmt::print(screen(), "{}\n", settings_.json ? plan_json(problem, plan) : plan_block(problem, plan));
   }
 
   void ask(const std::string& file, const corpus::Case& problem) {
@@ -316,6 +314,7 @@ void add_cast_command(CLI::App& app, int& exit_code) {
           "--tolerance", settings->tolerance,
           "The search may stop once the bracket is as narrow, a length over the scale of the bodies; "
           "0 (the default): where rounding ends it. Tier exact and whether bodies overlap need none")
+      ->check(number_from(0))
       ->type_name("X");
   command->add_flag("--json", settings->json,
                     "One JSON object a line, which says all that the text says; numbers read back to the "
@@ -363,7 +362,10 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "the "
       "other\ncases are answered all the same. 1 if an engine of others crashed, hung or wrote what is no "
       "answer; what it does not\ntake is said and counted.");
-  command->callback([settings, &exit_code] { exit_code = CastRun(*settings)(); });
+  command->callback([settings, command, &exit_code] {
+    require_engine(*command);
+    exit_code = CastRun(*settings)();
+  });
 }
 
 }  // namespace graze::tool

@@ -13,6 +13,7 @@
 #include "certify/engine_findings.hpp"
 #include "certify/intake.hpp"
 #include "certify/worst_cases.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
 #include "tools/commands/certify_pages.hpp"
@@ -90,10 +91,19 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
     }
     if (asked > 0 || !certification.unfinished.empty()) continue;
     is_any = true;
-    complain(fmt::format("{}: no answer of it was judged: of {} cases it takes none (docs/engines.md)",
-                         engine->declaration().name, certification.questions));
+    complain(fmt::format("{}: no answer of it was judged: of {} it takes none (docs/engines.md)",
+                         engine->declaration().name, counted(certification.questions, "case")));
   }
   return is_any;
+}
+
+// Whether no answer at all was judged, and no stop was the reason.
+bool complain_of_no_answer(const Certification& certification) {
+  if (certification.answers > 0 || !certification.unfinished.empty()) return false;
+  complain(fmt::format("no answer was judged: of {} no method takes any{}",
+                       counted(certification.questions, "case"),
+                       certification.unasked.empty() ? "" : "; " + certification.unasked));
+  return true;
 }
 
 int run_certify_command(const CertifyArguments& arguments) {
@@ -155,15 +165,54 @@ int run_certify_command(const CertifyArguments& arguments) {
   std::string html;
   if (files.has_page())
     html = certify_page(arguments, selection, certification, settings, worst, findings, took.count());
-  const bool is_unasked = complain_of_unasked(selection.engines(), certification);
+  const bool is_unasked =
+      complain_of_unasked(selection.engines(), certification) || complain_of_no_answer(certification);
   const std::vector<std::string> left_behind = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
   print_certification(arguments, selection, certification, settings, intake, took.count());
-  if (!arguments.findings.empty()) fmt::print("\n{}", save_findings(findings, arguments.findings));
+  if (!arguments.findings.empty())
+    fmt::print(arguments.screen(), "\n{}", save_findings(findings, arguments.findings));
   files.write(certification, settings, took.count(), html);
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   if (bad || is_unasked) return 2;
   return certification.breaches.empty() ? 0 : 1;
+}
+
+bool is_given(const CLI::App& command, const std::string& option) {
+  return command.get_option(option)->count() > 0;
+}
+
+// What is done instead of a judgement of answers, and the options that say nothing of it.
+struct Instead {
+  const char* option;
+  const char* what;
+  std::vector<const char*> without_meaning;
+};
+
+// Throws std::runtime_error with one line to show for an option that nothing would come of.
+void require_meaning(const CLI::App& command) {
+  const std::vector<const char*> of_answers = {"--json",         "--junit",     "--findings",
+                                               "--full",         "--fail-fast", "--thorough",
+                                               "--report-cases", "--queries",   "--oracle-every"};
+  Instead laws{"--laws", "tries laws", of_answers}, stability{"--stability", "draws curves", of_answers};
+  for (const char* option :
+       {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance", "--kappa"})
+    laws.without_meaning.push_back(option);
+  for (const char* option : {"--report", "--corpus"}) stability.without_meaning.push_back(option);
+  for (const Instead& instead : {laws, stability}) {
+    if (!is_given(command, instead.option)) continue;
+    for (const char* option : instead.without_meaning) {
+      if (!is_given(command, option)) continue;
+      throw std::runtime_error(
+          fmt::format("{}: has no meaning beside {}, which {} instead; leave one of them away", option,
+                      instead.option, instead.what));
+    }
+  }
+  require_engine(command);
+  if (is_given(command, "--findings") && !is_given(command, "--engine"))
+    throw std::runtime_error("--findings: are of engines of others; name one with --engine");
+  if (is_given(command, "--report-cases") && !is_given(command, "--report"))
+    throw std::runtime_error("--report-cases: is of the report; name its folder with --report");
 }
 
 }  // namespace
@@ -228,7 +277,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
   command->add_flag("--fail-fast", arguments->fail_fast, "Stop at the first fault");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
-      ->check(whole_number(0, kMostThreads))
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command
       ->add_option(
@@ -294,7 +343,10 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "  graze certify --laws --family grazing_edge --count 500   every law instead, for every method\n\n"
       "Exit code: 0 if every method keeps its row of the guarantee table (--laws: every law holds), 1 if one "
       "does not,\n2 for bad input, and if there is nothing to judge.");
-  command->callback([arguments, &exit_code] { exit_code = run_certify_command(*arguments); });
+  command->callback([arguments, command, &exit_code] {
+    require_meaning(*command);
+    exit_code = run_certify_command(*arguments);
+  });
 }
 
 }  // namespace graze::tool

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ struct CertifyArguments {
   std::string corpus, guarantees, save, plot, json, junit, findings, report;
   std::size_t report_cases = ReportDefaults::kCases;
 
+  // Standard output is one thing's: beside a document that goes there the text goes to stderr.
+  [[nodiscard]] std::FILE* screen() const {
+    return save == "-" || json == "-" || junit == "-" ? stderr : stdout;
+  }
   // All of ours, unless engines of others are to be judged.
   [[nodiscard]] std::vector<std::string> our_methods() const {
     return methods.empty() && engines.commands.empty() ? std::vector<std::string>{"all"} : methods;

@@ -10,6 +10,7 @@
 #include "certify/report_page.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "show/page.hpp"
 #include "tools/commands/commands.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 // What is known to be wrong and not mended yet: judged and shown in every run, and held against no row. A
 // case leaves this file for corpus/cases when its mechanism is mended.
-void print_known_failures(const Settings& settings, bool in_full) {
+void print_known_failures(std::FILE* screen, const Settings& settings, bool in_full) {
   const std::filesystem::path file = known_failures();
   if (!std::filesystem::exists(file)) return;
   const corpus::ReadResult known = corpus::read_file(file.string());
@@ -29,24 +30,30 @@ void print_known_failures(const Settings& settings, bool in_full) {
   Intake intake;
   intake.take("known failures", known.cases, true);
   const Certification failing = certify(intake.suites, settings);
-  fmt::print("{} of {} known failures fail, held against no row (corpus/{}; --full says how).\n",
+  fmt::print(screen, "{} of {} known failures fail, held against no row (corpus/{}; --full says how).\n",
              failing.convicted.size(), known.cases.size(), file.filename().string());
   if (!in_full) return;
-  for (const std::string& line : failing.breaches) fmt::print("known: {}\n", line);
+  for (const std::string& line : failing.breaches) fmt::print(screen, "known: {}\n", line);
 }
 
 // What was given beside casts, and what of all that nothing judges.
-void print_intake(const Intake& intake) {
+void print_intake(std::FILE* screen, const Intake& intake) {
   if (intake.questions > 0) {
-    fmt::print("{} questions beside the cast are judged as they are asked.\n", intake.questions);
+    fmt::print(screen, "{} beside the cast {} judged as {} asked.\n", counted(intake.questions, "question"),
+               intake.questions == 1 ? "is" : "are", intake.questions == 1 ? "it is" : "they are");
   }
-  if (intake.recast > 0) fmt::print("{} of contact are judged as casts, too.\n", intake.recast);
-  if (intake.left_out > 0) fmt::print("{} cases are not judged.\n", intake.left_out);
+  if (intake.recast > 0)
+    fmt::print(screen, "{} of contact {}, too.\n", intake.recast,
+               intake.recast == 1 ? "is judged as a cast" : "are judged as casts");
+  if (intake.left_out > 0)
+    fmt::print(screen, "{} {} not judged.\n", counted(intake.left_out, "case"),
+               intake.left_out == 1 ? "is" : "are");
 }
 
-void print_screen(const Certification& certification, const Settings& settings) {
-  fmt::print("\n{}", summary_table(certification, settings));
+void print_screen(std::FILE* screen, const Certification& certification, const Settings& settings) {
+  fmt::print(screen, "\n{}", summary_table(certification, settings));
   fmt::print(
+      screen,
       "answers in both scalars; stalls: not converged, or a bracket that says of itself that it is wide; "
       "proofs: "
       "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
@@ -81,7 +88,8 @@ std::string certify_line(const CertifyArguments& arguments) {
 
 std::filesystem::path known_failures() { return corpus::corpus_directory() / "known_failures.jsonl"; }
 
-CertifyFiles::CertifyFiles(const CertifyArguments& arguments) : report_(arguments.report) {
+CertifyFiles::CertifyFiles(const CertifyArguments& arguments)
+    : report_(arguments.report), screen_(arguments.screen()) {
   const auto open = [](const std::string& name) {
     return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
   };
@@ -107,7 +115,7 @@ void CertifyFiles::write(const Certification& certification, const Settings& set
     page_->close();
     beside_page_->write_line(certification_json(certification, settings, seconds));
     beside_page_->close();
-    fmt::print("The report is {}.\n", (std::filesystem::path(report_) / "index.html").string());
+    fmt::print(screen_, "The report is {}.\n", (std::filesystem::path(report_) / "index.html").string());
   }
   if (junit_) {
     junit_->write_line(certification_junit(certification, settings, seconds));
@@ -140,24 +148,25 @@ std::string certify_page(const CertifyArguments& arguments, const Selection& sel
 void print_certification(const CertifyArguments& arguments, const Selection& selection,
                          const Certification& certification, const Settings& settings, const Intake& intake,
                          double seconds) {
-  fmt::print("{}", verdict_line(certification, seconds));
-  for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
+  std::FILE* const screen = arguments.screen();
+  fmt::print(screen, "{}", verdict_line(certification, seconds));
+  for (const std::string& breach : certification.breaches) fmt::print(screen, "broken: {}\n", breach);
   if (!certification.unfinished.empty()) {
-    fmt::print("Not finished: {}\n", fmt::join(certification.unfinished, ", "));
+    fmt::print(screen, "Not finished: {}\n", fmt::join(certification.unfinished, ", "));
   }
   // What is known of our own methods.
   if (arguments.takes_curated() && !settings.stop() && arguments.engines.commands.empty())
-    print_known_failures(settings, arguments.full || arguments.thorough);
-  print_intake(intake);
+    print_known_failures(screen, settings, arguments.full || arguments.thorough);
+  print_intake(screen, intake);
   if (arguments.full || arguments.thorough) {
-    fmt::print("\n{}", full_tables(certification, settings));
+    fmt::print(screen, "\n{}", full_tables(certification, settings));
   } else {
-    if (selection.has_ours()) print_screen(certification, settings);
+    if (selection.has_ours()) print_screen(screen, certification, settings);
   }
   if (!selection.engines().empty()) {
-    fmt::print("\n{}", certificates(certification, settings));
+    fmt::print(screen, "\n{}", certificates(certification, settings));
     if (const std::string times = time_table(certification, settings); !times.empty())
-      fmt::print("\n{}", times);
+      fmt::print(screen, "\n{}", times);
   }
 }
 

@@ -1,6 +1,7 @@
 // What `graze certify` prints and writes of what was judged.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -27,6 +28,7 @@ class CertifyFiles {
 
  private:
   std::string report_;
+  std::FILE* screen_;
   std::unique_ptr<OutputFile> save_, json_, page_, beside_page_, junit_;
 };
 

@@ -73,6 +73,21 @@ void Selection::read_table(const std::string& name) {
   }
 }
 
+namespace {
+
+// "; the first other is ..., and why it is not asked": of so many seeds from the first on, where there is one.
+std::string first_refused(const corpus::Family& family, std::size_t count, std::uint64_t seed,
+                          const Selection& selection) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const corpus::Case problem = family.generate(family.levels[i % family.levels.size()], seed + i);
+    if (!selection.takes(problem))
+      return fmt::format("; the first other is {}: {}", problem.id, selection.why_not(problem));
+  }
+  return {};
+}
+
+}  // namespace
+
 std::filesystem::path curated_directory(const CertifyArguments& arguments) {
   return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
                                   : std::filesystem::path(arguments.corpus);
@@ -104,6 +119,10 @@ bool take_all(Intake& intake, const CertifyArguments& arguments, const Selection
         const corpus::Case first = family->generate(family->levels.front(), arguments.seed);
         intake.why.push_back(fmt::format("{}: none of its cases is asked; the first, {}: {}", family->name,
                                          first.id, selection.why_not(first)));
+      } else if (suite.size() < count) {
+        intake.why.push_back(fmt::format("{}: {} of {} cases {} that an engine takes{}", family->name,
+                                         suite.size(), count, suite.size() == 1 ? "is one" : "are ones",
+                                         first_refused(*family, count, arguments.seed, selection)));
       }
       intake.suites.push_back(std::move(suite));
     }

@@ -8,6 +8,7 @@
 #include "report/inputs.hpp"
 #include "report/outputs.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -71,7 +72,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
           "--kappa", arguments->kappa,
           "Also accept a linear proof that is true of shapes within K u of scale of the given ones, u the "
           "unit roundoff of its record's scalar (0: none)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from(0))
       ->type_name("K");
   command->footer(
       "A proof holds its case, an axis that bounds the time of impact from below, and a portal of support "

@@ -8,6 +8,7 @@
 #include "price/compare.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -52,12 +53,12 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--threshold", arguments->threshold,
                    "By what part a ratio of times or a mean of supports must grow to be said (0.1)")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_from(0, 100))
       ->type_name("X");
   command
       ->add_option("--error-factor", arguments->error_factor,
                    "By what factor an error must grow, beyond rounding, to be said (2)")
-      ->check(CLI::Range(1.0, 1e12))
+      ->check(number_from(1, 1e12))
       ->type_name("X");
   command->add_flag("--all", arguments->all, "Also say what got better");
   command->footer(

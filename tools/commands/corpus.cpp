@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "corpus/format/case_io.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/corpus_add.hpp"
 #include "tools/commands/corpus_files.hpp"
@@ -55,7 +56,7 @@ int validate(const Files& files) {
     bad = bad || !result.ok();
     count += result.cases.size();
   }
-  fmt::print("{} valid cases\n", count);
+  fmt::print("{}\n", counted(count, "valid case"));
   return bad ? 2 : 0;
 }
 

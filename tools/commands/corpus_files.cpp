@@ -25,10 +25,14 @@ std::optional<std::vector<corpus::Case>> read_sound(const std::string& name, cor
   return std::move(result.cases);
 }
 
-void replace_file(const std::string& name, const std::vector<corpus::Case>& cases) {
+void replace_file(const std::string& given, const std::vector<corpus::Case>& cases) {
+  // A link stays one: what it leads to is replaced.
+  std::error_code ignored;
+  const std::filesystem::path place = std::filesystem::canonical(given, ignored);
+  const std::string name = ignored ? given : place.string();
   const std::string beside = name + ".new";
   require_own_file(beside);
-  const bool lines = std::filesystem::path(name).extension() == ".jsonl";
+  const bool lines = std::filesystem::path(given).extension() == ".jsonl";
   {
     std::ofstream out(beside, std::ios::binary | std::ios::trunc);
     if (!out) throw std::runtime_error(name + ": cannot be written; name a file in a folder that can");

@@ -12,6 +12,7 @@
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
 #include "oracles/truth/derive.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "report/parallel.hpp"
 #include "report/progress.hpp"
@@ -113,7 +114,8 @@ int verify_corpus(const std::string& directory, unsigned threads) {
   for (const std::string& line : lines) fmt::print("{}\n", line);
   const auto answered = std::count_if(all.cases.begin(), all.cases.end(),
                                       [](const Case& problem) { return problem.expect.has_value(); });
-  fmt::print("{} cases, {} with an answer, {} differences\n", all.cases.size(), answered, lines.size());
+  fmt::print("{}, {} with an answer, {}\n", counted(all.cases.size(), "case"), answered,
+             counted(lines.size(), "difference"));
   if (all.bad) return 2;
   return lines.empty() ? 0 : 1;
 }

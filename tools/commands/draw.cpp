@@ -13,6 +13,7 @@
 #include "report/answer_text.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
@@ -45,10 +46,6 @@ Vec3<double> parse_direction(const std::string& text) {
 
 draw::DrawSettings draw_settings(const DrawArguments& settings) {
   draw::DrawSettings out{.view = {}, .width = settings.width};
-  if (settings.width < draw::kLeastWidth || settings.width > draw::kGreatestWidth) {
-    throw std::runtime_error(fmt::format("--width: {} pixels are not drawn; give {} to {}", settings.width,
-                                         draw::kLeastWidth, draw::kGreatestWidth));
-  }
   if (settings.view == "auto") return out;
   const std::string axes = "xyz";
   const std::size_t axis = settings.view.size() == 1 ? axes.find(settings.view) : std::string::npos;
@@ -111,7 +108,7 @@ int run_draw_command(const DrawArguments& settings) {
     return draw_families(settings, how);
   }
   if (settings.files.empty()) {
-    throw std::runtime_error("graze draw: no case is given; name a case file, or - for standard input");
+    throw std::runtime_error("draw: no case is given; name a case file, or - for standard input");
   }
   will_read(settings.files);
   const CaseFiles inputs = read_case_files(settings.files);
@@ -165,7 +162,9 @@ void add_draw_command(CLI::App& app, int& exit_code) {
                    "Towards the viewer: x, y, z, a direction such as 1,0,2.5, or auto (the default): across "
                    "the motion and along the contact, A below and B above")
       ->type_name("VIEW");
-  command->add_option("--width", settings->width, "Of the picture, in pixels (760)")->type_name("W");
+  command->add_option("--width", settings->width, "Of the picture, in pixels (760)")
+      ->check(whole_number(draw::kLeastWidth, draw::kGreatestWidth))
+      ->type_name("W");
   command
       ->add_option("--families", settings->families,
                    "Draws the pictures of docs/families.md into this folder")

@@ -3,27 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
+#include "corpus/format/fields.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
 namespace {
 
 constexpr const char* kGroup = "Engines of others";
+// Seconds: what a limit counts, and a day.
+constexpr double kLeastTime = 0.001, kMostTime = 86400;
+constexpr std::array<std::string_view, 7> kAnswers = {"verdict",  "time",  "normal", "witnesses",
+                                                      "distance", "depth", "proof"};
 
-// A length, or a multiple of one: finite, and not negative.
-CLI::Validator not_negative() {
-  return {[](const std::string& text) {
-            try {
-              std::size_t end = 0;
-              const double value = std::stod(text, &end);
-              if (end == text.size() && value >= 0 && std::isfinite(value)) return std::string();
-            } catch (const std::exception&) {
-            }
-            return fmt::format("{} is no number of 0 or more", text);
+// A name that is none of these would be refused of every engine.
+CLI::Validator one_of(std::span<const std::string_view> names, const char* what) {
+  return {[=](const std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            return fmt::format("{} is no {}; it is {}", text, what, corpus::joined(names));
           },
           ""};
 }
@@ -57,7 +58,7 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
       ->allow_extra_args(false)
       ->group(kGroup);
   command.add_option("--time-limit", arguments.time_limit, "Seconds that an engine has for an answer (1)")
-      ->check(not_negative())
+      ->check(number_from(kLeastTime, kMostTime))
       ->type_name("S")
       ->group(kGroup);
   command.add_option("--memory-limit", arguments.memory_limit, "MiB that a process of it may use (2048)")
@@ -72,17 +73,17 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments) {
 
 void add_promise_options(CLI::App& command, EngineArguments& arguments) {
   command.add_option("--tolerance", arguments.tolerance, "Hold it to this length, whatever it promises")
-      ->check(not_negative())
+      ->check(number_from(0))
       ->type_name("X")
       ->group(kGroup);
   command
       .add_option("--relative-tolerance", arguments.relative_tolerance,
                   "The same, over the scale of each question")
-      ->check(not_negative())
+      ->check(number_from(0))
       ->type_name("X")
       ->group(kGroup);
   command.add_option("--kappa", arguments.kappa, "The same, in units of u scale")
-      ->check(not_negative())
+      ->check(number_from(0))
       ->type_name("K")
       ->group(kGroup);
 }
@@ -91,16 +92,29 @@ void add_need_options(CLI::App& command, EngineArguments& arguments) {
   command
       .add_option("--needs-shape", arguments.needed_shapes,
                   "Refuse an engine that does not declare this shape (may be repeated)")
+      ->check(one_of(external::shape_names(), "shape"))
       ->type_name("SHAPE")
       ->allow_extra_args(false)
       ->group(kGroup);
   command
       .add_option("--needs-answer", arguments.needed_answers,
                   "Refuse an engine none of whose queries declares this answer (may be repeated)")
-      ->check(CLI::IsMember({"verdict", "time", "normal", "witnesses", "distance", "depth", "proof"}))
+      ->check(one_of(kAnswers, "answer"))
       ->type_name("ANSWER")
       ->allow_extra_args(false)
       ->group(kGroup);
+}
+
+void require_engine(const CLI::App& command) {
+  if (command.get_option("--engine")->count() > 0) return;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group() != kGroup || option->count() == 0) continue;
+    const std::string name = option->get_name();
+    const char* what = name.starts_with("--needs")       ? "is what an engine must declare"
+                       : name.find("limit") != name.npos ? "is of engines of others"
+                                                         : "is what an engine is held to";
+    throw std::runtime_error(fmt::format("{}: {}; name one with --engine", name, what));
+  }
 }
 
 Engines::Engines(const EngineArguments& arguments) {

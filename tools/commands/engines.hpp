@@ -27,6 +27,8 @@ void add_engine_options(CLI::App& command, EngineArguments& arguments);
 void add_promise_options(CLI::App& command, EngineArguments& arguments);
 // What each must declare.
 void add_need_options(CLI::App& command, EngineArguments& arguments);
+// Throws std::runtime_error with one line to show if one of these options is given, and no engine.
+void require_engine(const CLI::App& command);
 
 // The engines that the command line names, for as long as they are asked.
 class Engines {

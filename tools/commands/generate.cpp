@@ -1,6 +1,7 @@
 // graze generate: the cases of a family, to standard output.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -22,10 +23,14 @@ struct GenerateSettings {
 
 std::string family_list() {
   std::string text;
+  std::size_t width = 0;
+  for (const auto families : {corpus::families(), corpus::rotating_families()}) {
+    for (const corpus::Family& family : families) width = std::max(width, family.name.size() + 2);
+  }
   const auto add = [&](std::span<const corpus::Family> families) {
     for (const corpus::Family& family : families) {
-      text += fmt::format("  {:<18}{}\n  {:<18}hardness {} to {}: {}\n", family.name, family.sentence, "",
-                          family.levels.front(), family.levels.back(), family.hardness_meaning);
+      text += fmt::format("  {:<{}}{}\n  {:<{}}hardness {} to {}: {}\n", family.name, width, family.sentence,
+                          "", width, family.levels.front(), family.levels.back(), family.hardness_meaning);
     }
   };
   add(corpus::families());
@@ -64,6 +69,7 @@ void add_generate_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("FAMILY");
   command->add_option("--hardness", settings->hardness, "How hard; without it, all levels in turn")
+      ->check(number_from())
       ->type_name("H");
   command->add_option("--count", settings->count, "How many cases (10)")
       ->check(whole_number())

@@ -181,6 +181,8 @@ int run_judge_command(const JudgeArguments& arguments) {
   settings.threads =
       arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
   for (const engine::Method& method : engine.methods()) settings.methods.push_back(&method);
+  // Standard output is one thing's.
+  std::FILE* const screen = arguments.json == "-" ? stderr : stdout;
   std::size_t faulty = 0;
   settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method&,
                         const law::Judgement& judgement) {
@@ -189,16 +191,16 @@ int run_judge_command(const JudgeArguments& arguments) {
     ++faulty;
     for (const law::FaultKind& kind : law::kFaultKinds) {
       if (!(judgement.*kind.why).empty())
-        fmt::print("{}  {}  {}\n", problem.id, kind.name, judgement.*kind.why);
+        fmt::print(screen, "{}  {}  {}\n", problem.id, kind.name, judgement.*kind.why);
     }
   };
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   const Certification certification = certify(suites, settings);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  fmt::print("{} of {} answers at fault\n", faulty, certification.answers);
-  for (const std::string& breach : certification.breaches) fmt::print("broken: {}\n", breach);
-  fmt::print("\n{}", certificates(certification, settings));
+  fmt::print(screen, "{} of {} answers at fault\n", faulty, certification.answers);
+  for (const std::string& breach : certification.breaches) fmt::print(screen, "broken: {}\n", breach);
+  fmt::print(screen, "\n{}", certificates(certification, settings));
   if (json) {
     json->write_line(certification_json(certification, settings, took.count()));
     json->close();
@@ -209,7 +211,7 @@ int run_judge_command(const JudgeArguments& arguments) {
 }
 
 CLI::Option* add_limit(CLI::App& command, const char* name, std::optional<double>& target, const char* what) {
-  return command.add_option(name, target, what)->check(CLI::NonNegativeNumber)->type_name("X");
+  return command.add_option(name, target, what)->check(number_from(0))->type_name("X");
 }
 
 }  // namespace
@@ -240,7 +242,7 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       ->type_name("OUT.json");
   command
       ->add_option("--threads", arguments->threads, "Threads that judge; the result does not depend on them")
-      ->check(whole_number(0, kMostThreads))
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command->footer(
       "Of each answer at fault a line: the case, the fault, the reason. Then what certify prints of engines "

@@ -12,7 +12,9 @@
 #include "certify/laws_of_others.hpp"
 #include "certify/suites.hpp"
 #include "corpus/curate/location.hpp"
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
+#include "report/stop.hpp"
 #include "show/page.hpp"
 #include "show/scene.hpp"
 #include "tools/commands/options.hpp"
@@ -108,14 +110,14 @@ std::string look_command(const LawBreach& breach, const std::string& file) {
 void print_breach(const LawBreach& breach, const std::string& file) {
   const law::Finding& finding = breach.finding;
   fmt::print(
-      "broken: {} by {}, {} times: {}\n"
+      "broken: {} by {}, {}: {}\n"
       "  first    {}\n"
       "  again    {}\n"
       "  reason   {}\n"
       "  smallest {}\n"
       "  look     {}{}\n",
-      finding.law, finding.method, breach.times, finding.sentence, breach.first, finding.seed, finding.reason,
-      corpus::write_case(law::as_case(finding)), look_command(breach, file),
+      finding.law, finding.method, counted(breach.times, "time"), finding.sentence, breach.first,
+      finding.seed, finding.reason, corpus::write_case(law::as_case(finding)), look_command(breach, file),
       file.empty() ? " (the smallest, saved as case.json)" : "");
 }
 
@@ -150,8 +152,8 @@ void write_report(const LawArguments& arguments, const LawCertification& certifi
   std::string plain;
   for (const LawBreach& breach : certification.breaches) {
     const law::Finding& finding = breach.finding;
-    const std::string words =
-        fmt::format("{} broke {}, {} times: {}", finding.method, finding.law, breach.times, finding.reason);
+    const std::string words = fmt::format("{} broke {}, {}: {}", finding.method, finding.law,
+                                          counted(breach.times, "time"), finding.reason);
     plain += fmt::format("{}\n  {}\n", words, look_command(breach, file));
     if (scenes.size() == kMostShown) continue;
     std::vector<const engine::Method*> asked;
@@ -167,14 +169,17 @@ void write_report(const LawArguments& arguments, const LawCertification& certifi
     scenes.push_back(std::move(scene));
   }
   const std::string title =
-      certification.breaches.empty() ? "graze: every law holds"
+      certification.breaches.empty()
+          ? certification.unfinished.empty() ? "graze: every law holds" : "graze: laws, stopped"
       : certification.breaches.size() == 1
           ? "graze: a law is broken"
           : fmt::format("graze: laws are broken {} times", certification.breaches.size());
   OutputFile page((folder / "index.html").string());
   const std::string html = show::page_html(
       title, {{"schema", "graze.page/1"}, {"kind", "show"}, {"title", title}, {"scenes", std::move(scenes)}},
-      plain.empty() ? "Every law holds.\n" : plain);
+      !plain.empty()                     ? plain
+      : certification.unfinished.empty() ? "Every law holds.\n"
+                                         : "Stopped: no law is broken so far.\n");
   page.write_line(html.substr(0, html.size() - 1));
   page.close();
   if (certification.breaches.size() > kMostShown)
@@ -263,8 +268,10 @@ int run_laws(const LawArguments& arguments) {
       });
     });
   }
+  const StopBySignal signals;
+  settings.stop = [] { return StopBySignal::received() != 0; };
   const LawCertification certification = certify_laws(suites, settings);
-  fmt::print("{} laws over {} cases\n\n", settings.laws.size(), certification.cases);
+  fmt::print("{} over {}\n\n", counted(settings.laws.size(), "law"), counted(certification.cases, "case"));
   if (!others.empty()) fmt::print("{}\n", other_law_table(certification, settings));
   if (!arguments.methods.empty()) print_ours(certification, settings);
   const std::string file = !arguments.save.empty() ? arguments.save
@@ -273,9 +280,14 @@ int run_laws(const LawArguments& arguments) {
                                : "";
   for (const LawBreach& breach : certification.breaches) print_breach(breach, file);
   const bool held = certification.breaches.empty();
-  fmt::print("{}\n", held ? "Every law holds." : "A law is broken.");
+  const bool stopped = !certification.unfinished.empty();
+  if (stopped) fmt::print("Not finished: {}\n", fmt::join(certification.unfinished, ", "));
+  fmt::print("{}\n", !held     ? "A law is broken."
+                     : stopped ? "Stopped: no law is broken so far."
+                               : "Every law holds.");
   if (save) write_cases(*save, certification);
   if (!arguments.report.empty()) write_report(arguments, certification, others);
+  if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   if (bad) return 2;
   return held ? 0 : 1;
 }
@@ -291,9 +303,6 @@ void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& n
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->needs(all);
-  for (const char* other : {"--stability", "--plot", "--guarantees", "--oracle-every", "--queries"}) {
-    all->excludes(command.get_option(other));
-  }
 }
 
 }  // namespace graze::tool

@@ -20,10 +20,10 @@ struct LawArguments {
   std::string corpus, save, report;
 };
 
-// The exit code: 1 if a law is broken, 2 for bad input or nothing to judge.
+// The exit code: 1 if a law is broken, 2 for bad input or nothing to judge; of a stop by signal 128 and its number.
 [[nodiscard]] int run_laws(const LawArguments& arguments);
 
-// --laws and --law, and what they do not go with.
+// --laws and --law.
 void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& names);
 
 }  // namespace graze::tool

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
 
 namespace graze::tool {
 
@@ -15,6 +14,20 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
             const bool good = error == std::errc() && stop == end && least <= value && value <= most;
             return good ? std::string()
                         : fmt::format("{} is no whole number from {} to {}", text, least, most);
+          },
+          ""};
+}
+
+CLI::Validator number_from(double least, double most) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end && least <= value && value <= most) return std::string();
+            if (least == std::numeric_limits<double>::lowest()) return text + " is no finite number";
+            return most < std::numeric_limits<double>::max()
+                       ? fmt::format("{} is no number from {} to {}", text, least, most)
+                       : fmt::format("{} is no number of {} or more", text, least);
           },
           ""};
 }

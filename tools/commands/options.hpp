@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <limits>
 
 namespace graze::tool {
 
@@ -12,6 +13,9 @@ inline constexpr std::uint64_t kMostThreads = 1024;
 
 // A whole number, in digits, of this range: no sign, no fraction, and nothing too large to be read.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t least = 0, std::uint64_t most = kMostCases);
+// A number of this range: not "nan", and finite.
+[[nodiscard]] CLI::Validator number_from(double least = std::numeric_limits<double>::lowest(),
+                                         double most = std::numeric_limits<double>::max());
 // Any that a generator of cases begins with.
 [[nodiscard]] CLI::Validator seed_number();
 

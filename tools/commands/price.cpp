@@ -167,8 +167,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<PriceArguments>();
   CLI::App* command =
       app.add_subcommand("price", "What accuracy costs in time: every method's error against its time.");
-  command->add_flag("--quick", arguments->quick,
-                    "As it is without: a few dozen cases a table, a minute or two");
+  command->add_flag("--quick", arguments->quick, "The default: a few dozen cases a table, half a minute");
   command->add_flag("--thorough", arguments->thorough,
                     "Eight times the cases, every decade of tolerance, more rounds: an hour or so");
   command
@@ -188,7 +187,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command
       ->add_option("--threads", arguments->threads, "Threads that measure errors; one alone measures times")
-      ->check(whole_number(0, kMostThreads))
+      ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command->add_flag("--full", arguments->full, "Print every row of every table");
   command
@@ -220,7 +219,10 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "  python3 price/figures.py price.json figures          every figure\n"
       "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
       "Exit code: 0; 2 for bad input; 130 if it was stopped.");
-  command->callback([arguments, &exit_code] { exit_code = run_price_command(*arguments); });
+  command->callback([arguments, command, &exit_code] {
+    require_engine(*command);
+    exit_code = run_price_command(*arguments);
+  });
 }
 
 }  // namespace graze::tool

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "report/counted.hpp"
 #include "report/inputs.hpp"
 #include "report/progress.hpp"
 #include "report/stop.hpp"
@@ -103,13 +104,16 @@ class SceneRun {
       for (const corpus::ReadError& error : read.errors) refuse(error.text());
       if (read.document) play(file, *read.document);
     }
-    if (proofs_) proofs_->close();
+    const int signal = StopBySignal::received();
+    if (proofs_) bad_ || signal != 0 ? proofs_->close_what_is_written() : proofs_->close();
     if (!settings_.report.empty()) write_page();
-    if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
+    if (signal != 0) return 128 + signal;
     return bad_ ? 2 : 0;
   }
 
  private:
+  // Standard output is one thing's: beside proofs that go there the events go to stderr.
+  [[nodiscard]] std::FILE* screen() const { return settings_.proofs == "-" ? stderr : stdout; }
   void refuse(const std::string& why) {
     complain(why);
     bad_ = true;
@@ -127,13 +131,13 @@ class SceneRun {
     const scene::Report report = run(document);
     if (!report.wrong.empty()) return refuse(fmt::format("{}: {}", file, report.wrong));
     if (settings_.json) {
-      fmt::print("{}\n", scene::write_report(document, report));
+      fmt::print(screen(), "{}\n", scene::write_report(document, report));
     } else {
       show(document, report);
     }
     if (report.status == scene::Status::interrupted) {
-      complain(fmt::format("{}: interrupted with {} pairs left; what is shown is what is known", file,
-                           report.counts.unfinished));
+      complain(fmt::format("{}: interrupted with {} left; what is shown is what is known", file,
+                           counted(report.counts.unfinished, "pair")));
     }
     if (proofs_) write_proofs(document, report);
     if (!settings_.report.empty()) {
@@ -144,7 +148,7 @@ class SceneRun {
     if (settings_.gains) show_gains(document);
     if (settings_.steps > 0) {
       SceneSteps steps(document, settings_.steps);
-      if (steps.run()) fmt::print("{}", steps.table().text());
+      if (steps.run()) fmt::print(screen(), "{}", steps.table().text());
     }
   }
 
@@ -193,39 +197,41 @@ class SceneRun {
     const scene::Planned planned = scene::plan(document.scene, document.options);
     if (!planned.wrong.empty()) return refuse(fmt::format("{}: {}", file, planned.wrong));
     if (settings_.json) {
-      fmt::print("{}\n", scene::write_plan(document, planned));
+      fmt::print(screen(), "{}\n", scene::write_plan(document, planned));
       return;
     }
-    fmt::print("{}\n{}", document.id, scene::to_text(planned.counts));
+    fmt::print(screen(), "{}\n{}", document.id, scene::to_text(planned.counts));
     for (const scene::PairPlan& pair : planned.pairs) {
-      fmt::print("  {} - {}: {}, not before t = {:.6g}\n", document.scene.bodies[pair.a].name,
+      fmt::print(screen(), "  {} - {}: {}, not before t = {:.6g}\n", document.scene.bodies[pair.a].name,
                  document.scene.bodies[pair.b].name, to_text(pair.plan.effects), pair.begin);
     }
   }
 
-  static void show_event(const scene::Event& event, const std::string& a, const std::string& b,
-                         Request request) {
+  void show_event(const scene::Event& event, const std::string& a, const std::string& b,
+                  Request request) const {
     std::string text = fmt::format("  t = {:<12.9g} {} - {}", event.toi_lower, a, b);
     if (event.outcome == Outcome::initially_overlapping) text += ", in contact at the start";
     if (event.outcome == Outcome::not_converged) text += fmt::format(", open up to {:.9g}", event.toi_upper);
     if (event.outcome == Outcome::hit && asks_for(request, Request::normal)) {
       text += ", normal " + vector_text(event.normal);
     }
-    fmt::print("{}  [{}]\n", text, to_text(event.effects));
+    fmt::print(screen(), "{}  [{}]\n", text, to_text(event.effects));
   }
 
-  static void show(const scene::Document& document, const scene::Report& report) {
+  void show(const scene::Document& document, const scene::Report& report) const {
     const scene::Scene& all = document.scene;
     const Request request = document.options.request;
-    fmt::print("{}: {}, {} events\n", document.id, to_text(document.options.tier), report.events.size());
+    fmt::print(screen(), "{}: {}, {}\n", document.id, to_text(document.options.tier),
+               counted(report.events.size(), "event"));
     for (const scene::Event& event : report.events) {
       show_event(event, all.bodies[event.a].name, all.bodies[event.b].name, request);
     }
-    if (!all.probes.empty()) fmt::print("rays and casts: {} events\n", report.probe_events.size());
+    if (!all.probes.empty())
+      fmt::print(screen(), "rays and casts: {}\n", counted(report.probe_events.size(), "event"));
     for (const scene::Event& event : report.probe_events) {
       show_event(event, all.probes[event.a].name, all.bodies[event.b].name, request);
     }
-    fmt::print("{}bounds {:.3g} ms, casts {:.3g} ms\n", scene::to_text(report.counts),
+    fmt::print(screen(), "{}bounds {:.3g} ms, casts {:.3g} ms\n", scene::to_text(report.counts),
                1e3 * report.times.bounds, 1e3 * report.times.casts);
   }
 
@@ -277,7 +283,7 @@ class SceneRun {
                  {"times"},
                  {"events"}});
     for (const Variant& variant : variants) table.add_row(row_of(variant, variants.front().seconds));
-    fmt::print("{}", table.text());
+    fmt::print(screen(), "{}", table.text());
   }
   static std::vector<std::string> row_of(const Variant& variant, double base) {
     const scene::Report& report = variant.report;

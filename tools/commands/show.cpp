@@ -72,7 +72,7 @@ class ShowRun {
     }
     if (cases_.size() > kMostScenes) {
       throw std::runtime_error(
-          fmt::format("graze show: {} cases are too many for a page, which holds {}; name some by --id",
+          fmt::format("show: {} cases are too many for a page, which holds {}; name some by --id",
                       cases_.size(), kMostScenes));
     }
     const std::vector<const engine::Method*> asked = engines_.methods();
@@ -91,7 +91,7 @@ class ShowRun {
 
   int operator()() {
     if (cases_.empty()) {
-      if (!inputs_.bad) complain("graze show: there is no case to show");
+      if (!inputs_.bad) complain("show: there is no case to show");
       return 2;
     }
     if (arguments_.svg) {
@@ -220,7 +220,10 @@ void add_show_command(CLI::App& app, int& exit_code) {
       "  graze show cases.jsonl --id c17 --engine ./mine --out c17.html\n"
       "  graze show pair.json --answers answers.jsonl --svg --out pair.svg   for an issue thread\n\n"
       "Exit code: 0, or 2 if a case could not be read; what an answer is worth does not change it.");
-  command->callback([arguments, &exit_code] { exit_code = ShowRun(*arguments)(); });
+  command->callback([arguments, command, &exit_code] {
+    require_engine(*command);
+    exit_code = ShowRun(*arguments)();
+  });
 }
 
 }  // namespace graze::tool

@@ -10,6 +10,7 @@
 #include "certify/stability_plot.hpp"
 #include "certify/stability_report.hpp"
 #include "report/inputs.hpp"
+#include "report/stop.hpp"
 
 namespace graze::tool {
 namespace {
@@ -48,13 +49,19 @@ void print_tables(const std::vector<Curve>& curves) {
 
 }  // namespace
 
-int run_stability(const StabilityRun& run) {
+int run_stability(const StabilityRun& given) {
+  StabilityRun run = given;
+  const StopBySignal signals;
+  run.settings.stop = [] { return StopBySignal::received() != 0; };
   std::unique_ptr<OutputFile> save;
   if (!run.save.empty()) save = std::make_unique<OutputFile>(run.save);
   std::vector<Curve> curves;
+  std::vector<std::string> unfinished;
   for (const corpus::Family* family : run.families) {
     if (!is_measured(*family, run.settings)) continue;
     FamilyStability measured = measure_family(*family, run.settings);
+    if (measured.stopped) unfinished.push_back(measured.family);
+    if (measured.stopped && measured.cases == 0) continue;
     fmt::print("{}\n", family_line(measured));
     if (run.by_level) fmt::print("\n{}\n", level_table(measured));
     if (!run.plot.empty()) print_drawn(draw_family(measured, run.plot));
@@ -64,19 +71,23 @@ int run_stability(const StabilityRun& run) {
     }
     std::move(measured.curves.begin(), measured.curves.end(), std::back_inserter(curves));
   }
-  if (save) save->close();
-  if (curves.empty()) {
+  if (curves.empty() && unfinished.empty()) {
     complain("there is nothing to measure; give a count above 0, and a method for the family");
     return 2;
   }
-  print_tables(curves);
+  if (save) save->close();
+  if (!curves.empty()) print_tables(curves);
   if (!run.plot.empty()) {
     for (const bool rotating : {false, true}) print_drawn(draw_overview(curves, rotating, run.plot));
   }
   const std::vector<std::string> broken = breaches(curves);
   for (const std::string& line : broken) fmt::print("broken: {}\n", line);
-  fmt::print("{}\n", broken.empty() ? "Every method is as stable as its row of the guarantee table says."
-                                    : "A method is not as stable as its row of the guarantee table says.");
+  if (!unfinished.empty()) fmt::print("Not finished: {}\n", fmt::join(unfinished, ", "));
+  fmt::print("{}\n", !broken.empty() ? "A method is not as stable as its row of the guarantee table says."
+                     : !unfinished.empty()
+                         ? "Stopped: every method is as stable as its row says so far."
+                         : "Every method is as stable as its row of the guarantee table says.");
+  if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   return broken.empty() ? 0 : 1;
 }
 

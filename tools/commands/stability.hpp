@@ -13,7 +13,7 @@ struct StabilityRun {
   std::string save;       // the file of the cases at fault; empty for none
 };
 
-// The exit code: 1 if a method breaks its row, 2 if there is nothing to measure.
+// The exit code: 1 if a method breaks its row, 2 if there is nothing to measure; of a stop by signal 128 and its number.
 int run_stability(const StabilityRun& run);
 
 }  // namespace graze::tool

@@ -108,6 +108,23 @@ TEST_F(CampaignCommand, signals_stop_it_and_the_same_command_goes_on) {
   EXPECT_EQ(folder.read("kept.json"), folder.read("whole.json"));
 }
 
+// timeout(1) sends its signal to the program and to its group: the program gets it twice.
+TEST_F(CampaignCommand, two_signals_at_once_are_one_request) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    SCOPED_TRACE(signal);
+    const int ended = shell(
+        "\"$GRAZE\" campaign --casts 100000000 --block 4 --family many_vertices --state " + signal +
+        ".json >out.txt 2>err.txt &\nsleep 1\nkill -" + signal + " $!\nkill -" + signal + " $!\nwait $!");
+    EXPECT_EQ(ended, signal == "INT" ? 130 : 143);
+    const std::string err = folder.read("err.txt");
+    EXPECT_EQ(err.find("graze: stopping; what is being judged is finished first. Once more ends at once.\n"),
+              0U)
+        << err;
+    EXPECT_NE(err.find("the same command goes on from " + signal + ".json"), std::string::npos) << err;
+    EXPECT_NE(folder.read(signal + ".json").find("graze.campaign/2"), std::string::npos);
+  }
+}
+
 TEST_F(CampaignCommand, the_slurm_job_casts_its_shard_and_goes_on) {
   const CommandRun whole = folder.graze(kSmall);
   const std::string job = "'" GRAZE_SOURCE_DIR "/cluster/campaign.slurm' ";

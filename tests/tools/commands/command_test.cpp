@@ -277,6 +277,32 @@ TEST(Certify, exits_with_1_and_names_row_and_case_if_a_method_breaks_its_row) {
   EXPECT_FALSE(saved.cases.empty());
 }
 
+// What no method takes is refused, and a refusal keeps no guarantee.
+TEST(Certify, a_run_that_judges_nothing_says_why_and_is_no_success) {
+  const Folder folder;
+  folder.write(
+      "balls.json",
+      R"({"schema": "graze.case/1", "id": "test/balls", "a": {"shape": {"type": "sphere", "radius": 1}},
+ "b": {"shape": {"type": "sphere", "radius": 1}, "position": [5, 0, 0], "displacement": [-4, 0, 0]}})");
+  folder.write(
+      "far.json",
+      R"({"schema": "graze.case/1", "id": "test/far", "a": {"shape": {"type": "sphere", "radius": 1}},
+ "b": {"shape": {"type": "sphere", "radius": 1}, "position": [1e200, 0, 0], "displacement": [-4, 0, 0]}})");
+  const CommandRun exact = folder.graze("certify balls.json --method exact");
+  expect_one_complaint(exact, {"no answer was judged", "test/balls: tier exact answers polytopes"});
+  EXPECT_EQ(exact.out.find("Nothing was judged: 0 answers to 0 cases"), 0U) << exact.out;
+  const CommandRun far = folder.graze("certify far.json");
+  expect_one_complaint(far, {"no answer was judged", "test/far: it has a magnitude outside 1e-60 to 1e60"});
+  EXPECT_EQ(far.out.find("Nothing was judged: 0 answers to 0 cases"), 0U) << far.out;
+  EXPECT_EQ(far.out.find("casts of turning bodies"), std::string::npos) << far.out;  // none was given
+  // Beside one that is judged they are no answers.
+  const CommandRun both = folder.graze("certify balls.json far.json --method gjk --queries 0");
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_EQ(both.out.find("Every method keeps its guarantee: 2 answers to 1 case of 1 suite"), 0U)
+      << both.out;
+  EXPECT_NE(both.out.find("so few answers certify little.\n"), std::string::npos) << both.out;
+}
+
 TEST(Certify, bad_input_wins_and_the_other_files_are_still_judged) {
   const Folder folder;
   folder.write("bad.json", "{");

@@ -115,6 +115,11 @@ TEST_F(CorpusCommand, a_generated_case_that_keeps_its_id_keeps_family_and_hardne
   EXPECT_EQ(cases[0].family, "grazing");
   EXPECT_EQ(cases[0].hardness, 9);
   EXPECT_EQ(folder_.graze("corpus verify").exit_code, 0);
+  // A link to the file stays one.
+  std::filesystem::create_symlink("new.jsonl", folder_.path() / "corpus/cases/link.jsonl");
+  ASSERT_EQ(folder_.graze("corpus format corpus/cases/link.jsonl").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "corpus/cases/link.jsonl"));
+  std::filesystem::remove(folder_.path() / "corpus/cases/link.jsonl");
   // The canonical form: formatting changes nothing.
   const std::string text = folder_.read("corpus/cases/new.jsonl");
   ASSERT_EQ(folder_.graze("corpus format corpus/cases/new.jsonl").exit_code, 0);

@@ -59,6 +59,19 @@ TEST(LawCommand, draws_families_and_takes_laws_and_methods_by_name) {
   EXPECT_NE(idle.out.find("No case was one for: certified_decides\n"), std::string::npos) << idle.out;
 }
 
+TEST(LawCommand, a_signal_stops_it_and_shows_what_was_judged) {
+  const Folder folder;
+  const CommandRun run = folder.shell("timeout --preserve-status -s INT 1 '" GRAZE_COMMAND
+                                      "' certify --laws --family random --family needles "
+                                      "--count 100000");
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_NE(run.out.find(" laws over "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("Not finished: random, needles\nStopped: no law is broken so far.\n"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(run.err.find("graze: stopping;"), std::string::npos) << run.err;
+}
+
 TEST(LawCommand, says_in_one_line_what_is_wrong) {
   const Folder folder;
   expect_complaint(folder.graze("certify --laws --law swaping"), "--law: swaping is no law");

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "run_command.hpp"
 
@@ -58,6 +61,108 @@ TEST(Options, a_number_that_is_no_count_is_refused_in_a_short_line) {
   expect_one_complaint(folder.graze("certify x.json --oracle-every 0"), "--oracle-every");
   expect_one_complaint(folder.graze("generate random --seed 18446744073709551616"), "--seed");
   EXPECT_EQ(folder.graze("generate random --count 1 --seed 18446744073709551615").exit_code, 0);
+}
+
+TEST(Options, nan_and_other_ranges_are_refused_in_a_short_line) {
+  const Folder folder;
+  folder.write("x.json", kHit);
+  folder.write("answers.jsonl", "");
+  for (const std::string number : {"nan", "inf", "-1", "abc", "1x"}) {
+    SCOPED_TRACE(number);
+    for (const std::string line :
+         {"judge answers.jsonl --tolerance", "judge answers.jsonl --relative-tolerance",
+          "judge answers.jsonl --kappa", "compare x.json x.json --threshold",
+          "compare x.json x.json --error-factor", "check x.json --kappa", "cast x.json --tolerance",
+          "certify x.json --engine e --tolerance", "certify x.json --engine e --time-limit"}) {
+      const std::string option = line.substr(line.rfind(' ') + 1);
+      expect_one_complaint(folder.graze(line + "=" + number), option + ": " + number + " is no number ");
+    }
+    for (const std::string option :
+         {"--casts", "--per-family", "--rotating", "--rotating-per-family", "--queries", "--seed",
+          "--oracle-every", "--judge-every", "--threads", "--block"}) {
+      expect_one_complaint(folder.graze("campaign " + option + "=" + number),
+                           option + ": " + number + " is no whole number from ");
+    }
+  }
+  expect_one_complaint(folder.graze("generate random --hardness abc"), "--hardness: abc is no finite number");
+  expect_one_complaint(folder.graze("compare x.json x.json --threshold 101"), "from 0 to 100");
+  expect_one_complaint(folder.graze("compare x.json x.json --error-factor 0.5"), "from 1 to ");
+  expect_one_complaint(folder.graze("certify x.json --engine e --time-limit 0"),
+                       "--time-limit: 0 is no number");
+  for (const std::string command : {"certify", "campaign", "judge answers.jsonl", "price"})
+    expect_one_complaint(folder.graze(command + " --threads 0"), "--threads: 0 is no whole number from 1 to");
+}
+
+TEST(Options, what_is_said_of_an_engine_wants_one) {
+  const Folder folder;
+  folder.write("x.json", kHit);
+  for (const std::string option : {"--tolerance 1e-30", "--relative-tolerance 1", "--kappa 3"}) {
+    const std::string name = option.substr(0, option.find(' '));
+    for (const std::string command : {"certify x.json ", "campaign --casts 10 ", "show x.json "})
+      expect_one_complaint(folder.graze(command + option),
+                           name + ": is what an engine is held to; name one with --engine");
+  }
+  for (const std::string option : {"--time-limit 3", "--memory-limit 64", "--beyond-limits"}) {
+    const std::string name = option.substr(0, option.find(' '));
+    for (const std::string command : {"cast x.json ", "certify x.json ", "campaign --casts 10 ", "price "})
+      expect_one_complaint(folder.graze(command + option), name + ": is of engines of others; name one");
+  }
+  for (const std::string option : {"--needs-shape box", "--needs-answer time"}) {
+    expect_one_complaint(folder.graze("certify x.json " + option),
+                         "is what an engine must declare; name one");
+  }
+  expect_one_complaint(folder.graze("certify x.json --findings found"),
+                       "--findings: are of engines of others");
+  expect_one_complaint(folder.graze("certify x.json --report-cases 3"), "--report-cases: is of the report");
+  // The names that may be needed are said, which is a long line.
+  const CommandRun run = folder.graze("certify x.json --needs-shape banana");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--needs-shape: banana is no shape; it is point, segment,"), std::string::npos);
+  expect_one_complaint(folder.graze("certify x.json --needs-answer banana"),
+                       "banana is no answer; it is verdict,");
+}
+
+TEST(Options, what_has_no_meaning_beside_laws_or_stability_is_refused) {
+  const Folder folder;
+  const std::vector<std::string> of_answers = {"--json a.json",    "--junit a.xml",    "--findings found",
+                                               "--full",           "--fail-fast",      "--thorough",
+                                               "--report-cases 3", "--oracle-every 2", "--queries 1"};
+  const auto expect_refused = [&](const std::string& mode, const std::string& option) {
+    const std::string name = option.substr(0, option.find(' '));
+    expect_one_complaint(folder.graze("certify --family random --count 1 " + mode + " " + option),
+                         name + ": has no meaning beside " + mode);
+  };
+  for (const std::string& option : of_answers) {
+    expect_refused("--laws", option);
+    expect_refused("--stability", option);
+  }
+  for (const std::string option : {"--tolerance 1", "--relative-tolerance 1", "--kappa 1", "--plot p",
+                                   "--stability", "--guarantees g.json"}) {
+    expect_refused("--laws", option);
+  }
+  for (const std::string option : {"--report r", "--corpus c"}) expect_refused("--stability", option);
+  for (const char* name : {"a.json", "a.xml", "r", "found"})
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
+}
+
+TEST(Options, a_command_that_is_given_nothing_says_what_it_wants) {
+  const Folder folder;
+  expect_one_complaint(folder.graze("cast"), "graze: cast: name a case file; see graze cast --help\n");
+  expect_one_complaint(folder.graze("check"),
+                       "graze: check: name a file of proofs; see graze check --help\n");
+  expect_one_complaint(folder.graze("corpus add"),
+                       "graze: corpus add: name a file of cases; see graze corpus add");
+  expect_one_complaint(folder.graze("generate"),
+                       "graze: generate: name a family; see graze generate --help\n");
+  expect_one_complaint(folder.graze("draw"), "graze: draw: no case is given");
+  expect_one_complaint(folder.graze(""), "see graze --help\n");
+}
+
+TEST(Options, the_names_of_families_stand_apart_from_what_they_are) {
+  const Folder folder;
+  const std::string help = folder.graze("generate --help").out;
+  for (const std::string name : {"grazing_edge", "redundant_vertices", "far_own_frame_turning"})
+    EXPECT_NE(help.find("\n  " + name + "  "), std::string::npos) << name;
 }
 
 TEST(Options, a_folder_is_no_file_and_a_file_no_folder) {

@@ -100,6 +100,55 @@ TEST(Outputs, what_a_file_held_is_there_after_a_refused_run) {
   EXPECT_EQ(folder.read("out").find("of yesterday"), std::string::npos);
 }
 
+// Nothing was read, or nothing of it was answered: that is no reason to lose what there was.
+TEST(Outputs, what_a_file_held_is_there_after_a_run_that_writes_nothing) {
+  const Folder folder;
+  folder.write("invalid.json", with(kHit, "1.4]", "1e200]"));
+  folder.write("no.json", "{");
+  folder.write("out", "of yesterday");
+  for (const std::string line :
+       {"cast missing.json --proof out", "cast invalid.json --proof out", "cast no.json --proof out",
+        "scene missing.json --proof out", "scene invalid.json --proof out", "scene no.json --proof out",
+        "certify --stability --family aligned_boxes --count 0 --save out"}) {
+    SCOPED_TRACE(line);
+    EXPECT_EQ(folder.graze(line).exit_code, 2);
+    EXPECT_EQ(folder.read("out"), "of yesterday");
+  }
+  // A run that has nothing to write says so: the file is empty.
+  folder.write("scene.json", R"({"schema": "graze.scene/1", "id": "one", "bodies": [
+    {"name": "a", "shape": {"type": "sphere", "radius": 1}}]})");
+  EXPECT_EQ(folder.graze("scene scene.json --proof out").exit_code, 0);
+  EXPECT_EQ(folder.read("out"), "");
+}
+
+// Standard output is one thing's: a document that goes there is read by another program.
+TEST(Outputs, a_document_on_standard_output_is_there_alone) {
+  const Folder folder;
+  folder.write("x.json", kHit);
+  folder.write("strict.json", kStrict);
+  folder.write("answers.jsonl", R"({"schema": "graze.answer/1", "id": "test/hit", "outcome": "hit"})");
+  folder.write("scene.json", R"({"schema": "graze.scene/1", "id": "two", "bodies": [
+    {"name": "a", "shape": {"type": "sphere", "radius": 1}},
+    {"name": "b", "shape": {"type": "sphere", "radius": 1}, "position": [4, 0, 0], "displacement": [-4, 0, 0]}]})");
+  struct Line {
+    std::string line, begin, text;  // how the document begins, and what is said on stderr
+  };
+  for (const Line& one :
+       {Line{"certify x.json --json -", "{", "Every method keeps its guarantee"},
+        Line{"certify x.json --junit -", "<?xml", "Every method keeps its guarantee"},
+        Line{"certify x.json --guarantees strict.json --save -", "", "method"},
+        Line{"judge answers.jsonl --cases x.json --json -", "{", "answers at fault"},
+        Line{"cast x.json --proof -", "{", "outcome   hit"},
+        Line{"cast x.json --json --proof -", "{\"schema\": \"graze.proof/1\"", "iterations"},
+        Line{"scene scene.json --proof -", "{", "two: standard, 1 event"}}) {
+    SCOPED_TRACE(one.line);
+    const CommandRun run = folder.graze(one.line);
+    EXPECT_EQ(run.out.find(one.begin), 0U) << run.out;
+    EXPECT_EQ(run.out.find(one.text), std::string::npos) << run.out;
+    EXPECT_NE(run.err.find(one.text), std::string::npos) << run.err;
+  }
+}
+
 TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
   for (const Output& output : kOutputs) {
     const bool is_table = output.line.find("--guarantees IN") != std::string::npos;
@@ -164,13 +213,22 @@ TEST(Outputs, standard_output_that_is_full_is_an_error) {
   folder.write("x.json", kHit);
   ASSERT_EQ(folder.graze("cast x.json --proof p.jsonl").exit_code, 0);
   for (const std::string line :
-       {"cast x.json", "cast x.json --json", "cast x.json --plan", "cast x.json --proof -", "check p.jsonl",
+       {"cast x.json", "cast x.json --json", "cast x.json --plan", "check p.jsonl",
         "generate random --count 1", "generate random --count 10000", "draw x.json", "laws", "--help",
         "--version", "cast --help", "corpus validate x.json",
         "certify x.json --method gjk/double --queries 0", "certify x.json --laws --law swapping"}) {
     SCOPED_TRACE(line);
     expect_one_complaint(folder.shell("graze " + line + " >/dev/full"), "standard output");
   }
+}
+
+// The answers are on stderr then, and the complaint after them.
+TEST(Outputs, proofs_for_standard_output_that_is_full_are_an_error) {
+  const Folder folder;
+  folder.write("x.json", kHit);
+  const CommandRun run = folder.shell("graze cast x.json --proof - >/dev/full");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("\ngraze: standard output: could not be written"), std::string::npos) << run.err;
 }
 
 TEST(Outputs, a_pipe_that_nobody_reads_is_an_error) {

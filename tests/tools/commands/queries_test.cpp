@@ -145,7 +145,7 @@ TEST(CertifyQueries, a_case_of_any_query_is_judged) {
       const CommandRun run = folder.graze("certify x.json --queries 0 --full");
       EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
       EXPECT_EQ(run.err, "");
-      EXPECT_NE(run.out.find("1 questions beside the cast are judged"), std::string::npos) << run.out;
+      EXPECT_NE(run.out.find("1 question beside the cast is judged"), std::string::npos) << run.out;
       std::size_t judged = 0;
       for (const std::string& line : lines_of(run.out)) {
         std::istringstream words(line);
@@ -189,7 +189,7 @@ TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
   const CommandRun kept = folder.graze("certify unasked.json deep.json --queries 0");
   EXPECT_EQ(kept.exit_code, 0) << kept.out << kept.err;
   EXPECT_NE(kept.err.find("test/turning-line"), std::string::npos) << kept.err;
-  EXPECT_NE(kept.out.find("1 cases are not judged"), std::string::npos) << kept.out;
+  EXPECT_NE(kept.out.find("1 case is not judged"), std::string::npos) << kept.out;
   const CommandRun broken =
       folder.graze("certify unasked.json deep.json --queries 0 --guarantees strict.json");
   EXPECT_EQ(broken.exit_code, 1) << broken.out << broken.err;
@@ -221,7 +221,7 @@ TEST(CertifyQueries, what_is_asked_of_bodies_that_turn_is_asked_at_rest) {
   EXPECT_EQ(Json::parse(lines[0])["distance"], Json::parse(lines[1])["distance"]);
   const CommandRun certified = folder.graze("certify turning.json --queries 0");
   EXPECT_EQ(certified.exit_code, 0) << certified.out << certified.err;
-  EXPECT_NE(certified.out.find("1 questions beside the cast are judged"), std::string::npos);
+  EXPECT_NE(certified.out.find("1 question beside the cast is judged"), std::string::npos);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(SceneCommand, tells_events_in_the_order_of_time_and_what_was_simulated) {
   const Folder folder;
   const CommandRun run = folder.graze("scene - --threads 1", kScene);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  for (const char* part : {"two: standard, 1 events", "wall - crate", "[rotating]", "sight - wall",
+  for (const char* part : {"two: standard, 1 event\n", "wall - crate", "[rotating]", "sight - wall",
                            "1 simulated: rotating", "1 nothing: at rest, and their bounds are apart"}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
   }
@@ -59,9 +59,15 @@ TEST(SceneCommand, refuses_in_one_line) {
   const Folder folder;
   folder.write("bad.json",
                R"({"schema": "graze.scene/1", "id": "x", "bodies": [{"name": "a", "shape": "cube"}]})");
+  folder.write("case.json", R"({"schema": "graze.case/1", "id": "x", "a": {}, "b": {}})");
+  folder.write("scene.json", R"({"schema": "graze.scene/1", "id": "x", "ask": "first", "bodies": []})");
+  folder.write("proofs.jsonl", "{\"schema\": \"graze.proof/1\"}\n{\"schema\": \"graze.proof/1\"}\n");
   const std::pair<const char*, const char*> cases[] = {
       {"scene bad.json", "bad.json: bodies[0].shape: unknown shape \"cube\""},
-      {"scene none.json", "none.json: "},
+      {"scene none.json", "none.json: cannot be opened: No such file or directory; "},
+      {"scene case.json", "case.json: holds a case (graze.case/1); graze cast answers it\n"},
+      {"cast scene.json", "scene.json: holds a scene (graze.scene/1); graze scene answers it\n"},
+      {"cast proofs.jsonl", "proofs.jsonl: holds a proof (graze.proof/1); graze check checks it\n"},
       {"scene - --economy thrift", "--economy: thrift is no economy; it is one of rest, bounds"},
       {"scene - --without thrift", "--without: thrift is no economy"},
       {"scene - --tier best", "--tier: best is none; it is standard, certified or exact"},

@@ -44,6 +44,18 @@ TEST(StabilityCommand, exits_with_1_where_a_method_is_less_stable_than_its_row) 
   EXPECT_NE(folder.read("bad.jsonl").find("random/h"), std::string::npos);
 }
 
+TEST(StabilityCommand, a_signal_stops_it_and_shows_what_was_measured) {
+  const Folder folder;
+  const CommandRun run = folder.shell("timeout --preserve-status -s INT 2 '" GRAZE_COMMAND
+                                      "' certify --stability --family aligned_boxes "
+                                      "--family needles --count 5000 --method gjk --save bad.jsonl");
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_NE(run.out.find("Each method on each family"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("needles\nStopped: every method is as stable as its row says so far.\n"),
+            std::string::npos)
+      << run.out;
+}
+
 TEST(StabilityCommand, refuses_files_and_empty_runs_in_one_line) {
   const Folder folder;
   const CommandRun file = folder.graze("certify --stability some.jsonl");
