@@ -171,6 +171,19 @@ std::optional<Shape<double>> with_other_adjacency(const Shape<double>& shape) {
   return derived;
 }
 
+std::optional<corpus::Case> with_other_hulls(const corpus::Case& problem) {
+  corpus::Case given = problem;
+  bool differs = false;
+  for (Body<double>* body : {&given.a, &given.b}) {
+    if (auto shape = with_other_adjacency(body->shape)) {
+      body->shape = *std::move(shape);
+      differs = true;
+    }
+  }
+  if (!differs) return std::nullopt;
+  return given;
+}
+
 std::optional<Shape<double>> described_otherwise(const Shape<double>& shape, std::uint64_t salt) {
   return std::visit(Otherwise{mix(salt)}, shape);
 }

@@ -27,5 +27,7 @@ namespace graze::law {
 // Its hulls with adjacency given without, and those without that are large enough for it to matter (hull_graph.hpp) with:
 // the first such part of a combinator.
 [[nodiscard]] std::optional<Shape<double>> with_other_adjacency(const Shape<double>& shape);
+// The same of both bodies; nothing if neither has such a hull.
+[[nodiscard]] std::optional<corpus::Case> with_other_hulls(const corpus::Case& problem);
 
 }  // namespace graze::law

@@ -281,16 +281,9 @@ LawResult asking_again(const Case& problem, const Method& method) {
   }
   LawResult result = holds({label_of(first.outcome)});
   // Adjacency says nothing of the bodies that their vertices do not.
-  Case given = seen;
-  bool differs = false;
-  for (Body<double>* body : {&given.a, &given.b}) {
-    if (auto shape = with_other_adjacency(body->shape)) {
-      body->shape = *std::move(shape);
-      differs = true;
-    }
-  }
-  if (!differs) return result;
-  const Answer third = method.ask(given, ask);
+  const auto given = with_other_hulls(seen);
+  if (!given) return result;
+  const Answer third = method.ask(*given, ask);
   if (!is_same_answer(first, third)) {
     return broken(fmt::format("with adjacency where there was none, or without: {}; as it was: {}",
                               describe(third), describe(first)));

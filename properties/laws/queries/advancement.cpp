@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <graze/distance.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "properties/edit/case.hpp"
 #include "properties/judge/limits.hpp"
+#include "properties/judge/linear.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
 #include "properties/laws/tables.hpp"
@@ -130,7 +135,7 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
   const Known known = known_of(method, *question);
-  const double scale = limits_of(method, question->seen, scale_of(question->seen)).scale;
+  const double scale = scale_of(question->seen);
   LawResult result = holds({label_of(known.answer.outcome)});
   for (const double tolerance : kTolerances) {
     const Ask ask = tolerance_of(tolerance);

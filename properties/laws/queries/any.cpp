@@ -195,16 +195,9 @@ LawResult query_asking_again(const Case& problem, const Method& method) {
   if (const std::string fault = changed_by_scale(first, second, 0); !fault.empty())
     return broken(fmt::format("asked again it has another {}: {}", fault, against(second, first)));
   LawResult result = holds({label_of(first.outcome)});
-  Case given = question->seen;
-  bool differs = false;
-  for (Body<double>* body : {&given.a, &given.b}) {
-    if (auto shape = with_other_adjacency(body->shape)) {
-      body->shape = *std::move(shape);
-      differs = true;
-    }
-  }
-  if (!differs) return result;
-  const Answer third = method.answer(given);
+  const auto given = with_other_hulls(question->seen);
+  if (!given) return result;
+  const Answer third = method.answer(*given);
   if (const std::string fault = changed_by_scale(first, third, 0); !fault.empty()) {
     return broken(fmt::format("with adjacency where there was none, or without, it has another {}: {}", fault,
                               against(third, first)));
