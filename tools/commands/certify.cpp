@@ -336,7 +336,7 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "nothing judges (a line of bodies that turn) is said, and leaves the exit code to the others.\n\n"
       "  graze certify\n"
       "  graze certify --family grazing_face --count 20000 --method mpr/float --save hard.jsonl\n"
-      "  graze certify --method exact --count 100000 --oracle-every 500   a million exact casts\n"
+      "  graze certify --method exact --count 20000 --oracle-every 500   a million exact casts\n"
       "  graze certify --family fast_spin --rotating 1000   a thousand cases in which a body turns\n"
       "  graze certify my_cases.jsonl\n"
       "  graze certify --stability --plot curves   how error grows with hardness, and where methods break\n"
