@@ -164,10 +164,16 @@ class Marcher {
       }
     }
     if (out_.n != Vec3<double>::Zero()) return out_.n;
-    if (cso.middle() == Vec3<double>::Zero()) return away_from_middle(pair_);
-    const PortalSearch<double> in = enter_line(cso, Frame<double>(cso.middle()), kInfinity<double>,
-                                               pair_.error(), limits_.budget, counters_);
-    return in.facing != Vec3<double>::Zero() ? in.facing : away_from_middle(pair_);
+    const Vec3<double> n = facing_from_middle();
+    return n != Vec3<double>::Zero() ? n : away_from_middle(pair_);
+  }
+  // Of C's face where the line from the origin to C's middle enters C; zero where that is not known.
+  Vec3<double> facing_from_middle() {
+    const Cso<double>& cso = pair_.cso();
+    if (cso.middle() == Vec3<double>::Zero()) return Vec3<double>::Zero();
+    return enter_line(cso, Frame<double>(cso.middle()), kInfinity<double>, pair_.error(), limits_.budget,
+                      counters_)
+        .facing;
   }
 
   // Apart again, and contact was not seen: C is thin.
@@ -205,11 +211,8 @@ class Marcher {
   // that of the face that the origin is on does.
   void face_contact() {
     if (now_.near.n != Vec3<double>::Zero() || supports(axis_)) return;
-    place(now_.t);
-    if (pair_.cso().middle() == Vec3<double>::Zero()) return;
-    const PortalSearch<double> in = enter_line(pair_.cso(), Frame<double>(pair_.cso().middle()),
-                                               kInfinity<double>, pair_.error(), limits_.budget, counters_);
-    if (supports(in.facing)) axis_ = in.facing;
+    const Vec3<double> n = facing_from_middle();
+    if (supports(n)) axis_ = n;
   }
   // C reaches no farther along n than the stop.
   [[nodiscard]] bool supports(const Vec3<double>& n) {
