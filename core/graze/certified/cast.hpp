@@ -264,8 +264,10 @@ class CertifiedCast {
     if (portals) overlap(portals->first, portals->second);
     return portals.has_value();
   }
-  // By four points around the origin, of a start that is as deep as rounding.
+  // By four points around the origin, of a start that is as deep as rounding. Asked once: it does not change.
   bool is_shown_at_start() {
+    if (start_was_asked_) return false;
+    start_was_asked_ = true;
     Proof start;
     prove_start(context_, start, counters_);
     if (start.portal_size != 4) return false;
@@ -424,7 +426,8 @@ class CertifiedCast {
   NamedPoints<S> points_;
   int budget_;
   bool wants_proof_;
-  double width_allowed_;  // internal length
+  bool start_was_asked_ = false;  // and not shown
+  double width_allowed_;          // internal length
 };
 
 template <Scalar S>
