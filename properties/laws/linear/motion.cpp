@@ -20,7 +20,7 @@ using engine::Method;
 
 namespace {
 
-// What two answers to one time may differ by without a question: as agree() in judge.cpp.
+// The difference of two answers to one time that raises no question, as agree() of judge/linear.cpp has it.
 double slack(const Method& method) { return 16 * method.unit_roundoff; }
 
 Case reporting(Case problem) {
