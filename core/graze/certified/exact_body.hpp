@@ -18,26 +18,27 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-// The root of x >= 0, rounded up by less than 2^-250 of itself; exactly, where it is a dyadic number of up to 300 bits.
-// By Newton's steps, each a double: they win 50 bits.
+// The root of x >= 0, rounded up by less than 2^-250 of itself; exactly, where it is a dyadic number of up to 250 bits.
+// By Newton's steps, each a double: a step wins 49 bits, and two of them may be spent on the grid.
 inline exact::Dyadic root_up(const exact::Dyadic& x) {
   using exact::Dyadic;
   if (x.sign() <= 0 || !x.valid()) return {};
-  // If x is a square, its root is a multiple of 2^grid.
+  // If x is a square, its root is a multiple of 2^grid, and no step leaves that grid before it has to.
   const int grid = x.grid() >> 1, order = x.order() >> 1;
-  Dyadic root = Dyadic(std::sqrt(x.leading() * (x.order() % 2 != 0 ? 2.0 : 1.0))).times_power_of_two(order);
-  for (int step = 0; step < 6; ++step) {
+  const auto on_grid = [&](double step, int shift) {
+    const int above = shift - grid;
+    if (above < 0 || above > 52) return step;
+    const double whole = std::ldexp(std::round(std::ldexp(step, above)), -above);
+    return whole != 0 ? whole : step;
+  };
+  const double first = std::sqrt(x.leading() * (x.order() % 2 != 0 ? 2.0 : 1.0));
+  Dyadic root = Dyadic(on_grid(first, order)).times_power_of_two(order);
+  for (int step = 0; step < 8; ++step) {
     const Dyadic rest = x - root * root;
     if (rest.sign() == 0) return root;
     const int shift = rest.order() - root.order() - 1;
-    double more = rest.leading() / root.leading();
-    // Of the grid, where that is near enough to be told.
-    const int above = shift - grid;
-    if (above > -3 && above < 50) more = std::ldexp(std::round(std::ldexp(more, above)), -above);
-    if (more == 0) break;
-    root = root + Dyadic(more).times_power_of_two(shift);
+    root = root + Dyadic(on_grid(rest.leading() / root.leading(), shift)).times_power_of_two(shift);
   }
-  // No square, or one of more bits. Newton's steps left less than 2^-251.
   if ((x - root * root).sign() > 0) root = root + Dyadic(1).times_power_of_two(root.order() - 251);
   return root;
 }
