@@ -8,14 +8,17 @@
 // Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
 // the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
 // exact tier, whose bracket is narrower still.
-//   miss                   an axis proves it;
-//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards;
-//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact
-//                          and contact is proved a little later: a verdict of contact, whether it is in
-//                          contact at t = 0 or not;
-//   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
-//                          width, or under pass_over where that much decides whether the start leaves.
-//                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
+//   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
+//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
+//                          arithmetic (exact_start.hpp): bodies that touch;
+//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact, is not
+//                          proved to be in contact, and contact is proved a little later;
+//   not_converged          a tie: at toi_lower the bodies are within the width of contact, or the motion ends there, and
+//                          neither contact nor a miss is proved. The answer has a normal, witnesses and `distance`, a
+//                          bound of the gap that is at most the width, so that a caller can take it for contact. Only
+//                          where clearance or depth is below the width, or under pass_over where that much decides
+//                          whether the start leaves. A search that the caller's own max_iterations ends may say less.
+//                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
 // How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides; with a
@@ -569,13 +572,14 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
   }
   const bool proof = asks_for(options.request, Request::proof);
-  const bool quick = detail::is_round_pair(a, b, options) ? detail::round_certified(a, b, options, out)
-                     : detail::is_curved_pair(a, b)       ? detail::curved_certified(a, b, options, out)
-                                                          : false;
+  const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
+  const bool quick = round    ? detail::round_certified(a, b, options, out)
+                     : curved ? detail::curved_certified(a, b, options, out)
+                              : false;
   if (quick && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);
-  quick ? cast.run() : cast.run_open();
+  quick || !(round || curved) ? cast.run() : cast.run_open();
   if (quick) {
     if (cast.outcome == out.outcome) out.proof = cast.proof;
     return out;
@@ -593,8 +597,6 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
     const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
     out.distance = exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
-  }
-  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
     if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
       const auto at_lower = [&](const Body<S>& body, const Vec3<double>& x) -> Vec3<S> {
