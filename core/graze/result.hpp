@@ -14,8 +14,9 @@ enum class Outcome : std::uint8_t {
   initially_overlapping,  // contact at t = 0, touching included; TOI 0
   hit,                    // TOI in (0, T]
   miss,                   // no contact in [0, T]
-  not_converged,          // neither is shown within the budget; the bracket is what is known
-  invalid_input,          // CastResult::invalid says why, invalid_at where
+  not_converged,  // neither is shown; the bracket is what is known. Tier certified of linear casts: a tie,
+                  // the bodies within the promised width of contact at toi_lower (certified/cast.hpp)
+  invalid_input,  // CastResult::invalid says why, invalid_at where
 };
 [[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
   switch (outcome) {
@@ -319,13 +320,15 @@ struct CastResult {
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();
-  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
+  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length). Of a tie
+  // that tier certified leaves open it is at most kLinearCertifiedWidth of scale: the caller may take it for contact.
   S distance = 0;
   // miss, by StartPolicy::pass_over: in contact at t = 0, and leaving or sliding. Has no proof.
   bool passed_over = false;
-  // hit, when asked for: unit, from A to B, world axes, a supporting normal of C at the contact.
+  // hit, and not_converged of tier certified, when asked for: unit, from A to B, world axes, a supporting normal of C at
+  // the contact.
   Vec3<S> normal = Vec3<S>::Zero();
-  // hit, when asked for: world points of A and of B at toi_lower.
+  // The same outcomes, when asked for: world points of A and of B at toi_lower.
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
   // hit, miss, not_converged, when asked for; bounds are absent where rounding leaves nothing unconditional.
   std::optional<Proof> proof;

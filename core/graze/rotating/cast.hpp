@@ -318,11 +318,12 @@ class RotatingCast {
   bool touches_by_linear_tier(RotatingProof& proof) {
     CastOptions<S> options = linear_options(options_);
     options.t_max = 0;
-    options.request = Request::proof;
+    options.request = wants_proof() ? Request::proof : Request::verdict;
     const CastResult<S> start = graze::cast(a_.body, b_.body, options);
     out_.counters += start.counters;
-    if (start.outcome != Outcome::initially_overlapping || !start.proof || !(start.proof->toi_upper == 0))
-      return false;
+    if (start.outcome != Outcome::initially_overlapping) return false;
+    if (!wants_proof()) return true;
+    if (!start.proof || !(start.proof->toi_upper == 0)) return false;
     proof.toi_upper = 0;
     proof.contact_size = start.proof->portal_size;
     std::copy(start.proof->portal.begin(), start.proof->portal.end(), proof.contact.begin());
