@@ -21,7 +21,7 @@
   family(spinning_graze) family(fast_spin) family(off_centre_pivot) family(enters_and_leaves) \
   family(both_turn) family(slow_spin) family(random_rotating) family(pure_spin) \
   family(far_own_frame_turning) family(long_arms) family(swung_balls) family(level_tiles) \
-  family(wheels) family(flat_plates_turning) family(above_a_floor)
+  family(wheels) family(flat_plates_turning) family(above_a_floor) family(resting_turns)
 // clang-format on
 
 namespace graze::corpus::family {

@@ -74,7 +74,9 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
         convict(judgement.wrong, "says miss, and not that it passed over the start in contact");
       return;
     case Outcome::initially_overlapping:
-      if (truth.depth_at(0).high <= least)
+      // What moves linearly, or the plan takes to, is reported where it goes in at once.
+      if (truth.depth_at(0).high <= least &&
+          (answer.plan.effects == Effects::rotating || truth.depth_before(problem.t_max).high <= least))
         convict(judgement.wrong,
                 fmt::format("reports a start that is {} deep", over_scale(truth.depth_at(0).high)));
       return;

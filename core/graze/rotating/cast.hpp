@@ -159,7 +159,7 @@ class RotatingCast {
       out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
-    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
+    if (is_linear() && !sees_turn_unended()) return true;
     if (!(options_.t_max < kInfinity<S>)) {
       refuse(Invalid::not_linear, InvalidField::t_max);
     } else if (passes_over() && options_.method && !follows(*options_.method)) {
@@ -189,13 +189,23 @@ class RotatingCast {
   }
 
   void follow_plan() {
-    // A start in contact that is passed over has no chain.
-    const bool provable = options_.t_max < kInfinity<S> && !passes_over();
-    if (wants_proof() && provable && options_.tier != Tier::exact) {
-      // A chain says what was proved of the whole motion, whatever the plan spares.
+    if (wants_proof() && options_.t_max < kInfinity<S> && options_.tier != Tier::exact) {
+      // A chain says what was proved of the whole motion, whatever the plan spares. A linear motion's start in contact
+      // that is passed over, or reported, has none.
+      if (passes_over() && is_linear()) {
+        follow_effects();
+        if (!(out_.toi_lower > 0) || out_.passed_over) return;
+        out_.toi_lower = out_.toi_upper = std::numeric_limits<S>::quiet_NaN();
+      }
       if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
       return run(RotatingMethod::bilateral_advancement);
     }
+    follow_effects();
+  }
+  [[nodiscard]] bool is_linear() const {
+    return out_.plan.effects != Effects::rotating && !(out_.plan.added > 0);
+  }
+  void follow_effects() {
     switch (out_.plan.effects) {
       case Effects::nothing:
         out_.outcome = Outcome::miss;

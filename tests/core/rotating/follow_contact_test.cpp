@@ -159,18 +159,36 @@ TYPED_TEST(FollowContact, ABoxThatLiftsAndLandsIsAHitWhereItLands) {
   }
 }
 
-// The rim of a table, seen from A: the crate slides over its edge, tips about nothing and meets its side.
-TYPED_TEST(FollowContact, ABoxThatSlidesOffIsAHitWhereItMeetsTheSide) {
+// About an axis within the table the crate rises on its right and comes down on its left; lifted a little it starts apart
+// and does the same.
+TYPED_TEST(FollowContact, ABoxThatLeavesIsAHitWhereItMeetsTheBodyAgain) {
   using S = TypeParam;
   Scene<S> scene;
   scene.floor.body.shape = Box<S>{Vec3<S>(1, 8, 1)};
-  // About a pivot far above and beside, a quarter of a turn: off the edge x = 1 along the top's tangent, down and back.
-  scene.crate.pivot = {S(1.5), 0, S(-0.625)};
-  scene.crate.rotation = {0, S(3), 0};
-  scene.crate.body.displacement = {0, 0, S(0)};
-  const RotatingResult<S> found = scene.cast_in(Tier::standard);
-  ASSERT_EQ(found.outcome, Outcome::hit);
-  EXPECT_GT(double(found.toi_lower), 0.1);
+  scene.crate.body.shape = Box<S>{{S(0.0625), S(0.25), S(0.125)}};
+  scene.crate.body.position[0] = S(0.875);
+  scene.crate.pivot = {S(-0.875), 0, S(-0.625)};
+  scene.crate.rotation = {0, -3, 0};
+  Scene<S> lifted = scene;
+  const S height = sizeof(S) == 4 ? S(0x1p-12) : S(0x1p-30);
+  lifted.crate.body.position[2] += height;
+  lifted.crate.pivot[2] -= height;
+  for (const Tier tier : kTiers) {
+    const RotatingResult<S> apart = cast(lifted.floor, lifted.crate, RotatingOptions<S>{.tier = tier});
+    ASSERT_EQ(apart.outcome, Outcome::hit);
+    ASSERT_GT(double(apart.toi_lower), 0.25);
+    expect_hit(scene.cast_in(tier), double(apart.toi_lower) - double(height),
+               double(apart.toi_upper) + double(height));
+  }
+}
+
+// Over the edge and on.
+TYPED_TEST(FollowContact, ABoxThatSlidesOffTheFloorIsAMiss) {
+  using S = TypeParam;
+  Scene<S> scene;
+  scene.crate.rotation = {0, 0, 2};
+  scene.crate.body.displacement = {20, 0, 0};
+  for (const Tier tier : kTiers) expect_passed_over(scene.cast_in(tier));
 }
 
 TYPED_TEST(FollowContact, WheelsThatRollAndBodiesThatSpinOnTheirTipsAreMisses) {
