@@ -74,9 +74,11 @@ enum class Tier : std::uint8_t { standard, certified, exact };
   return {};
 }
 
-// What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
-// n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
-// other start in contact is reported.
+// What a start in contact means. pass_over, linear motions: where the motion leaves or slides as it begins, n.v >= 0
+// for some n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
+// other start in contact is reported. With a visible rotation: contact at the start is followed while it is no deeper
+// than kappa u scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more
+// than rounding; without either it is a miss. A start that is deeper is reported (docs/rotating.md).
 enum class StartPolicy : std::uint8_t { report, pass_over };
 [[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
   switch (policy) {
@@ -133,7 +135,9 @@ enum class Invalid : std::uint8_t {
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
   not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
                     // shapes, a target distance, a rotation that is seen
-  not_linear,       // a rotation that is seen, with an infinite t_max or the start policy pass_over
+  not_linear,       // a visible rotation with an infinite t_max
+  not_followed,  // the start policy pass_over with a visible rotation: the method does not follow the contact of the
+                 // start, or tier certified cannot prove what becomes of it
 };
 [[nodiscard]] constexpr std::string_view to_text(Invalid invalid) {
   switch (invalid) {
@@ -168,8 +172,10 @@ enum class Invalid : std::uint8_t {
       return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
              "which tier exact does not know";
     case Invalid::not_linear:
-      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
-             "linear motions";
+      return "an infinite t_max with a visible rotation: it is for linear motions";
+    case Invalid::not_followed:
+      return "the start policy pass_over with a visible rotation, where this method does not follow the "
+             "contact of the start, or tier certified cannot prove what becomes of it";
   }
   return {};
 }
