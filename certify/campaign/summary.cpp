@@ -34,14 +34,20 @@ CampaignCounts of_family(const CampaignState& state, const std::string& method, 
   return sum_of(state, [&](const Cell& cell) { return cell.method == method && cell.family == family; });
 }
 
-CampaignCounts of_method(const CampaignState& state, const std::string& method) {
-  return sum_of(state, [&](const Cell& cell) { return cell.method == method; });
+// Two parts may ask one method, about other families.
+bool is_of(const PartSettings& part, const Cell& cell) {
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return has(part.methods, cell.method) && has(part.families, cell.family);
+}
+
+CampaignCounts of_method(const CampaignState& state, const PartSettings& part, const std::string& method) {
+  return sum_of(state, [&](const Cell& cell) { return cell.method == method && is_of(part, cell); });
 }
 
 CampaignCounts of_part(const CampaignState& state, const PartSettings& part) {
-  return sum_of(state, [&](const Cell& cell) {
-    return std::find(part.methods.begin(), part.methods.end(), cell.method) != part.methods.end();
-  });
+  return sum_of(state, [&](const Cell& cell) { return is_of(part, cell); });
 }
 
 bool is_rotating(const PartSettings& part) { return part.kind == part_name(engine::Kind::rotating); }
@@ -109,7 +115,7 @@ std::string method_table(const CampaignState& state, const PartSettings& part, c
     }
   }
   table.add_gap();
-  add("all", of_method(state, method));
+  add("all", of_method(state, part, method));
   return table.text();
 }
 

@@ -45,7 +45,7 @@ void fill_above_a_floor(Draw& draw, double hardness, Case& problem) {
     const Vec3<double> p = problem.spin_b.pivot;
     const double arm = bounding_radius(above.shape) + std::sqrt((p[0] * p[0] + p[1] * p[1]) + p[2] * p[2]);
     const double fastest = std::abs(angle) * arm;
-    v[2] = manner < 7 ? draw.real(1.25 * fastest + 0.5) : draw.real(0 - random.uniform(0.1, 2));
+    v[2] = manner == 5 ? draw.real(1.25 * fastest + 0.5) : draw.real(0 - random.uniform(0.1, 2));
   }
   // The floor turns about its normal.
   if (random.once_in(3)) problem.spin_a.rotation = Vec3<double>(0, 0, draw.real(random.uniform(-1, 1)));

@@ -76,7 +76,9 @@ void fill_at_rest(Draw& draw, double hardness, Case& problem) {
   const Topped below = ground(draw), above = standing(draw, kRestReach);
   problem.a = {.shape = below.shape, .position = below.position, .orientation = below.orientation};
   problem.b = {.shape = above.shape, .position = above.position, .orientation = above.orientation};
-  if (random.once_in(3)) problem.b.orientation = multiply(draw.pose_about_z(), problem.b.orientation);
+  // Where the point of contact is on its z-axis, that stays where it is.
+  if (above.position[0] == 0 && above.position[1] == 0 && random.once_in(2))
+    problem.b.orientation = multiply(draw.pose_about_z(), problem.b.orientation);
   // Anywhere on a face; on what is round, at its top.
   if (std::holds_alternative<Box<double>>(below.shape) && below.orientation.is_identity()) {
     for (int i = 0; i < 2; ++i) problem.b.position[i] += draw.on_grid(kRestReach);

@@ -36,7 +36,7 @@ double height_above(Draw& draw) {
     default:
       return draw.real(random.uniform(0.125, 1));
   }
-  return draw.real(random.once_in(4) ? 0 - height : height);
+  return draw.real(random.once_in(3) ? 0 - height : height);
 }
 
 void fill_wheels(Draw& draw, double hardness, Case& problem) {
@@ -54,7 +54,8 @@ void fill_wheels(Draw& draw, double hardness, Case& problem) {
     }
     problem.b.shape = Hull<double>(std::span<const Vec3<double>>(corners));
   }
-  problem.b.orientation = kLaidDown;
+  // A corner below, or a side.
+  problem.b.orientation = random.once_in(4) ? kLaidDown : multiply(kLaidDown, draw.pose_about_z());
   const double thickness = draw.positive_on_grid(1);
   problem.a.shape = Box<double>{Vec3<double>(32, 32, thickness)};
   // The floor takes the radius, as far as coordinates are floats: B's own height is the gap alone.

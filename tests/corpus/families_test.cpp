@@ -68,10 +68,10 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"far_own_frame", 0xdbcce1176c6becdbu},
       {"mixed_magnitudes", 0x320bae4d2f84d614u},
       {"level_prisms", 0x6cc779ad3ec3dbd7u},
-      {"at_rest", 0x8772b2cc111608b0u},
+      {"at_rest", 0x3e4abb52f205f8a7u},
       {"coaxial", 0xf095c848483a473fu},
       {"equal_distances", 0x480de57eb3ab620fu},
-      {"parallel_caps", 0x3794cac4ef802b47u},
+      {"parallel_caps", 0xd953557a72148e71u},
       {"rods_and_round", 0xc89bbc86f5f7f328u},
       {"spinning_graze", 0xfd73f8f495788929u},
       {"fast_spin", 0x703f147157289fb1u},
@@ -85,9 +85,9 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"long_arms", 0x97c4be64c8ba6e55u},
       {"swung_balls", 0xc6c15f6596daef25u},
       {"level_tiles", 0x5c38716275166fdeu},
-      {"wheels", 0xe091c051341a7a29u},
+      {"wheels", 0x48ce95b994567cbcu},
       {"flat_plates_turning", 0x4d632e1625db7881u},
-      {"above_a_floor", 0x17f7a8966ca16e42u},
+      {"above_a_floor", 0x1ff424d9f80467a9u},
   };
   for (const auto& [name, hash] : golden) {
     const Family* family = find_family(name);
@@ -128,8 +128,8 @@ TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
 
 // The families whose shapes the exact oracle decides.
 bool is_exact(const Family& family) {
-  constexpr std::array kOthers = {"curved", "combinators", "smooth_graze", "far_own_frame",
-                                  "mixed_magnitudes", "at_rest", "coaxial", "rods_and_round"};
+  constexpr std::array kOthers = {"curved",           "combinators", "smooth_graze", "far_own_frame",
+                                  "mixed_magnitudes", "at_rest",     "coaxial",      "rods_and_round"};
   return std::find(kOthers.begin(), kOthers.end(), family.name) == kOthers.end();
 }
 
@@ -222,7 +222,9 @@ TEST(Families, MixShapesPosesOutcomesAndHorizons) {
     if (!is_exact(family)) continue;
     std::size_t hits = 0, misses = 0, starts = 0, rotated = 0, infinite = 0;
     // Dense hulls cost the oracle most.
-    const std::uint64_t seeds = family.name == "many_vertices" ? kSeeds / 4 : kSeeds;
+    const bool is_dense =
+        family.name == "many_vertices" || family.name == "parallel_caps" || family.name == "equal_distances";
+    const std::uint64_t seeds = is_dense ? kSeeds / 4 : kSeeds;
     for (const double level : family.levels) {
       for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         const Case problem = family.generate(level, seed);

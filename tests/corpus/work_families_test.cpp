@@ -96,7 +96,7 @@ TEST(Coaxial, HasAxesAsFarApartAsTheHardnessSays) {
     const bool is_on_axis = level >= 17;
     Vec3<double> axis = rotate(problem.a.orientation, Vec3<double>(0, 0, 1));
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-    if (v.cross(axis).norm() > 1e-9 * v.norm()) return;  // across the axis
+    if ((v - v.dot(axis) * axis).norm() > 1e-9 * v.norm()) return;  // across the axis
     const Vec3<double> d = problem.b.position - problem.a.position;
     const double off = (d - d.dot(axis) * axis).norm();
     if (off > 10) return;  // passes by
