@@ -183,6 +183,11 @@ class LinearJudge {
       judgement_.stalled = !judgement_.undecided.empty();
       judgement_.excused = !judgement_.stalled;
     }
+    if (limits.strict && wide < kInfinity<double>) {
+      convict(judgement_.off, lower_fault(exact, answer_, problem().t_max, wide));
+      if (asks_for(request_, Request::normal) && asks_for(request_, Request::witnesses))
+        convict(judgement_.bad_contact, open_answer_fault(exact, method_, problem(), answer_, wide));
+    }
     judge_contact(judgement_, exact, answer_, method_, problem(), limits, request_);
     return granted;
   }

@@ -188,6 +188,34 @@ std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double
                      over_scale(margin, truth), text_of(truth));
 }
 
+std::string lower_fault(const CaseTruth& truth, const Answer& answer, double t_max, double bound) {
+  if (answer.outcome == Outcome::miss || answer.outcome == Outcome::invalid_input) return "";
+  if (!(answer.toi_lower < t_max)) return "";
+  const double away = truth.distance_at(answer.toi_lower).low;
+  if (!(away > bound)) return "";
+  return fmt::format("toi_lower is {}, where the bodies are {} from contact; true: {}", hex(answer.toi_lower),
+                     over_scale(away, truth), text_of(truth));
+}
+
+std::string open_answer_fault(const CaseTruth& truth, const Method& method, const Case& problem,
+                              const Answer& answer, double bound) {
+  if (answer.outcome != Outcome::not_converged || !(answer.toi_lower < problem.t_max)) return "";
+  const double u = method.unit_roundoff;
+  if (!(answer.distance <= bound * (1 + 8 * u))) return fmt::format("open, and {} apart", answer.distance);
+  if (!(std::abs(answer.normal.norm() - 1) <= 8 * u)) return "open, and the normal is not a unit vector";
+  for (const char body : {'a', 'b'}) {
+    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
+    const Body<double>& of = body == 'a' ? problem.a : problem.b;
+    if (!point.allFinite()) return fmt::format("open, and the witness of {} is not finite", body);
+    const double size = std::max({point.cwiseAbs().maxCoeff(), of.position.cwiseAbs().maxCoeff(),
+                                  answer.toi_lower * of.displacement.cwiseAbs().maxCoeff()});
+    const double away = truth.distance_from_body(body, answer.toi_lower, point).low;
+    if (!(away <= bound + 8 * u * size))
+      return fmt::format("open, and the witness of {} lies {} away from it", body, over_scale(away, truth));
+  }
+  return "";
+}
+
 std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound) {
   for (const auto fault : {&verdict_fault, &late_fault, &early_fault, &time_fault}) {
     if (std::string reason = fault(truth, answer, bound); !reason.empty()) return reason;

@@ -60,6 +60,30 @@ LawResult certified_decides(const Case& problem, const Method& method) {
   return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
+// Ties are open to the oracle as well, and its distances hold all the same.
+LawResult certified_lower_is_near(const Case& problem, const Method& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
+  if (!has_truth(seen)) return not_applicable("no oracle takes the case");
+  const Answer answer = method.ask(seen, {});
+  const std::string fault = lower_fault(truth_of(seen), answer, seen.t_max, bound_of(method, seen));
+  if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
+LawResult open_answer_is_near_contact(const Case& problem, const Method& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
+  const Answer answer = method.ask(seen, {.request = Request::normal | Request::witnesses});
+  if (answer.outcome != Outcome::not_converged) return holds({label_of(answer.outcome)});
+  if (!has_truth(seen)) return not_applicable("no oracle takes the case");
+  const std::string fault = open_answer_fault(truth_of(seen), method, seen, answer, bound_of(method, seen));
+  if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
 LawResult normal_supports(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
@@ -173,6 +197,14 @@ std::vector<Law> linear_oracle_laws() {
       {"certified_decides",
        "Tier certified leaves a verdict open only where clearance or depth is below the width of its row.",
        Needs::oracle, &certified_decides},
+      {"certified_lower_is_near",
+       "At toi_lower of a certified answer the bodies are within the width of contact, or the motion ends "
+       "there.",
+       Needs::oracle, &certified_lower_is_near},
+      {"open_answer_is_near_contact",
+       "An open answer of tier certified has a unit normal, witnesses on their bodies, and a distance within "
+       "the width.",
+       Needs::oracle, &open_answer_is_near_contact},
   };
 }
 
