@@ -117,14 +117,17 @@ class RotatingCast {
   [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
   [[nodiscard]] double scale() const { return pair_->scale(); }
   [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
-  // Internal length: what the tier's answer may leave open at either end.
-  [[nodiscard]] double stop() const {
-    const double rounding = kRotatingStop * pair_->error();
+  // Internal lengths: as near as axes lead, and what the caller leaves open at either end of the bracket.
+  [[nodiscard]] double stop() const { return kRotatingStop * pair_->error(); }
+  [[nodiscard]] double width() const {
     double width = static_cast<double>(options_.tolerance);
     if (options_.tier == Tier::certified)
       width = width > 0 ? std::min(width, kCertifiedTurningWidth) : kCertifiedTurningWidth;
-    return std::max(rounding, kWidthPart * width * scale());
+    return kWidthPart * width * scale();
   }
+  // Bodies as near are in contact, in tier standard. A gap of `stop`, which its rounding and the end of the search
+  // make half as much again, is within.
+  [[nodiscard]] double touching() const { return std::max(noise(), 2 * stop()); }
   [[nodiscard]] double noise() const {
     return options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) * scale() : 0.0;
   }
@@ -155,7 +158,7 @@ class RotatingCast {
       if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
     } else {
       const double asked =
-          options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
+          options_.tier == Tier::certified ? width() : static_cast<double>(options_.tolerance) * scale();
       out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
       out_.plan.added = pair_->cso().to_length(out_.plan.added);
     }
@@ -291,6 +294,7 @@ class RotatingCast {
     limits.end = t_end();
     limits.steps = options_.time_steps;
     limits.touching = stop();
+    limits.width = width();
     limits.budget = options_.max_iterations;
     out_.hidden_motion =
         exact::round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
@@ -303,10 +307,11 @@ class RotatingCast {
     limits.begin = wants_proof() ? 0.0 : begin;
     limits.end = t_end();
     limits.stop = stop();
-    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
+    limits.width = width();
+    limits.touching = options_.tier == Tier::standard ? touching() : -1.0;
+    limits.proves_later = wants_proof();
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
-    limits.normal = asks_for(options_.request, Request::normal);
     limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
     limits.asks_start = options_.tier == Tier::certified;
     if (passes_over() && !(limits.begin > 0)) {
@@ -432,8 +437,7 @@ class RotatingCast {
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
     if (found.outcome != Outcome::hit) return;
-    if (asks_for(options_.request, Request::normal))
-      out_.normal = (found.normal != Vec3<double>::Zero() ? found.normal : found.n).template cast<S>();
+    if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
   }
 

@@ -30,11 +30,12 @@ struct MarchLimits {
   Advance advance = Advance::bilateral;
   double begin = 0, end = 1;  // no contact before `begin` is known
   double stop = 0;            // a gap that axes cannot close
-  double touching = -1;       // a start with no more distance is in contact; below 0: only what is proved
+  double width = 0;           // how far from contact either end of the bracket may be, where that is more
+  double touching = -1;       // bodies with no more distance are in contact; below 0: only what is proved
+  bool proves_later = false;  // `touching` is about the start alone
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain
   bool asks_start = false;    // a start that stays open ends the march, for its caller to decide
-  bool normal = false;        // of a hit: as good as rounding lets it be, however wide the bracket may be
   WholeTurns may_sweep{true, true};  // whole_turns.hpp
 };
 
@@ -86,6 +87,26 @@ class SliceSearch {
     }
     by_whole_turns(now, out);
     return out;
+  }
+
+  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
+  double approach(const Seen& now) {
+    place(now.t);
+    const Cso<double>& cso = pair_.cso();
+    const auto& side_b = cso.side_b();
+    const Simplex<double>& closest = now.near.simplex;
+    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
+      const CsoPoint<double>& p = closest.point[i];
+      const Vec3<double> d_b = -p.n;
+      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+      apart += closest.lambda[i] * p.w;
+    }
+    b = side_b.to_world(b) + pair_.center_b();
+    const Vec3<double> a = b + apart;  // from A's pivot
+    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
+                                pair_.mobility_a().w.cross(a);
+    return -now.near.n.dot(faster);
   }
 
  private:
@@ -154,25 +175,6 @@ class SliceSearch {
     return std::max(gap * std::min(1.0 / 64, gap * known), limits_.stop / 2);
   }
 
-  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
-  double approach(const Seen& now) {
-    place(now.t);
-    const Cso<double>& cso = pair_.cso();
-    const auto& side_b = cso.side_b();
-    const Simplex<double>& closest = now.near.simplex;
-    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
-      const CsoPoint<double>& p = closest.point[i];
-      const Vec3<double> d_b = -p.n;
-      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
-      apart += closest.lambda[i] * p.w;
-    }
-    b = side_b.to_world(b) + pair_.center_b();
-    const Vec3<double> a = b + apart;  // from A's pivot
-    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
-                                pair_.mobility_a().w.cross(a);
-    return -now.near.n.dot(faster);
-  }
   // When the gap is due to be `left`, from now: of the polynomial of second degree in the gap through the time before,
   // where there is one, and now, with what the gap changes by now; infinite where none is due.
   struct Due {
