@@ -11,9 +11,10 @@
 //   s_n(t) >= (1 - tau) s_n(t_0) + tau s_n(t_1) - 4 tau (1 - tau) k.
 // - By the chord (slice.hpp): k = M (t_1 - t_0)^2 / 8. M is that of the point that bends most. A box that tips about an
 //   edge on the floor keeps that edge there, and its far corners bend: slices of sqrt(d) would be needed.
-// - By the arc, n fixed in the world. Seen from a body X that turns by w about the pivot c, n moves on an arc of a
-//   circle by the angle 2 phi. The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents: at
-//   the angle u from its middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
+// - By the arc. Seen from a body X that turns by w about the pivot c, an axis of the world moves on an arc of a circle by
+//   the angle 2 phi; so does an axis that turns with the other body, seen from one that does not turn. The arc lies in the
+//   triangle of its ends d_0, d_1 and the meeting d_m of its tangents: at the angle u from its middle, x = u / phi,
+//   d = a d_0 + b d_m + c d_1 with
 //     a + b + c = 1,    c - a = sin u / sin phi,    b = cos phi (cos u - cos phi) / sin^2 phi <= (1 - x^2) / 2.
 //   The least of d.(x - c) over X's points is concave in d, hence no less than a p_0 + b p_m + c p_1, p that least along
 //   each. With q = p_m - (p_0 + p_1) / 2 this is p_0 + tau' (p_1 - p_0) + b q, tau' = (1 + c - a) / 2, which differs
@@ -102,6 +103,16 @@ class ContactFollower {
     double best = -kInfinity<double>;
     if (n != Vec3<double>::Zero()) best = pair_.gap(n, counters_);
     if (best >= -followed() / 2) return best;
+    if (pair_.radius() > 0) {
+      // The search ended as the balls about the cores met: where the cores are apart, their own axis is the best.
+      Simplex<double> simplex;
+      const Distance<double> d = gjk_distance(pair_.cso(), Vec3<double>(Vec3<double>::Zero()), simplex,
+                                              pair_.error(), 0.0, limits_.budget, counters_);
+      if (d.lower > pair_.error()) {
+        n = d.n;
+        return pair_.gap(n, counters_);
+      }
+    }
     // The face where C is left along an axis is no deeper than the way to it, so the face's own normal is a better axis.
     constexpr int kFaces = 4;
     const auto improve = [&](Vec3<double> from) {
@@ -253,13 +264,16 @@ class ContactFollower {
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
   }
-  // n as it stands at `stands`, one of the two ends.
+  // n as it stands at `stands`, one of the two ends; in the world, or turning with a body: a face that turns about a point
+  // of the contact keeps its normal.
   void along(const Vec3<double>& n, double stands, const At& there, Slope& best) {
     const double h = there.t - now_.t;
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto frame = static_cast<AxisFrame>(i);
-      if (i > 0 && !(bends[i] < bends[0])) continue;
+      if ((frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
+          (frame == AxisFrame::b && !pair_.mobility_b().turns()))
+        continue;
       place(stands);
       const Vec3<double> own = pair_.to_own(frame, n);
       const auto gap_at = [&](double t) {
@@ -270,8 +284,8 @@ class ContactFollower {
       take(least_of(s_0, s_1, bends[i] * h * h / 8 * (1 + 0x1p-40)), best);
       if (best.low >= -followed()) return;
       // No bound helps an axis along which an end is deeper.
-      if (i == 0 && std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width))
-        take(least_of(s_0, s_1, bend_of_arc(n, now_.t, there.t)), best);
+      if (std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width))
+        take(least_of(s_0, s_1, bend_of_arc(frame, own, now_.t, there.t)), best);
       if (best.low >= -followed()) return;
     }
   }
@@ -279,48 +293,73 @@ class ContactFollower {
     if (one.low > best.low || !(best.k < kInfinity<double>)) best = one;
   }
 
-  // k of the arc. What it rounds: three supports of either body, an arm, and the middle of the slice, t within u of itself.
-  double bend_of_arc(const Vec3<double>& n, double t_0, double t_1) {
-    constexpr double kMostAngle = 0.5, u = kUnitRoundoff<double>;
-    struct Body {
-      Vec3<double> across;  // the part of n across w
-      double phi, raise;    // 1 / cos phi - 1, not below
-    };
-    const auto body = [&](const Mobility& m) {
-      const double phi = m.rate * (t_1 - t_0) / 2;
-      if (!m.turns()) return Body{Vec3<double>::Zero(), 0, 0};
-      const Vec3<double> k = graze::unit(m.w);
+  // How a body sees the axis move: about `axis` by 2 phi.
+  struct Arc {
+    Vec3<double> axis = Vec3<double>::Zero();
+    double phi = 0, raise = 0;  // raise: 1 / cos phi - 1, not below
+
+    Arc() = default;
+    Arc(const Mobility& by, double h) {
+      if (!by.turns()) return;
+      axis = graze::unit(by.w);
+      phi = by.rate * h / 2;
       const double half = std::sin(phi / 2);
-      return Body{n - n.dot(k) * k, phi, 2 * half * half / std::cos(phi) * (1 + 16 * u)};
-    };
-    const Body a = body(pair_.mobility_a()), b = body(pair_.mobility_b());
+      raise = 2 * half * half / std::cos(phi) * (1 + 16 * kUnitRoundoff<double>);
+    }
+    // From the axis in the middle of the arc to where the tangents meet.
+    [[nodiscard]] Vec3<double> tangents_meet(const Vec3<double>& n) const {
+      return n + raise * (n - n.dot(axis) * axis);
+    }
+  };
+
+  // k of the arc, infinite where there is none. What it rounds: three supports of either body, an arm, and the middle of
+  // the slice, t within u of itself.
+  double bend_of_arc(AxisFrame frame, const Vec3<double>& own, double t_0, double t_1) {
+    constexpr double kMostAngle = 0.5, u = kUnitRoundoff<double>;
+    const double h = t_1 - t_0, t_m = t_0 + h / 2;
+    const Mobility &m_a = pair_.mobility_a(), &m_b = pair_.mobility_b();
+    // Seen from a body that turns, the other one must stand still: turns about two axes make no arc.
+    if ((frame == AxisFrame::a && m_b.turns()) || (frame == AxisFrame::b && m_a.turns()))
+      return kInfinity<double>;
+    const Arc a = frame == AxisFrame::a ? Arc() : Arc(frame == AxisFrame::b ? m_b : m_a, h),
+              b = frame == AxisFrame::b ? Arc() : Arc(frame == AxisFrame::a ? m_a : m_b, h);
     if (!(std::max(a.phi, b.phi) <= kMostAngle)) return kInfinity<double>;
-    double error = 0;
-    // The greatest of A's points along its direction, about its pivot, and the least of B's.
-    const auto reach = [&](double t, double bent) {
+    double error = 0, sway = 0;
+    // The greatest of A's points along its direction, and the least of B's, each about the pivot of the turn.
+    const auto reach = [&](double t) {
       place(t);
       ++counters_.supports;
       const Cso<double>& cso = pair_.cso();
       const auto &side_a = cso.side_a(), &side_b = cso.side_b();
-      const Vec3<double> d_a = n + bent * a.raise * a.across, d_b = n + bent * b.raise * b.across;
-      const Vec3<double> arm_a = pair_.center_a(), arm_b = pair_.center_b() - pair_.pivot_b_now();
+      const Vec3<double> n = pair_.to_world(frame, own), way = (t - t_m) * pair_.velocity();
+      const Vec3<double> d_a = t == t_m ? a.tangents_meet(n) : n, d_b = t == t_m ? b.tangents_meet(n) : n;
+      // A point of the body at rest is its pivot: the one that is at the other's in the middle of the slice.
+      const Vec3<double> pivot_a = frame == AxisFrame::b ? Vec3<double>(pair_.pivot_b_now() - way)
+                                                         : Vec3<double>(Vec3<double>::Zero()),
+                         pivot_b = frame == AxisFrame::a ? way : pair_.pivot_b_now();
       const Vec3<double> x_a = side_a.to_world(side_a.support(side_a, side_a.to_own(d_a), nullptr).x),
                          x_b = side_b.to_world(
                              side_b.support(side_b, side_b.to_own(Vec3<double>(-d_b)), nullptr).x);
-      error =
-          std::max(error, 2 * pair_.error() +
-                              32 * u * (arm_a.norm() + pair_.center_b().norm() + pair_.pivot_b_now().norm()));
-      return std::pair(d_a.dot(x_a + arm_a), d_b.dot(x_b + arm_b));
+      error = std::max(error, 2 * pair_.error() + pair_.frame_error(frame) +
+                                  32 * u *
+                                      (pair_.center_a().norm() + pair_.center_b().norm() +
+                                       pair_.pivot_b_now().norm() + way.norm()));
+      // n.(that pivot - the turning body's), the way along an axis that turns: 2 |n'| |v| + |n''| |v| h / 2 at most.
+      if (frame != AxisFrame::world) {
+        const Mobility& m = frame == AxisFrame::a ? m_a : m_b;
+        sway = std::max(sway, m.across(n) * (2 + m.rate * h / 2) * pair_.velocity().norm() * (1 + 64 * u));
+      }
+      return std::pair(d_a.dot(x_a + pair_.center_a() - pivot_a), d_b.dot(x_b + pair_.center_b() - pivot_b));
     };
-    const auto begin = reach(t_0, 0), middle = reach(t_0 + (t_1 - t_0) / 2, 1), end = reach(t_1, 0);
+    const auto begin = reach(t_0), middle = reach(t_m), end = reach(t_1);
     error += 2 * u * t_1 * pair_.top_speed();
-    const auto bend = [&](const Body& x, double p_0, double p_m, double p_1) {
+    const auto bend = [&](const Arc& x, double p_0, double p_m, double p_1) {
       if (x.phi == 0) return 0.0;
       return std::max(0.0, (p_0 + p_1) / 2 - p_m + 2 * error) / 2 +
              0.09 * x.phi * x.phi * std::abs(p_1 - p_0);
     };
     return bend(a, -begin.first, -middle.first, -end.first) +
-           bend(b, begin.second, middle.second, end.second);
+           bend(b, begin.second, middle.second, end.second) + sway * h * h / 8 * (1 + 0x1p-40);
   }
 
   MovingPair& pair_;
