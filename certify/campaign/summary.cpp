@@ -89,7 +89,9 @@ std::vector<Shown> columns_of(const PartSettings& part, const CampaignCounts& su
   add(&C::contact_off, "contact\noff", &count_of<&C::contact_off>);
   add(&C::proofs_refused, "proofs\nrefused", &count_of<&C::proofs_refused>);
   add(&C::unproved, "unproved", &count_of<&C::unproved>);
+  add(&C::work, "work", &count_of<&C::work>);
   columns.push_back({{"faults"}, &count_of<&C::faults>});
+  columns.push_back({{"most\nsupports"}, &count_of<&C::most_supports>});
   if (is_rotating(part))
     columns.push_back({{"widest\nof limit"}, [](const C& c) { return short_number(c.widest); }});
   return columns;
@@ -163,6 +165,7 @@ std::string kinds_of(const CampaignCounts& counts) {
   add(counts.contact_off, "with a normal or a witness off");
   add(counts.proofs_refused, "with a proof refused");
   add(counts.unproved, "without their proof");
+  add(counts.work, "by more support evaluations than guaranteed");
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 

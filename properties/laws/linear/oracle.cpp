@@ -150,7 +150,7 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
     result.labels.push_back("miss unproved");
     if (truth.clearance().low > bound) {
       return broken(fmt::format("a miss of clearance {} is not proved, only TOI >= {}", truth.clearance().low,
-                                hex(proof.toi_lower)));
+                                decimal(proof.toi_lower)));
     }
     return result;
   }
@@ -164,12 +164,12 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
   const double short_of = proof.has_axis ? truth.distance_at(proof.toi_lower).low : 0;
   if (short_of > bound) {
     return broken(fmt::format("the axis proves only toi_lower {}, {} short of contact: {}",
-                              hex(proof.toi_lower), short_of, describe(answer)));
+                              decimal(proof.toi_lower), short_of, describe(answer)));
   }
   const bool upper = std::isfinite(proof.toi_upper);
   const double beyond = upper ? truth.depth_before(proof.toi_upper).low : 0;
   if (beyond > bound) {
-    return broken(fmt::format("the portal proves only toi_upper {}, {} deep: {}", hex(proof.toi_upper),
+    return broken(fmt::format("the portal proves only toi_upper {}, {} deep: {}", decimal(proof.toi_upper),
                               beyond, describe(answer)));
   }
   if (!proof.has_axis) result.labels.push_back("no axis");
