@@ -191,6 +191,7 @@ std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double
 std::string lower_fault(const CaseTruth& truth, const Answer& answer, double t_max, double bound) {
   if (answer.outcome == Outcome::miss || answer.outcome == Outcome::invalid_input) return "";
   if (!(answer.toi_lower < t_max)) return "";
+  if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>)) return "";
   const double away = truth.distance_at(answer.toi_lower).low;
   if (!(away > bound)) return "";
   return fmt::format("toi_lower is {}, where the bodies are {} from contact; true: {}", hex(answer.toi_lower),

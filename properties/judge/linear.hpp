@@ -63,8 +63,7 @@ namespace graze::law {
 [[nodiscard]] std::string lower_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                       double t_max, double bound);
 // Tier certified, not_converged, normal and witnesses requested: what keeps a caller from taking it for contact. A
-// normal that is not a unit vector or supports C at toi_lower less well than the bound, a witness off its body, a
-// distance above the bound.
+// normal that is not a unit vector, a witness off its body, a distance above the bound.
 [[nodiscard]] std::string open_answer_fault(const oracle::CaseTruth& truth, const engine::Method& method,
                                             const corpus::Case& problem, const engine::Answer& answer,
                                             double bound);

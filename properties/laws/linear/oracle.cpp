@@ -60,6 +60,11 @@ LawResult certified_decides(const Case& problem, const Method& method) {
   return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
+// The width, and what rounding toi_lower to the scalar costs: an open answer may have no upper end.
+double width_at_lower(const Method& method, const Case& seen, const Answer& answer) {
+  return limits_of(method, seen, truth_of(seen).scale().high).wide_at(answer.toi_lower);
+}
+
 // Ties are open to the oracle as well, and its distances hold all the same.
 LawResult certified_lower_is_near(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not a method of tier certified");
@@ -67,7 +72,8 @@ LawResult certified_lower_is_near(const Case& problem, const Method& method) {
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
   if (!has_truth(seen)) return not_applicable("no oracle takes the case");
   const Answer answer = method.ask(seen, {});
-  const std::string fault = lower_fault(truth_of(seen), answer, seen.t_max, bound_of(method, seen));
+  const std::string fault =
+      lower_fault(truth_of(seen), answer, seen.t_max, width_at_lower(method, seen, answer));
   if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
@@ -79,7 +85,8 @@ LawResult open_answer_is_near_contact(const Case& problem, const Method& method)
   const Answer answer = method.ask(seen, {.request = Request::normal | Request::witnesses});
   if (answer.outcome != Outcome::not_converged) return holds({label_of(answer.outcome)});
   if (!has_truth(seen)) return not_applicable("no oracle takes the case");
-  const std::string fault = open_answer_fault(truth_of(seen), method, seen, answer, bound_of(method, seen));
+  const std::string fault =
+      open_answer_fault(truth_of(seen), method, seen, answer, width_at_lower(method, seen, answer));
   if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
   return holds({label_of(answer.outcome)});
 }
