@@ -333,13 +333,12 @@ class RotatingCast {
   bool leaves_start(MarchLimits& march_limits) {
     const double allowed =
         std::max(kFollowedDepth<S>(options_.tier) * scale(), kFollowedErrors * pair_->error());
-    const double rounding = kRotatingStop * pair_->error();
     const FollowLimits limits{.end = t_end(),
                               .allowed = allowed,
-                              .apart = std::max({allowed / 4, 2 * noise(), 2 * rounding}),
-                              .touching = std::max(noise(), rounding),
-                              .width = march_limits.stop,
-                              .stop = rounding,
+                              .apart = std::max(allowed / 4, 2 * touching()),
+                              .touching = touching(),
+                              .width = march_limits.width,
+                              .stop = march_limits.stop,
                               .budget = march_limits.budget};
     Followed start = ContactFollower(*pair_, limits, out_.counters)();
     using State = Followed::State;
@@ -350,8 +349,6 @@ class RotatingCast {
       case State::separated:
         march_limits.begin = start.found.lower;
         march_limits.record = false;  // no chain of axes shows a contact that is followed
-        // Farther apart than the march leads by axes, however wide the bracket may be.
-        if (!(start.gap > 2 * march_limits.stop)) march_limits.stop = rounding;
         out_.passed_over = true;
         return true;
       case State::ended:
