@@ -30,6 +30,9 @@ constexpr double kFollowedDepth(Tier tier) {
                                                   : 4096 * kUnitRoundoff<double>;
 }
 inline constexpr double kFollowedErrors = 16;
+// Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
+// thousand. What takes more would take slices as short as the rounding.
+inline constexpr int kMostFollowedSupports = 4096;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
@@ -339,7 +342,7 @@ class RotatingCast {
                               .touching = touching(),
                               .width = march_limits.width,
                               .stop = march_limits.stop,
-                              .budget = march_limits.budget};
+                              .budget = std::min(march_limits.budget, kMostFollowedSupports)};
     Followed start = ContactFollower(*pair_, limits, out_.counters)();
     using State = Followed::State;
     const bool certified = options_.tier == Tier::certified;
@@ -364,7 +367,7 @@ class RotatingCast {
         start.found.outcome = Outcome::initially_overlapping;
         break;
       case State::open:
-        if (certified && out_.counters.supports < limits.budget)
+        if (certified && out_.counters.supports < march_limits.budget)
           return refuse(Invalid::not_followed, InvalidField::start_policy), false;
         break;
     }
