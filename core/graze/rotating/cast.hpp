@@ -30,6 +30,9 @@ constexpr double kFollowedDepth(Tier tier) {
                                                   : 4096 * kUnitRoundoff<double>;
 }
 inline constexpr double kFollowedErrors = 16;
+// Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
+// thousand. What takes more would take slices as short as the rounding.
+inline constexpr int kMostFollowedSupports = 4096;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
@@ -333,14 +336,13 @@ class RotatingCast {
   bool leaves_start(MarchLimits& march_limits) {
     const double allowed =
         std::max(kFollowedDepth<S>(options_.tier) * scale(), kFollowedErrors * pair_->error());
-    const double rounding = kRotatingStop * pair_->error();
     const FollowLimits limits{.end = t_end(),
                               .allowed = allowed,
-                              .apart = std::max({allowed / 4, 2 * noise(), 2 * rounding}),
-                              .touching = std::max(noise(), rounding),
-                              .width = march_limits.stop,
-                              .stop = rounding,
-                              .budget = march_limits.budget};
+                              .apart = std::max(allowed / 4, 2 * touching()),
+                              .touching = touching(),
+                              .width = march_limits.width,
+                              .stop = march_limits.stop,
+                              .budget = std::min(march_limits.budget, kMostFollowedSupports)};
     Followed start = ContactFollower(*pair_, limits, out_.counters)();
     using State = Followed::State;
     const bool certified = options_.tier == Tier::certified;
@@ -350,8 +352,6 @@ class RotatingCast {
       case State::separated:
         march_limits.begin = start.found.lower;
         march_limits.record = false;  // no chain of axes shows a contact that is followed
-        // Farther apart than the march leads by axes, however wide the bracket may be.
-        if (!(start.gap > 2 * march_limits.stop)) march_limits.stop = rounding;
         out_.passed_over = true;
         return true;
       case State::ended:
@@ -367,7 +367,7 @@ class RotatingCast {
         start.found.outcome = Outcome::initially_overlapping;
         break;
       case State::open:
-        if (certified && out_.counters.supports < limits.budget)
+        if (certified && out_.counters.supports < march_limits.budget)
           return refuse(Invalid::not_followed, InvalidField::start_policy), false;
         break;
     }

@@ -47,7 +47,6 @@ struct Followed {
     ended,      // no deeper contact until the end
   } state = State::none;
   bool proved = false;  // of `deep`: by pairs
-  double gap = 0;       // of `separated`
   March found;
 };
 
@@ -145,7 +144,6 @@ class ContactFollower {
   }
   Followed result(Followed::State state) {
     out_.state = state;
-    out_.gap = now_.near.gap;
     March& found = out_.found;
     found.lower = now_.t;
     found.apart = now_.near.apart;
