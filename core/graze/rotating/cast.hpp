@@ -18,9 +18,9 @@ namespace detail {
 
 // kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
 inline constexpr double kRotatingStop = 4;
-// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and
-// the part of it that either end may take.
-inline constexpr double kCertifiedTurningWidth = 1e-9, kWidthPart = 1.0 / 16;
+// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, of bodies
+// that rotate and of others, and the part of it that either end may take.
+inline constexpr double kCertifiedTurningWidth = 1e-9, kCertifiedWidth = 1e-12, kWidthPart = 1.0 / 16;
 // Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u. Tier
 // certified proves what it says of it in double. Where the rounding of a gap is more, as with a target distance far
 // above the scale, so many times that.
@@ -124,8 +124,12 @@ class RotatingCast {
   [[nodiscard]] double stop() const { return kRotatingStop * pair_->error(); }
   [[nodiscard]] double width() const {
     double width = static_cast<double>(options_.tolerance);
-    if (options_.tier == Tier::certified)
-      width = width > 0 ? std::min(width, kCertifiedTurningWidth) : kCertifiedTurningWidth;
+    if (options_.tier == Tier::certified) {
+      const bool turns = out_.plan.effects == Effects::rotating &&
+                         (pair_->mobility_a().turns() || pair_->mobility_b().turns());
+      const double most = turns ? kCertifiedTurningWidth : kCertifiedWidth;
+      width = width > 0 ? std::min(width, most) : most;
+    }
     return kWidthPart * width * scale();
   }
   // Bodies as near are in contact, in tier standard. A gap of `stop`, which its rounding and the end of the search
@@ -160,10 +164,7 @@ class RotatingCast {
       if (pair_->mobility_a().turns()) out_.plan.add(PlanReason::rotation_a);
       if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
     } else {
-      const double asked =
-          options_.tier == Tier::certified ? width() : static_cast<double>(options_.tolerance) * scale();
-      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
-      out_.plan.added = pair_->cso().to_length(out_.plan.added);
+      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise()});
     }
     if (is_linear() && !sees_turn_unended()) return true;
     if (!(options_.t_max < kInfinity<S>)) {
@@ -191,7 +192,7 @@ class RotatingCast {
     if (options_.t_max < kInfinity<S>) return false;
     Economies without = options_.economies;
     without.bounds = false;
-    return plan_of(*pair_, a_, b_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
+    return plan_of(*pair_, a_, b_, without, {t_end(), noise()}).effects == Effects::rotating;
   }
 
   void follow_plan() {
@@ -208,9 +209,7 @@ class RotatingCast {
     }
     follow_effects();
   }
-  [[nodiscard]] bool is_linear() const {
-    return out_.plan.effects != Effects::rotating && !(out_.plan.added > 0);
-  }
+  [[nodiscard]] bool is_linear() const { return out_.plan.effects != Effects::rotating; }
   void follow_effects() {
     switch (out_.plan.effects) {
       case Effects::nothing:
@@ -220,7 +219,6 @@ class RotatingCast {
       case Effects::at_rest:
         return run_at_rest();
       case Effects::linear:
-        if (out_.plan.added > 0) return run_slow();
         return take(graze::cast(a_.body, b_.body, linear_options(options_)));
       case Effects::rotating:
         return run(RotatingMethod::bilateral_advancement);
@@ -248,21 +246,6 @@ class RotatingCast {
     take(graze::cast(a_.body, b_.body, options));
   }
 
-  // A linear cast with the sway added: a miss stays one, and a hit is not before it.
-  void run_slow() {
-    CastOptions<S> options = linear_options(options_);
-    options.request = Request::verdict;
-    options.start_policy = StartPolicy::report;
-    options.target_distance =
-        exact::round_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
-    const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
-    if (linear.outcome == Outcome::miss) return take(linear);
-    out_.counters += linear.counters;
-    out_.plan.add(PlanReason::linear_left_open);
-    const bool known = linear.outcome == Outcome::hit || linear.outcome == Outcome::not_converged;
-    run_march(Advance::bilateral, known ? static_cast<double>(linear.toi_lower) * (1 - 0x1p-20) : 0.0);
-  }
-
   void run(RotatingMethod method) {
     if (!(options_.t_max < kInfinity<S>)) return refuse(Invalid::not_linear, InvalidField::t_max);
     switch (method) {
@@ -276,9 +259,9 @@ class RotatingCast {
         return;
       }
       case RotatingMethod::conservative_advancement:
-        return run_march(Advance::conservative, 0);
+        return run_march(Advance::conservative);
       case RotatingMethod::bilateral_advancement:
-        return run_march(Advance::bilateral, 0);
+        return run_march(Advance::bilateral);
       case RotatingMethod::bilateral_published: {
         const double slop = options_.tolerance > 0 ? static_cast<double>(options_.tolerance) : kPublishedSlop;
         const PublishedLimits limits{t_end(), slop * scale(), slop * scale() / 4, options_.max_iterations};
@@ -304,10 +287,9 @@ class RotatingCast {
     fill(step_through(*pair_, limits, out_.counters));
   }
 
-  void run_march(Advance advance, double begin) {
+  void run_march(Advance advance) {
     MarchLimits limits;
     limits.advance = advance;
-    limits.begin = wants_proof() ? 0.0 : begin;
     limits.end = t_end();
     limits.stop = stop();
     limits.width = width();
@@ -315,11 +297,10 @@ class RotatingCast {
     limits.proves_later = wants_proof();
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
-    limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
+    limits.may_sweep = {!limits.record || has_plain_ball(a_.body.shape),
+                        !limits.record || has_plain_ball(b_.body.shape)};
     limits.asks_start = options_.tier == Tier::certified;
-    if (passes_over() && !(limits.begin > 0)) {
-      if (!leaves_start(limits)) return;
-    }
+    if (passes_over() && !leaves_start(limits)) return;
     March found = march(*pair_, limits, out_.counters);
     if (is_open_at_start(found)) {
       if (touches_at_start()) return;
@@ -437,7 +418,8 @@ class RotatingCast {
     // Of a way that outgrew the doubles nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
-    if (found.outcome != Outcome::hit) return;
+    // Of a search that its budget ended before it saw an axis there is no place.
+    if (found.n == Vec3<double>::Zero()) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
   }

@@ -40,31 +40,38 @@ class Marcher {
         near_(too_near(pair, limits)) {}
 
   March operator()() {
+    walk();
+    // What stays open within the stop has a place, too.
+    if (out_.outcome == Outcome::not_converged && open_ && !left_to_caller_ && !is_spent()) name_contact();
+    return std::move(out_);
+  }
+
+ private:
+  void walk() {
     look(limits_.begin, 0);
     while (true) {
       if (now_.near.gap > near_) {
         stride_ = 0;
-        if (now_.t >= limits_.end) return ended();
-        if (is_spent()) return out_;
-        if (closes_in_hand()) return out_;
+        if (now_.t >= limits_.end) return end();
+        if (is_spent() || closes_in_hand()) return;
         if (slice_on()) {
-          if (crossed()) return out_;
+          if (crossed()) return;
           continue;
         }
       }
       open_ = true;  // too near for axes, or for the next double of t
       place(now_.t);
-      if (contact_here()) return out_;
-      if (limits_.asks_start && now_.t == 0) return out_;
+      if (contact_here()) return;
+      left_to_caller_ = limits_.asks_start && now_.t == 0;
+      if (left_to_caller_) return;
       unproved_ = now_.t;
-      if (now_.t >= limits_.end || is_spent()) return out_;
+      if (now_.t >= limits_.end || is_spent() || stays_shallow()) return;
       before_.reset();
       look(stride_on(), 0);
-      if (crossed()) return out_;
+      if (crossed()) return;
     }
   }
 
- private:
   // The gap below which slices do not lead. Bodies on long arms that turn alike move fast, and hardly to each
   // other: axes of the world give slices of next to no length, and what those of a body cost in rounding is
   // more than the stop.
@@ -115,12 +122,11 @@ class Marcher {
     return true;
   }
 
-  March ended() {
-    if (open_) return out_;
+  void end() {
+    if (open_) return;
     out_.outcome = Outcome::miss;
     out_.lower = kInfinity<double>;
     if (limits_.record && out_.chain.empty()) out_.chain.push_back({limits_.end, axis_, AxisFrame::world});
-    return out_;
   }
 
   // Near enough to be contact as it is, without a proof.
@@ -140,8 +146,11 @@ class Marcher {
     if (stride_ > 0) come_back();
     out_.upper = now_.t;
     out_.outcome = now_.t > 0 ? Outcome::hit : Outcome::initially_overlapping;
-    if (now_.t > 0 && (met_at_lower_ || out_.n == Vec3<double>::Zero())) out_.n = entry_normal();
+    if (now_.t > 0) name_contact();
     return true;
+  }
+  void name_contact() {
+    if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
   }
 
   // Within `width` of contact: do the closest points in hand, where they are a little later, prove it? By then the
@@ -261,6 +270,16 @@ class Marcher {
     return n.dot(pair_.cso().support(n).w) + pair_.radius() <= limits_.stop;
   }
 
+  // From here on, does the axis keep the bodies from being deeper in each other than the stop? Then no later contact is
+  // proved either: a crate that yaws on a floor, a wheel whose rim passes it. Asked ever more seldom.
+  bool stays_shallow() {
+    if (--wait_ > 0) return false;
+    failures_ = std::min(2 * failures_ + 1, 64);
+    wait_ = failures_;
+    face_contact();
+    return axis_ != Vec3<double>::Zero() && search_.keeps_above(now_.t, axis_, -limits_.stop);
+  }
+
   // How fast the gap changes at most, seen along the axis.
   [[nodiscard]] double speed_on() const {
     const double fast = pair_.approach_speed(limits_.end);
@@ -294,6 +313,8 @@ class Marcher {
   Seen faced_;                  // the last time with a gap above 0 for sure, before now
   bool met_at_lower_ = false;
   bool open_ = false;  // from out_.lower on contact is not excluded
+  bool left_to_caller_ = false;
+  int wait_ = 0, failures_ = 0;  // of stays_shallow()
   double stride_ = 0;
   double unproved_ = 0;  // the last time on the way at which contact was not proved
   Vec3<double> axis_ = Vec3<double>::Zero();

@@ -80,7 +80,7 @@ LawResult tolerance_is_kept(const Case& problem, const Method& method) {
     if (found.holding == Holding::broken) return found;
     const Limits row = limits_of(method, seen, scale_of(seen), method.is_certified() ? 0 : tolerance);
     // Of a linear cast a tolerance means the backward error, and its distance may be the larger.
-    const bool marched = loose.plan.effects == Effects::rotating || loose.plan.added > 0;
+    const bool marched = loose.plan.effects == Effects::rotating;
     if (marched && claims_contact(loose) && loose.distance > row.wide + row.rounding_at(loose.toi_lower)) {
       return broken(fmt::format("asked for a width of {} of the scale, {} is given: {}", tolerance,
                                 loose.distance, describe(loose)));
