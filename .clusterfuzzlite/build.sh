@@ -27,8 +27,9 @@ for target in $targets; do
   cp "$build/fuzz/graze_fuzz_$target" "$OUT/"
   ldd "$OUT/graze_fuzz_$target" | awk '/=> \/.*\/lib(gmp|gmpxx|mpfr|flint|flint-arb|fmt|stdc\+\+)[-.]/ {print $3}' |
     while read -r library; do cp -L "$library" "$OUT/lib/"; done
+  pool=$(awk -v target="$target" '$1 == target {print $2}' "$source/fuzz/targets.txt")
   seeds=()
-  for folder in "$source/fuzz/seeds/$target" "$source/fuzz/findings/$target"; do
+  for folder in "$source/fuzz/seeds/$pool" "$source/fuzz/findings/$target"; do
     if [[ -d $folder ]]; then seeds+=("$folder"); fi
   done
   if ((${#seeds[@]})); then zip -q -j -r "$OUT/graze_fuzz_${target}_seed_corpus.zip" "${seeds[@]}"; fi

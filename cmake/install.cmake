@@ -37,6 +37,39 @@ install(
   NAMESPACE graze::
   DESTINATION ${package_directory})
 
+# graze_pkgconfig(name DESCRIPTION d REQUIRES r CFLAGS c LIBS l): installs name.pc.
+function(graze_pkgconfig pc_name)
+  cmake_parse_arguments(pc "" "DESCRIPTION;REQUIRES;CFLAGS;LIBS" "" ${ARGN})
+  foreach(part IN ITEMS description requires cflags libs)
+    string(TOUPPER ${part} upper)
+    set(pc_${part} "${pc_${upper}}")
+  endforeach()
+  if(GRAZE_LIBRARY)
+    set(directory ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  else()
+    set(directory ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+  endif()
+  file(RELATIVE_PATH pc_prefix /prefix/${directory} /prefix)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/pkgconfig.pc.in ${PROJECT_BINARY_DIR}/${pc_name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${directory})
+endfunction()
+graze_pkgconfig(graze-core DESCRIPTION "Certified casts for convex shapes, header-only" REQUIRES "eigen3 >= 3.4")
+if(GRAZE_LIBRARY)
+  graze_pkgconfig(
+    graze
+    DESCRIPTION "Certified casts for convex shapes, compiled for float and double"
+    REQUIRES "eigen3 >= 3.4"
+    CFLAGS -DGRAZE_COMPILED
+    LIBS "-L\${libdir} -lgraze")
+  if(GRAZE_SCENE)
+    graze_pkgconfig(
+      graze-scene
+      DESCRIPTION "Many bodies, rays and casts over one step"
+      REQUIRES graze
+      LIBS "-L\${libdir} -lgraze_scene -pthread")
+  endif()
+endif()
+
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/graze-config.cmake.in
                               ${PROJECT_BINARY_DIR}/cmake/graze-config.cmake INSTALL_DESTINATION ${package_directory})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/graze-config-version.cmake

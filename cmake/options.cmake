@@ -1,5 +1,6 @@
 # Options, and the settings of our own targets. Nothing here reaches a consumer: warnings and flags live on
 # graze_own, an INTERFACE target that only our own binaries link.
+option(GRAZE_SCENE "Build graze::scene, many bodies over a step (it needs GRAZE_LIBRARY)" ON)
 option(GRAZE_TOOLS "Build the judge and the graze command (CGAL: GPL)" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(GRAZE_BENCH "Build the benchmarks (Google Benchmark)" OFF)
@@ -12,6 +13,10 @@ endif()
 option(GRAZE_UNITY "Compile many small files of ours at once: sooner from nothing, later after an edit" OFF)
 option(GRAZE_ASSERTIONS "Core checks what it relies on (core/graze/linkage.hpp): for tests and fuzzing" OFF)
 set(GRAZE_SANITIZE "" CACHE STRING "Sanitizers for our own targets, e.g. address,undefined")
+
+if(GRAZE_TOOLS AND NOT GRAZE_SCENE)
+  message(FATAL_ERROR "GRAZE_TOOLS needs GRAZE_SCENE. Set GRAZE_SCENE=ON, or GRAZE_TOOLS=OFF.")
+endif()
 
 if(PROJECT_IS_TOP_LEVEL)
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -28,11 +33,31 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 endif()
 
+# The flag that keeps a multiply and an add apart: results must not depend on whether they were fused.
+if(MSVC)  # cl keeps them apart under /fp:precise, its default; clang-cl takes the flag of clang
+  set(GRAZE_UNFUSED /fp:precise $<$<CXX_COMPILER_ID:Clang>:/clang:-ffp-contract=off>)
+else()
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-ffp-contract=off GRAZE_HAS_FP_CONTRACT)
+  if(GRAZE_HAS_FP_CONTRACT)
+    set(GRAZE_UNFUSED -ffp-contract=off)
+  endif()
+endif()
+
+# The flags of the compiled libraries. g++ 12 drops the rounding of double(float(x)) on neighbouring doubles when it packs
+# them (seen at -O2 and -O3). A superproject without a build type gets optimised libraries.
+function(graze_compile_for_casts target)
+  target_compile_options(${target} PRIVATE ${GRAZE_UNFUSED} $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+  if(NOT MSVC)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:>:-O2>)
+  endif()
+endfunction()
+
 add_library(graze_own INTERFACE)
 target_compile_features(graze_own INTERFACE cxx_std_20)
 # Our results must not depend on whether a multiply-add was fused; users of core may do as they like, and so do the targets
 # with the property GRAZE_CONTRACTED (their own flags come before these, so none of theirs could take this one back).
-target_compile_options(graze_own INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:-ffp-contract=off>
+target_compile_options(graze_own INTERFACE "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:GRAZE_CONTRACTED>>>:${GRAZE_UNFUSED}>"
                                            -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion)
 # Where several sources are compiled at once, a file's local names hide another file's, and are none of a header's.
 set(united $<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>)

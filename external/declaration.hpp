@@ -32,6 +32,7 @@ struct Offer {
   double early = 0;       // a length by which its times stop short by design
   bool starts = true;     // it is asked about starts in contact
   double stalls = 0;      // the fraction of a family in which it may say not_converged
+  std::optional<int> most_supports = {};  // what an answer's `supports` stays below or at
   bool takes_target_distance = false, takes_pass_over = false;
 
   [[nodiscard]] bool promises_errors() const { return tolerance || relative_tolerance || kappa; }

@@ -1,10 +1,10 @@
-// Seeds of a fuzz target from the curated corpus, one file a case, named by its id.
+// Writes the seeds of a pool of fuzz targets (targets.txt), one file a case, named by its id.
 //
-//   graze_seed_corpus TARGET DIR          of the built-in corpus: every case that fits
-//   graze_seed_corpus TARGET DIR FILE...  of these .json and .jsonl files
+//   graze_seed_corpus POOL DIR          from the built-in corpus: every case that fits
+//   graze_seed_corpus POOL DIR FILE...  from these .json and .jsonl files
 //
-// Of rotating targets the cases with a spin and a few without; of linear ones those without; of case_files
-// the text of every case as it is, of the other targets the bytes of codec.hpp.
+// The pool `turning` gets the cases with a rotation and a few without, `linear` those without, `proofs` all. A seed of
+// `text` or `scenes` is the text of the case, a seed of another pool the bytes of codec.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,14 +30,11 @@ int refuse(const std::string& what) {
 
 enum class Kind { text, linear, turning, any };
 
-std::optional<Kind> kind_of(const std::string& target) {
-  if (target == "case_files" || target == "scene_files") return Kind::text;
-  if (target == "rotating_cast" || target == "plans") return Kind::turning;
-  if (target == "made_up_proofs" || target == "proof_attack") return Kind::any;
-  for (const char* linear :
-       {"linear_cast", "exact_oracle", "tiers", "distance_penetration", "hull_building", "metamorphic"}) {
-    if (target == linear) return Kind::linear;
-  }
+std::optional<Kind> kind_of(const std::string& pool) {
+  if (pool == "text" || pool == "scenes") return Kind::text;
+  if (pool == "turning") return Kind::turning;
+  if (pool == "proofs") return Kind::any;
+  if (pool == "linear") return Kind::linear;
   return std::nullopt;
 }
 
@@ -54,9 +51,9 @@ bool is_wanted(Kind kind, const Case& problem, int still) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() < 2) return refuse("usage: graze_seed_corpus TARGET DIR [FILE...]");
+  if (words.size() < 2) return refuse("usage: graze_seed_corpus POOL DIR [FILE...]");
   const std::optional<Kind> kind = kind_of(words[0]);
-  if (!kind) return refuse(words[0] + ": no such target; fuzz/targets.txt lists them");
+  if (!kind) return refuse(words[0] + ": no such pool; fuzz/targets.txt lists them in its second column");
 
   std::vector<ReadResult> reads;
   if (words.size() == 2) {

@@ -38,6 +38,8 @@ bool has_times(const engine::Answer& answer) {
 // Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
 std::string reason_of(const engine::Answer& answer) {
   if (answer.outcome == Outcome::invalid_input) return invalid_text(answer);
+  if (answer.passed_over && answer.plan.effects == Effects::rotating && answer.plan.reasons != 0)
+    return "the contact at the start gets no deeper, and no other is made";
   if (answer.passed_over) return "the motion leaves or slides from its start in contact";
   return {};
 }

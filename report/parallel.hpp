@@ -28,8 +28,14 @@ void for_each_index(std::size_t count, unsigned threads, const Job& job) {
     }
   };
   {
-    std::vector<std::jthread> others;
-    for (unsigned t = 1; t < threads; ++t) others.emplace_back(work);
+    // std::jthread would do, but libc++ 16 lacks it.
+    struct Joined {
+      std::vector<std::thread> threads;
+      ~Joined() {
+        for (std::thread& t : threads) t.join();
+      }
+    } others;
+    for (unsigned t = 1; t < threads; ++t) others.threads.emplace_back(work);
     work();
   }
   if (failure) std::rethrow_exception(failure);

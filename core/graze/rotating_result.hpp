@@ -40,7 +40,8 @@ struct RotatingOptions {
   S target_distance = 0;  // m: contact is when the distance reaches m (length)
   // Width of the bracket that is asked for, over scale; 0: the least that the tier reaches.
   S tolerance = 0;
-  StartPolicy start_policy = StartPolicy::report;  // pass_over only where no rotation is seen
+  // pass_over with a visible rotation: by the plan, conservative_advancement and bilateral_advancement.
+  StartPolicy start_policy = StartPolicy::report;
   int max_iterations = 262144;                     // support evaluations
   int time_steps = 64;                             // of time_steps and bounding_spheres, over [0, t_max]
 };
@@ -56,6 +57,7 @@ struct RotatingResult {
   S toi_upper = std::numeric_limits<S>::quiet_NaN();
   // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
   S distance = 0;
+  // miss, by StartPolicy::pass_over: in contact at t = 0, and no deeper or new contact followed. Has no proof.
   bool passed_over = false;
   // time_steps, bounding_spheres: no point of a body moves by more between two steps (length); what is
   // smaller than that may have been missed.

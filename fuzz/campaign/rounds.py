@@ -56,7 +56,7 @@ class Campaign:
         """Seeds, and findings that fail no more, go into the pools."""
         for target in self.targets:
             self.work(target).mkdir(parents=True, exist_ok=True)
-            copy_inputs(self.programs.source / "fuzz" / "seeds" / target.name, self.pool(target))
+            copy_inputs(self.programs.source / "fuzz" / "seeds" / target.pool, self.pool(target))
             failing = self.findings.replay_saved(target)
             if failing:
                 self.board.say(f"{target.name}: {failing} saved findings still fail")

@@ -173,8 +173,7 @@ class Generator {
 
   scene::Probe probe(int k) {
     const std::string name = "probe " + std::to_string(9 - k);
-    Vec3<double> way = vector(20);
-    if (way == Vec3<double>::Zero()) way[0] = 1;
+    const Vec3<double> way = vector(20);
     scene::Probe out = scene::ray(name, vector(40), way);
     if (random_.one_in(2)) {
       out.body.body.shape = shape();
@@ -183,6 +182,7 @@ class Generator {
     }
     out.first_only = random_.one_in(2);
     out.filter = filter();
+    if (random_.one_in(8)) out.body.rotation = out.body.body.displacement = Vec3<double>::Zero();
     return out;
   }
 

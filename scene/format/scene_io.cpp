@@ -115,10 +115,6 @@ void read_probe_rest(const Fields& fields, Probe& probe) {
   if (const JsonValue* ask = fields.optional("ask")) {
     probe.first_only = corpus::read_choice(*ask, fields.path("ask"), kProbeAsks) == 0;
   }
-  const RotatingBody<double>& body = probe.body;
-  if (body.body.displacement == Vec3<double>::Zero() && body.rotation == Vec3<double>::Zero()) {
-    throw Malformed{fields.path("displacement"), "is zero; a ray or a cast goes somewhere"};
-  }
 }
 
 Probe read_ray(const Fields& fields, std::map<std::string, std::string>& taken) {

@@ -3,9 +3,9 @@
 //
 // Nothing is allocated but the threads themselves (and what a cast allocates, which is a requested proof of a
 // turning body): the caller holds questions and answers, and with threads = 1 (or 0) the caller's thread does
-// all. Of one body against many its bounds are computed once: a motion that stays clear of them, by 2^-36 of
-// the pair's scale and more, is a miss without a cast. Such a miss has no counters and names no method that
-// searched; everything else in it is the single cast's.
+// all. For one body against many, its bounds are computed once. A motion that stays clear of them, by 2^-36 of
+// the pair's scale or more, is a miss without a cast. Such a miss has no counters and the default method;
+// everything else in it is as the single cast returns it.
 #pragma once
 
 #include <graze/cast.hpp>

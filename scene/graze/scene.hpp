@@ -41,8 +41,9 @@ struct Member {
   Filter filter = {};
 };
 
-// A shape that moves among the bodies as they stand at t = 0; a ray is the cast of a point. Only a motion
-// without turning has t_max = infinity.
+// A shape that moves among the bodies as they stand at t = 0. A ray is the cast of a point. A probe that neither moves
+// nor rotates is answered as an overlap question at its start, whatever its t_max: a caller need not sort out the
+// casts of objects that stand still. If it rotates, t_max is finite.
 struct Probe {
   std::string name;
   RotatingBody<double> body;
@@ -101,7 +102,8 @@ struct Event {
   // hit, initially_overlapping, or not_converged: it may touch, and the bracket is what is known.
   Outcome outcome = Outcome::not_converged;
   double toi_lower = 0, toi_upper = 0;
-  double distance = 0;  // as in RotatingResult
+  double distance =
+      0;  // as in RotatingResult; infinite if core refused the pair (too_complex), which is then open
   Effects effects = Effects::linear;
   std::uint16_t reasons = 0;  // as in graze::Plan
   Vec3<double> normal = Vec3<double>::Zero();

@@ -46,10 +46,7 @@ SweptBox box_of(const Vec3<double>& c, const Vec3<double>& way, const Vec3<doubl
   return {c - h - lost, c + h + lost, there - h - lost, there + h + lost};
 }
 
-}  // namespace
-
-SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, double around) {
-  const CoreBox own = core_box(body.shape);
+SweptBox sweep(const CoreBox& own, const Body<double>& body, const Turn& turn, double t_end, double around) {
   const bool turned = !body.orientation.is_identity();
   const Mat3<double> R =
       turned ? detail::rotation_matrix(body.orientation) : Mat3<double>(Mat3<double>::Identity());
@@ -73,11 +70,17 @@ SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, dou
   return box_of(c, way, h + Vec3<double>::Constant(sway));
 }
 
-double noise_around(const Body<double>& body) {
+}  // namespace
+
+SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, double around) {
+  return sweep(core_box(body.shape), body, turn, t_end, around);
+}
+
+SweptBox contact_box(const Body<double>& body, const Turn& turn, double t_end, double target_distance) {
   const CoreBox own = core_box(body.shape);
-  const double size =
+  const double scale =
       body.position.cwiseAbs().sum() + own.middle.cwiseAbs().sum() + 2 * (own.half.sum() + 3 * own.radius);
-  return 0x1p-36 * size;
+  return sweep(own, body, turn, t_end, target_distance / 2 * (1 + 0x1p-50) + 0x1p-36 * scale);
 }
 
 }  // namespace graze::scene

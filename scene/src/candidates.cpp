@@ -143,16 +143,12 @@ bool is_at_rest(const RotatingBody<double>& body) {
   return body.rotation == Vec3<double>::Zero() && body.body.displacement == Vec3<double>::Zero();
 }
 
-double around(const RotatingBody<double>& body, double target_distance) {
-  return target_distance / 2 * (1 + 0x1p-50) + noise_around(body.body);
-}
-
 Tree tree_of(const Scene& scene, const Options& options) {
   std::vector<Tree::Item> items(scene.bodies.size());
   for_each_index((items.size() + 1023) / 1024, options.threads, [&](std::size_t part) {
     for (std::size_t k = part * 1024; k < std::min(items.size(), (part + 1) * 1024); ++k) {
       const Member& member = scene.bodies[k];
-      items[k] = {swept_box(member.body, options.t_max, around(member.body, options.target_distance)),
+      items[k] = {contact_box(member.body, options.t_max, options.target_distance),
                   static_cast<std::uint32_t>(k), member.filter.group, member.filter.mask};
     }
   });

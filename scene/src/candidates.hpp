@@ -26,8 +26,6 @@ struct Candidates {
 [[nodiscard]] bool is_at_rest(const RotatingBody<double>& body);
 // A tree of all bodies over [0, t_max], contact being at the target distance.
 [[nodiscard]] Tree tree_of(const Scene& scene, const Options& options);
-// What a body's box has around it: half the target distance, and the tier's noise.
-[[nodiscard]] double around(const RotatingBody<double>& body, double target_distance);
 // What a scene with more pairs than these is answered.
 [[nodiscard]] std::string over_budget_text(std::uint64_t most_pairs);
 [[nodiscard]] Candidates candidates(const Scene& scene, const Options& options, const Tree& tree);

@@ -1,4 +1,5 @@
 // What a scene must be: the door of run() and plan().
+#include <graze/exact/term.hpp>
 #include <graze/invalid_text.hpp>
 #include <graze/rotating/mobility.hpp>
 #include <graze/rotating/turn.hpp>
@@ -31,20 +32,13 @@ std::string why_invalid_body(const RotatingBody<double>& moving, double t_max) {
   return {};
 }
 
-// Tier exact is of polytopes that do not turn; core says of each whether it is one.
+// The exact tier casts polytopes that do not rotate: the test that core's exact cast makes before it starts.
+// The body has passed why_invalid_body().
 std::string why_not_exact(const RotatingBody<double>& moving) {
-  if (moving.rotation != Vec3<double>::Zero()) return "turns, which tier exact does not know";
-  Body<double> still = moving.body;
-  still.displacement = Vec3<double>::Zero();
-  CastOptions<double> options;
-  options.tier = Tier::exact;
-  options.t_max = 0;
-  const Body<double> far{.shape = Point<double>{}};
-  const CastResult<double> answer = graze::cast(still, far, options);
-  if (answer.outcome != Outcome::invalid_input) return {};
-  InvalidAt at = answer.invalid_at;
-  at.body = InvalidBody::none;
-  return to_text(at);
+  if (moving.rotation != Vec3<double>::Zero()) return "rotates, which the exact tier does not support";
+  if (exact::is_exact(moving.body.shape)) return {};
+  return to_text(InvalidAt{
+      .why = Invalid::not_exact, .body = InvalidBody::none, .field = InvalidField::shape, .part = 0});
 }
 
 template <class Named>
@@ -87,12 +81,9 @@ std::string why_options_invalid(const Options& options) {
 std::string why_invalid_probe(const Probe& probe, Tier tier) {
   const RotatingBody<double>& body = probe.body;
   if (std::string why = why_invalid_body(body, probe.t_max); !why.empty()) return why;
-  const bool turns = body.rotation != Vec3<double>::Zero();
-  if (body.body.displacement == Vec3<double>::Zero() && !turns) {
-    return "displacement is zero: a ray or a cast goes somewhere; a body at rest is a body of the scene";
-  }
   if (!(probe.t_max >= 0) || is_flushed(probe.t_max)) return "t_max is negative or NaN";
-  if (turns && !(probe.t_max < kInfinity<double>)) return "t_max is infinite, and it turns";
+  if (body.rotation != Vec3<double>::Zero() && !(probe.t_max < kInfinity<double>))
+    return "t_max is infinite, and it rotates";
   return tier == Tier::exact ? why_not_exact(body) : std::string();
 }
 

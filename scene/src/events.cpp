@@ -33,12 +33,26 @@ RotatingOptions<double> turning_options(const Options& options, double t_max) {
   return out;
 }
 
+// The scene is valid, and so is each body. If core refuses the pair all the same, because the two together nest too many
+// rotations for the exact tier, nothing is known about it: it is open, and no miss.
+void leave_open_if_refused(RotatingResult<double>& result, double t_max) {
+  if (result.outcome != Outcome::invalid_input) return;
+  result.outcome = Outcome::not_converged;
+  result.toi_lower = 0;
+  result.toi_upper = t_max;
+  result.distance = kInfinity<double>;
+}
+
 }  // namespace
 
 Answer answer(const RotatingBody<double>& a, const RotatingBody<double>& b, const Options& options,
               double t_max) {
-  if (turns(a) || turns(b)) return {graze::cast(a, b, turning_options(options, t_max)), {}};
   Answer out;
+  if (turns(a) || turns(b)) {
+    out.result = graze::cast(a, b, turning_options(options, t_max));
+    leave_open_if_refused(out.result, t_max);
+    return out;
+  }
   out.result.plan = plan_without_turning(a, b, options);
   CastOptions<double> linear;
   linear.tier = options.tier;
@@ -58,6 +72,7 @@ Answer answer(const RotatingBody<double>& a, const RotatingBody<double>& b, cons
   result.point_b = found.point_b;
   result.counters = found.counters;
   out.proof = found.proof;
+  leave_open_if_refused(result, linear.t_max);
   return out;
 }
 

@@ -30,8 +30,14 @@ void for_each_index(std::size_t count, unsigned threads, const Job& job) {
     }
   };
   {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.emplace_back(work);
+    // std::jthread would do, but libc++ 16 lacks it.
+    struct Joined {
+      std::vector<std::thread> threads;
+      ~Joined() {
+        for (std::thread& t : threads) t.join();
+      }
+    } others;
+    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t) others.threads.emplace_back(work);
     work();
   }
   if (failure) std::rethrow_exception(failure);

@@ -234,12 +234,15 @@ class Run {
     if (scene_.bodies.empty()) return out;
     std::vector<Candidate> found;
     if (options_.economies.has(Economy::bounds)) {
-      const double more = around(probe.body, options_.target_distance);
-      double end = probe.t_max;
-      if (!(end < kInfinity<double>))
-        end = last_exit(probe.body.body.displacement, swept_box(probe.body, 0, more), tree.whole());
+      // At rest it is where it starts, however long: an overlap question.
+      double end = is_at_rest(probe.body) ? 0 : probe.t_max;
+      if (!(end < kInfinity<double>)) {
+        const SweptBox start = contact_box(probe.body, 0, options_.target_distance);
+        end = last_exit(probe.body.body.displacement, start, tree.whole());
+      }
       if (end < 0) return out;
-      const Tree::Item item{swept_box(probe.body, end, more), index, probe.filter.group, probe.filter.mask};
+      const Tree::Item item{contact_box(probe.body, end, options_.target_distance), index, probe.filter.group,
+                            probe.filter.mask};
       tree.for_each_at_rest(item, [&](const Tree::Item& body, double begin) {
         found.push_back({index, body.index, begin * end * (1 - 4 * kUnitRoundoff<double>)});
         return true;

@@ -1,5 +1,5 @@
 // How far below the greatest a vertex may be that a support function chooses, and how wrong a curved leaf's
-// point is (leaf.hpp, scan.hpp, climb.hpp), against balls: along directions where vertices tie but for last
+// point is (leaf.hpp, scan.hpp, hull_graph.hpp), against balls: along directions where vertices tie but for last
 // places, of hulls far out and of hulls that are climbed.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

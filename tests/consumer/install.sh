@@ -15,7 +15,7 @@ rm -rf "$build" "$prefix"
 diff <(for room in core scene; do (cd "$source_dir/$room" && find graze -name "*.hpp"); done | sort) \
   <(cd "$prefix/include" && find . -type f | sed 's|^\./||' | sort)
 others=$(cd "$prefix" && find . -type f -not -path './include/graze/*' | sort | tr '\n' ' ')
-expected='./lib/cmake/graze/graze-config-version.cmake ./lib/cmake/graze/graze-config.cmake ./lib/cmake/graze/graze-scene-targets-release.cmake ./lib/cmake/graze/graze-scene-targets.cmake ./lib/cmake/graze/graze-targets-release.cmake ./lib/cmake/graze/graze-targets.cmake ./lib/libgraze.a ./lib/libgraze_scene.a ./share/doc/graze/LICENSE '
+expected='./lib/cmake/graze/graze-config-version.cmake ./lib/cmake/graze/graze-config.cmake ./lib/cmake/graze/graze-scene-targets-release.cmake ./lib/cmake/graze/graze-scene-targets.cmake ./lib/cmake/graze/graze-targets-release.cmake ./lib/cmake/graze/graze-targets.cmake ./lib/libgraze.a ./lib/libgraze_scene.a ./lib/pkgconfig/graze-core.pc ./lib/pkgconfig/graze-scene.pc ./lib/pkgconfig/graze.pc ./share/doc/graze/LICENSE '
 [[ $others == "$expected" ]] || { echo "installed beside the headers: $others"; exit 1; }
 # It can be moved: no path of this machine is in it.
 ! grep -rnF -e "$source_dir" -e "$scratch" "$prefix" || { echo "an installed file names the build's folders"; exit 1; }

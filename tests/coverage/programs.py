@@ -33,7 +33,7 @@ def programs(source: Path) -> list[Program]:
         if not line.strip() or line.startswith("#"):
             continue
         name, pool = line.split()[:2]
-        inputs = [source / "fuzz" / "seeds" / name, source / "fuzz" / "findings" / name,
+        inputs = [source / "fuzz" / "seeds" / pool, source / "fuzz" / "findings" / name,
                   source / "build" / "fuzz-corpora" / pool]
         given = [str(folder) for folder in inputs if folder.is_dir() and any(folder.iterdir())]
         if given:

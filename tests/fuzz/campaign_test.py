@@ -54,8 +54,8 @@ class MadeUp(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.root = Path(self.folder.name)
-        (self.root / "fuzz" / "seeds" / "calm").mkdir(parents=True)
-        (self.root / "fuzz" / "seeds" / "calm" / "one").write_text("seed")
+        (self.root / "fuzz" / "seeds" / "shared").mkdir(parents=True)
+        (self.root / "fuzz" / "seeds" / "shared" / "one").write_text("seed")
         self.targets = [Target("calm", "shared", "?"), Target("wild", "shared", "?")]
         self.crash("wild", "badx")
         self.crash("calm", "")

@@ -1,6 +1,8 @@
-// cast_all allocates nothing in the caller's thread: every allocation of this program is counted.
+// cast_all allocates nothing in the caller's thread, and validating a scene nothing for a body: every allocation of this
+// program is counted.
 #include <gtest/gtest.h>
 #include <graze/cast_all.hpp>
+#include <graze/scene.hpp>
 
 #include <cstdlib>
 #include <new>
@@ -41,6 +43,22 @@ TEST(CastAll, AllocatesNothing) {
   cast_rays(bodies[0], rays, answers);
   EXPECT_EQ(allocations, before);
   EXPECT_GT(before, 0u);
+}
+
+// The exact cast of a combinator allocates its list of leaves, so a cast to validate a body would be seen.
+TEST(Scene, ValidatingAnExactSceneCastsNothing) {
+  const auto allocated = [](std::size_t bodies) {
+    Scene scene;
+    scene.bodies.resize(bodies);
+    for (Member& member : scene.bodies)
+      member.body.body.shape = posed<double>(Box<double>{{1, 2, 3}}, {1, 0, 0}, {1, 2, 0, 0});
+    Options options;
+    options.tier = Tier::exact;
+    const std::size_t before = allocations;
+    EXPECT_EQ(why_invalid(scene, options), "");
+    return allocations - before;
+  };
+  EXPECT_EQ(allocated(100), allocated(10));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <bit>
 #include <limits>
 
+#include "corpus/random.hpp"
 #include "properties/scenes/generate.hpp"
 
 namespace graze::scene {
@@ -108,6 +109,77 @@ TEST(Scene, ARaySeesTheFirstBodyOrAllOfThem) {
   EXPECT_EQ(report.probe_events[2].b, 0u);
 }
 
+// A probe that has not moved since the last step asks what it overlaps. It spoils no other answer.
+TEST(Scene, AProbeAtRestIsAnsweredByWhatItOverlapsAtItsStart) {
+  Scene scene{{box("inside", {0, 0, 0}), box("beside", {3, 0, 0}, {-9, 0, 0})}, {}};
+  const double forever = kInfinity<double>;
+  const auto at = [&](std::string name, Shape<double> shape, const Vec3<double>& position, double t_max) {
+    Probe probe = ray(std::move(name), position, {0, 0, 0}, t_max);
+    probe.body.body.shape = std::move(shape);
+    scene.probes.push_back(std::move(probe));
+  };
+  at("a ray inside", Point<double>{}, {0.25, 0, 0}, forever);
+  at("a ray on a face", Point<double>{}, {0.5, 0, 0}, forever);
+  at("a ray outside", Point<double>{}, {1.5, 0, 0}, forever);
+  at("a cast that touches both", Box<double>{{1, 1, 1}}, {1.5, 0, 0}, 1);
+  at("a cast outside", Box<double>{{0.25, 1, 1}}, {1.5, 0, 0}, forever);
+  at("no time", Point<double>{}, {0, 0, 0}, 0);
+  scene.probes[3].first_only = false;
+  scene.probes.push_back(ray("one that moves", {-2, 0, 0}, {1, 0, 0}));
+  for (const Tier tier : {Tier::standard, Tier::certified, Tier::exact}) {
+    for (const bool by_bounds : {true, false}) {
+      Options options;
+      options.tier = tier;
+      if (!by_bounds) options.economies = options.economies.without(Economy::bounds);
+      const Report report = run(scene, options);
+      ASSERT_EQ(report.status, Status::complete) << report.wrong;
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+      for (const Event& event : report.probe_events) {
+        found.emplace_back(event.a, event.b);
+        if (event.a == 6) continue;
+        EXPECT_EQ(event.outcome, Outcome::initially_overlapping);
+        EXPECT_EQ(event.effects, Effects::at_rest);
+        EXPECT_EQ(event.toi_lower, 0);
+        EXPECT_EQ(event.toi_upper, 0);
+      }
+      const std::vector<std::pair<std::uint32_t, std::uint32_t>> expected = {{0, 0}, {1, 0}, {3, 1},
+                                                                             {3, 0}, {5, 0}, {6, 0}};
+      EXPECT_EQ(found, expected) << to_text(tier);
+      EXPECT_EQ(report.probe_events.back().outcome, Outcome::hit);
+    }
+  }
+}
+
+// Two bodies that the exact tier knows, each by itself, and whose numbers together outgrow its room.
+TEST(Scene, APairThatTheExactTierRefusesStaysOpen) {
+  corpus::Random random(232);
+  int refused = 0;
+  for (int round = 0; round < 20; ++round) {
+    Shape<double> nested = Box<double>{{1, 0.5, 0.25}};
+    for (int level = 0; level < 13; ++level) {
+      const auto number = [&] { return random.uniform(-1, 1); };
+      const Vec3<double> by(number() / 8, number() / 8, number() / 8);
+      nested = posed<double>(std::move(nested), by, {number(), number(), number(), number()});
+    }
+    Scene scene{{box("a", {0, 0, 0}), box("b", {0, 0, 0}, {1, 0, 0})}, {}};
+    for (Member& member : scene.bodies) member.body.body.shape = nested;
+    Options options;
+    options.tier = Tier::exact;
+    options.t_max = 2;
+    const CastResult<double> alone = graze::cast(scene.bodies[0].body.body, scene.bodies[1].body.body,
+                                                 {.tier = Tier::exact, .t_max = options.t_max});
+    const Report report = run(scene, options);
+    ASSERT_EQ(report.status, Status::complete) << report.wrong;
+    ASSERT_EQ(report.events.size(), 1u);
+    if (alone.outcome != Outcome::invalid_input) continue;
+    ++refused;
+    EXPECT_EQ(report.events[0].outcome, Outcome::not_converged);
+    EXPECT_EQ(report.events[0].toi_lower, 0);
+    EXPECT_EQ(report.events[0].toi_upper, 2);
+  }
+  EXPECT_GT(refused, 0);
+}
+
 struct Refused {
   const char* what;
   void (*spoil)(Scene&, Options&);
@@ -134,11 +206,6 @@ TEST(Scene, ABadSceneIsRefusedInALineThatNamesTheBodyAndTheField) {
        "body \"one\": rotation is a turn of more than 2^30 radians"},
       {"NaN in a rotation", [](Scene& s, Options&) { s.bodies[0].body.rotation[1] = kNan; },
        "body \"one\": rotation[1] is NaN"},
-      {"a ray of length zero",
-       [](Scene& s, Options&) {
-         s.probes.push_back(ray("sight", {0, 0, 0}, {0, 0, 0}));
-       },
-       "cast \"sight\": displacement is zero"},
       {"two rays of one name",
        [](Scene& s, Options&) {
          s.probes.assign(2, ray("sight", {0, 0, 0}, {1, 0, 0}));
@@ -159,7 +226,7 @@ TEST(Scene, ABadSceneIsRefusedInALineThatNamesTheBodyAndTheField) {
          o.tier = Tier::exact;
          s.bodies[0].body.rotation[0] = 1;
        },
-       "body \"one\": turns"},
+       "body \"one\": rotates"},
   };
   for (const Refused& one : cases) {
     Scene scene{{box("one", {0, 0, 0}), box("two", {4, 0, 0}, {-4, 0, 0})}, {}};
@@ -321,6 +388,54 @@ TEST(CastAll, AnswersAreThoseOfSingleCasts) {
   EXPECT_GT(outcomes[static_cast<int>(Outcome::miss)], 100);
   EXPECT_GT(outcomes[static_cast<int>(Outcome::initially_overlapping)], 100);
   EXPECT_GT(outcomes[static_cast<int>(Outcome::invalid_input)], 100);
+}
+
+// Rays that pass a face, an edge or a corner of the body's bounds by a little or by nothing, near and from far.
+TEST(CastAll, RaysThatGrazeTheBoundsAreAnsweredAsSingleCastsAre) {
+  corpus::Random random(8);
+  int spared = 0, answered = 0, hits = 0;
+  for (int round = 0; round < 400; ++round) {
+    Body<double> body{.shape = Box<double>{{1, 2, 0.5}}};
+    if (round % 4 == 1) body.shape = Sphere<double>{1};
+    if (round % 4 == 2) body.shape = Capsule<double>{0.5, 0.5};
+    const double far = random.once_in(3) ? std::ldexp(1, random.integer(0, 40)) : 1;
+    body.position = far * Vec3<double>(random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2));
+    if (random.once_in(3)) body.displacement = {1, 0, random.uniform(-1, 1)};
+    CastOptions<double> options;
+    if (round % 4 != 1 && round % 4 != 2 && random.once_in(2)) options.tier = Tier::exact;
+    if (random.once_in(4)) options.tier = Tier::certified;
+    if (options.tier != Tier::exact && random.once_in(4)) options.target_distance = 0.25;
+    options.t_max = random.once_in(2) ? kInfinity<double> : random.integer(0, 4);
+    std::vector<RayQuestion> rays;
+    for (int k = 0; k < 40; ++k) {
+      // To a point on the box about the body, moved outward by 2^-60 to 1 of its size, or by nothing.
+      const Vec3<double> half(1, round % 4 == 0 ? 2 : 1, 1);
+      Vec3<double> aim = half.cwiseProduct(
+          Vec3<double>(random.integer(-1, 1), random.integer(-1, 1), random.integer(-1, 1)));
+      if (random.once_in(2)) aim *= 1 + std::ldexp(1, random.integer(-60, 0));
+      Vec3<double> way(random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2));
+      if (random.once_in(2)) way += Vec3<double>(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+      if (random.once_in(8)) way *= std::ldexp(1, random.integer(-30, 30));
+      const double back = random.once_in(4) ? 0 : random.integer(-1, 4);
+      rays.push_back({body.position + aim - back * way, way});
+    }
+    rays.push_back({{kNan, 0, 0}, {1, 0, 0}});
+    rays.push_back({{9, 0, 0}, {0, 1e70, 0}});
+    rays.push_back({{9e9, 0, 0}, {0, 0, 0}});
+    std::vector<CastResult<double>> answers(rays.size());
+    cast_rays(body, rays, answers, options);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const Body<double> point{
+          .shape = Point<double>{}, .position = rays[k].origin, .displacement = rays[k].displacement};
+      const CastResult<double> single = graze::cast(body, point, options);
+      expect_same(answers[k], single);
+      hits += single.outcome == Outcome::hit;
+      (answers[k].outcome == Outcome::miss && answers[k].counters.supports == 0 ? spared : answered) += 1;
+    }
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(spared, 3000);
+  EXPECT_GT(answered, 3000);
 }
 
 TEST(CastAll, TurningBodiesToo) {

@@ -233,7 +233,7 @@ OTHERS = [None, True, "x", "", -1, 0, 1.5, "inf", "-inf", "nan", "0x1p+2", [], {
 # what they hold where they are not looked at.
 UNSAID = [
     r"lower is above upper", r"upside down", r"no vertex [0-9]+", r"it answers ", r"has length", r"is not between 0", r"^time is infinite",
-    r"unknown shape", r"already; each has its own name", r"displacement: is zero", r"is infinite, and it turns",
+    r"unknown shape", r"already; each has its own name", r"is infinite, and it rotates",
     r"0 < least <= most", r"\.(pi|time)?: missing; (normal|point_a|point_b|distance|depth|time) ",
     r"^(normal|point_a|point_b|distance|depth|time): missing", r"a fraction of a family is at most 1",
 ]

@@ -16,8 +16,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <graze/linkage.hpp>
+#include <graze/numeric/limbs.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::exact {
 
@@ -55,6 +54,12 @@ class Dyadic {
   // The exponent of the leading bit: 2^order <= |x| < 2^(order + 1). For x != 0.
   [[nodiscard]] int order() const {
     return exponent_ + 64 * size_ - 1 - std::countl_zero(limb_[static_cast<std::size_t>(size_ - 1)]);
+  }
+  // The exponent of the last bit that is set: x is an odd multiple of 2^grid. For x != 0.
+  [[nodiscard]] int grid() const {
+    std::size_t k = 0;
+    while (limb_[k] == 0) ++k;
+    return exponent_ + 64 * static_cast<int>(k) + std::countr_zero(limb_[k]);
   }
   // x 2^-order as a double, truncated: in +-[1, 2). For x != 0.
   [[nodiscard]] double leading() const {
@@ -96,9 +101,7 @@ class Dyadic {
     for (std::size_t i = 0; i < n; ++i) {
       Limb carry = 0;
       for (std::size_t k = 0; k < m; ++k) {
-        const Wide t = static_cast<Wide>(x.limb_[i]) * y.limb_[k] + out.limb_[i + k] + carry;
-        out.limb_[i + k] = static_cast<Limb>(t);
-        carry = static_cast<Limb>(t >> 64);
+        out.limb_[i + k] = multiply_add(x.limb_[i], y.limb_[k], out.limb_[i + k], carry);
       }
       out.limb_[i + m] = carry;
     }
@@ -110,9 +113,6 @@ class Dyadic {
   }
 
  private:
-  using Limb = std::uint64_t;
-  __extension__ using Wide = unsigned __int128;
-
   static Dyadic with_validity(const Dyadic& value, const Dyadic& other) {
     Dyadic out = value;
     out.valid_ = value.valid_ && other.valid_;
@@ -178,9 +178,7 @@ class Dyadic {
     Limb carry = 0;
     for (int i = 0; i < size_; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
-      const Wide t = static_cast<Wide>(limb_[k]) + (i < y.size_ ? y.limb_[k] : 0) + carry;
-      limb_[k] = static_cast<Limb>(t);
-      carry = static_cast<Limb>(t >> 64);
+      limb_[k] = add(limb_[k], i < y.size_ ? y.limb_[k] : 0, carry);
     }
   }
   // |this| > |y|
@@ -188,9 +186,7 @@ class Dyadic {
     Limb borrow = 0;
     for (int i = 0; i < size_; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
-      const Wide t = static_cast<Wide>(limb_[k]) - (i < y.size_ ? y.limb_[k] : 0) - borrow;
-      limb_[k] = static_cast<Limb>(t);
-      borrow = static_cast<Limb>(t >> 64) & 1;
+      limb_[k] = subtract(limb_[k], i < y.size_ ? y.limb_[k] : 0, borrow);
     }
   }
   // No leading zero limbs, and no trailing ones.

@@ -48,7 +48,7 @@ class Marcher {
 
  private:
   void walk() {
-    look(0, 0);
+    look(limits_.begin, 0);
     while (true) {
       if (now_.near.gap > near_) {
         stride_ = 0;

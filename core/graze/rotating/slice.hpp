@@ -32,7 +32,7 @@ enum class Advance { conservative, bilateral };
 
 struct MarchLimits {
   Advance advance = Advance::bilateral;
-  double end = 1;
+  double begin = 0, end = 1;  // a contact that is passed over has ended at `begin`
   double stop = 0;            // a gap that axes cannot close
   double width = 0;           // how far from contact either end of the bracket may be, where that is more
   double touching = -1;       // bodies with no more distance are in contact; below 0: only what is proved

@@ -10,6 +10,7 @@
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
+#include "properties/laws/work.hpp"
 
 namespace graze::law {
 
@@ -196,10 +197,17 @@ LawResult turning_scalars_meet(const Case& problem, const Method& method) {
   return result;
 }
 
+LawResult rotating_work(const Case& problem, const Method& method) {
+  const Case seen = method.seen(problem);
+  return is_rotating_question(seen) ? within_its_work(seen, method) : no_rotating_question();
+}
+
 }  // namespace
 
 std::vector<Law> rotating_answer_laws() {
   return {
+      {"rotating_work", "A rotating cast takes no more support evaluations than its guarantee's most_supports.",
+       Needs::metamorphic, &rotating_work},
       {"turning_superset", "A superset, or a larger target distance, is never hit later.", Needs::metamorphic,
        &turning_superset},
       {"turning_methods_meet", "The brackets of the methods of one scalar meet, each within its row.",

@@ -98,8 +98,13 @@ struct Turn {
   return swept_box(moving.body, {moving.rotation, moving.pivot}, t_end, around);
 }
 
-// What is added to a body's box so that what its pair's cast answers in tier standard, within
-// kappa u scale, is not spared either: 2^-36 of scale, 131072 u.
-[[nodiscard]] double noise_around(const Body<double>& body);
+// The box of a body whose contacts, at the target distance, a pair's cast may report: half the distance around it, and
+// 2^-36 of its scale, 131072 u, for tier standard, which answers for shapes within kappa u scale.
+[[nodiscard]] SweptBox contact_box(const Body<double>& body, const Turn& turn, double t_end,
+                                   double target_distance);
+[[nodiscard]] inline SweptBox contact_box(const RotatingBody<double>& moving, double t_end,
+                                          double target_distance) {
+  return contact_box(moving.body, {moving.rotation, moving.pivot}, t_end, target_distance);
+}
 
 }  // namespace graze::scene

@@ -97,5 +97,29 @@ TEST(Dyadic, beyond_its_room_it_is_invalid_and_stays_so) {
   EXPECT_FALSE((Dyadic(0) + overflown).valid());
 }
 
+// The portable product of limbs against GMP's: compilers without a 128-bit integer use it.
+TEST(Limbs, ProductInHalvesIsExact) {
+  constexpr Limb kMost = ~Limb{0};
+  const auto wide = [](Limb x) { return mpz_class(static_cast<unsigned long>(x)); };
+  const auto check = [&](Limb x, Limb y, Limb z, Limb carry) {
+    const mpz_class expected = wide(x) * wide(y) + wide(z) + wide(carry);
+    Limb high = carry, other = carry;
+    const Limb low = multiply_add_in_halves(x, y, z, high);
+    ASSERT_EQ((wide(high) << 64) + wide(low), expected) << x << ' ' << y << ' ' << z << ' ' << carry;
+    ASSERT_EQ(multiply_add(x, y, z, other), low);
+    ASSERT_EQ(other, high);
+  };
+  for (const Limb x : {Limb{0}, Limb{1}, Limb{0xffffffff}, Limb{1} << 32, kMost - 1, kMost}) {
+    for (const Limb y : {Limb{0}, Limb{1}, Limb{0xffffffff}, Limb{1} << 32, kMost}) {
+      for (const Limb z : {Limb{0}, Limb{0xffffffff}, kMost}) check(x, y, z, kMost - z / 2);
+    }
+  }
+  corpus::Random random(7);
+  for (int i = 0; i < 10000; ++i) {
+    const auto any = [&] { return random.below(kMost) >> (random.once_in(3) ? random.integer(0, 63) : 0); };
+    check(any(), any(), any(), any());
+  }
+}
+
 }  // namespace
 }  // namespace graze::exact

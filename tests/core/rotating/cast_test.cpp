@@ -306,8 +306,12 @@ TEST(RotatingCast, RefusesWhatItCannotAnswer) {
   options.t_max = kInfinity<double>;
   EXPECT_EQ(invalid(), Invalid::not_linear);
   options = with<double>({});
-  options.start_policy = StartPolicy::pass_over;
-  EXPECT_EQ(invalid(), Invalid::not_linear);
+  for (const auto method :
+       {RotatingMethod::time_steps, RotatingMethod::bounding_spheres, RotatingMethod::bilateral_published}) {
+    options = with<double>(method);
+    options.start_policy = StartPolicy::pass_over;
+    EXPECT_EQ(invalid(), Invalid::not_followed);
+  }
   options = with<double>({}, Tier::exact);
   EXPECT_EQ(invalid(), Invalid::not_exact);
   options = with<double>({});
