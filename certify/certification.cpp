@@ -176,8 +176,8 @@ class CertificationRun {
       : settings_(settings), progress_("certify", total_cost(suites), 0, Progress::Show::percent) {
     for (const Method* method : settings.methods) {
       for (const Suite& suite : suites) {
-        if (suite.kind == method->kind) result_.tallies.push_back(
-              {.method = method, .family = suite.family, .is_drawn = suite.drawn > 0});
+        if (suite.kind == method->kind)
+          result_.tallies.push_back({.method = method, .family = suite.family, .is_drawn = suite.drawn > 0});
       }
       if (!method->is_ours())
         result_.beyond_limits.push_back({.method = method, .family = "beyond its documented limits"});
@@ -196,8 +196,8 @@ class CertificationRun {
       std::string line = declines(result_.total(*method));
       if (line.empty()) continue;
       if (!settings_.allow_declined)
-        result_.breaches.push_back(fmt::format("{}, above {:g} %; --allow-declined accepts that", line,
-                                               100 * kMostDeclined));
+        result_.breaches.push_back(
+            fmt::format("{}, above {:g} %; --allow-declined accepts that", line, 100 * kMostDeclined));
       result_.declined.push_back(std::move(line));
     }
     return std::move(result_);

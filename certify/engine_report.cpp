@@ -183,8 +183,10 @@ std::string certificates(const Certification& certification, const Settings& set
       table_of(totals) +
       "least: the limit with which every verdict and time would have passed, in units of u scale, over "
       "scale, and "
-      "as a\nlength of the cases. held to: what it declares, or the command line says, or 0.001 of scale; with "
-      "--measure\nonly failures count as faults. not asked: what it does not take; declined: what it takes and "
+      "as a\nlength of the cases. held to: what it declares, or the command line says, or 0.001 of scale; "
+      "with "
+      "--measure\nonly failures count as faults. not asked: what it does not take; declined: what it takes "
+      "and "
       "answers\nwith unsupported (docs/engines.md).\n";
   if (!beyond.empty())
     out += "\nBeyond the limits that they document, no part of the above, and held against no engine:\n" +
@@ -244,11 +246,15 @@ std::string time_table(const Certification& certification, const Settings& setti
 }
 
 std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
-  Json all = {{"schema", "graze.certification/1"},      {"seconds", seconds},
-              {"answers", certification.answers},       {"cases", certification.questions},
-              {"held", certification.breaches.empty()}, {"breaches", certification.breaches},
+  Json all = {{"schema", "graze.certification/1"},
+              {"seconds", seconds},
+              {"answers", certification.answers},
+              {"cases", certification.questions},
+              {"held", certification.breaches.empty()},
+              {"breaches", certification.breaches},
               {"declined", certification.declined},
-              {"unfinished", certification.unfinished}, {"methods", Json::array()}};
+              {"unfinished", certification.unfinished},
+              {"methods", Json::array()}};
   for (const Method* method : settings.methods) {
     Json families = Json::array();
     for (const Tally& tally : certification.tallies) {

@@ -76,7 +76,8 @@ std::vector<std::string> fault_lines(const Certification& certification) {
     [[nodiscard]] std::string line(std::string_view name) const {
       return fmt::format("{}: {} of {} in {}; the first is {}", name, counted(answers, "answer"),
                          counted(methods.size(), "method"),
-                         families.size() == 1 ? "1 family" : fmt::format("{} families", families.size()), first);
+                         families.size() == 1 ? "1 family" : fmt::format("{} families", families.size()),
+                         first);
     }
   };
   std::array<Kind, law::kFaults> kinds;
@@ -418,12 +419,19 @@ std::string query_table(const Certification& certification, const Settings& sett
     if (method->kind != Kind::query) continue;
     const Tally t = certification.total(*method);
     const engine::Guarantee* row = method->guarantee;
-    table.add_row({std::string(corpus::name_of(method->query)), method->full_name(), fmt::to_string(t.cases),
-                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::off)),
-                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused), short_number(median(t.backward)),
-                   short_number(worst(t.backward)), short_number(worst(t.normal)),
-                   short_number(worst(t.witness)), row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
+    table.add_row({std::string(corpus::name_of(method->query)),
+                   method->full_name(),
+                   fmt::to_string(t.cases),
+                   fmt::to_string(fault_count(t, &J::wrong)),
+                   fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)),
+                   fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused),
+                   short_number(median(t.backward)),
+                   short_number(worst(t.backward)),
+                   short_number(worst(t.normal)),
+                   short_number(worst(t.witness)),
+                   row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
                    row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
                    row == nullptr ? "-" : number(row->kappa_contact),
                    row == nullptr ? "-" : fmt::to_string(row->stall_cap),

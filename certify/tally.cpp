@@ -105,8 +105,8 @@ std::string declines(const Tally& total) {
   const auto questions = static_cast<double>(total.cases + total.declined);
   const auto part = static_cast<double>(total.declined) / std::max(questions, 1.0);
   if (!(part > kMostDeclined)) return {};
-  return fmt::format("{} declines {} of {} questions ({:.0f} %)", total.method->question_name(), total.declined,
-                     total.cases + total.declined, 100 * part);
+  return fmt::format("{} declines {} of {} questions ({:.0f} %)", total.method->question_name(),
+                     total.declined, total.cases + total.declined, 100 * part);
 }
 
 bool is_made_of_ties(const std::string& family) {

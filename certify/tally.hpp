@@ -17,7 +17,7 @@ namespace graze::tool {
 struct Tally {
   const engine::Method* method = nullptr;
   std::string family;
-  bool is_drawn = false;  // a generated family, and not cases that were given
+  bool is_drawn = false;                 // a generated family, and not cases that were given
   std::size_t cases = 0, not_asked = 0;  // those that are no question for the method are no cases of its row
   std::size_t declined = 0;              // asked, and answered with unsupported; no cases either
   std::array<std::size_t, law::kFaults> faults = {};  // answers by their worst, one of law::kFaultKinds
@@ -42,9 +42,9 @@ struct Tally {
     void take(double candidate, const corpus::Case& problem);
     void take(const Worst& other);
   };
-  Worst width = {};       // errors.backward
-  Worst passed = {};      // errors.passed
-  Worst over_limit = {};  // errors.over_limit
+  Worst width = {};          // errors.backward
+  Worst passed = {};         // errors.passed
+  Worst over_limit = {};     // errors.over_limit
   Worst most_supports = {};  // support evaluations
   // The least limit with which verdicts and times would have passed: over scale, and as a length.
   Worst least_relative = {}, least_length = {};

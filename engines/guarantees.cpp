@@ -66,9 +66,8 @@ Unseen unseen_field(const Json& row, const std::string& where, const char* name)
 
 Guarantee parse_row(const Json& row, const std::string& where) {
   static const std::set<std::string> kFields = {
-      "query",         "method",    "scalar",    "tier",     "kappa_polytope", "kappa_rounded",
-      "kappa_contact", "stall_cap", "mechanism", "may_miss", "may_be_late",    "width",
-      "most_supports", "open_cap"};
+      "query",     "method",    "scalar",   "tier",        "kappa_polytope", "kappa_rounded", "kappa_contact",
+      "stall_cap", "mechanism", "may_miss", "may_be_late", "width",          "most_supports", "open_cap"};
   if (!row.is_object()) refuse(where, "must be an object");
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");

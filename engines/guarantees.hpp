@@ -48,7 +48,7 @@ struct Guarantee {
   // Of tiers certified and exact kappa is 0, of the verdict and both bounds; its normals and witnesses are
   // doubles, held to this kappa. Absent from a row: as the kappas above.
   std::optional<double> kappa_contact = {};
-  double stall_cap = 0;   // the largest fraction of a family's cases that may end not_converged
+  double stall_cap = 0;  // the largest fraction of a family's cases that may end not_converged
   // The largest number of support evaluations (Counters::supports) that any valid input needs with the options' defaults:
   // verdict, normal and witnesses, no tolerance. A proof is asked for, and costs more. Absent: no limit is promised.
   std::optional<int> most_supports = {};

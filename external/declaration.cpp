@@ -56,9 +56,10 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
   const auto known = std::find(kQuestions.begin(), kQuestions.end(), name);
   if (known == kQuestions.end()) throw Malformed{path, "is no query; it is " + corpus::joined(kQuestions)};
   offer.question = static_cast<Question>(known - kQuestions.begin());
-  const Fields fields(value, path,
-                      {"answers", "tolerance", "relative_tolerance", "kappa", "touching", "early", "starts",
-                       "stalls", "target_distance", "pass_over", "start_normal", "own_frames", "most_supports"});
+  const Fields fields(
+      value, path,
+      {"answers", "tolerance", "relative_tolerance", "kappa", "touching", "early", "starts", "stalls",
+       "target_distance", "pass_over", "start_normal", "own_frames", "most_supports"});
   constexpr std::string_view kForm = "answers is an array of what an answer holds beside its outcome";
   const std::string where = fields.path("answers");
   const std::vector<JsonValue>& held = corpus::read_array(fields.required("answers", kForm), where, kForm);

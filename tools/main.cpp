@@ -74,7 +74,8 @@ int run(int argc, char** argv) {
       "  graze COMMAND --help        says more about each command\n\n"
       "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input and for output that cannot "
       "be\n"
-      "written, which one line on stderr explains. If the reader of a pipe closes it, the command ends silently\n"
+      "written, which one line on stderr explains. If the reader of a pipe closes it, the command ends "
+      "silently\n"
       "by SIGPIPE. A file that is read is never written over.");
   graze::tool::add_cast_command(app, exit_code);
   graze::tool::add_scene_command(app, exit_code);

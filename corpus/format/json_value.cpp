@@ -183,7 +183,8 @@ std::string json_number(double x) {
 
 nlohmann::ordered_json parse_document(std::string_view text) {
   try {
-    if (const std::string nul = nul_byte_of(text); !nul.empty()) throw std::runtime_error("is no JSON: " + nul);
+    if (const std::string nul = nul_byte_of(text); !nul.empty())
+      throw std::runtime_error("is no JSON: " + nul);
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::ordered_json::parse_error& error) {
     throw std::runtime_error("is no JSON: " + plain_message(error.what()));

@@ -149,7 +149,8 @@ class Attack {
     if (believed.stands && !has_a_time(record))
       return {Judgement::Kind::contradicted, "what it states beside a proof that rules it out"};
     const Claim claim = claim_of(record, believed.statement);
-    Judgement said = believed.within > 0 ? judge_->judge_within(claim, believed.within) : judge_->judge(claim);
+    Judgement said =
+        believed.within > 0 ? judge_->judge_within(claim, believed.within) : judge_->judge(claim);
     if (said.kind != Judgement::Kind::agreed || !believed.statement || record.tier != Tier::standard ||
         record.rotating || !record.toi || record.outcome == Outcome::miss) {
       return said;

@@ -132,8 +132,8 @@ std::string late_fault(const CaseTruth& truth, const Answer& answer, double boun
   if (std::isinf(answer.toi_lower)) return "an infinite toi_lower without a miss";
   const double late = truth.lateness(answer.toi_lower).low;
   if (!(late > bound)) return "";
-  return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer), decimal(answer.toi_lower),
-                     over_scale(late, truth), text_of(truth));
+  return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer),
+                     decimal(answer.toi_lower), over_scale(late, truth), text_of(truth));
 }
 
 std::string early_fault(const CaseTruth& truth, const Answer& answer, double bound) {

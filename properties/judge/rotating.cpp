@@ -68,8 +68,8 @@ RotatingError late_error(const RotatingTruth& truth, const Answer& answer, const
   if (truth.outcome() == Outcome::miss || truth.compare(answer.toi_lower) <= 0) return {};
   RotatingError out{.length = truth.depth_before(answer.toi_lower).low};
   if (limits.strict || out.length > allowed(limits.may_be_late, answer, limits)) {
-    out.fault = fmt::format("{} {} is past the contact at {}, {} deep", lower_name(answer),
-                            answer.toi_lower, truth.toi_upper(), text_of(out.length, limits));
+    out.fault = fmt::format("{} {} is past the contact at {}, {} deep", lower_name(answer), answer.toi_lower,
+                            truth.toi_upper(), text_of(out.length, limits));
   }
   return out;
 }

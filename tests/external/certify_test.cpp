@@ -152,12 +152,13 @@ TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
 TEST(Certify, TakesAHitAtTime0ForWrong) {
   const Folder folder;
   folder.write("balls.jsonl", cases());
-  const CommandRun run =
-      folder.graze("certify --queries 0 --json out.json --engine \"" BAD_ENGINE " hits_all_starts\" balls.jsonl");
+  const CommandRun run = folder.graze("certify --queries 0 --json out.json --engine \"" BAD_ENGINE
+                                      " hits_all_starts\" balls.jsonl");
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
   const auto report = nlohmann::json::parse(folder.read("out.json"));
   EXPECT_EQ(report.at("methods").at(0).at("total").at("faults").at("wrong").at("count"), kStarts);
-  const std::size_t table = run.out.find("needed by"), line = run.out.find("\nwrong: 2 answers of 1 method in 1 family;");
+  const std::size_t table = run.out.find("needed by"),
+                    line = run.out.find("\nwrong: 2 answers of 1 method in 1 family;");
   ASSERT_NE(line, std::string::npos) << run.out;
   EXPECT_LT(table, line);
   EXPECT_EQ(run.out.find("broken: "), std::string::npos);
@@ -169,8 +170,8 @@ TEST(Certify, TakesAHitAtTime0ForWrong) {
 TEST(Certify, CountsWhatIsDeclined) {
   const Folder folder;
   folder.write("balls.jsonl", cases());
-  const std::string words = "certify --queries 0 --threads 1 --json out.json --engine \"" BAD_ENGINE
-                            " declines_half\" balls.jsonl";
+  const std::string words =
+      "certify --queries 0 --threads 1 --json out.json --engine \"" BAD_ENGINE " declines_half\" balls.jsonl";
   const CommandRun run = folder.graze(words);
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
   const std::string said = "bad/double declines 5 of 10 questions (50 %)";

@@ -196,8 +196,8 @@ void require_meaning(const CLI::App& command) {
                                                "--full",         "--fail-fast", "--thorough",
                                                "--report-cases", "--queries",   "--oracle-every"};
   Instead laws{"--laws", "tries laws", of_answers}, stability{"--stability", "draws curves", of_answers};
-  for (const char* option :
-       {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance", "--kappa", "--measure", "--allow-declined"})
+  for (const char* option : {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance",
+                             "--kappa", "--measure", "--allow-declined"})
     laws.without_meaning.push_back(option);
   for (const char* option : {"--report", "--corpus"}) stability.without_meaning.push_back(option);
   for (const Instead& instead : {laws, stability}) {
@@ -318,7 +318,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(0, ReportDefaults::kMost))
       ->type_name("N");
   add_promise_options(*command, arguments->engines);
-  add_declined_option(*command, arguments->engines.allow_declined);
+  add_declined_option(*command, arguments->engines.allow_declined)
+      ->group(command->get_option("--engine")->get_group());
   add_need_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "

@@ -52,11 +52,12 @@ void print_intake(std::FILE* screen, const Intake& intake) {
 
 void print_screen(std::FILE* screen, const Certification& certification, const Settings& settings) {
   fmt::print(screen, "\n{}", summary_table(certification, settings));
-  fmt::print(
-      screen,
-      "answers in both scalars; open: not converged, or a bracket that says of itself that it is wide; proofs: "
-      "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the guarantee "
-      "grants; most supports:\nsupport evaluations of the costliest answer. --full: all.\n");
+  fmt::print(screen,
+             "answers in both scalars; open: not converged, or a bracket that says of itself that it is "
+             "wide; proofs: "
+             "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
+             "guarantee "
+             "grants; most supports:\nsupport evaluations of the costliest answer. --full: all.\n");
 }
 
 // What asks for the same judgement again; what is written where is left out.

@@ -89,21 +89,23 @@ void add_promise_options(CLI::App& command, EngineArguments& arguments) {
       ->type_name("K")
       ->group(kGroup);
   command
-      .add_flag("--measure", arguments.measure,
-                fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
-                            "to {:g} of scale",
-                            external::kAssumedRelativeTolerance))
+      .add_flag(
+          "--measure", arguments.measure,
+          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
+                      "to {:g} of scale",
+                      external::kAssumedRelativeTolerance))
       ->excludes("--tolerance")
       ->excludes("--relative-tolerance")
       ->excludes("--kappa")
       ->group(kGroup);
 }
 
-void add_declined_option(CLI::App& command, bool& allow_declined) {
-  command.add_flag("--allow-declined", allow_declined,
-                   fmt::format("An engine may answer unsupported to more than {:g} % of the questions that it "
-                               "takes",
-                               100 * kMostDeclined));
+CLI::Option* add_declined_option(CLI::App& command, bool& allow_declined) {
+  return command.add_flag(
+      "--allow-declined", allow_declined,
+      fmt::format("An engine may answer unsupported to more than {:g} % of the questions that it "
+                  "takes",
+                  100 * kMostDeclined));
 }
 
 void add_need_options(CLI::App& command, EngineArguments& arguments) {

@@ -26,7 +26,7 @@ struct EngineArguments {
 void add_engine_options(CLI::App& command, EngineArguments& arguments);
 // What each is held to: of the commands that judge.
 void add_promise_options(CLI::App& command, EngineArguments& arguments);
-void add_declined_option(CLI::App& command, bool& allow_declined);
+CLI::Option* add_declined_option(CLI::App& command, bool& allow_declined);
 // What each must declare.
 void add_need_options(CLI::App& command, EngineArguments& arguments);
 // Throws std::runtime_error with one line to show if one of these options is given, and no engine.

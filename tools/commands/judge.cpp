@@ -195,7 +195,7 @@ int run_judge_command(const JudgeArguments& arguments) {
     ++faulty;
     if (!arguments.full) return;
     told.push_back(fmt::format("{}  {}  {}", suite.at(i).id, law::kFaultKinds[judgement.worst_fault()].name,
-                                judgement.told_fault()));
+                               judgement.told_fault()));
   };
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
@@ -245,10 +245,11 @@ void add_judge_command(CLI::App& app, int& exit_code) {
             "The same, over the scale of each question");
   add_limit(*command, "--kappa", arguments->held.kappa, "The same, in units of u scale");
   command
-      ->add_flag("--measure", arguments->held.measure,
-                 fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
-                             "to {:g} of scale",
-                             external::kAssumedRelativeTolerance))
+      ->add_flag(
+          "--measure", arguments->held.measure,
+          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
+                      "to {:g} of scale",
+                      external::kAssumedRelativeTolerance))
       ->excludes("--tolerance")
       ->excludes("--relative-tolerance")
       ->excludes("--kappa");
@@ -262,8 +263,10 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command->footer(
       "Prints what certify prints of third-party engines, the least limit with which every answer would have "
-      "passed, then a\nline for each kind of fault. An answer counts as its worst fault. Without a promise or a "
-      "limit the answers are held\nto 0.001 of scale. A case without an answer, an answer to no case and a second "
+      "passed, then a\nline for each kind of fault. An answer counts as its worst fault. Without a promise "
+      "or a "
+      "limit the answers are held\nto 0.001 of scale. A case without an answer, an answer to no case and a "
+      "second "
       "answer are errors.\ndocs/engines.md has the documents.\n\n"
       "  graze judge answers.jsonl --cases cases.jsonl --tolerance 1e-6\n\n"
       "Exit code: 0 if it keeps what it promises, 1 if it does not, 2 for bad input.");

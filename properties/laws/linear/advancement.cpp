@@ -130,8 +130,9 @@ LawResult tightening(const Case& problem, const Method& method) {
         for (const auto fault : {&late_fault, &early_fault}) {
           if (const std::string why = fault(truth_of(seen), *said, bound); !why.empty()) {
             return broken(fmt::format("the tolerance {} leaves [{}, {}], a looser one [{}, {}]: {}",
-                                      decimal(tolerance), decimal(answer.toi_lower), decimal(answer.toi_upper),
-                                      decimal(best.toi_lower), decimal(best.toi_upper), why));
+                                      decimal(tolerance), decimal(answer.toi_lower),
+                                      decimal(answer.toi_upper), decimal(best.toi_lower),
+                                      decimal(best.toi_upper), why));
           }
         }
       }
@@ -199,7 +200,8 @@ LawResult tolerance_bounds_the_error(const Case& problem, const Method& method) 
     if (fault.empty() && answer.outcome == Outcome::hit && truth.outcome() == Outcome::hit)
       fault = normal_fault(seen, answer, answer.normal, contact_bound_of(method, seen) + slack);
     if (!fault.empty())
-      return broken(fmt::format("{}; with the tolerance {}: {}", fault, decimal(tolerance), describe(answer)));
+      return broken(
+          fmt::format("{}; with the tolerance {}: {}", fault, decimal(tolerance), describe(answer)));
     if (answer.outcome == Outcome::hit && answer.toi_lower < answer.toi_upper)
       result.labels.push_back("wide");
   }

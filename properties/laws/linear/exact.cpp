@@ -47,8 +47,8 @@ std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
                        decimal(interval->in.low), decimal(interval->in.high));
   }
   if (!is(*line.t_out, interval->out)) {
-    return fmt::format("t_out is [{}, {}], not [{}, {}]", decimal(line.t_out->lower), decimal(line.t_out->upper),
-                       decimal(interval->out.low), decimal(interval->out.high));
+    return fmt::format("t_out is [{}, {}], not [{}, {}]", decimal(line.t_out->lower),
+                       decimal(line.t_out->upper), decimal(interval->out.low), decimal(interval->out.high));
   }
   return {};
 }

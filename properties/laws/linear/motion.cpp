@@ -218,9 +218,9 @@ LawResult reversing(const Case& problem, const Method& method) {
     return result;
   }
   // The line answers for some set near C about the start; the cast of this law is judged at its own.
-  return arbitrate(
-      method, {{"the path reversed", *back, two}},
-      fmt::format("the line leaves contact at [{}, {}]", decimal(ends.t_out->lower), decimal(ends.t_out->upper)));
+  return arbitrate(method, {{"the path reversed", *back, two}},
+                   fmt::format("the line leaves contact at [{}, {}]", decimal(ends.t_out->lower),
+                               decimal(ends.t_out->upper)));
 }
 
 LawResult extending(const Case& problem, const Method& method) {

@@ -206,7 +206,8 @@ LawResult rotating_work(const Case& problem, const Method& method) {
 
 std::vector<Law> rotating_answer_laws() {
   return {
-      {"rotating_work", "A rotating cast takes no more support evaluations than its guarantee's most_supports.",
+      {"rotating_work",
+       "A rotating cast takes no more support evaluations than its guarantee's most_supports.",
        Needs::metamorphic, &rotating_work},
       {"turning_superset", "A superset, or a larger target distance, is never hit later.", Needs::metamorphic,
        &turning_superset},

@@ -108,8 +108,7 @@ TEST(CheckRecord, EveryOutcomeAgainstEveryProof) {
 TEST(CheckRecord, SaysWhatIsClaimedAndWhatIsProved) {
   ProofRecord record = hit(0.625, 0.625);
   record.outcome = Outcome::miss;
-  EXPECT_EQ(check_record(record).detail,
-            "claims miss, proves first contact from 0.625 to 0.625");
+  EXPECT_EQ(check_record(record).detail, "claims miss, proves first contact from 0.625 to 0.625");
   record = hit(0.5, kInf);
   EXPECT_EQ(check_record(record).detail, "claims hit, proves only no contact before 0.5");
   record = hit(0, kInf);
@@ -195,13 +194,11 @@ TEST(CheckRecord, ABracketOfTierStandardIsGrantedALength) {
     corpus::StatedBracket stated;
     const char* finding;
   };
-  for (const Row& row : {Row{{0.625, 0.625}, "accepted"},
-                         Row{{0.625 + 0.9 * kTime, 0.625 + 0.9 * kTime}, "accepted"},
-                         Row{{0.625 - 0.9 * kTime, 0.625 - 0.9 * kTime}, "accepted"},
-                         Row{{0.625 + 1.1 * kTime, 0.75}, "in_part"},
-                         Row{{0.5, 0.625 - 1.1 * kTime}, "in_part"},
-                         Row{{0.7, 0.7}, "in_part"},
-                         Row{{0.5, 0.55}, "in_part"}}) {
+  for (const Row& row :
+       {Row{{0.625, 0.625}, "accepted"}, Row{{0.625 + 0.9 * kTime, 0.625 + 0.9 * kTime}, "accepted"},
+        Row{{0.625 - 0.9 * kTime, 0.625 - 0.9 * kTime}, "accepted"},
+        Row{{0.625 + 1.1 * kTime, 0.75}, "in_part"}, Row{{0.5, 0.625 - 1.1 * kTime}, "in_part"},
+        Row{{0.7, 0.7}, "in_part"}, Row{{0.5, 0.55}, "in_part"}}) {
     loose.toi = row.stated;
     const auto finding = [&](Tier tier) {
       loose.tier = tier;

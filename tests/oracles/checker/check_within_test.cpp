@@ -48,12 +48,14 @@ bool holds(const ProofRecord& record, double kappa) {
 void expect_needs(const ProofRecord& record, double kappa, const char* what) {
   EXPECT_FALSE(holds(record, 0)) << what;
   EXPECT_FALSE(holds(record, kappa / 2)) << what;
-  EXPECT_TRUE(holds(record, kappa)) << what << ": " << check_record_within(record, {.of_proof = kappa}).detail;
+  EXPECT_TRUE(holds(record, kappa)) << what << ": "
+                                    << check_record_within(record, {.of_proof = kappa}).detail;
 }
 
 TEST(CheckWithin, grants_nothing_that_is_not_needed) {
   bool exactly = false;
-  EXPECT_EQ(check_record_within(triangle_and_point(), {.of_proof = 16}, &exactly).finding, RecordFinding::accepted);
+  EXPECT_EQ(check_record_within(triangle_and_point(), {.of_proof = 16}, &exactly).finding,
+            RecordFinding::accepted);
   EXPECT_TRUE(exactly);
   ProofRecord late = triangle_and_point();
   late.proof.toi_lower = late.proof.toi_upper = std::nextafter(0.75, 1);

@@ -126,7 +126,8 @@ TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
       "refused  test/hit  exact/double  contradicted: claims miss, proves first contact from 0.625 to 0.625\n"
       "refused  test/hit  exact/double  contradicted: claims initially_overlapping, proves first contact "
       "from 0.625 to 0.625\n"
-      "refused  test/hit  exact/double  contradicted: claims hit from 0.75 to 0.75, proves first contact from 0.625 to 0.625\n"
+      "refused  test/hit  exact/double  contradicted: claims hit from 0.75 to 0.75, proves first contact "
+      "from 0.625 to 0.625\n"
       "1 accepted, 3 refused\n");
 }
 

@@ -77,7 +77,8 @@ TEST_F(Judge, tells_one_fault_of_an_answer_after_the_table_and_the_others_in_bra
   const CommandRun run = judge({late, miss("t/miss")}, "--tolerance 0.01");
   EXPECT_EQ(run.exit_code, 1);
   const std::size_t table = run.out.find("answers/double"),
-                    line = run.out.find("\nlate: 1 answer of 1 method in 1 family; the first is t/hit by answers/double: ");
+                    line = run.out.find(
+                        "\nlate: 1 answer of 1 method in 1 family; the first is t/hit by answers/double: ");
   ASSERT_NE(table, std::string::npos) << run.out;
   ASSERT_NE(line, std::string::npos) << run.out;
   EXPECT_LT(table, line);
@@ -156,11 +157,12 @@ TEST_F(Judge, counts_what_is_declined) {
 
 // An engine may declare how much work its answers take at most.
 TEST_F(Judge, holds_an_engine_to_its_most_supports) {
-  const Json engine = {{"schema", "graze.engine/1"},
-                       {"name", "mine"},
-                       {"scalar", "double"},
-                       {"shapes", {"box", "sphere"}},
-                       {"queries", {{"cast", {{"answers", {"time"}}, {"tolerance", 0.3}, {"most_supports", 64}}}}}};
+  const Json engine = {
+      {"schema", "graze.engine/1"},
+      {"name", "mine"},
+      {"scalar", "double"},
+      {"shapes", {"box", "sphere"}},
+      {"queries", {{"cast", {{"answers", {"time"}}, {"tolerance", 0.3}, {"most_supports", 64}}}}}};
   folder.write("engine.json", engine.dump(1));
   Json answer = hit("t/hit", 0.375);
   for (const int supports : {64, 65}) {
