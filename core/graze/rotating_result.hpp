@@ -42,8 +42,8 @@ struct RotatingOptions {
   S tolerance = 0;
   // pass_over with a visible rotation: by the plan, conservative_advancement and bilateral_advancement.
   StartPolicy start_policy = StartPolicy::report;
-  int max_iterations = 262144;                     // support evaluations
-  int time_steps = 64;                             // of time_steps and bounding_spheres, over [0, t_max]
+  int max_iterations = 262144;  // support evaluations
+  int time_steps = 64;          // of time_steps and bounding_spheres, over [0, t_max]
 };
 
 template <Scalar S>
@@ -62,8 +62,9 @@ struct RotatingResult {
   // time_steps, bounding_spheres: no point of a body moves by more between two steps (length); what is
   // smaller than that may have been missed.
   S hidden_motion = 0;
-  Vec3<S> normal = Vec3<S>::Zero();  // hit: unit, from A to B, world axes, at toi_lower
-  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();  // hit: world points at toi_lower
+  Vec3<S> normal = Vec3<S>::
+      Zero();  // hit, and not_converged where the bodies are that near: unit, from A to B, world axes, at toi_lower
+  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();  // as the normal: world points at toi_lower
   std::optional<RotatingProof> proof;                            // when asked for
   Counters counters;
 };

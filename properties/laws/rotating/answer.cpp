@@ -85,8 +85,13 @@ LawResult tolerance_is_kept(const Case& problem, const Method& method) {
       return broken(fmt::format("asked for a width of {} of the scale, {} is given: {}", tolerance,
                                 loose.distance, describe(loose)));
     }
-    if (loose.outcome == Outcome::not_converged && tight.outcome != Outcome::not_converged)
-      result.labels.push_back("loose stalls");
+    // It ends the same search earlier.
+    if (loose.outcome != tight.outcome && tight.outcome != Outcome::not_converged)
+      return broken("a tolerance changes the verdict: " + pair_of(tight, loose));
+    if (loose.counters.supports > tight.counters.supports) {
+      return broken(fmt::format("a tolerance of {} costs {} supports, none costs {}: {}", tolerance,
+                                loose.counters.supports, tight.counters.supports, describe(loose)));
+    }
   }
   return result;
 }
@@ -217,7 +222,8 @@ std::vector<Law> rotating_answer_laws() {
        Needs::metamorphic, &turning_scalars_meet},
       {"turning_budget", "With a larger budget a bracket is within the one before, and the whole one in it.",
        Needs::metamorphic, &turning_budget},
-      {"tolerance_is_kept", "A tolerance widens a bracket by no more than itself, and makes no time late.",
+      {"tolerance_is_kept",
+       "A tolerance widens a bracket by no more than itself, changes no verdict and costs no more supports.",
        Needs::metamorphic, &tolerance_is_kept},
       {"turning_requesting",
        "Asking for less changes no verdict, costs no more and computes nothing unasked.", Needs::metamorphic,
