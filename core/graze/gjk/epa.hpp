@@ -394,8 +394,8 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S noi
     const bool known_point = P.holds(w, same);
     if (budget-- > 0 && known_point && enclosed && !face.settled) {
       P.settle(f);
-    } else if (!(h - face.d > gap) || known_point || budget < 0 ||
-               P.vertices() >= most_vertices || !(P.add(w, f, visible) || P.add(w, f, S(0)))) {
+    } else if (!(h - face.d > gap) || known_point || budget < 0 || P.vertices() >= most_vertices ||
+               !(P.add(w, f, visible) || P.add(w, f, S(0)))) {
       out.stalled = !closed;
       if (!closed) detail::touching_face(P, S(out.upper + noise), out.contact);
       return out;

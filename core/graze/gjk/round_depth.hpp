@@ -1,4 +1,24 @@
-// min over unit n of h(n), for the core C of two bodies of closed form of which one at least is curved.
+// min over unit n of h(n), for the core C of two primitives of which one at least is curved. penetration() calls it for
+// points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
+// Units: internal (cso.hpp).   Frame: world axes.
+//
+//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base):   c the offset of the centres, m_k n the radii of
+//   an ellipsoid or a disc times n's own coordinates, a_i and half_i the segments of boxes, cylinders and capsules.
+//
+// h is smooth but on the seams, where two pieces of it meet: the great circles n.a_i = 0, and the circle of latitude where
+// a cone's apex and base are equally far. So the least h is one of
+//   a corner   where two seams cross, or at the pole of a disc;
+//   a circle   least along a seam;
+//   a sphere   least of a smooth piece, which takes curvature in both directions.
+// The corners are evaluated. Circles and sphere are cut into cells of latitude and azimuth, and a cell is done with where
+//   a support point w of its middle shows h >= upper - gap: h(n) >= w.n;
+//   no piece has a minimum in it: an interval of a first derivative is without 0, or one of a second is below 0;
+//   second derivatives bound the piece from below by upper - gap, about a point that Newton finds.
+// What is equally near along a whole circle is no trouble: the azimuth of the cells is about the axis that the pair is nearest
+// to symmetric about, and derivatives by it are formed from the differences that break the symmetry, so they vanish with it.
+//
+// Guarantee: lower <= min h <= upper = h(n), up to `Cso::rounding` and the slacks below; upper - lower <= gap unless the
+// budget ends.   Intervals are not rounded outwards: each is compared with a slack above its rounding.
 #pragma once
 
 #include <algorithm>
@@ -204,7 +224,9 @@ class RoundDepth {
 
   template <Scalar Given>
   bool add(const detail::Side<double>& side, const Shape<Given>& shape, int sign) {
-    const auto axis = [&](int i) -> Vec { return side.rotated ? Vec(side.rotation.col(i)) : Vec(Vec::Unit(i)); };
+    const auto axis = [&](int i) -> Vec {
+      return side.rotated ? Vec(side.rotation.col(i)) : Vec(Vec::Unit(i));
+    };
     const auto seam = [&](const Vec& a, double half) {
       if (!(half > 0)) return;
       Seam& s = seams_[std::size_t(seam_count_++)];
@@ -223,7 +245,8 @@ class RoundDepth {
       return o;
     };
     const auto& h = side.half;
-    if (std::holds_alternative<Point<Given>>(shape) || std::holds_alternative<Sphere<Given>>(shape)) return true;
+    if (std::holds_alternative<Point<Given>>(shape) || std::holds_alternative<Sphere<Given>>(shape))
+      return true;
     if (std::holds_alternative<Capsule<Given>>(shape)) {
       seam(axis(2), h[2]);
       return true;
@@ -359,7 +382,8 @@ class RoundDepth {
         // Within this angle of the pole no h is below that of the pole: h(n') >= w.n' + least |n' x pole|.
         const double spare = o.least - (w - w.dot(n) * n).norm();
         const bool present = o.seam < 0 || n.dot(seams_[std::size_t(o.seam)].a) < 0;
-        caps_[std::size_t(cap_count_++)] = {n, present && spare > 0 && h > 0 ? 2 * std::atan(spare / h) : 0.0, h};
+        caps_[std::size_t(cap_count_++)] = {n, present && spare > 0 && h > 0 ? 2 * std::atan(spare / h) : 0.0,
+                                            h};
       }
     }
     for (int i = 0; i < seam_count_; ++i) {
@@ -368,7 +392,8 @@ class RoundDepth {
         const Vec e = s.a.cross(o.a);
         const double sin_sq = e.squaredNorm(), cosine = s.a.dot(o.a);
         if (!(sin_sq > 0)) continue;
-        const double alpha = (s.level - o.level * cosine) / sin_sq, beta = (o.level - s.level * cosine) / sin_sq;
+        const double alpha = (s.level - o.level * cosine) / sin_sq,
+                     beta = (o.level - s.level * cosine) / sin_sq;
         const Vec in = alpha * s.a + beta * o.a;
         const double rest = (1 - in.squaredNorm()) / sin_sq;
         if (!(rest >= 0)) continue;
@@ -389,7 +414,9 @@ class RoundDepth {
     Chart out;
     out.a = axis;
     const Vec m = axis.cwiseAbs();
-    const Vec other = m[0] <= m[1] && m[0] <= m[2] ? Vec(Vec::UnitX()) : m[1] <= m[2] ? Vec(Vec::UnitY()) : Vec(Vec::UnitZ());
+    const Vec other = m[0] <= m[1] && m[0] <= m[2] ? Vec(Vec::UnitX())
+                      : m[1] <= m[2]               ? Vec(Vec::UnitY())
+                                                   : Vec(Vec::UnitZ());
     out.e1 = unit(Vec(axis.cross(other)));
     out.e2 = axis.cross(out.e1);
     for (int i = 0; i < norm_count_; ++i) {
@@ -437,7 +464,8 @@ class RoundDepth {
 
   // value: of the norm, > 0.
   template <class T>
-  static detail::Slopes<T> slopes_of(const Form& f, const detail::Place<T>& z, const T& value, const T& inverse) {
+  static detail::Slopes<T> slopes_of(const Form& f, const detail::Place<T>& z, const T& value,
+                                     const T& inverse) {
     using detail::square;
     detail::Slopes<T> out;
     if (f.axial) {
@@ -511,7 +539,8 @@ class RoundDepth {
   bool look(const Chart& c, Cell& box) {
     detail::Place<double>& mid = box.mid;
     mid = {box.c0 + box.c1, box.s0 + box.s1, box.x0 + box.x1, box.y0 + box.y1};
-    const double k = 1 / std::sqrt(mid.c * mid.c + mid.s * mid.s), l = 1 / std::sqrt(mid.x * mid.x + mid.y * mid.y);
+    const double k = 1 / std::sqrt(mid.c * mid.c + mid.s * mid.s),
+                 l = 1 / std::sqrt(mid.x * mid.x + mid.y * mid.y);
     mid.c *= k;
     mid.s *= k;
     mid.x *= l;
@@ -553,9 +582,10 @@ class RoundDepth {
       const double chord = (n - cap.n).norm();  // <= angle
       if (chord < 1.9 && 2 * std::asin(chord / 2) + rho < cap.angle) return true;
     }
-    const Place<Interval> z = line ? Place<Interval>{box.c0, box.s0, between(box.x0, box.x1), between(box.y0, box.y1)}
-                                   : Place<Interval>{between(box.c0, box.c1), between(box.s0, box.s1),
-                                                     between(box.x0, box.x1), between(box.y0, box.y1)};
+    const Place<Interval> z =
+        line ? Place<Interval>{box.c0, box.s0, between(box.x0, box.x1), between(box.y0, box.y1)}
+             : Place<Interval>{between(box.c0, box.c1), between(box.s0, box.s1), between(box.x0, box.x1),
+                               between(box.y0, box.y1)};
     const double slack = 8 * kU * scale_;
     // The norms.
     std::array<Slopes<Interval>, 2> norm;
@@ -717,7 +747,8 @@ class RoundDepth {
     for (int i = 0; i < count; ++i) {
       if (look(c, first[std::size_t(i)])) stack[size++] = first[std::size_t(i)];
     }
-    std::sort(stack.begin(), stack.begin() + long(size), [](const Cell& l, const Cell& r) { return l.h > r.h; });
+    std::sort(stack.begin(), stack.begin() + long(size),
+              [](const Cell& l, const Cell& r) { return l.h > r.h; });
     while (size > 0) {
       Cell box = stack[--size];
       if (box.bound >= upper_ - gap_) {
@@ -821,7 +852,9 @@ class RoundDepth {
       const detail::Place<double> next = turned(z, dt, dp);
       detail::Slopes<double> then;
       piece_value(c, piece, b, next, then);
-      const auto size = [&](const detail::Slopes<double>& s) { return (line ? 0 : std::abs(s.t)) + std::abs(s.p); };
+      const auto size = [&](const detail::Slopes<double>& s) {
+        return (line ? 0 : std::abs(s.t)) + std::abs(s.p);
+      };
       const Vec n = unit(c.at(next));
       const double h = value(n);
       ++counters_->supports;

@@ -28,8 +28,8 @@ CastOptions<S> checked(const PenetrationOptions<S>& options) {
 
 // The bracket and the normal; S: in which the search ran.
 template <Scalar Given, Scalar S>
-void fill_depth(PenetrationResult<Given>& out, const PenetrationOptions<Given>& options, const Cso<S>& cso, S lower,
-                S upper, const Vec3<S>& n) {
+void fill_depth(PenetrationResult<Given>& out, const PenetrationOptions<Given>& options, const Cso<S>& cso,
+                S lower, S upper, const Vec3<S>& n) {
   out.outcome = Outcome::initially_overlapping;
   // A depth below zero, or a bound above the other, is rounding.
   upper = std::max(upper, S(0));
@@ -211,11 +211,13 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
   RoundDepth round;
   if (round.set(cso, a.shape, b.shape)) {
     round.run(std::max(gap / 2, fine), options.max_iterations - out.counters.supports, out.counters);
-    if (round.upper() - round.lower() <= std::max(gap, limits.noise) && (contact || round.upper() + R > limits.noise)) {
+    if (round.upper() - round.lower() <= std::max(gap, limits.noise) &&
+        (contact || round.upper() + R > limits.noise)) {
       fill_depth(out, options, cso, round.lower() + R, round.upper() + R, round.normal());
       if (asks_for(options.request, Request::witnesses)) {
         const std::array<Vec, 2> x = round.points();
-        const Vec ball_a = cso.side_a().radius * round.normal(), ball_b = cso.side_b().radius * round.normal();
+        const Vec ball_a = cso.side_a().radius * round.normal(),
+                  ball_b = cso.side_b().radius * round.normal();
         out.point_a = world_point(a, cso.side_a(), cso, Vec(x[0] + ball_a), 0.0).template cast<S>();
         out.point_b = world_point(b, cso.side_b(), cso, Vec(x[1] - ball_b), 0.0).template cast<S>();
       }
@@ -301,7 +303,8 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
     end = line_end(cso, frame, S(-1), narrow, out.counters);
   }
   out.counters.iterations = out.counters.portal_steps;
-  if (end.state == State::missed || end.lower > limits.noise) return detail::no_contact(out, detail::wide(end.n));
+  if (end.state == State::missed || end.lower > limits.noise)
+    return detail::no_contact(out, detail::wide(end.n));
   const detail::PortalView<S> view{cso, frame, S(1), out.counters};
   PortalSearch<S> begin = find_portal(view, limits.budget);
   if (begin.state == State::entered) {
@@ -310,7 +313,8 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   out.counters.iterations = out.counters.portal_steps;
   const bool undecided =
       begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
-  if (undecided && !holds_origin(begin, limits.noise)) return detail::no_contact(out, detail::wide(begin.facing));
+  if (undecided && !holds_origin(begin, limits.noise))
+    return detail::no_contact(out, detail::wide(begin.facing));
   const bool in_contact =
       begin.state == State::accepted ||
       (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);
