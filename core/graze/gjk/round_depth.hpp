@@ -1,4 +1,24 @@
-// min over unit n of h(n), for the core C of two bodies of closed form of which one at least is curved.
+// min over unit n of h(n), for the core C of two primitives of which one at least is curved. penetration() calls it for
+// points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
+// Units: internal (cso.hpp).   Frame: world axes.
+//
+//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base):   c the offset of the centres, m_k n the radii of
+//   an ellipsoid or a disc times n's own coordinates, a_i and half_i the segments of boxes, cylinders and capsules.
+//
+// h is smooth but on the seams, where two pieces of it meet: the great circles n.a_i = 0, and the circle of latitude where
+// a cone's apex and base are equally far. So the least h is one of
+//   a corner   where two seams cross, or at the pole of a disc;
+//   a circle   least along a seam;
+//   a sphere   least of a smooth piece, which takes curvature in both directions.
+// The corners are evaluated. Circles and sphere are cut into cells of latitude and azimuth, and a cell is done with where
+//   a support point w of its middle shows h >= upper - gap: h(n) >= w.n;
+//   no piece has a minimum in it: an interval of a first derivative is without 0, or one of a second is below 0;
+//   second derivatives bound the piece from below by upper - gap, about a point that Newton finds.
+// What is equally near along a whole circle is no trouble: the azimuth of the cells is about the axis that the pair is nearest
+// to symmetric about, and derivatives by it are formed from the differences that break the symmetry, so they vanish with it.
+//
+// Guarantee: lower <= min h <= upper = h(n), up to `Cso::rounding` and the slacks below; upper - lower <= gap unless the
+// budget ends.   Intervals are not rounded outwards: each is compared with a slack above its rounding.
 #pragma once
 
 #include <algorithm>
