@@ -194,7 +194,7 @@ std::string lower_fault(const CaseTruth& truth, const Answer& answer, double t_m
   if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>)) return "";
   const double away = truth.distance_at(answer.toi_lower).low;
   if (!(away > bound)) return "";
-  return fmt::format("toi_lower is {}, where the bodies are {} from contact; true: {}", hex(answer.toi_lower),
+  return fmt::format("toi_lower is {}, where the bodies are {} from contact; true: {}", answer.toi_lower,
                      over_scale(away, truth), text_of(truth));
 }
 
