@@ -79,8 +79,8 @@ class Digest {
     all(lower, chain, upper, crossing, from, size, contact, weight);
   }
   void add(const Plan& x) {
-    const auto& [effects, reasons, added] = x;
-    all(effects, reasons, added);
+    const auto& [effects, reasons] = x;
+    all(effects, reasons);
   }
   void add(const std::string& x) {
     add(x.size());

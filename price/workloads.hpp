@@ -19,7 +19,7 @@ struct WorkloadRow {
   // Over the casts that were answered: nanoseconds of processor time, each cast the least of a few.
   double median_ns = kNone, p99_ns = kNone, p999_ns = kNone;
   int most_supports = 0;
-  std::string worst;  // the case of most_supports
+  std::string worst = {};  // the case of most_supports
 
   [[nodiscard]] std::size_t casts() const { return hits + misses + overlapping + not_converged + refused; }
 };
