@@ -68,7 +68,7 @@ TEST(RotatingParts, TheCornersOfATriangleAreWhereTheBodiesHaveThem) {
     triangle.add(p);
   }
   const double unit = power_of_two(-pair.cso().length_exponent());
-  const auto corners = detail::corners_now(pair, triangle);
+  const auto corners = detail::corners_now(pair, detail::points_of(pair, triangle));
   EXPECT_LE((corners[0] - unit * Vec3<double>(1.25, -0.25, -1)).norm(), 1e-14);
   EXPECT_LE((corners[1] - unit * Vec3<double>(-0.75, 0.75, -1)).norm(), 1e-14);
   EXPECT_LE((corners[2] - unit * Vec3<double>(-0.75, -1.25, -1)).norm(), 1e-14);
