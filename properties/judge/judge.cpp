@@ -31,12 +31,8 @@ Request held_of(Request request, const engine::Holds& holds) {
 
 Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer& answer, Request request,
                 bool measure) {
+  if (method.is_ours()) return judge_by_kind(truth, method, answer, request, measure);
   Judgement judgement;
-  if (method.is_ours()) {
-    judgement = judge_by_kind(truth, method, answer, request, measure);
-    if (!asks_for(request, Request::proof)) judge_work(judgement, method, answer.counters);
-    return judgement;
-  }
   judgement.outcome = answer.outcome;
   if (answer.failure != engine::Failure::none) {
     judgement.failure = answer.failure;
@@ -44,13 +40,11 @@ Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer
     return judgement;
   }
   if (answer.declined) {
-    judgement.not_asked = judgement.declined = true;
+    judgement.not_asked = true;
     return judgement;
   }
   // Its certificate is the least limit that it would have kept: every error is measured.
-  judgement = judge_by_kind(truth, method, answer, held_of(request, method.holds), true);
-  judge_work(judgement, method, answer.counters);
-  return judgement;
+  return judge_by_kind(truth, method, answer, held_of(request, method.holds), true);
 }
 
 }  // namespace graze::law

@@ -20,18 +20,15 @@ struct Fine {
   Pair weight{1, 0};  // > 0
   bool weighted = false;
 
-  // x - y, exact: however far out x and y are, nothing is lost, so its size is that of the difference.
+  // x - y, exact
   static Fine of(const Vec3<double>& x, const Vec3<double>& y) {
     Fine out;
     for (int i = 0; i < 3; ++i) {
-      const Pair d = difference(x[i], y[i]);
-      out.x[static_cast<std::size_t>(i)] = d;
-      out.size = std::max(out.size, size_of(d));
+      out.x[static_cast<std::size_t>(i)] = difference(x[i], y[i]);
+      out.size = std::max(out.size, std::abs(x[i]) + std::abs(y[i]));
     }
     return out;
   }
-  // Bounds |x|, x being a sum of two that was rounded, |lo| <= u |hi|; 0 only where x is.
-  static double size_of(const Pair& x) { return (1 + 0x1p-52) * std::abs(x.hi); }
   static Fine of(const Vec3<double>& x) {
     Fine out;
     for (int i = 0; i < 3; ++i) out.x[static_cast<std::size_t>(i)].hi = x[i];
@@ -51,7 +48,7 @@ struct Fine {
       const Pair more = weighted ? part.x[i] * weight : part.x[i];
       x[i] = own + (negative ? -more : more);
     }
-    size = detail::rounded_product(size, part.weight.hi) + detail::rounded_product(part.size, weight.hi);
+    size = size * part.weight.hi + part.size * weight.hi;
     if (part.weighted) weight = weighted ? weight * part.weight : part.weight;
     weighted = true;
   }
