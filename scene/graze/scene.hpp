@@ -102,8 +102,8 @@ struct Event {
   // hit, initially_overlapping, or not_converged: it may touch, and the bracket is what is known.
   Outcome outcome = Outcome::not_converged;
   double toi_lower = 0, toi_upper = 0;
-  double distance =
-      0;  // as in RotatingResult; infinite if core refused the pair (too_complex), which is then open
+  // As in RotatingResult. Infinite if core refused the pair (too_complex), which is then open.
+  double distance = 0;
   Effects effects = Effects::linear;
   std::uint16_t reasons = 0;  // as in graze::Plan
   Vec3<double> normal = Vec3<double>::Zero();

@@ -1,6 +1,6 @@
-// How far below the greatest a vertex may be that a support function chooses, and how wrong a curved leaf's
-// point is (leaf.hpp, scan.hpp, hull_graph.hpp), against balls: along directions where vertices tie but for last
-// places, of hulls far out and of hulls that are climbed.
+// Support points against balls: how far below the farthest vertex the chosen one may be, and the error of a curved
+// leaf's point (leaf.hpp, scan.hpp, hull_graph.hpp). The directions make vertices tie except for last places, on hulls
+// far out and on hulls that are climbed.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
