@@ -98,7 +98,8 @@ std::uint32_t scan_hull(const Hull<Given>& hull, const Vec3<S>& d) {
     S top = -kInfinity<S>;
     for (std::size_t i = 0; i < hull.padded_size(); i += kBlock) {
       S value[kBlock];
-      for (std::size_t l = 0; l < kBlock; ++l) value[l] = height_along<S>(d, x[i + l], y[i + l], z[i + l]);
+      for (std::size_t l = 0; l < kBlock; ++l)
+        value[l] = height_along<S>(d, S(x[i + l]), S(y[i + l]), S(z[i + l]));
       S most = value[0];
       for (std::size_t l = 1; l < kBlock; ++l) most = value[l] > most ? value[l] : most;
       if (!(most > top)) continue;
@@ -133,7 +134,7 @@ std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
     S most = -kInfinity<S>;
     for_each_above(x, y, z, list.size, guess, top - 12 * kUnitRoundoff<float> * size, [&](std::size_t one) {
       const std::uint32_t v = list.vertex[one];
-      const S value = height_along<S>(d, a[v], b[v], c[v]);
+      const S value = height_along<S>(d, S(a[v]), S(b[v]), S(c[v]));
       if (!(value > most)) return;
       most = value;
       best = v;
