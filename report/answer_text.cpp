@@ -38,6 +38,8 @@ bool has_times(const engine::Answer& answer) {
 // Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
 std::string reason_of(const engine::Answer& answer) {
   if (answer.outcome == Outcome::invalid_input) return invalid_text(answer);
+  if (answer.passed_over && answer.plan.effects == Effects::rotating && answer.plan.reasons != 0)
+    return "the contact at the start gets no deeper, and no other is made";
   if (answer.passed_over) return "the motion leaves or slides from its start in contact";
   return {};
 }
@@ -185,7 +187,6 @@ std::string plan_text(const Plan& plan) {
   const std::vector<std::string_view> reasons = reasons_of(plan);
   std::string text(to_text(plan.effects));
   if (!reasons.empty()) text += fmt::format(": {}", fmt::join(reasons, "; "));
-  if (plan.added > 0) text += fmt::format("; {} of motion added", plan.added);
   return text;
 }
 
@@ -193,8 +194,7 @@ std::string plan_text(const Plan& plan) {
 std::string plan_fields(const Plan& plan) {
   std::vector<std::string> reasons;
   for (const std::string_view reason : reasons_of(plan)) reasons.push_back(corpus::json_quote(reason));
-  return fmt::format(R"("plan": "{}", "reasons": [{}], "added": {})", to_text(plan.effects),
-                     fmt::join(reasons, ", "), json_number(plan.added));
+  return fmt::format(R"("plan": "{}", "reasons": [{}])", to_text(plan.effects), fmt::join(reasons, ", "));
 }
 
 std::string rotating_block(const corpus::Case& problem, const engine::Method& method,
@@ -299,7 +299,6 @@ std::string answer_json(const corpus::Case& problem, const engine::Method& metho
 std::string plan_block(const corpus::Case& problem, const Plan& plan) {
   std::string text = fmt::format("{}\n", problem.id) + line("plan", std::string(to_text(plan.effects)));
   for (const std::string_view reason : reasons_of(plan)) text += line("because", std::string(reason));
-  if (plan.added > 0) text += line("added", fmt::format("{}", plan.added));
   return text;
 }
 

@@ -85,7 +85,7 @@ void add_kinds(const Shape<double>& shape, std::set<std::size_t>& kinds) {
 }
 
 TEST(RotatingFamilies, AreApartFromTheLinearOnes) {
-  EXPECT_EQ(rotating_families().size(), 11u);
+  EXPECT_EQ(rotating_families().size(), 16u);
   for (const Family& family : rotating_families()) {
     EXPECT_TRUE(family.rotating) << family.name;
     EXPECT_EQ(find_family(family.name), &family);

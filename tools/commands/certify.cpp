@@ -151,6 +151,7 @@ int run_certify_command(const CertifyArguments& arguments) {
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
+  settings.allow_declined = arguments.engines.allow_declined;
   WorstCases worst;
   if (files.has_page()) {
     settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method& method,
@@ -195,8 +196,8 @@ void require_meaning(const CLI::App& command) {
                                                "--full",         "--fail-fast", "--thorough",
                                                "--report-cases", "--queries",   "--oracle-every"};
   Instead laws{"--laws", "tries laws", of_answers}, stability{"--stability", "draws curves", of_answers};
-  for (const char* option :
-       {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance", "--kappa"})
+  for (const char* option : {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance",
+                             "--kappa", "--measure", "--allow-declined"})
     laws.without_meaning.push_back(option);
   for (const char* option : {"--report", "--corpus"}) stability.without_meaning.push_back(option);
   for (const Instead& instead : {laws, stability}) {
@@ -317,6 +318,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(0, ReportDefaults::kMost))
       ->type_name("N");
   add_promise_options(*command, arguments->engines);
+  add_declined_option(*command, arguments->engines.allow_declined)
+      ->group(command->get_option("--engine")->get_group());
   add_need_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "

@@ -27,9 +27,12 @@ struct QuickSweep {
 template <class Pair>
 [[nodiscard]] Triple quick_first_direction(const Pair& pair) {
   const Triple& r = pair.direction();
-  const double r_sq = dot(r, r), ball = kQuickBall * (pair.a().reach() + pair.b().reach()) + pair.radius();
+  const double r_sq = dot(r, r),
+               ball =
+                   detail::rounded_product(kQuickBall, pair.a().reach() + pair.b().reach()) + pair.radius();
   const Triple c = -pair.offset(), beside = r_sq * c - dot(c, r) * r;
-  const double radius = ball * r_sq, room = std::max(radius * radius - dot(beside, beside), 0.0);
+  const double radius = ball * r_sq,
+               room = std::max(detail::rounded_product(radius, radius) - dot(beside, beside), 0.0);
   return -(radius * beside + room * r);
 }
 

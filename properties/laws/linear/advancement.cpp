@@ -8,6 +8,7 @@
 #include "properties/laws/ask_twice.hpp"
 #include "properties/laws/linear/proof.hpp"
 #include "properties/laws/tables.hpp"
+#include "properties/laws/work.hpp"
 
 namespace graze::law {
 
@@ -83,7 +84,7 @@ LawResult interrupting(const Case& problem, const Method& method) {
         before.toi_lower = proved;
         if (const std::string late = late_fault(truth_of(seen), before, proved_bound_of(method, seen));
             !late.empty()) {
-          return broken(fmt::format("the lower bound goes back from {} {}", hex(proved), with_budget()));
+          return broken(fmt::format("the lower bound goes back from {} {}", decimal(proved), with_budget()));
         }
         result.labels.push_back("goes back");
       }
@@ -129,8 +130,9 @@ LawResult tightening(const Case& problem, const Method& method) {
         for (const auto fault : {&late_fault, &early_fault}) {
           if (const std::string why = fault(truth_of(seen), *said, bound); !why.empty()) {
             return broken(fmt::format("the tolerance {} leaves [{}, {}], a looser one [{}, {}]: {}",
-                                      hex(tolerance), hex(answer.toi_lower), hex(answer.toi_upper),
-                                      hex(best.toi_lower), hex(best.toi_upper), why));
+                                      decimal(tolerance), decimal(answer.toi_lower),
+                                      decimal(answer.toi_upper), decimal(best.toi_lower),
+                                      decimal(best.toi_upper), why));
           }
         }
       }
@@ -198,7 +200,8 @@ LawResult tolerance_bounds_the_error(const Case& problem, const Method& method) 
     if (fault.empty() && answer.outcome == Outcome::hit && truth.outcome() == Outcome::hit)
       fault = normal_fault(seen, answer, answer.normal, contact_bound_of(method, seen) + slack);
     if (!fault.empty())
-      return broken(fmt::format("{}; with the tolerance {}: {}", fault, hex(tolerance), describe(answer)));
+      return broken(
+          fmt::format("{}; with the tolerance {}: {}", fault, decimal(tolerance), describe(answer)));
     if (answer.outcome == Outcome::hit && answer.toi_lower < answer.toi_upper)
       result.labels.push_back("wide");
   }
@@ -292,6 +295,11 @@ LawResult asking_again(const Case& problem, const Method& method) {
   return result;
 }
 
+LawResult work(const Case& problem, const Method& method) {
+  const Case seen = method.seen(problem);
+  return is_question_for(method, seen) ? within_its_work(seen, method) : outside();
+}
+
 }  // namespace
 
 std::vector<Law> linear_advancement_laws() {
@@ -309,6 +317,8 @@ std::vector<Law> linear_advancement_laws() {
       {"scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
        Needs::metamorphic, &scalars_meet},
       {"tiers_nest", "The exact bracket lies within the certified one.", Needs::metamorphic, &tiers_nest},
+      {"work", "A cast takes no more support evaluations than its guarantee's most_supports.",
+       Needs::metamorphic, &work},
       {"every_iterate_is_proved",
        "Every proof of an answer cut short by its budget is accepted by the checker.", Needs::proof,
        &every_iterate_is_proved},

@@ -168,7 +168,7 @@ TEST(CertifyQueries, a_broken_row_of_a_query_alone_is_exit_code_1_and_its_case_i
   const CommandRun run =
       folder.graze("certify deep.json --queries 0 --guarantees strict.json --save saved.jsonl");
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
-  EXPECT_NE(run.out.find("broken: penetration epa/"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find(" by penetration epa/"), std::string::npos) << run.out;
   const corpus::ReadResult saved = corpus::read_text(folder.read("saved.jsonl"), "saved.jsonl", true);
   ASSERT_TRUE(saved.ok()) << saved.errors.at(0).text();
   ASSERT_EQ(saved.cases.size(), 1U);
@@ -197,7 +197,7 @@ TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
   const CommandRun bad =
       folder.graze("certify unasked.json bad.json deep.json --queries 0 --guarantees strict.json");
   EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_NE(bad.out.find("broken: penetration epa/"), std::string::npos) << bad.out;
+  EXPECT_NE(bad.out.find(" by penetration epa/"), std::string::npos) << bad.out;
   // Nothing at all is judged.
   EXPECT_EQ(folder.graze("certify unasked.json --queries 0").exit_code, 2);
   // Nor is a cast for which the command line leaves no method.
