@@ -72,14 +72,17 @@ class QuickWalk {
     target_ = kContact * kUnitRoundoff<double> * support_.pair().size();
     if (find()) refine();
     if (out_.outcome == Outcome::miss) return Seed::miss;
-    return at_[0] == nullptr ? Seed::none : passed_ ? Seed::passed : Seed::portal;
+    return !has_portal() ? Seed::none : passed_ ? Seed::passed : Seed::portal;
   }
   // What n.w may be off by, over |n|_1, w the farthest vertex; and the path's end, as far as C reaches.
   [[nodiscard]] double margin() const { return support_.margin(); }
   [[nodiscard]] const Triple& end() const { return end_; }
   // Of the miss.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
-  // Of the portal.
+  // Three vertices that are likely to be about the line, and the last portal, or, where it passed the origin, the one
+  // before; if it found one.
+  [[nodiscard]] bool has_portal() const { return at_[0] != nullptr; }
+  [[nodiscard]] bool passed() const { return passed_; }
   [[nodiscard]] const QuickCorner& corner(std::size_t i) const { return *at_[i]; }
 
  private:
@@ -170,14 +173,11 @@ class QuickWalk {
       const double face = dot(n, c0->w), size = sum(magnitude(n));
       if (is_small_direction(n)) return;
       if (face >= 0) {
+        at_ = {c0, c1, c2};
+        if constexpr (!kSeeks) touch();
         // The portal before: one step from the one that shows contact.
-        if constexpr (kSeeks) {
-          passed_ = before_[0] != nullptr;
-          if (passed_) at_ = before_;
-        } else {
-          at_ = {c0, c1, c2};
-          touch();
-        }
+        passed_ = before_[0] != nullptr;
+        if (passed_) at_ = before_;
         return;
       }
       if constexpr (kSeeks) at_ = {c0, c1, c2};
