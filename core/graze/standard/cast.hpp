@@ -128,11 +128,19 @@ CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
 
 namespace detail {
 
+// What a quick search gives up on is decided up to the noise, whatever the caller tolerates: so the tolerance moves no
+// verdict, and costs no support.
+template <Scalar S>
+[[nodiscard]] CastOptions<S> without_tolerance(CastOptions<S> options) {
+  options.tolerance = 0;
+  return options;
+}
+
 // The GJK ray cast without a quick search: what cast_gjk_ray falls back to. The bodies have passed validate().
 template <Scalar S>
 void careful_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   search_with(
-      a, b, options,
+      a, b, without_tolerance(options),
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
       },
@@ -144,7 +152,7 @@ template <Scalar S>
 void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                        CastResult<S>& out) {
   search_with(
-      a, b, options,
+      a, b, without_tolerance(options),
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         Sweep<S> sweep = mpr_sweep(cso, limits, counters);
         if (sweep.outcome == Outcome::not_converged) {

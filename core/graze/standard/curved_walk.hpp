@@ -261,8 +261,10 @@ class CurvedWalk {
       return true;
     }
     if (side_ < 0) return true;
-    const double lower = std::min(h / dot(n, r_), s);
-    if (!((s - lower) * length_ <= target_)) return false;
+    const double lower = std::min(h / dot(n, r_), s), width = (s - lower) * length_;
+    if (!(width <= target_)) return false;
+    // What only the caller's tolerance closes is a hit that leaves no doubt; else the walk goes on as it does without one.
+    if (width > noise_ && !(lower > 2 * noise_ && s + noise_ < s_max_)) return false;
     if (!(lower > 0 && s < s_max_ && s > 2 * noise_)) return true;
     out_.outcome = Outcome::hit;
     out_.lower = lower;

@@ -72,6 +72,8 @@ class PairSupport {
   [[nodiscard]] double fine() const { return noise_ / 8; }
   // What n.w may be off by, over |n|_1, w the farthest vertex: quick_walk.hpp, path and all.
   [[nodiscard]] double margin() const { return margin_; }
+  // How far, over |n|_1, a guessed vertex may lie below the farthest.
+  [[nodiscard]] double guess_error() const { return guess_; }
 
  private:
   [[gnu::always_inline]] void set(const Triple& a, const Triple& b, PairVertex& out) const {

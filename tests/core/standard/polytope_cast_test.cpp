@@ -316,13 +316,16 @@ TEST(QuickWalk, NeedlesThatCrossAreNotMissed) {
   EXPECT_EQ(cast_mpr_sweep(a, b).outcome, Outcome::hit);
 }
 
+template <class S>
+class SweptPolytopes : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(SweptPolytopes, Scalars);
+
 // Report: the standard tier's only wrong verdicts of linear casts were starts that touch, 2 to 8 of 840, and it took longer
 // there than the exact tier. Mechanism: the quick walk gave up, and the portal search began anew and called what lies
 // within its noise contact. On a lattice bodies touch or are well apart: every verdict is the exact one.
-TYPED_TEST(QuickCast, StartsThatTouchAreRight) {
-  using S = typename TypeParam::Number;
-  if (TypeParam::kMethod != Method::mpr_sweep)
-    GTEST_SKIP() << "the quick ray hands on to a search up to the noise";
+TYPED_TEST(SweptPolytopes, StartsThatTouchAreRight) {
+  using S = TypeParam;
   Draw draw{75};
   const auto number = [&](int reach) { return S(int(draw.bits() % unsigned(2 * reach + 1)) - reach) / 64; };
   const auto vector = [&](int reach) { return Vec3<S>(number(reach), number(reach), number(reach)); };
