@@ -28,8 +28,8 @@ class QuickGjk {
  public:
   QuickGjk(Support& support, Counters& counters) : support_(support), counters_(counters) {}
 
-  // `gap`: of upper - lower, to reach; the noise will do where the search ends by itself. `verdict`: an axis that
-  // separates is enough.
+  // `gap`: of upper - lower, to reach where lower shows that they are apart, and else the finest: a tolerance leaves no
+  // verdict open. The noise will do where the search ends by itself. `verdict`: an axis that separates is enough.
   [[nodiscard]] QuickState run(const WarmStart& start, double gap, bool verdict, int budget) {
     if (!begin(start)) {
       const Triple& d = support_.pair().offset();
@@ -60,7 +60,8 @@ class QuickGjk {
       support_.guess(n_, next);
       if (verdict && support_.separates(n_, next)) return found_axis(n_);
       bool known = holds(next);
-      if (!known && (dist + dot(n_, next.w) / length > gap)) {
+      const double guessed = -dot(n_, next.w) / length;
+      if (!known && dist - guessed > (guessed > support_.fine() ? gap : support_.fine())) {
         ++size_;
         continue;
       }
@@ -69,7 +70,8 @@ class QuickGjk {
       upper_ = weighted();
       lower_ = -dot(n_, next.w) / length;
       known = holds(next);
-      if (upper_ - lower_ <= gap || (known && upper_ - lower_ <= support_.noise())) {
+      if (upper_ - lower_ <= (lower_ > support_.fine() ? gap : support_.fine()) ||
+          (known && upper_ - lower_ <= support_.noise())) {
         n_ = (1 / length) * n_;
         return QuickState::apart;
       }

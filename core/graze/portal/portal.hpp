@@ -399,6 +399,8 @@ struct PortalLimits {
   S accept_at;      // upper <= accept_at: accepted
   S reject_beyond;  // lower > reject_beyond: rejected
   S gap;            // the normal's plane is this near the portal, and the bracket as narrow: entered
+  // While lower <= decided_at < upper, the gap is this one: a tolerance leaves no verdict open.
+  S decided_at = -kInfinity<S>, gap_undecided = 0;
 };
 
 // Moves the portal to the surface of C. Takes the state `entered` of find_portal.
@@ -440,11 +442,15 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     // `told`: the bracket of z is as narrow as was asked for. It need not be where the gap is closed: a steep
     // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
     // before that. In both cases the gap is closed further, as far as rounding allows.
-    const auto told = [&] {
-      return search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
+    const auto gap = [&] {
+      const bool decided = search.lower > limits.decided_at || search.upper <= limits.decided_at;
+      return decided ? limits.gap : limits.gap_undecided;
     };
-    const S fine = std::min(limits.gap, S(4 * noise));
-    if (!(reach - face > (told() ? limits.gap : fine))) {
+    const auto told = [&] {
+      return search.upper - search.lower <= 2 * gap() && search.upper <= limits.reject_beyond;
+    };
+    const auto fine = [&] { return std::min(gap(), S(4 * noise)); };
+    if (!(reach - face > (told() ? gap() : fine()))) {
       search.lambda = portal_weights(search.portal);
       // Where the plane is steep, its height on the line has an error of rounding over n_z. The portal's own
       // point, which the witnesses are made of, has not, provided that it is on the line.
@@ -454,7 +460,7 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
       }
       // That point may lie later than the plane said, so whether the bracket is narrow is asked again. If it is
       // not, only the fine gap will do: callers rely on the point being no deeper in C than that.
-      if (told() || !(reach - face > fine)) {
+      if (told() || !(reach - face > fine())) {
         search.state = State::entered;
         search.facing = view.world(n);
         return;

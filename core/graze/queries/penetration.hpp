@@ -188,7 +188,7 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
   const double R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
   Simplex<double> simplex;
   Distance<double> d =
-      gjk_distance(cso, Vec(Vec::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+      gjk_distance(cso, Vec(Vec::Zero()), simplex, fine, fine, options.max_iterations, out.counters);
   if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
   const double apart = d.upper - R;
   const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
@@ -210,7 +210,8 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
   }
   RoundDepth round;
   if (round.set(cso, a.shape, b.shape)) {
-    round.run(std::max(gap / 2, fine), options.max_iterations - out.counters.supports, out.counters);
+    // Nearly all that it takes is to show that no other minimum is lower, which a tolerance makes no shorter.
+    round.run(fine, options.max_iterations - out.counters.supports, out.counters);
     if (round.upper() - round.lower() <= std::max(gap, limits.noise) &&
         (contact || round.upper() + R > limits.noise)) {
       fill_depth(out, options, cso, round.lower() + R, round.upper() + R, round.normal());
@@ -294,14 +295,8 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const Frame<S> frame(unit(direction));
-  // Is the origin on the part of the line that is in C? First its end, which is the answer. A bracket of it
-  // that a tolerance leaves wide may have the origin in it, and say nothing of contact.
-  LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
-  if (limits.target > limits.noise && end.lower <= limits.noise && end.upper > limits.noise) {
-    SweepLimits<S> narrow = limits;
-    narrow.target = limits.noise;
-    end = line_end(cso, frame, S(-1), narrow, out.counters);
-  }
+  // Is the origin on the part of the line that is in C? First its end, which is the answer.
+  const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters, limits.noise);
   out.counters.iterations = out.counters.portal_steps;
   if (end.state == State::missed || end.lower > limits.noise)
     return detail::no_contact(out, detail::wide(end.n));
