@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "report/parallel.hpp"
+#include "scene/src/parallel.hpp"
 
 namespace graze::tool {
 namespace {
@@ -160,7 +160,7 @@ KeptAnswers::KeptAnswers(const std::vector<Suite>& suites, const std::vector<con
       columns.emplace_back(method, &column);
     }
     if (columns.empty()) continue;
-    for_each_index(suites[s].size(), threads, [&](std::size_t i) {
+    scene::for_each_index(suites[s].size(), threads, [&](std::size_t i) {
       const Case problem = suites[s].at(i);
       for (const auto& [method, column] : columns) {
         (*column)[i].digest = digest_of_case(suites[s], i, problem, *method);

@@ -12,8 +12,8 @@
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
-#include "report/parallel.hpp"
 #include "report/progress.hpp"
+#include "scene/src/parallel.hpp"
 
 namespace graze::tool {
 namespace {
@@ -240,7 +240,7 @@ class CertificationRun {
     const std::size_t block = block_of(suite.kind);
     for (std::size_t first = 0; first < suite.size() && !stops(); first += block) {
       std::vector<JudgedCase> judged(std::min(block, suite.size() - first));
-      for_each_index(judged.size(), settings_.threads, [&](std::size_t i) {
+      scene::for_each_index(judged.size(), settings_.threads, [&](std::size_t i) {
         if (settings_.stop()) return;
         const bool left_out = settings_.leaves_out && settings_.leaves_out(suite, first + i);
         if (!left_out) judged[i] = judge_case(suite, first + i, methods);

@@ -12,9 +12,9 @@
 
 #include "certify/laws_of_others.hpp"
 #include "properties/generate/shrink.hpp"
-#include "report/parallel.hpp"
 #include "report/progress.hpp"
 #include "report/table.hpp"
+#include "scene/src/parallel.hpp"
 
 namespace graze::tool {
 namespace {
@@ -119,7 +119,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
     const LawSuite& one = suites[s];
     std::atomic<std::size_t> seen_cases = 0;
     Progress progress("laws on " + one.suite.family, one.suite.size());
-    for_each_index(one.suite.size(), settings.threads, [&](std::size_t i) {
+    scene::for_each_index(one.suite.size(), settings.threads, [&](std::size_t i) {
       if (settings.stop()) return;
       ++seen_cases;
       const corpus::Case problem = one.suite.at(i);
@@ -169,7 +169,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
   }
   for (auto& [key, breach] : breaches) result.breaches.push_back(std::move(breach));
   Progress progress("making broken cases small", result.breaches.size());
-  for_each_index(result.breaches.size(), settings.threads, [&](std::size_t i) {
+  scene::for_each_index(result.breaches.size(), settings.threads, [&](std::size_t i) {
     make_small(result.breaches[i], settings);
     progress.step();
   });

@@ -11,9 +11,9 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
-#include "report/parallel.hpp"
 #include "report/progress.hpp"
 #include "report/statistics.hpp"
+#include "scene/src/parallel.hpp"
 
 namespace graze::tool {
 namespace {
@@ -190,7 +190,7 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
   std::vector<std::vector<Measured>> measured(places.size());  // empty: not measured, by a stop
   {
     Progress progress("stability, " + result.family, places.size());
-    for_each_index(places.size(), settings.threads, [&](std::size_t i) {
+    scene::for_each_index(places.size(), settings.threads, [&](std::size_t i) {
       if (settings.stop()) return;
       measured[i] = measure_all(drawn(i), methods);
       progress.step();

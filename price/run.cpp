@@ -12,8 +12,8 @@
 #include "corpus/format/case_io.hpp"
 #include "price/measure.hpp"
 #include "price/statistics.hpp"
-#include "report/parallel.hpp"
 #include "report/progress.hpp"
+#include "scene/src/parallel.hpp"
 
 namespace graze::price {
 namespace {
@@ -39,7 +39,7 @@ Answers ask_all(const Topic& topic, const std::vector<Case>& cases, const std::v
   out.measured.resize(cases.size());
   out.shown.resize(cases.size());
   out.by.assign(cases.size(), TruthBy::open);
-  tool::for_each_index(cases.size(), settings.threads, [&](std::size_t i) {
+  scene::for_each_index(cases.size(), settings.threads, [&](std::size_t i) {
     if (settings.stop()) return;
     std::unique_ptr<Judge> judge;
     if (topic.measures) judge = std::make_unique<Judge>(cases[i], topic.kind);

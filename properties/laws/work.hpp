@@ -1,5 +1,7 @@
-// What a guarantee says of work, as a law: support evaluations of one answer, asked for as by default.
+// Laws of work: the support evaluations of one answer, by default and with a tolerance.
 #pragma once
+
+#include <fmt/format.h>
 
 #include "properties/judge/linear.hpp"
 
@@ -12,6 +14,17 @@ namespace graze::law {
   judge_work(judgement, method, answer.counters);
   if (!judgement.work.empty()) return broken(judgement.work + ": " + describe(answer));
   return holds({label_of(answer.outcome)});
+}
+
+// A tolerance ends a search earlier. It moves no verdict, and costs no support. Empty, or what it did.
+[[nodiscard]] inline std::string moved_by_tolerance(const engine::Answer& full, const engine::Answer& loose,
+                                                    double tolerance) {
+  std::string what;
+  if (loose.outcome != full.outcome && full.outcome != Outcome::not_converged) what = "moves the verdict";
+  if (loose.counters.supports > full.counters.supports) what = "costs supports";
+  if (what.empty()) return what;
+  return fmt::format("the tolerance {} {}: {}; without: {}", decimal(tolerance), what, describe(loose),
+                     describe(full));
 }
 
 }  // namespace graze::law

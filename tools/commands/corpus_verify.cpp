@@ -14,8 +14,8 @@
 #include "oracles/truth/derive.hpp"
 #include "report/counted.hpp"
 #include "report/inputs.hpp"
-#include "report/parallel.hpp"
 #include "report/progress.hpp"
+#include "scene/src/parallel.hpp"
 #include "tools/commands/corpus_files.hpp"
 
 namespace graze::tool {
@@ -49,7 +49,7 @@ std::string difference(const Case& problem) {
 std::vector<std::string> differences_of(const std::vector<Case>& cases, unsigned threads) {
   std::vector<std::string> found(cases.size());
   Progress progress("answers derived", cases.size());
-  for_each_index(cases.size(), threads, [&](std::size_t i) {
+  scene::for_each_index(cases.size(), threads, [&](std::size_t i) {
     found[i] = difference(cases[i]);
     progress.step();
   });

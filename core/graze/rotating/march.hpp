@@ -7,7 +7,7 @@
 // at first by what cannot pass through more than twice `stop`, then by twice as much, never by more than what
 // keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp), and back by
 // halves where that was late, or the bodies are apart again. The time at which it began to walk is the lower
-// end of the bracket, whatever follows.
+// end of the bracket, whatever follows. A tie that the walk proves neither way stays open after kMostTieSupports.
 //
 // A `width` ends the same march earlier and changes nothing else: where the closest points in hand, carried to a
 // time shortly after, prove contact there. That takes no support, so a wider bracket never costs more supports than
@@ -59,13 +59,14 @@ class Marcher {
           continue;
         }
       }
+      if (!open_) tie_budget_ = counters_.supports + kMostTieSupports;
       open_ = true;  // too near for axes, or for the next double of t
       place(now_.t);
       if (contact_here()) return;
       left_to_caller_ = limits_.asks_start && now_.t == 0;
       if (left_to_caller_) return;
       unproved_ = now_.t;
-      if (now_.t >= limits_.end || is_spent() || stays_shallow()) return;
+      if (now_.t >= limits_.end || is_spent() || stays_shallow() || counters_.supports >= tie_budget_) return;
       before_.reset();
       look(stride_on(), 0);
       if (crossed()) return;
@@ -313,6 +314,9 @@ class Marcher {
   Seen faced_;                  // the last time with a gap above 0 for sure, before now
   bool met_at_lower_ = false;
   bool open_ = false;  // from out_.lower on contact is not excluded
+  // Bodies that stay within the stop, as a wheel that rolls, are no nearer to a proof after as many supports.
+  static constexpr int kMostTieSupports = 2048;
+  int tie_budget_ = 0;
   bool left_to_caller_ = false;
   int wait_ = 0, failures_ = 0;  // of stays_shallow()
   double stride_ = 0;

@@ -69,30 +69,26 @@ template <Scalar S, class Search>
     sweep.outcome = Outcome::miss;
     sweep.n = clip.n;
   } else {
-    sweep = search(cso, limits, clip, out.counters);
+    SweepLimits<S> most = limits;
+    most.budget -= limits.budget / 4;  // the rest is kept for the start
+    sweep = search(cso, most, clip, out.counters);
   }
   // The search did not get beyond the start. Seen along the path C may be too thin for a portal, and yet hold
   // the origin: the overlap test, which starts from a point inside C, can tell.
   if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
-    Counters again;  // its budget is its own
-    const Sweep<S> start = mpr_overlap(cso, limits, again);
+    Counters again;
+    SweepLimits<S> rest = limits;
+    rest.budget = limits.budget / 4;
+    const Sweep<S> start = mpr_overlap(cso, rest, again);
     out.counters += again;
     if (start.outcome == Outcome::initially_overlapping) sweep = start;
   }
   // A hit within the noise of the start is a start in contact, too.
-  const auto at_start = [&] {
-    return sweep.outcome == Outcome::initially_overlapping ||
-           (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
-  };
-  if (options.start_policy == StartPolicy::pass_over && at_start()) {
-    if (sweep.outcome == Outcome::hit && limits.target > limits.noise) {
-      // Whether the start is in contact was decided up to the caller's tolerance: search again up to the noise.
-      limits.target = limits.noise;
-      Counters again;
-      sweep = search(cso, limits, clip, again);
-      out.counters += again;
-    }
-    const Start start = at_start() ? start_of(Cso<S>(a, b), limits, out.counters) : Start::enters;
+  const bool at_start =
+      sweep.outcome == Outcome::initially_overlapping ||
+      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  if (options.start_policy == StartPolicy::pass_over && at_start) {
+    const Start start = start_of(Cso<S>(a, b), limits, out.counters);
     if (start == Start::leaves) {
       out.outcome = Outcome::miss;
       out.toi_lower = out.toi_upper = kInfinity<S>;
@@ -128,19 +124,11 @@ CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
 
 namespace detail {
 
-// What a quick search gives up on is decided up to the noise, whatever the caller tolerates: so the tolerance moves no
-// verdict, and costs no support.
-template <Scalar S>
-[[nodiscard]] CastOptions<S> without_tolerance(CastOptions<S> options) {
-  options.tolerance = 0;
-  return options;
-}
-
 // The GJK ray cast without a quick search: what cast_gjk_ray falls back to. The bodies have passed validate().
 template <Scalar S>
 void careful_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   search_with(
-      a, b, without_tolerance(options),
+      a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
       },
@@ -151,14 +139,20 @@ void careful_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
 template <Scalar S>
 void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                        CastResult<S>& out) {
+  // Without the tolerance: a portal's bracket that is as wide leaves the verdict open.
+  CastOptions<S> full = options;
+  full.tolerance = 0;
   search_with(
-      a, b, without_tolerance(options),
+      a, b, full,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
-        Sweep<S> sweep = mpr_sweep(cso, limits, counters);
+        SweepLimits<S> part = limits;
+        part.budget -= limits.budget / 4;
+        Sweep<S> sweep = mpr_sweep(cso, part, counters);
         if (sweep.outcome == Outcome::not_converged) {
-          // MPR cycles at the level of rounding: GJK is tried instead, with a budget of its own.
+          // MPR cycles at the level of rounding: GJK is tried instead, with the rest of the budget.
           Counters again;
-          sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
+          part.budget = limits.budget / 4;
+          sweep = gjk_ray_cast(cso, part, clip.enter, clip.n, again);
           counters += again;
         }
         return sweep;

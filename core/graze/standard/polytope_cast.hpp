@@ -1,7 +1,7 @@
 // A quick search's answer as a cast's: times, normal, witnesses, in the caller's units.
 //
-// Point, segment, triangle, box and hull, without a target distance. What the quick walk gives up on the exact walk
-// decides; the careful search answers the rest, and what the quick ray gives up on.
+// Point, segment, triangle, box and hull, without a target distance. What a quick search gives up on the exact walk
+// decides. The careful search answers the rest.
 #pragma once
 
 #include <graze/exact/cast.hpp>
@@ -87,8 +87,8 @@ template <template <Scalar> class Search, Scalar S, class Otherwise>
   return true;
 }
 
-// The walk gives up where rounding decides: near the start, near the end of the path and where it grazes. The exact walk
-// goes on from the portal in hand, and is quicker there than a search that begins anew. Whether a start in contact leaves
+// A quick search gives up where rounding decides: near the start, near the end of the path and where it grazes. The exact
+// walk goes on from the walk's portal in hand. Whether a start in contact leaves
 // is a matter of the noise, though (leaving.hpp); and a budget that the caller made smaller than a quick walk may take
 // ends the search.
 template <Scalar S>
@@ -121,8 +121,10 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] bool quick_ray_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                   CastResult<S>& out) {
-  const bool answered = quick_cast_by<QuickRay>(
-      a, b, options, out, [](const GuidedPair<S>&, const QuickRay<S>*) { return false; });
+  const bool answered =
+      quick_cast_by<QuickRay>(a, b, options, out, [&](const GuidedPair<S>& pair, const QuickRay<S>*) {
+        return cast_exactly_from(pair, static_cast<const QuickWalk<S>*>(nullptr), options, out);
+      });
   out.counters.iterations = out.counters.gjk_iterations;
   return answered;
 }

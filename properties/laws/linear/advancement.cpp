@@ -120,6 +120,7 @@ LawResult tightening(const Case& problem, const Method& method) {
   best.toi_upper = kInfinity<double>;
   for (const double tolerance : {1.0, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0.0}) {
     const Answer answer = tolerance > 0 ? method.ask(seen, {.tolerance = tolerance}) : full;
+    if (const std::string why = moved_by_tolerance(full, answer, tolerance); !why.empty()) return broken(why);
     if (answer.outcome != Outcome::hit) continue;
     if (answer.toi_lower < best.toi_lower * (1 - 16 * u) ||
         answer.toi_upper > best.toi_upper * (1 + 16 * u)) {
@@ -308,7 +309,9 @@ std::vector<Law> linear_advancement_laws() {
        "A budget too small leaves a bracket that meets the answer's; a lower end that decreases with "
        "the budget was right all the same (of ca, an advance cut short may lead farther).",
        Needs::metamorphic, &interrupting},
-      {"tightening", "A tighter tolerance never lowers toi_lower and never raises toi_upper.",
+      {"tightening",
+       "A tighter tolerance never lowers toi_lower and never raises toi_upper; none moves the verdict or "
+       "costs supports.",
        Needs::metamorphic, &tightening},
       {"asking_again",
        "The same question gets the same bits, whatever was asked between, and with adjacency of its hulls or "

@@ -143,6 +143,8 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
     const Answer loose = method.ask(question->seen, ask);
     if (const std::string fault = fault_of(method, *question, known, ask, loose, result); !fault.empty())
       return broken(fault);
+    if (const std::string why = moved_by_tolerance(known.answer, loose, tolerance); !why.empty())
+      return broken(why);
     const bool may_be_wide = loose.stalled || method.query == Query::penetration_along;
     for (const std::optional<Interval>* x : {&loose.separation, &loose.depth}) {
       if (!*x || may_be_wide) continue;
@@ -238,7 +240,7 @@ std::vector<Law> query_advancement_laws() {
        Needs::metamorphic, &query_interrupting},
       {"query_tolerance_widens",
        "A tolerance widens the bracket of a distance or a depth by no more than itself, off the whole one "
-       "nowhere, and changes no verdict.",
+       "nowhere, changes no verdict and costs no support.",
        Needs::metamorphic, &query_tolerance_widens},
       {"query_work", "A query takes no more support evaluations than its guarantee's most_supports.",
        Needs::metamorphic, &query_work},
