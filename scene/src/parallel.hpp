@@ -1,5 +1,5 @@
-// job(i) for every i < count, on a few threads. What job(i) writes is its own, so that nothing depends on how
-// many threads there are.
+// job(i) for every i < count, on a few threads: for scenes, and for the tools beside them. What job(i) writes is its own,
+// so that nothing depends on how many threads there are. The first exception of a job ends the run and is thrown again here.
 #pragma once
 
 #include <algorithm>
