@@ -79,15 +79,15 @@ class Digest {
     all(lower, chain, upper, crossing, from, size, contact, weight);
   }
   void add(const Plan& x) {
-    const auto& [effects, reasons, added] = x;
-    all(effects, reasons, added);
+    const auto& [effects, reasons] = x;
+    all(effects, reasons);
   }
   void add(const std::string& x) {
     add(x.size());
     for (const char one : x) add(one);
   }
   void add(const Answer& x) {
-    // What it cost, in counters and in ns, is not judged.
+    // What it cost, in counters and in ns, is judged elsewhere (digest_of_case), or not at all.
     const auto& [outcome, invalid, invalid_at, lower, upper, normal, point_a, point_b, reach_a, reach_b,
                  distance, passed_over, proof, counters, plan, hidden_motion, rotating_proof, separation,
                  depth, t_in, t_out, normal_out, has_points, stalled, failure, message, declined, ns,
@@ -120,6 +120,11 @@ std::uint64_t digest_of_case(const Suite& suite, std::size_t i, const Case& prob
   Digest digest;
   for (const Request request : requests_of(method.kind)) {
     digest.add(method.ask(*asked, {.request = request}));
+  }
+  // Of the work a judgement reads only whether it is more than the guarantee.
+  if (method.guarantee != nullptr && method.guarantee->most_supports) {
+    const int supports = method.ask(*asked, {.request = engine::kPlain}).counters.supports;
+    digest.add(supports > *method.guarantee->most_supports);
   }
   return std::max<std::uint64_t>(1, digest.value());
 }

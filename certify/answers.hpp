@@ -5,7 +5,7 @@
 // oracle measures it. Where every answer of another build has the same digest, its judgement is the one that is
 // kept. A row breaks by a fault, which only a case with another answer can bring, or by too many stalls, and
 // stalls are counted over whole suites: the kept ones of cases with the same answers, and the new ones.
-// An answer's counters are no part of its digest: no judgement reads them.
+// Of an answer's counters its digest holds whether the supports exceed the guarantee: no judgement reads more of them.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,6 @@ std::uint64_t cost_of(Kind kind) { return kind == Kind::linear ? 1 : kind == Kin
 struct Judged {
   std::optional<Case> asked = {};  // nothing: no question for the method
   Judgement judgement = {};
-  Counters counters = {};
   double true_backward = std::numeric_limits<double>::quiet_NaN();
   bool beyond_limits = false;  // of an engine of others: what it documents that it may not get right
 };
@@ -123,7 +122,6 @@ Judged judge_one(const Method& method, const Case& asked, std::vector<std::uniqu
     Judgement judgement = law::judge(truth, method, answer, request, measure);
     judgement.not_asked = judgement.not_asked || is_refusal(judgement);
     judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
-    if (is_first) judged.counters = answer.counters;
     is_first = false;
     if (method.kind != Kind::linear || !(measure || !method.is_ours()) || !method.in_float() ||
         judged.judgement.not_asked || !judged.judgement.failed.empty()) {
@@ -133,6 +131,9 @@ Judged judge_one(const Method& method, const Case& asked, std::vector<std::uniqu
       judged.true_backward = law::errors_of(truth_of(truths, asked), answer, Request::verdict).backward;
     }
   }
+  // The guarantee of work is about an answer without a proof, which a linear cast was not asked for so far.
+  if (method.is_ours() && method.kind == Kind::linear)
+    law::judge_work(judged.judgement, method, asked, own.ask({.request = engine::kPlain}).counters);
   return judged;
 }
 
@@ -175,7 +176,8 @@ class CertificationRun {
       : settings_(settings), progress_("certify", total_cost(suites), 0, Progress::Show::percent) {
     for (const Method* method : settings.methods) {
       for (const Suite& suite : suites) {
-        if (suite.kind == method->kind) result_.tallies.push_back({.method = method, .family = suite.family});
+        if (suite.kind == method->kind)
+          result_.tallies.push_back({.method = method, .family = suite.family, .is_drawn = suite.drawn > 0});
       }
       if (!method->is_ours())
         result_.beyond_limits.push_back({.method = method, .family = "beyond its documented limits"});
@@ -189,6 +191,14 @@ class CertificationRun {
     }
     for (const Tally& tally : result_.tallies) {
       for (std::string& line : breaches(tally)) result_.breaches.push_back(std::move(line));
+    }
+    for (const Method* method : settings_.methods) {
+      std::string line = declines(result_.total(*method));
+      if (line.empty()) continue;
+      if (!settings_.allow_declined)
+        result_.breaches.push_back(
+            fmt::format("{}, above {:g} %; --allow-declined accepts that", line, 100 * kMostDeclined));
+      result_.declined.push_back(std::move(line));
     }
     return std::move(result_);
   }
@@ -254,7 +264,7 @@ class CertificationRun {
       asked = true;
       Tally& tally = judged.beyond_limits ? beyond_limits_of(*tallies[m]->method) : *tallies[m];
       // What an engine of others was asked is what a finding of it shows.
-      tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement, judged.counters);
+      tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement);
       if (settings_.judged) settings_.judged(suite, i, *tally.method, judged.judgement);
       tally.true_backward.push_back(judged.true_backward);
       if (judged.judgement.not_asked && judged.judgement.wrong.empty()) {

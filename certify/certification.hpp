@@ -23,6 +23,7 @@ struct Settings {
   // Told of each method's judgement of case i, in the order of cases; one thread at a time.
   std::function<void(const Suite&, std::size_t i, const engine::Method&, const law::Judgement&)> judged = {};
   bool times_casts = true;
+  bool allow_declined = false;  // an engine may decline more than kMostDeclined of its questions
 };
 
 // What the methods of a kind are asked for: all that they can say. Of bodies that turn also without the
@@ -34,7 +35,8 @@ struct Certification {
   // Of engines of others, by method, in the order of the settings: answers to what lies beyond the limits that they
   // document. No part of the tallies by suite, and held against no row.
   std::vector<Tally> beyond_limits = {};
-  std::vector<std::string> breaches = {};    // empty: every method keeps its row
+  std::vector<std::string> breaches = {};  // empty: every method keeps its row
+  std::vector<std::string> declined = {};  // engines that decline more than kMostDeclined of their questions
   std::vector<corpus::Case> convicted = {};  // as asked, each once, where some method is at fault or stalls
   std::size_t answers = 0, answered = 0;     // judged; and of how many cases
   std::size_t questions = 0;                 // cases of suites that some method was to be asked about

@@ -63,8 +63,10 @@ Json tally_json(const Tally& tally) {
   return {{"family", tally.family},
           {"cases", tally.cases},
           {"not_asked", tally.not_asked},
+          {"declined", tally.declined},
           {"faults", faults_json(tally)},
           {"failures", failures},
+          {"open", tally.left_open},
           {"stalled", tally.stalled},
           {"excused", tally.excused},
           {"by_oracle", tally.by_oracle},
@@ -78,6 +80,10 @@ Json tally_json(const Tally& tally) {
           {"least_over_scale", number_or_null(tally.least_relative.value)},
           {"least_tolerance", number_or_null(tally.least_length.value)},
           {"least_by", tally.least_relative.id},
+          {"supports",
+           {{"median", number_or_null(median(tally.supports))},
+            {"most", number_or_null(tally.most_supports.value)},
+            {"most_by", tally.most_supports.id}}},
           {"ns_median", number_or_null(median(tally.ns))}};
 }
 
@@ -110,7 +116,7 @@ std::string limit_text(const engine::Guarantee& row) {
   add(row.relative_tolerance, " scale");
   add(row.tolerance, "");
   add(row.own_frames, " of own frames");
-  return text.empty() ? "0" : text;
+  return (text.empty() ? "0" : text) + (row.is_assumed ? " (none declared)" : "");
 }
 
 namespace {
@@ -137,6 +143,7 @@ std::string table_of(const std::vector<Tally>& totals) {
   Table table({{"engine", Align::left},
                {"asked"},
                {"not\nasked"},
+               {"declined"},
                {"wrong"},
                {"late"},
                {"early\nor off"},
@@ -152,7 +159,7 @@ std::string table_of(const std::vector<Tally>& totals) {
   for (const Tally& t : totals) {
     const Method* method = t.method;
     table.add_row(
-        {method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked),
+        {method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked), count_text(t.declined),
          count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
          count_text(faults_of(t, "early") + faults_of(t, "off")), contacts_text(t),
          count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
@@ -176,9 +183,11 @@ std::string certificates(const Certification& certification, const Settings& set
       table_of(totals) +
       "least: the limit with which every verdict and time would have passed, in units of u scale, over "
       "scale, and "
-      "as a\nlength of the cases. held to: what it declares, or the command line says; of one that "
-      "declares nothing "
-      "only failures\ncount as faults. not asked: what it does not take (docs/engines.md).\n";
+      "as a\nlength of the cases. held to: what it declares, or the command line says, or 0.001 of scale; "
+      "with "
+      "--measure\nonly failures count as faults. not asked: what it does not take; declined: what it takes "
+      "and "
+      "answers\nwith unsupported (docs/engines.md).\n";
   if (!beyond.empty())
     out += "\nBeyond the limits that they document, no part of the above, and held against no engine:\n" +
            table_of(beyond);
@@ -237,10 +246,15 @@ std::string time_table(const Certification& certification, const Settings& setti
 }
 
 std::string certification_json(const Certification& certification, const Settings& settings, double seconds) {
-  Json all = {{"schema", "graze.certification/1"},      {"seconds", seconds},
-              {"answers", certification.answers},       {"cases", certification.questions},
-              {"held", certification.breaches.empty()}, {"breaches", certification.breaches},
-              {"unfinished", certification.unfinished}, {"methods", Json::array()}};
+  Json all = {{"schema", "graze.certification/1"},
+              {"seconds", seconds},
+              {"answers", certification.answers},
+              {"cases", certification.questions},
+              {"held", certification.breaches.empty()},
+              {"breaches", certification.breaches},
+              {"declined", certification.declined},
+              {"unfinished", certification.unfinished},
+              {"methods", Json::array()}};
   for (const Method* method : settings.methods) {
     Json families = Json::array();
     for (const Tally& tally : certification.tallies) {

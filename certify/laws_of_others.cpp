@@ -43,6 +43,8 @@ constexpr NotForOthers kNotForOthers[] = {
     {"scalars_meet", kScalars},
     {"tiers_nest", kTier},
     {"certified_decides", kTier},
+    {"certified_lower_is_near", kTier},
+    {"open_answer_is_near_contact", kTier},
     {"exact_equals_oracle", kTier},
     {"exact_queries_agree", kTier},
     {"answer_is_consistent", kRead},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -58,6 +59,52 @@ std::size_t fault_count(const Tally& tally, std::string law::Judgement::*why) {
 
 }  // namespace
 
+std::vector<std::string> fault_lines(const Certification& certification) {
+  struct Kind {
+    std::size_t answers = 0;
+    std::set<std::string> families = {}, methods = {};
+    std::string first = {};
+    void add(const Tally& tally, std::size_t count, const Tally::Example& example) {
+      if (count == 0) return;
+      if (answers == 0)
+        first = fmt::format("{} by {}{}{}", example.id, tally.method->question_name(),
+                            example.reason.empty() ? "" : ": ", example.reason);
+      answers += count;
+      families.insert(tally.family);
+      methods.insert(tally.method->question_name());
+    }
+    [[nodiscard]] std::string line(std::string_view name) const {
+      return fmt::format("{}: {} of {} in {}; the first is {}", name, counted(answers, "answer"),
+                         counted(methods.size(), "method"),
+                         families.size() == 1 ? "1 family" : fmt::format("{} families", families.size()),
+                         first);
+    }
+  };
+  std::array<Kind, law::kFaults> kinds;
+  Kind open;
+  std::set<std::string> of_tallies;
+  for (const Tally& tally : certification.tallies) {
+    const std::vector<std::string> lines = breaches(tally);
+    of_tallies.insert(lines.begin(), lines.end());
+    if (lines.empty()) continue;
+    for (std::size_t k = 0; k < law::kFaults; ++k) kinds[k].add(tally, tally.faults[k], tally.first[k]);
+    if (is_above_open_cap(tally)) {
+      open.add(tally, tally.left_open, tally.first_open);
+    } else if (is_above_stall_cap(tally)) {
+      open.add(tally, tally.stalled, tally.first_stalled);
+    }
+  }
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < law::kFaults; ++k) {
+    if (kinds[k].answers > 0) lines.push_back(kinds[k].line(law::kFaultKinds[k].name));
+  }
+  if (open.answers > 0) lines.push_back(open.line("open, above the cap"));
+  for (const std::string& breach : certification.breaches) {
+    if (!of_tallies.contains(breach)) lines.push_back(breach);
+  }
+  return lines;
+}
+
 std::string verdict_line(const Certification& certification, double seconds) {
   std::set<std::string> families;
   std::size_t faults = 0, stalls = 0;
@@ -80,22 +127,24 @@ std::string verdict_line(const Certification& certification, double seconds) {
   };
   const bool is_little =
       certification.breaches.empty() && certification.answers > 0 && certification.answers < kFewAnswers;
-  return fmt::format("{}: {} to {} of {} judged in {}, {}, {}{}.\n", verdict,
+  std::string declined;
+  for (const std::string& line : certification.declined) declined += "; " + line;
+  return fmt::format("{}: {} to {} of {} judged in {}, {}, {}{}{}.\n", verdict,
                      counted(certification.answers, "answer"), counted(certification.answered, "case"),
                      counted(families.size(), "suite"),
                      seconds < 1 ? "less than a second" : duration_text(seconds), counted(faults, "fault"),
-                     counted(stalls, "stall"), is_little ? "; so few answers certify little" : "");
+                     counted(stalls, "stall"), is_little ? "; so few answers certify little" : "", declined);
 }
 
 std::string summary_table(const Certification& certification, const Settings& settings) {
   Table table({{"method", Align::left},
                {"answers"},
                {"faults"},
-               {"stalls"},
+               {"open"},
                {"proofs"},
-               {"error/limit\ndouble"},
-               {"\nfloat"},
+               {"error /\nlimit"},
                {"worst in", Align::left},
+               {"most\nsupports"},
                {"ns\ndouble"},
                {"\nfloat"}});
   const auto place_of = [](const Method& method) {
@@ -108,7 +157,6 @@ std::string summary_table(const Certification& certification, const Settings& se
     if (std::any_of(done.begin(), done.end(), is_same)) continue;
     done.push_back(method);
     Tally both{.method = method, .family = "all"};
-    Tally::Worst worst_of[2];
     double ns[2] = {std::nan(""), std::nan("")};
     std::string worst_family = "-";
     double most = -1;
@@ -116,7 +164,6 @@ std::string summary_table(const Certification& certification, const Settings& se
       if (!is_same(scalar)) continue;
       const Tally total = certification.total(*scalar);
       both.add(total);
-      worst_of[scalar->in_float()] = total.over_limit;
       ns[scalar->in_float()] = median(total.ns);
       for (const Tally& tally : certification.tallies) {
         if (tally.method != scalar || !(tally.over_limit.value > most)) continue;
@@ -132,8 +179,8 @@ std::string summary_table(const Certification& certification, const Settings& se
     const std::string query =
         method->kind == Kind::query ? std::string(corpus::name_of(method->query)) + " " : "";
     table.add_row({" " + query + method->name, fmt::to_string(both.cases), count_text(both.at_fault),
-                   count_text(both.stalled), count_text(both.accepted), short_number(worst_of[0].value),
-                   short_number(worst_of[1].value), most > 0 ? worst_family : "-", ns_text(ns[0]),
+                   count_text(both.left_open), count_text(both.accepted), short_number(both.over_limit.value),
+                   most > 0 ? worst_family : "-", ns_text(both.most_supports.value), ns_text(ns[0]),
                    ns_text(ns[1])});
   }
   return table.text();
@@ -172,6 +219,7 @@ std::string linear_table(const Certification& certification) {
                {"early"},
                {"off"},
                {"contact\noff"},
+               {"open"},
                {"not con-\nverged"},
                {"excused"},
                {"proofs\naccepted"},
@@ -185,6 +233,8 @@ std::string linear_table(const Certification& certification) {
                {"true in.\nworst"},
                {"normal\nworst"},
                {"witness\nworst"},
+               {"supports\nmedian"},
+               {"\nmost"},
                {"median\nns"}});
   const Method* last = nullptr;
   using J = law::Judgement;
@@ -201,6 +251,7 @@ std::string linear_table(const Certification& certification) {
                    fmt::to_string(fault_count(t, &J::early)),
                    fmt::to_string(fault_count(t, &J::off)),
                    fmt::to_string(fault_count(t, &J::bad_contact)),
+                   fmt::to_string(t.left_open),
                    fmt::to_string(t.stalled),
                    fmt::to_string(t.excused),
                    fmt::to_string(t.accepted),
@@ -214,6 +265,8 @@ std::string linear_table(const Certification& certification) {
                    short_number(worst(t.true_backward)),
                    short_number(worst(t.normal)),
                    short_number(worst(t.witness)),
+                   ns_text(median(t.supports)),
+                   ns_text(t.most_supports.value),
                    ns_text(median(t.ns))});
   }
   return table.text();
@@ -235,6 +288,7 @@ std::string rotating_table(const Certification& certification) {
                {"off"},
                {"contact\noff"},
                {"unproved"},
+               {"open"},
                {"not con-\nverged"},
                {"excused"},
                {"hidden"},
@@ -248,7 +302,7 @@ std::string rotating_table(const Certification& certification) {
                {"normal\nworst"},
                {"witness\nworst"},
                {"supports\nmedian"},
-               {"\nworst"},
+               {"\nmost"},
                {"median\nns"}});
   const Method* last = nullptr;
   using J = law::Judgement;
@@ -266,6 +320,7 @@ std::string rotating_table(const Certification& certification) {
                    fmt::to_string(fault_count(t, &J::off)),
                    fmt::to_string(fault_count(t, &J::bad_contact)),
                    fmt::to_string(fault_count(t, &J::unproved)),
+                   fmt::to_string(t.left_open),
                    fmt::to_string(t.stalled),
                    fmt::to_string(t.excused),
                    count_text(t.hidden),
@@ -279,7 +334,7 @@ std::string rotating_table(const Certification& certification) {
                    short_number(worst(t.normal)),
                    short_number(worst(t.witness)),
                    ns_text(median(t.supports)),
-                   ns_text(worst(t.supports)),
+                   ns_text(t.most_supports.value),
                    ns_text(median(t.ns))});
   }
   return table.text();
@@ -332,6 +387,12 @@ namespace {
 
 std::string number(const std::optional<double>& x) { return x ? fmt::to_string(*x) : "-"; }
 
+std::string most_supports_text(const Tally& total) {
+  return std::isnan(total.most_supports.value)
+             ? "-"
+             : fmt::format("{:.0f} {}", total.most_supports.value, total.most_supports.id);
+}
+
 std::string query_table(const Certification& certification, const Settings& settings) {
   Table table({{"query", Align::left},
                {"method", Align::left},
@@ -349,6 +410,8 @@ std::string query_table(const Certification& certification, const Settings& sett
                {"kappa\nrounded"},
                {"kappa\ncontact"},
                {"stalls\nat most"},
+               {"supports\nat most"},
+               {"most supports", Align::left},
                {"held", Align::left},
                {"mechanism", Align::left}});
   using J = law::Judgement;
@@ -356,15 +419,24 @@ std::string query_table(const Certification& certification, const Settings& sett
     if (method->kind != Kind::query) continue;
     const Tally t = certification.total(*method);
     const engine::Guarantee* row = method->guarantee;
-    table.add_row({std::string(corpus::name_of(method->query)), method->full_name(), fmt::to_string(t.cases),
-                   fmt::to_string(fault_count(t, &J::wrong)), fmt::to_string(fault_count(t, &J::off)),
-                   fmt::to_string(fault_count(t, &J::bad_contact)), fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused), short_number(median(t.backward)),
-                   short_number(worst(t.backward)), short_number(worst(t.normal)),
-                   short_number(worst(t.witness)), row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
+    table.add_row({std::string(corpus::name_of(method->query)),
+                   method->full_name(),
+                   fmt::to_string(t.cases),
+                   fmt::to_string(fault_count(t, &J::wrong)),
+                   fmt::to_string(fault_count(t, &J::off)),
+                   fmt::to_string(fault_count(t, &J::bad_contact)),
+                   fmt::to_string(t.stalled),
+                   fmt::to_string(t.excused),
+                   short_number(median(t.backward)),
+                   short_number(worst(t.backward)),
+                   short_number(worst(t.normal)),
+                   short_number(worst(t.witness)),
+                   row == nullptr ? "-" : fmt::to_string(row->kappa_polytope),
                    row == nullptr ? "-" : fmt::to_string(row->kappa_rounded),
                    row == nullptr ? "-" : number(row->kappa_contact),
                    row == nullptr ? "-" : fmt::to_string(row->stall_cap),
+                   row == nullptr || !row->most_supports ? "-" : fmt::to_string(*row->most_supports),
+                   most_supports_text(t),
                    row == nullptr                    ? "no row"
                    : certification.has_kept(*method) ? "yes"
                                                      : "NO",
@@ -385,6 +457,8 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
     columns.push_back({"may be\nlate", Align::left});
   }
   columns.push_back({"stalls\nat most"});
+  columns.push_back({"supports\nat most"});
+  columns.push_back({"most supports", Align::left});
   columns.push_back({"held", Align::left});
   if (turning) {
     columns.push_back({"worst width", Align::left});
@@ -402,7 +476,7 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
     std::vector<std::string> cells = {method->full_name(), method->tier};
     if (row == nullptr) {
       cells.resize(width, "-");
-      cells[turning ? 9 : 7] = "no row";
+      cells[turning ? 11 : 9] = "no row";
       table.add_row(std::move(cells));
       continue;
     }
@@ -417,6 +491,8 @@ std::string guarantee_table(Kind kind, const Certification& certification, const
       cells.push_back(unseen_text(row->may_be_late));
     }
     cells.push_back(fmt::to_string(row->stall_cap));
+    cells.push_back(row->most_supports ? fmt::to_string(*row->most_supports) : "-");
+    cells.push_back(most_supports_text(certification.total(*method)));
     cells.push_back(certification.has_kept(*method) ? "yes" : "NO");
     if (turning) {
       const Tally total = certification.total(*method);

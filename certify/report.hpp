@@ -13,8 +13,12 @@ namespace graze::tool {
 inline constexpr std::size_t kFewAnswers = 10;
 [[nodiscard]] std::string verdict_line(const Certification& certification, double seconds);
 
-// A line a method, both scalars side by side: answers, faults and stalls, the worst error over its limit and
-// where that was, proofs, time.
+// A line for each kind of fault: how many answers have it as their worst, of how many methods, in how many families, and
+// the first. Then what breaks a guarantee otherwise. Empty if every guarantee is kept.
+[[nodiscard]] std::vector<std::string> fault_lines(const Certification& certification);
+
+// A line a method, both scalars side by side: answers, faults, open answers, proofs, the worst error over its limit and
+// where that was, the most support evaluations, time.
 [[nodiscard]] std::string summary_table(const Certification& certification, const Settings& settings);
 
 // Everything, with what the columns mean. Of one kind of method; empty where there is none of it.

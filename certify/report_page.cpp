@@ -116,6 +116,8 @@ class Report {
                   {"true_backward", finite_or_null(tool::worst(total.true_backward))},
                   {"least", finite_or_null(total.least_relative.value)},
                   {"least_by", total.least_relative.id},
+                  {"open", total.left_open},
+                  {"supports", finite_or_null(total.most_supports.value)},
                   {"ns", finite_or_null(median(total.ns))}};
       Json failures = Json::object();
       for (std::size_t k = 1; k < total.failures.size(); ++k) {
@@ -165,14 +167,28 @@ class Report {
       }
       out.push_back(std::move(one));
     }
+    for (const Method* method : methods_) note_costliest(*method);
     return out;
   }
+
+  // Of a method the answer that took the most support evaluations.
+  void note_costliest(const Method& method) {
+    const Tally* most = nullptr;
+    for (const Tally& tally : in_.certification.tallies) {
+      if (tally.method == &method && tally.most_supports.value > (most ? most->most_supports.value : 0.0))
+        most = &tally;
+    }
+    const WorstCases::Cell* kept = most == nullptr ? nullptr : in_.worst.find(method, most->family);
+    if (kept != nullptr && kept->costliest) note(method, most->family, kCostliest, *kept->costliest);
+  }
+
+  static constexpr const char* kCostliest = "most supports";
 
   struct Noted {
     const Method* method;
     std::string family, what;
     const WorstCases::Named* named;
-    [[nodiscard]] bool is_fault() const { return what != "worst" && what != "stalled"; }
+    [[nodiscard]] bool is_fault() const { return what != "worst" && what != "stalled" && what != kCostliest; }
   };
   void note(const Method& method, const std::string& family, const std::string& what,
             const WorstCases::Named& named) {
@@ -202,8 +218,7 @@ class Report {
     });
     std::set<std::pair<const Method*, std::string>> seen;
     std::stable_partition(noted_.begin(), noted_.end(), [&](const Noted& one) {
-      const std::string kind = one.is_fault() ? one.what : one.what == "stalled" ? "stalled" : "worst";
-      return seen.insert({one.method, kind}).second;
+      return seen.insert({one.method, one.what}).second;
     });
     Json out = Json::array();
     for (const Noted& one : noted_) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "corpus/random.hpp"
+#include "corpus/workloads.hpp"
 #include "oracles/polytope/exact_body.hpp"
 #include "oracles/polytope/integer_scene.hpp"
 #include "properties/edit/case.hpp"
@@ -51,7 +52,7 @@ std::vector<const corpus::Family*> wanted_families(const std::vector<std::string
                                                    bool files_are_given) {
   std::vector<const corpus::Family*> wanted;
   if (names.empty() && !files_are_given) {
-    for (const auto list : {corpus::families(), corpus::rotating_families()}) {
+    for (const auto list : {corpus::families(), corpus::rotating_families(), corpus::workloads()}) {
       for (const corpus::Family& family : list) wanted.push_back(&family);
     }
   }
@@ -122,7 +123,7 @@ Suite queried_suite(const Suite& casts, std::size_t count) {
 }
 
 bool is_small(const Case& problem) {
-  return is_represented(problem) && differences(problem) <= kMostDifferences;
+  return !is_represented(problem) || differences(problem) <= kMostDifferences;
 }
 
 std::string why_unjudged(const Case& problem) {

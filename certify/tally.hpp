@@ -17,10 +17,15 @@ namespace graze::tool {
 struct Tally {
   const engine::Method* method = nullptr;
   std::string family;
+  bool is_drawn = false;                 // a generated family, and not cases that were given
   std::size_t cases = 0, not_asked = 0;  // those that are no question for the method are no cases of its row
-  std::array<std::size_t, law::kFaults> faults = {};  // by law::kFaultKinds; an answer may have several
+  std::size_t declined = 0;              // asked, and answered with unsupported; no cases either
+  std::array<std::size_t, law::kFaults> faults = {};  // answers by their worst, one of law::kFaultKinds
   std::size_t at_fault = 0;                           // answers with any
   std::size_t stalled = 0, excused = 0, hidden = 0, open = 0;
+  // Open answers, whether that is within the guarantee or not: not_converged, or a bracket that says of itself that it is
+  // wide. `stalled` counts those of them that the guarantee does not grant.
+  std::size_t left_open = 0;
   std::size_t accepted = 0, refused = 0, unproved = 0;  // by their proofs
   std::size_t by_oracle = 0;
   // Over scale, of the cases that the oracle measured.
@@ -37,9 +42,10 @@ struct Tally {
     void take(double candidate, const corpus::Case& problem);
     void take(const Worst& other);
   };
-  Worst width = {};       // errors.backward
-  Worst passed = {};      // errors.passed
-  Worst over_limit = {};  // errors.over_limit
+  Worst width = {};          // errors.backward
+  Worst passed = {};         // errors.passed
+  Worst over_limit = {};     // errors.over_limit
+  Worst most_supports = {};  // support evaluations
   // The least limit with which verdicts and times would have passed: over scale, and as a length.
   Worst least_relative = {}, least_length = {};
 
@@ -55,12 +61,27 @@ struct Tally {
     Example first = {};
   };
   std::array<Failed, engine::kFailures> failures = {};
-  Example first_stalled = {};
+  Example first_stalled = {}, first_open = {};
 
-  void add(const corpus::Case& problem, const law::Judgement& judgement, const Counters& counters);
+  void add(const corpus::Case& problem, const law::Judgement& judgement);
   // Of the same method on another family, which it then stands for as well.
   void add(const Tally& other);
 };
+
+// The part of its questions that an engine may decline.
+inline constexpr double kMostDeclined = 0.1;
+// Of a method's total: that it declines more, in words; empty if not.
+[[nodiscard]] std::string declines(const Tally& total);
+
+// Of a generated family that is made of ties, bodies that touch or pass within the width, so many cases may be left open in
+// place of the guarantee's open_cap: rather more than the 16 % of `sliding` and the 25 % of `pure_spin` that are.
+inline constexpr double kOpenOfTies = 0.3;
+[[nodiscard]] bool is_made_of_ties(const std::string& family);
+
+// Are more answers open than the guarantee's caps? Of those that it does not grant (stall_cap); of all in a generated
+// family (open_cap), where one alone never is too many.
+[[nodiscard]] bool is_above_stall_cap(const Tally& tally);
+[[nodiscard]] bool is_above_open_cap(const Tally& tally);
 
 // What of the method's guarantee does not hold in this tally, a line each: the row, the family, how many, and
 // by which case. Without a row nothing is promised and nothing can break.

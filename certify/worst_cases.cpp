@@ -1,5 +1,7 @@
 #include "certify/worst_cases.hpp"
 
+#include <fmt/format.h>
+
 namespace graze::tool {
 
 corpus::Case WorstCases::Place::problem(const engine::Method& method) const {
@@ -12,22 +14,22 @@ void WorstCases::note(const Suite& suite, std::size_t i, const engine::Method& m
                       const law::Judgement& judgement) {
   if (judgement.not_asked) return;
   const bool measured = judgement.errors.over_limit >= 0;
-  if (!measured && !judgement.faulty() && !judgement.stalled) return;
   Cell& cell = cells_[{&method, suite.family}];
   const auto named = [&](const std::string& why) {
     const Place place{&suite, i};
     return Named{.id = place.problem(method).id,
                  .why = why,
                  .over_limit = judgement.errors.over_limit,
+                 .supports = judgement.supports,
                  .place = place};
   };
   // The id takes the case, which takes time to draw: only where it is kept.
   if (measured && (!cell.worst || judgement.errors.over_limit > cell.worst->over_limit))
     cell.worst = named("");
-  for (std::size_t k = 0; k < law::kFaults; ++k) {
-    const std::string& why = judgement.*law::kFaultKinds[k].why;
-    if (!why.empty() && !cell.faults[k]) cell.faults[k] = named(why);
-  }
+  if (judgement.supports > 0 && (!cell.costliest || judgement.supports > cell.costliest->supports))
+    cell.costliest = named(fmt::format("{} support evaluations", judgement.supports));
+  if (const std::size_t k = judgement.worst_fault(); k < law::kFaults && !cell.faults[k])
+    cell.faults[k] = named(judgement.told_fault());
   if (judgement.stalled && !cell.stalled) cell.stalled = named(judgement.undecided);
 }
 

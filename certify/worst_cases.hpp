@@ -1,5 +1,5 @@
-// Which cases a report names: of each method and family the first of every fault, and the one whose error is the largest
-// part of its limit.
+// Which cases a report names: of each method and family the first of every fault, the one whose error is the largest
+// part of its limit, and the one that took the most support evaluations.
 #pragma once
 
 #include <array>
@@ -25,11 +25,12 @@ class WorstCases {
   struct Named {
     std::string id = {}, why = {};
     double over_limit = std::numeric_limits<double>::quiet_NaN();
+    int supports = 0;
     Place place = {};
   };
   // Of a method on a family.
   struct Cell {
-    std::optional<Named> worst = {};
+    std::optional<Named> worst = {}, costliest = {};
     std::array<std::optional<Named>, law::kFaults> faults = {};
     std::optional<Named> stalled = {};
   };

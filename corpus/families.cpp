@@ -5,8 +5,19 @@
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
+#include "corpus/workloads.hpp"
 
 namespace graze::corpus {
+
+namespace {
+
+std::string run_name(const Family& family, double level, std::uint64_t run) {
+  std::string name(family.name);
+  name.append("/h").append(std::to_string(static_cast<long long>(level)));
+  return name.append("/r").append(std::to_string(run));
+}
+
+}  // namespace
 
 Case Family::generate(double hardness, std::uint64_t seed) const {
   const double level = std::clamp(std::floor(hardness + 0.5), levels.front(), levels.back());
@@ -18,7 +29,8 @@ Case Family::generate(double hardness, std::uint64_t seed) const {
   problem.hardness = level;
   problem.comment = sentence;
   // Every family and level has its own stream: seeds are small numbers, and mixed by the hash of the name.
-  Draw draw(fnv1a(problem.id));
+  Draw draw(fnv1a(of_run == 1 ? problem.id : run_name(*this, level, seed / of_run)));
+  draw.question = seed % of_run;
   fill(draw, level, problem);
   return problem;
 }
@@ -38,7 +50,7 @@ std::span<const Family> rotating_families() {
 #undef GRAZE_FAMILY
 
 const Family* find_family(std::string_view name) {
-  for (const std::span<const Family> list : {families(), rotating_families()}) {
+  for (const std::span<const Family> list : {families(), rotating_families(), workloads()}) {
     for (const Family& family : list) {
       if (family.name == name) return &family;
     }

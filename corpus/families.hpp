@@ -25,6 +25,9 @@ struct Family {
   std::span<const double> levels;     // from easy to hard; any integer between the extremes is one too
   void (*fill)(Draw&, double, Case&);
   bool rotating = false;  // a body of each case turns, but for one in sixteen or so
+  // Of a workload (workloads.hpp): so many seeds in a row are the questions of one run of a simulation, which is
+  // drawn once; draw.question says which is wanted.
+  std::uint64_t of_run = 1;
   struct {
     double hardness = 0;
     std::uint64_t seed = 1;
@@ -38,7 +41,7 @@ struct Family {
 // The linear families, which every method for linear casts is judged by; and those in which bodies turn.
 [[nodiscard]] std::span<const Family> families();
 [[nodiscard]] std::span<const Family> rotating_families();
-// Of either kind; nullptr if there is none.
+// Of either kind, or a workload; nullptr if there is none.
 [[nodiscard]] const Family* find_family(std::string_view name);
 
 }  // namespace graze::corpus

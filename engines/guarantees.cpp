@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <graze/support/tree.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
+#include "corpus/format/proof_io.hpp"
 #include "engines/guarantees_text.hpp"
 
 namespace graze::engine {
@@ -43,6 +45,16 @@ double number_field(const Json& row, const std::string& where, const char* name)
   return value.get<double>();
 }
 
+std::optional<int> count_field(const Json& row, const std::string& where, const char* name) {
+  if (!row.contains(name)) return {};
+  const Json& value = row[name];
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() == 0 ||
+      value.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<int>::max()}) {
+    refuse(where + "." + name, "must be a whole number from 1 to 2147483647");
+  }
+  return value.get<int>();
+}
+
 Unseen unseen_field(const Json& row, const std::string& where, const char* name) {
   if (!row.contains(name)) return Unseen::nothing;
   const std::string text = text_field(row, where, name);
@@ -54,8 +66,8 @@ Unseen unseen_field(const Json& row, const std::string& where, const char* name)
 
 Guarantee parse_row(const Json& row, const std::string& where) {
   static const std::set<std::string> kFields = {
-      "query",         "method",    "scalar",    "tier",     "kappa_polytope", "kappa_rounded",
-      "kappa_contact", "stall_cap", "mechanism", "may_miss", "may_be_late",    "width"};
+      "query",     "method",    "scalar",   "tier",        "kappa_polytope", "kappa_rounded", "kappa_contact",
+      "stall_cap", "mechanism", "may_miss", "may_be_late", "width",          "most_supports", "open_cap"};
   if (!row.is_object()) refuse(where, "must be an object");
   for (const auto& [key, value] : row.items()) {
     if (!kFields.contains(key)) refuse(where + "." + key, "is not a field of a row");
@@ -78,6 +90,9 @@ Guarantee parse_row(const Json& row, const std::string& where) {
                            ? std::optional(number_field(row, where, "kappa_contact"))
                            : std::nullopt,
       .stall_cap = number_field(row, where, "stall_cap"),
+      .most_supports = count_field(row, where, "most_supports"),
+      .open_cap =
+          row.contains("open_cap") ? std::optional(number_field(row, where, "open_cap")) : std::nullopt,
       .mechanism = text_field(row, where, "mechanism"),
       .may_miss = unseen_field(row, where, "may_miss"),
       .may_be_late = unseen_field(row, where, "may_be_late"),
@@ -131,15 +146,25 @@ std::span<const Guarantee> guarantees() {
   return kTable;
 }
 
+const Guarantee* find_guarantee(std::span<const Guarantee> table, std::string_view query,
+                                std::string_view method, std::string_view scalar, std::string_view tier) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const Guarantee& row) {
+    return row.query == query && row.method == method && row.scalar == scalar && row.tier == tier;
+  });
+  return found == table.end() ? nullptr : &*found;
+}
+
 const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method) {
   const std::string_view query = method.kind == Kind::rotating ? kRotating : corpus::name_of(method.query);
-  for (const Guarantee& row : table) {
-    if (row.query == query && row.method == method.name && row.scalar == method.scalar &&
-        row.tier == method.tier) {
-      return &row;
-    }
-  }
-  return nullptr;
+  return find_guarantee(table, query, method.name, method.scalar, method.tier);
+}
+
+double kappa_of(const corpus::ProofRecord& record) {
+  if (!record.tier) return 0;
+  const std::string_view query = record.rotating ? kRotating : corpus::name_of(corpus::Query::cast);
+  const Guarantee* row =
+      find_guarantee(guarantees(), query, record.method, record.scalar, to_text(*record.tier));
+  return row == nullptr ? 0 : row->kappa(record.problem);
 }
 
 }  // namespace graze::engine

@@ -10,6 +10,10 @@
 #include "corpus/case.hpp"
 #include "engines/method.hpp"
 
+namespace graze::corpus {
+struct ProofRecord;  // corpus/format/proof_io.hpp
+}
+
 namespace graze::engine {
 
 // What the motion may do unseen by a rotating method.
@@ -44,7 +48,13 @@ struct Guarantee {
   // Of tiers certified and exact kappa is 0, of the verdict and both bounds; its normals and witnesses are
   // doubles, held to this kappa. Absent from a row: as the kappas above.
   std::optional<double> kappa_contact = {};
-  double stall_cap = 0;   // the largest fraction of a family's cases that may end not_converged
+  double stall_cap = 0;  // the largest fraction of a family's cases that may end not_converged
+  // The largest number of support evaluations (Counters::supports) that any valid input needs with the options' defaults:
+  // verdict, normal and witnesses, no tolerance. A proof is asked for, and costs more. Absent: no limit is promised.
+  std::optional<int> most_supports = {};
+  // The largest fraction of a generated family's cases that may end not_converged for whatever reason, ties within the
+  // width included. Absent: those are not capped.
+  std::optional<double> open_cap = {};
   std::string mechanism;  // why, where a kappa exceeds 1,024 or the cap 1 in 1,000; else empty
 
   // Rows of "rotating": how deep a contact may be that a miss denies, and one that toi_lower has passed.
@@ -59,8 +69,10 @@ struct Guarantee {
   // And one that grows with the bodies' own frames: for each number that the shapes are given by, over the sum of the
   // lengths among these numbers. How a scalar's last bits limit bodies that lie far out in their own frames.
   double own_frames = 0;
-  // Nothing is declared about errors: every limit is infinite.
+  // Every limit is infinite: errors are measured only.
   bool is_open = false;
+  // Nothing was declared about errors, and the limit is the judge's own.
+  bool is_assumed = false;
   Touching touching = Touching::either;
   StartNormal start_normal = StartNormal::any;
 
@@ -82,7 +94,14 @@ struct Guarantee {
 // Reads a table from JSON text; throws std::runtime_error, whose message names the row and the field.
 [[nodiscard]] std::vector<Guarantee> parse_guarantees(std::string_view text);
 
+// The row with these names in a table: nullptr if there is none.
+[[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, std::string_view query,
+                                              std::string_view method, std::string_view scalar,
+                                              std::string_view tier);
 // The row of a method in a table: nullptr if it has none, and then it promises nothing.
 [[nodiscard]] const Guarantee* find_guarantee(std::span<const Guarantee> table, const Method& method);
+
+// kappa of the guarantee that a record of a proof names by its method, scalar and tier; 0 if none of ours has these names.
+[[nodiscard]] double kappa_of(const corpus::ProofRecord& record);
 
 }  // namespace graze::engine

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "corpus/format/fields.hpp"
@@ -55,9 +56,10 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
   const auto known = std::find(kQuestions.begin(), kQuestions.end(), name);
   if (known == kQuestions.end()) throw Malformed{path, "is no query; it is " + corpus::joined(kQuestions)};
   offer.question = static_cast<Question>(known - kQuestions.begin());
-  const Fields fields(value, path,
-                      {"answers", "tolerance", "relative_tolerance", "kappa", "touching", "early", "starts",
-                       "stalls", "target_distance", "pass_over", "start_normal", "own_frames"});
+  const Fields fields(
+      value, path,
+      {"answers", "tolerance", "relative_tolerance", "kappa", "touching", "early", "starts", "stalls",
+       "target_distance", "pass_over", "start_normal", "own_frames", "most_supports"});
   constexpr std::string_view kForm = "answers is an array of what an answer holds beside its outcome";
   const std::string where = fields.path("answers");
   const std::vector<JsonValue>& held = corpus::read_array(fields.required("answers", kForm), where, kForm);
@@ -106,6 +108,13 @@ Offer read_offer(std::string_view name, const JsonValue& value, const std::strin
   offer.starts = flag_or(fields, "starts", true);
   offer.stalls = length(fields, "stalls").value_or(0);
   if (offer.stalls > 1) throw Malformed{fields.path("stalls"), "a fraction of a family is at most 1"};
+  if (const JsonValue* most = fields.optional("most_supports")) {
+    const std::string at = fields.path("most_supports");
+    const std::size_t count = corpus::read_index(*most, at);
+    if (count == 0 || count > std::size_t{std::numeric_limits<int>::max()})
+      throw Malformed{at, "a whole number from 1 to 2147483647"};
+    offer.most_supports = static_cast<int>(count);
+  }
   offer.takes_target_distance = flag_or(fields, "target_distance", false);
   offer.takes_pass_over = flag_or(fields, "pass_over", false);
   return offer;

@@ -28,10 +28,11 @@ struct Offer {
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
   engine::Touching touching = engine::Touching::either;
   engine::StartNormal start_normal = engine::StartNormal::any;
-  double own_frames = 0;  // over the lengths in the bodies' own frames, a number of them
-  double early = 0;       // a length by which its times stop short by design
-  bool starts = true;     // it is asked about starts in contact
-  double stalls = 0;      // the fraction of a family in which it may say not_converged
+  double own_frames = 0;                  // over the lengths in the bodies' own frames, a number of them
+  double early = 0;                       // a length by which its times stop short by design
+  bool starts = true;                     // it is asked about starts in contact
+  double stalls = 0;                      // the fraction of a family in which it may say not_converged
+  std::optional<int> most_supports = {};  // what an answer's `supports` stays below or at
   bool takes_target_distance = false, takes_pass_over = false;
 
   [[nodiscard]] bool promises_errors() const { return tolerance || relative_tolerance || kappa; }

@@ -113,7 +113,7 @@ Engine::Engine(EngineOptions options) : options_(std::move(options)), words_(wor
 Engine::~Engine() = default;
 
 void Engine::add_method(const Offer& offer) {
-  const Held held{options_.tolerance, options_.relative_tolerance, options_.kappa};
+  const Held held{options_.tolerance, options_.relative_tolerance, options_.kappa, options_.measure};
   const engine::Guarantee& row = guarantees_.emplace_back(guarantee_of(declaration_, offer, held));
   Method method = method_of(
       declaration_, offer, row, options_.beyond_limits,

@@ -25,6 +25,7 @@ struct EngineOptions {
   ProcessLimits limits = {};
   // Held to these lengths, whatever it declares.
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
+  bool measure = false;        // held to no length: its errors are measured
   bool beyond_limits = false;  // asked what lies beyond its documented limits, too
   unsigned spares = 1;         // processes that are started before they are needed
 };

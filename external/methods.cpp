@@ -39,6 +39,7 @@ corpus::Query query_of(Question question) {
 
 engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, const Held& held) {
   const bool is_held = held.tolerance || held.relative_tolerance || held.kappa;
+  const bool is_assumed = !held.measure && !is_held && !offer.promises_errors();
   const std::optional<double>& tolerance = is_held ? held.tolerance : offer.tolerance;
   const std::optional<double>& relative = is_held ? held.relative_tolerance : offer.relative_tolerance;
   const std::optional<double>& kappa = is_held ? held.kappa : offer.kappa;
@@ -55,10 +56,12 @@ engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, co
   row.tier = "declared";
   row.kappa_polytope = row.kappa_rounded = kappa.value_or(0);
   row.tolerance = tolerance.value_or(0);
-  row.relative_tolerance = relative.value_or(0);
+  row.relative_tolerance = is_assumed ? kAssumedRelativeTolerance : relative.value_or(0);
   row.early = offer.early;
   row.own_frames = offer.own_frames;
-  row.is_open = !is_held && !offer.promises_errors();
+  row.is_open = held.measure;
+  row.is_assumed = is_assumed;
+  row.most_supports = held.measure ? std::nullopt : offer.most_supports;
   row.stall_cap = row.is_open ? 1 : offer.stalls;
   row.touching = offer.touching;
   row.start_normal = offer.start_normal;

@@ -13,7 +13,12 @@ namespace graze::external {
 // Limits of the command line, to which an engine is held whatever it declares: where there is one, it declares none.
 struct Held {
   std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
+  bool measure = false;  // no limit at all: errors are measured, and only what makes no sense is a fault
 };
+
+// The limit of an engine that declares none and is given none, over scale: what a game still shows as touching. A wrong
+// verdict by more than that is a fault whoever made no promise.
+inline constexpr double kAssumedRelativeTolerance = 1e-3;
 
 [[nodiscard]] engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, const Held& held);
 

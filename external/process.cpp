@@ -37,6 +37,8 @@ constexpr const char* kMark = "GRAZE_ENGINE_PROCESS=";
 // A line that is longer is no answer.
 constexpr std::size_t kMostOfALine = std::size_t{1} << 24;
 constexpr std::size_t kKeptErrors = 2000;
+// Of those, how many a finding shows: a traceback of a dozen calls.
+constexpr std::size_t kShownErrors = 1500;
 // What a pipe holds.
 constexpr std::size_t kPipeBytes = std::size_t{1} << 16;
 // A process that ended with so much of its memory in use ended at the limit.
@@ -243,9 +245,12 @@ Line Process::failed(Failure failure, std::string what) {
   read_errors();
   std::string last = errors_.substr(errors_.size() - std::min(errors_.size(), kKeptErrors));
   while (!last.empty() && std::isspace(static_cast<unsigned char>(last.back())) != 0) last.pop_back();
-  std::replace(last.begin(), last.end(), '\n', ' ');
-  if (last.size() > 300) last = "... " + last.substr(last.size() - 300);
-  if (!last.empty()) what += "; it wrote: " + last;
+  if (last.size() > kShownErrors) {
+    // Whole lines where there are some.
+    const std::size_t cut = last.size() - kShownErrors, line = last.find('\n', cut);
+    last = "..." + (line == std::string::npos ? " " + last.substr(cut) : last.substr(line));
+  }
+  if (!last.empty()) what += (last.find('\n') == std::string::npos ? "; it wrote: " : "; it wrote:\n") + last;
   return {.failure = failure, .what = std::move(what)};
 }
 

@@ -40,9 +40,9 @@ std::string false_claim(const Truth& truth, double lower, double upper) {
   const bool late = std::isinf(lower) ? contact : lower > 0 && truth.compare(lower) > 0;
   const bool early = upper < kInfinity<double> && (misses || truth.compare(upper) < 0);
   if (!late && !early) return {};
-  return fmt::format("accepted: toi in [{}, {}]; true: {}, toi in [{}, {}]", law::hex(lower), law::hex(upper),
-                     law::label_of(truth.outcome()), law::hex(truth.toi_lower()),
-                     law::hex(truth.toi_upper()));
+  return fmt::format("accepted: toi in [{}, {}]; true: {}, toi in [{}, {}]", law::decimal(lower),
+                     law::decimal(upper), law::label_of(truth.outcome()), law::decimal(truth.toi_lower()),
+                     law::decimal(truth.toi_upper()));
 }
 
 Finding finding(const char* name, std::string fault, const Case& problem, corpus::ProofRecord record) {

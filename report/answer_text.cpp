@@ -38,6 +38,8 @@ bool has_times(const engine::Answer& answer) {
 // Why a case was not answered, or a start in contact not reported; empty where the outcome says all.
 std::string reason_of(const engine::Answer& answer) {
   if (answer.outcome == Outcome::invalid_input) return invalid_text(answer);
+  if (answer.passed_over && answer.plan.effects == Effects::rotating && answer.plan.reasons != 0)
+    return "the contact at the start gets no deeper, and no other is made";
   if (answer.passed_over) return "the motion leaves or slides from its start in contact";
   return {};
 }
@@ -58,18 +60,29 @@ std::string work_text(const Counters& counters) {
                      counted(counters.supports, "support evaluation"));
 }
 
+// Of an open answer: what a caller needs who takes the bodies for being in contact.
+bool has_contact(const engine::Answer& answer) {
+  return answer.outcome == Outcome::hit || (answer.outcome == Outcome::not_converged && answer.has_normal());
+}
+bool is_open_contact(const engine::Answer& answer) {
+  return has_contact(answer) && answer.outcome == Outcome::not_converged;
+}
+
 // What the answers of linear and rotating casts have in common, in JSON without braces.
 std::string cast_fields(const corpus::Case& problem, const engine::Answer& answer) {
-  const bool hit = answer.outcome == Outcome::hit;
+  const bool contact = has_contact(answer);
   const std::string toi = has_times(answer)
                               ? fmt::format(R"({{"lower": {}, "upper": {}}})", json_number(answer.toi_lower),
                                             json_number(answer.toi_upper))
                               : "null";
-  return fmt::format(
+  std::string text = fmt::format(
       R"("id": {}, "outcome": "{}", "because": {}, "toi": {}, "normal": {}, "point_a": {}, "point_b": {})",
       corpus::json_quote(problem.id), corpus::name_of(answer.outcome), json_text(reason_of(answer)), toi,
-      hit ? json_vector(answer.normal) : "null", hit ? json_vector(answer.point_a) : "null",
-      hit ? json_vector(answer.point_b) : "null");
+      contact ? json_vector(answer.normal) : "null", contact ? json_vector(answer.point_a) : "null",
+      contact ? json_vector(answer.point_b) : "null");
+  if (is_open_contact(answer))
+    text += fmt::format(R"(, "distance": {{"lower": 0.0, "upper": {}}})", json_number(answer.distance));
+  return text;
 }
 
 std::string line(const char* name, const std::string& value) {
@@ -81,7 +94,8 @@ std::string cast_lines(const engine::Answer& answer) {
   std::string text = line("outcome", std::string(corpus::name_of(answer.outcome)));
   if (const std::string why = reason_of(answer); !why.empty()) text += line("because", why);
   if (has_times(answer)) text += line("toi", fmt::format("[{}, {}]", answer.toi_lower, answer.toi_upper));
-  if (answer.outcome == Outcome::hit) {
+  if (is_open_contact(answer)) text += line("distance", fmt::format("[0, {}]", answer.distance));
+  if (has_contact(answer)) {
     text += line("normal", vector_text(answer.normal));
     text += line("point_a", vector_text(answer.point_a));
     text += line("point_b", vector_text(answer.point_b));
@@ -185,7 +199,6 @@ std::string plan_text(const Plan& plan) {
   const std::vector<std::string_view> reasons = reasons_of(plan);
   std::string text(to_text(plan.effects));
   if (!reasons.empty()) text += fmt::format(": {}", fmt::join(reasons, "; "));
-  if (plan.added > 0) text += fmt::format("; {} of motion added", plan.added);
   return text;
 }
 
@@ -193,8 +206,7 @@ std::string plan_text(const Plan& plan) {
 std::string plan_fields(const Plan& plan) {
   std::vector<std::string> reasons;
   for (const std::string_view reason : reasons_of(plan)) reasons.push_back(corpus::json_quote(reason));
-  return fmt::format(R"("plan": "{}", "reasons": [{}], "added": {})", to_text(plan.effects),
-                     fmt::join(reasons, ", "), json_number(plan.added));
+  return fmt::format(R"("plan": "{}", "reasons": [{}])", to_text(plan.effects), fmt::join(reasons, ", "));
 }
 
 std::string rotating_block(const corpus::Case& problem, const engine::Method& method,
@@ -299,7 +311,6 @@ std::string answer_json(const corpus::Case& problem, const engine::Method& metho
 std::string plan_block(const corpus::Case& problem, const Plan& plan) {
   std::string text = fmt::format("{}\n", problem.id) + line("plan", std::string(to_text(plan.effects)));
   for (const std::string_view reason : reasons_of(plan)) text += line("because", std::string(reason));
-  if (plan.added > 0) text += line("added", fmt::format("{}", plan.added));
   return text;
 }
 

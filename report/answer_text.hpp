@@ -16,7 +16,7 @@ namespace graze::tool {
 // has a normal and witnesses, and "upper" is null where nothing bounds the time from above. "because" is why
 // a case was refused, or that its start was passed over. The JSON says all that the block says.
 //
-// Of a rotating method also "plan", "reasons" and "added" of the plan_json below, "hidden_motion" and
+// Of a rotating method also "plan" and "reasons" of the plan_json below, "hidden_motion" and
 // "poses". Of a query, in place of "toi", "query", "stalled", "normal_out" and, where the query has them,
 // "distance", "depth", "t_in" and "t_out", each {"lower", "upper"}; of times "inf" and "-inf" are strings.
 //
@@ -29,7 +29,7 @@ namespace graze::tool {
 // Why an input was refused, and where: "body b: shape.half_extents[1] is negative".
 [[nodiscard]] std::string invalid_text(const engine::Answer& answer);
 
-// What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"], "added": 0.0}
+// What must be simulated, and why. {"id", "plan": "linear", "reasons": ["neither body turns"]}
 [[nodiscard]] std::string plan_block(const corpus::Case& problem, const Plan& plan);
 [[nodiscard]] std::string plan_json(const corpus::Case& problem, const Plan& plan);
 

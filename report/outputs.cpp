@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -74,10 +75,12 @@ void require_not_read(const std::string& file, const std::string& shown) {
   }
 }
 
-std::string not_written(const std::string& name) {
+// After a write that failed.
+[[noreturn]] void throw_not_written(const std::string& name) {
   const int error = errno;
-  return fmt::format("{}: could not be written to its end{}{}", name, error != 0 ? ": " : "",
-                     error != 0 ? std::strerror(error) : "");
+  if (error == EPIPE) throw ReaderGone();
+  throw std::runtime_error(fmt::format("{}: could not be written to its end{}{}", name,
+                                       error != 0 ? ": " : "", error != 0 ? std::strerror(error) : ""));
 }
 
 }  // namespace
@@ -145,14 +148,14 @@ std::ostream& OutputFile::stream() {
     emptied_ = true;
     std::error_code error;
     if (fs::is_regular_file(name_, error)) fs::resize_file(name_, 0, error);
-    if (error) throw std::runtime_error(not_written(name_));
+    if (error) throw_not_written(name_);
   }
   return file_;
 }
 
 void OutputFile::write_line(const std::string& line) {
   errno = 0;
-  if (!(stream() << line << '\n')) throw std::runtime_error(not_written(name_));
+  if (!(stream() << line << '\n')) throw_not_written(name_);
 }
 
 void OutputFile::close() {
@@ -160,7 +163,7 @@ void OutputFile::close() {
   errno = 0;
   stream().flush();
   if (!is_stdout_) file_.close();
-  if (!stream()) throw std::runtime_error(not_written(name_));
+  if (!stream()) throw_not_written(name_);
 }
 
 void OutputFile::close_what_is_written() {
@@ -181,9 +184,21 @@ void secure_standard_streams() {
 void close_standard_output() {
   errno = 0;
   std::cout.flush();
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout) {
-    throw std::runtime_error(not_written("standard output"));
-  }
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout) return;
+  if (is_reader_gone()) throw ReaderGone();
+  throw_not_written("standard output");
+}
+
+bool is_reader_gone() {
+  if (std::ferror(stdout) == 0 && std::cout) return false;
+  pollfd out{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
+int end_as_by_sigpipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  return 128 + SIGPIPE;  // where the signal is blocked
 }
 
 }  // namespace graze::tool

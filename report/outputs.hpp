@@ -8,6 +8,7 @@
 
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -45,11 +46,23 @@ class OutputFile {
   std::shared_ptr<const std::string> open_;  // while it lives the name is that of an open output
 };
 
+// Whoever read an output closed the pipe before its end (`graze ... | head -1`). A run then cleans up and ends silently.
+struct ReaderGone : std::runtime_error {
+  ReaderGone() : std::runtime_error("the reader of an output has closed it") {}
+};
+
 // Before anything is opened: a descriptor 0, 1 or 2 that the caller closed is not given to a file, and a pipe
-// that nobody reads is an error to report, not the end of the process.
+// that nobody reads is an error of the write, so that the run can clean up.
 void secure_standard_streams();
 
-// At the end of a run: throws std::runtime_error if standard output could not be written to its end.
+// At the end of a run: throws if standard output could not be written to its end, ReaderGone or std::runtime_error.
 void close_standard_output();
+
+// Has a write to standard output failed because nobody reads it any more?
+[[nodiscard]] bool is_reader_gone();
+
+// Ends the process as the signal SIGPIPE ends other tools: silently, and a shell shows 141. Returns that only where the
+// signal is blocked.
+[[nodiscard]] int end_as_by_sigpipe();
 
 }  // namespace graze::tool

@@ -74,7 +74,9 @@ int run(int argc, char** argv) {
       "  graze COMMAND --help        says more about each command\n\n"
       "Exit codes: 0; 1 if something judged was found wanting; 2 for bad input and for output that cannot "
       "be\n"
-      "written, which one line on stderr explains. A file that is read is never written over.");
+      "written, which one line on stderr explains. If the reader of a pipe closes it, the command ends "
+      "silently\n"
+      "by SIGPIPE. A file that is read is never written over.");
   graze::tool::add_cast_command(app, exit_code);
   graze::tool::add_scene_command(app, exit_code);
   graze::tool::add_check_command(app, exit_code);
@@ -115,7 +117,10 @@ int main(int argc, char** argv) {
     const int exit_code = run(argc, argv);
     graze::tool::close_standard_output();
     return exit_code;
+  } catch (const graze::tool::ReaderGone&) {
+    return graze::tool::end_as_by_sigpipe();
   } catch (const std::system_error& error) {
+    if (graze::tool::is_reader_gone()) return graze::tool::end_as_by_sigpipe();
     // fmt::print does not say which file it could not write.
     graze::tool::complain(std::ferror(stdout) == 0 ? error.what()
                                                    : "standard output: could not be written to its end: " +

@@ -42,10 +42,12 @@ bool is_answer(const Method& method, const engine::Answer& answer, double t_max)
          (method.kind == Kind::query || law::senseless(answer, t_max).empty());
 }
 
-law::Judgement unjudged(const engine::Answer& answer) {
+// Its work is judged all the same: that takes no truth.
+law::Judgement unjudged(const Method& method, const corpus::Case& problem, const engine::Answer& answer) {
   law::Judgement judgement;
   judgement.outcome = answer.outcome;
   judgement.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
+  law::judge_work(judgement, method, problem, answer.counters);
   return judgement;
 }
 
@@ -67,7 +69,7 @@ AnswerWords words_of(const engine::Answer& answer) {
 }
 
 std::string CampaignCast::reason() const {
-  if (judgement.faulty()) return judgement.fault();
+  if (judgement.faulty()) return judgement.told_fault();
   if (!judgement.undecided.empty()) return judgement.undecided;
   return answer.outcome == Outcome::not_converged ? "did not converge" : "stalled with a wide bracket";
 }
@@ -120,7 +122,7 @@ CampaignCast CaseJudge::ask_other(const Method& contender) {
     const bool is_judged = drawn_.judged && (contender.kind != Kind::query || drawn_.sampled);
     if (answer.failure == engine::Failure::none && !answer.declined && !is_judged &&
         is_answer(contender, answer, drawn_.problem.t_max)) {
-      asked.judgement = unjudged(answer);
+      asked.judgement = unjudged(contender, question, answer);
       return asked;
     }
     asked.judgement = judge(contender, question, answer, engine::kPlain, asked.undecided);
@@ -146,7 +148,7 @@ CampaignCast CaseJudge::ask(const Method& contender) {
     const bool is_query = contender.kind == Kind::query;
     if (is_query ? !drawn_.sampled || !drawn_.judged
                  : !drawn_.judged && is_answer(contender, answer, drawn_.problem.t_max)) {
-      asked.judgement = unjudged(answer);
+      asked.judgement = unjudged(contender, question, answer);
       asked.judgement.not_asked = is_query && answer.invalid == Invalid::not_exact;
       if (is_query && answer.outcome == Outcome::invalid_input && !asked.judgement.not_asked)
         asked.judgement.wrong = "refuses a valid case";
@@ -158,6 +160,9 @@ CampaignCast CaseJudge::ask(const Method& contender) {
       asked.answer = words_of(answer);
     }
     asked.judgement = judge(contender, question, answer, request, asked.undecided);
+    if (request != engine::kPlain)
+      law::judge_work(asked.judgement, contender, question,
+                      contender.ask(question, {.request = engine::kPlain}).counters);
     asked.judgement.not_asked = asked.judgement.not_asked && asked.judgement.wrong.empty();
     if (contender.is_exact() && asked.judgement.faulty()) asked.judgement.stalled = false;
   } catch (const std::exception& error) {

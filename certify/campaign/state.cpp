@@ -214,15 +214,16 @@ std::pair<std::uint64_t, std::uint64_t> pair_at(const Json& json, const std::str
 }
 
 void read_levels(const Object& json, CampaignState& state) {
-  Names known = {"method", "family", "level", "widest"};
+  Names known = {"method", "family", "level", "widest", "most_supports"};
   for (const CountField& field : kCountFields) known.emplace_back(field.name);
   json.each("levels", [&](const Json& one, const std::string& path) {
-    // A state of before engines of others were asked has no count of their failures.
-    const Object level(one, path, known, {"failed"});
+    // Fields that older states lack: failures of third-party engines, and work.
+    const Object level(one, path, known, {"failed", "work", "most_supports"});
     state.cells.push_back(
         {.method = level.text("method"), .family = level.text("family"), .level = level.number("level")});
     CampaignCounts counts;
     counts.widest = level.number("widest");
+    if (level.has("most_supports")) counts.most_supports = level.count("most_supports");
     for (const CountField& field : kCountFields)
       counts.*field.value = level.has(field.name) ? level.count(field.name) : 0;
     state.tally.counts.push_back(counts);
@@ -306,6 +307,7 @@ std::string state_text(const CampaignState& state) {
     Json level = {{"method", cell.method}, {"family", cell.family}, {"level", cell.level}};
     for (const CountField& field : kCountFields) level[field.name] = state.tally.counts[i].*field.value;
     level["widest"] = state.tally.counts[i].widest;
+    level["most_supports"] = state.tally.counts[i].most_supports;
     json["levels"].push_back(std::move(level));
   }
   return corpus::document_text(json, 1) + "\n";

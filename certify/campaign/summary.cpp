@@ -34,14 +34,20 @@ CampaignCounts of_family(const CampaignState& state, const std::string& method, 
   return sum_of(state, [&](const Cell& cell) { return cell.method == method && cell.family == family; });
 }
 
-CampaignCounts of_method(const CampaignState& state, const std::string& method) {
-  return sum_of(state, [&](const Cell& cell) { return cell.method == method; });
+// Two parts may ask one method, about other families.
+bool is_of(const PartSettings& part, const Cell& cell) {
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return has(part.methods, cell.method) && has(part.families, cell.family);
+}
+
+CampaignCounts of_method(const CampaignState& state, const PartSettings& part, const std::string& method) {
+  return sum_of(state, [&](const Cell& cell) { return cell.method == method && is_of(part, cell); });
 }
 
 CampaignCounts of_part(const CampaignState& state, const PartSettings& part) {
-  return sum_of(state, [&](const Cell& cell) {
-    return std::find(part.methods.begin(), part.methods.end(), cell.method) != part.methods.end();
-  });
+  return sum_of(state, [&](const Cell& cell) { return is_of(part, cell); });
 }
 
 bool is_rotating(const PartSettings& part) { return part.kind == part_name(engine::Kind::rotating); }
@@ -83,7 +89,9 @@ std::vector<Shown> columns_of(const PartSettings& part, const CampaignCounts& su
   add(&C::contact_off, "contact\noff", &count_of<&C::contact_off>);
   add(&C::proofs_refused, "proofs\nrefused", &count_of<&C::proofs_refused>);
   add(&C::unproved, "unproved", &count_of<&C::unproved>);
+  add(&C::work, "work", &count_of<&C::work>);
   columns.push_back({{"faults"}, &count_of<&C::faults>});
+  columns.push_back({{"most\nsupports"}, &count_of<&C::most_supports>});
   if (is_rotating(part))
     columns.push_back({{"widest\nof limit"}, [](const C& c) { return short_number(c.widest); }});
   return columns;
@@ -109,7 +117,7 @@ std::string method_table(const CampaignState& state, const PartSettings& part, c
     }
   }
   table.add_gap();
-  add("all", of_method(state, method));
+  add("all", of_method(state, part, method));
   return table.text();
 }
 
@@ -157,6 +165,7 @@ std::string kinds_of(const CampaignCounts& counts) {
   add(counts.contact_off, "with a normal or a witness off");
   add(counts.proofs_refused, "with a proof refused");
   add(counts.unproved, "without their proof");
+  add(counts.work, "by more support evaluations than guaranteed");
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 

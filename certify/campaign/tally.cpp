@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace graze::tool {
 namespace {
@@ -30,6 +31,7 @@ void merge_findings(std::vector<Finding>& mine, const std::vector<Finding>& othe
 CampaignCounts& CampaignCounts::operator+=(const CampaignCounts& other) {
   for (const CountField& field : kCountFields) this->*field.value += other.*field.value;
   widest = std::max(widest, other.widest);
+  most_supports = std::max(most_supports, other.most_supports);
   return *this;
 }
 
@@ -65,13 +67,22 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Met
   count.undecided += one_if(!cast.undecided.empty());
   count.excused += one_if(judgement.excused);
   count.widest = std::fmax(count.widest, judgement.errors.over_limit);
-  count.wrong += one_if(!judgement.wrong.empty());
-  count.late += one_if(!judgement.late.empty());
-  count.off += one_if(!judgement.off.empty() || !judgement.early.empty());
-  count.contact_off += one_if(!judgement.bad_contact.empty());
-  count.proofs_refused += one_if(!judgement.false_proof.empty());
-  count.unproved += one_if(!judgement.unproved.empty());
-  count.failed += one_if(!judgement.failed.empty());
+  count.most_supports = std::max(count.most_supports, static_cast<std::uint64_t>(judgement.supports));
+  if (judgement.faulty()) {
+    using J = law::Judgement;
+    const auto why = law::kFaultKinds[judgement.worst_fault()].why;
+    for (const auto& [kind, field] : {std::pair{&J::wrong, &CampaignCounts::wrong},
+                                      {&J::late, &CampaignCounts::late},
+                                      {&J::early, &CampaignCounts::off},
+                                      {&J::off, &CampaignCounts::off},
+                                      {&J::bad_contact, &CampaignCounts::contact_off},
+                                      {&J::false_proof, &CampaignCounts::proofs_refused},
+                                      {&J::unproved, &CampaignCounts::unproved},
+                                      {&J::work, &CampaignCounts::work},
+                                      {&J::failed, &CampaignCounts::failed}}) {
+      count.*field += one_if(kind == why);
+    }
+  }
   digest += answer_hash(index, cast.answer);
   const auto note = [&](std::vector<Finding>& findings, std::string reason) {
     merge_findings(findings, {{.index = index,

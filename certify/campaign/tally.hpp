@@ -22,14 +22,16 @@ struct CampaignCounts {
   std::uint64_t by_oracle = 0;  // judged by the oracle, too
   std::uint64_t sampled = 0;    // of those, chosen before the answer was known
   std::uint64_t undecided = 0;  // of those, the oracle could not tell
-  // By fault, the first seven; an answer may have several.
+  // By fault, the first eight: an answer counts as its worst.
   std::uint64_t wrong = 0, late = 0, off = 0, contact_off = 0, proofs_refused = 0, unproved = 0;
-  std::uint64_t failed = 0;     // an engine of others crashed, hung, or wrote what is no answer
-  std::uint64_t faults = 0;     // answers with any of them
-  std::uint64_t stalls = 0;     // not_converged, and not excused; its frequency is capped by the row
-  std::uint64_t excused = 0;    // decided by less than the row's limit
-  std::uint64_t not_asked = 0;  // no question was found; not among the casts
-  double widest = 0;            // the largest error that the oracle measured, over what the row grants
+  std::uint64_t work = 0;           // more support evaluations than the guarantee
+  std::uint64_t failed = 0;         // an engine of others crashed, hung, or wrote what is no answer
+  std::uint64_t faults = 0;         // answers with any of them
+  std::uint64_t stalls = 0;         // not_converged, and not excused; its frequency is capped by the row
+  std::uint64_t excused = 0;        // decided by less than the row's limit
+  std::uint64_t not_asked = 0;      // no question was found; not among the casts
+  std::uint64_t most_supports = 0;  // support evaluations of the costliest answer
+  double widest = 0;                // the largest error that the oracle measured, over what the row grants
 
   CampaignCounts& operator+=(const CampaignCounts& other);
   friend bool operator==(const CampaignCounts&, const CampaignCounts&) = default;
@@ -40,7 +42,7 @@ struct CountField {
   const char* name;
   std::uint64_t CampaignCounts::*value;
 };
-inline constexpr std::array<CountField, 21> kCountFields = {{
+inline constexpr std::array<CountField, 22> kCountFields = {{
     {"casts", &CampaignCounts::casts},
     {"overlapping", &CampaignCounts::overlapping},
     {"hits", &CampaignCounts::hits},
@@ -57,6 +59,7 @@ inline constexpr std::array<CountField, 21> kCountFields = {{
     {"contact_off", &CampaignCounts::contact_off},
     {"proofs_refused", &CampaignCounts::proofs_refused},
     {"unproved", &CampaignCounts::unproved},
+    {"work", &CampaignCounts::work},
     {"failed", &CampaignCounts::failed},
     {"faults", &CampaignCounts::faults},
     {"stalls", &CampaignCounts::stalls},

@@ -47,8 +47,11 @@ namespace detail {
       if (at.field == InvalidField::target_distance) return " is not 0, which tier exact does not know";
       return " is curved, rounded or a hull of shapes, which tier exact does not know";
     case Invalid::not_linear:
-      if (at.field == InvalidField::t_max) return " is infinite, and a rotation can be seen";
-      return " is pass_over, and a rotation can be seen";
+      return " is infinite, and a rotation can be seen";
+    case Invalid::not_followed:
+      return " is pass_over, a rotation can be seen, and what becomes of the contact at the start is not "
+             "found by this "
+             "method, or not proved";
   }
   return {};
 }

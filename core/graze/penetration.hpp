@@ -22,8 +22,10 @@ namespace graze::inline GRAZE_LINKAGE {
 template <Scalar S>
 struct PenetrationOptions {
   Request request = Request::normal | Request::witnesses;
-  S tolerance = 0;           // of upper - lower, over scale; 0: the rounding bound
-  int max_iterations = 256;  // support evaluations
+  S tolerance = 0;  // of upper - lower, over scale; 0: the rounding bound
+  // Support evaluations. A search ends by itself: after 300 at most of two primitives, after as many as C has vertices
+  // of polytopes with equally near faces.
+  int max_iterations = 1 << 20;
 };
 
 template <Scalar S>

@@ -19,10 +19,9 @@ struct Economies {
   bool at_rest = true;      // nothing moves: a static query
   bool unseen_spin = true;  // a turn that leaves the shape as it is: a ball's about its centre, ...
   bool as_one = true;       // both bodies turn and move as one
-  bool slow_spin = true;    // a turn whose effect is below the tolerance: linear, with the bound added
   bool bounds = true;       // bounding volumes that never meet
 
-  [[nodiscard]] static constexpr Economies none() { return {false, false, false, false, false}; }
+  [[nodiscard]] static constexpr Economies none() { return {false, false, false, false}; }
 };
 
 enum class PlanReason : std::uint8_t {
@@ -30,15 +29,12 @@ enum class PlanReason : std::uint8_t {
   no_rotation,    // neither body turns
   unseen_spin_a,  // A turns, and its shape does not show it
   unseen_spin_b,
-  slow_spin_a,  // A turns by less than the tolerance lets one see
-  slow_spin_b,
   as_one,             // the bodies turn together
   bounds_never_meet,  // the bounding spheres of the bodies stay apart
   rotation_a,         // A's turn can be seen
   rotation_b,
-  linear_left_open,  // a linear cast with the bound added did not settle the verdict
 };
-inline constexpr int kPlanReasons = 11;
+inline constexpr int kPlanReasons = 8;
 
 [[nodiscard]] constexpr std::string_view to_text(Effects effects) {
   switch (effects) {
@@ -64,10 +60,6 @@ inline constexpr int kPlanReasons = 11;
       return "A's turn cannot be seen";
     case PlanReason::unseen_spin_b:
       return "B's turn cannot be seen";
-    case PlanReason::slow_spin_a:
-      return "A's turn is below the tolerance";
-    case PlanReason::slow_spin_b:
-      return "B's turn is below the tolerance";
     case PlanReason::as_one:
       return "both bodies turn as one";
     case PlanReason::bounds_never_meet:
@@ -76,8 +68,6 @@ inline constexpr int kPlanReasons = 11;
       return "A's turn can be seen";
     case PlanReason::rotation_b:
       return "B's turn can be seen";
-    case PlanReason::linear_left_open:
-      return "the linear cast left the verdict open";
   }
   return {};
 }
@@ -85,7 +75,6 @@ inline constexpr int kPlanReasons = 11;
 struct Plan {
   Effects effects = Effects::rotating;
   std::uint16_t reasons = 0;  // bit k: PlanReason k
-  double added = 0;           // length: how far the linear motion may be from the true one, at most
 
   [[nodiscard]] constexpr bool has(PlanReason reason) const {
     return (reasons >> static_cast<unsigned>(reason) & 1u) != 0;

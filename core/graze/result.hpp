@@ -14,8 +14,9 @@ enum class Outcome : std::uint8_t {
   initially_overlapping,  // contact at t = 0, touching included; TOI 0
   hit,                    // TOI in (0, T]
   miss,                   // no contact in [0, T]
-  not_converged,          // neither is shown within the budget; the bracket is what is known
-  invalid_input,          // CastResult::invalid says why, invalid_at where
+  not_converged,  // neither is shown; the bracket is what is known. Tier certified of linear casts: a tie,
+                  // the bodies within the promised width of contact at toi_lower (certified/cast.hpp)
+  invalid_input,  // CastResult::invalid says why, invalid_at where
 };
 [[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
   switch (outcome) {
@@ -73,9 +74,11 @@ enum class Tier : std::uint8_t { standard, certified, exact };
   return {};
 }
 
-// What a start in contact means. pass_over: where the motion leaves or slides as it begins, n.v >= 0 for some
-// n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
-// other start in contact is reported.
+// What a start in contact means. pass_over, linear motions: where the motion leaves or slides as it begins, n.v >= 0
+// for some n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
+// other start in contact is reported. With a visible rotation: contact at the start is followed while it is no deeper
+// than kappa u scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more
+// than rounding; without either it is a miss. A start that is deeper is reported (docs/rotating.md).
 enum class StartPolicy : std::uint8_t { report, pass_over };
 [[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
   switch (policy) {
@@ -132,7 +135,9 @@ enum class Invalid : std::uint8_t {
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
   not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
                     // shapes, a target distance, a rotation that is seen
-  not_linear,       // a rotation that is seen, with an infinite t_max or the start policy pass_over
+  not_linear,       // a visible rotation with an infinite t_max
+  not_followed,  // the start policy pass_over with a visible rotation: the method does not follow the contact of the
+                 // start, or tier certified cannot prove what becomes of it
 };
 [[nodiscard]] constexpr std::string_view to_text(Invalid invalid) {
   switch (invalid) {
@@ -167,8 +172,10 @@ enum class Invalid : std::uint8_t {
       return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
              "which tier exact does not know";
     case Invalid::not_linear:
-      return "an infinite t_max or the start policy pass_over with a rotation that is seen: they are for "
-             "linear motions";
+      return "an infinite t_max with a visible rotation: it is for linear motions";
+    case Invalid::not_followed:
+      return "the start policy pass_over with a visible rotation, where this method does not follow the "
+             "contact of the start, or tier certified cannot prove what becomes of it";
   }
   return {};
 }
@@ -319,13 +326,15 @@ struct CastResult {
   // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
   S toi_upper = std::numeric_limits<S>::quiet_NaN();
-  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
+  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length). Of a tie
+  // that tier certified leaves open it is at most kLinearCertifiedWidth of scale: the caller may take it for contact.
   S distance = 0;
   // miss, by StartPolicy::pass_over: in contact at t = 0, and leaving or sliding. Has no proof.
   bool passed_over = false;
-  // hit, when asked for: unit, from A to B, world axes, a supporting normal of C at the contact.
+  // hit, and not_converged of tier certified, when asked for: unit, from A to B, world axes, a supporting normal of C at
+  // the contact.
   Vec3<S> normal = Vec3<S>::Zero();
-  // hit, when asked for: world points of A and of B at toi_lower.
+  // The same outcomes, when asked for: world points of A and of B at toi_lower.
   Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
   // hit, miss, not_converged, when asked for; bounds are absent where rounding leaves nothing unconditional.
   std::optional<Proof> proof;

@@ -40,9 +40,10 @@ struct RotatingOptions {
   S target_distance = 0;  // m: contact is when the distance reaches m (length)
   // Width of the bracket that is asked for, over scale; 0: the least that the tier reaches.
   S tolerance = 0;
-  StartPolicy start_policy = StartPolicy::report;  // pass_over only where no rotation is seen
-  int max_iterations = 262144;                     // support evaluations
-  int time_steps = 64;                             // of time_steps and bounding_spheres, over [0, t_max]
+  // pass_over with a visible rotation: by the plan, conservative_advancement and bilateral_advancement.
+  StartPolicy start_policy = StartPolicy::report;
+  int max_iterations = 262144;  // support evaluations
+  int time_steps = 64;          // of time_steps and bounding_spheres, over [0, t_max]
 };
 
 template <Scalar S>
@@ -56,12 +57,14 @@ struct RotatingResult {
   S toi_upper = std::numeric_limits<S>::quiet_NaN();
   // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length).
   S distance = 0;
+  // miss, by StartPolicy::pass_over: in contact at t = 0, and no deeper or new contact followed. Has no proof.
   bool passed_over = false;
   // time_steps, bounding_spheres: no point of a body moves by more between two steps (length); what is
   // smaller than that may have been missed.
   S hidden_motion = 0;
-  Vec3<S> normal = Vec3<S>::Zero();  // hit: unit, from A to B, world axes, at toi_lower
-  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();  // hit: world points at toi_lower
+  Vec3<S> normal = Vec3<S>::
+      Zero();  // hit, and not_converged where the bodies are that near: unit, from A to B, world axes, at toi_lower
+  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();  // as the normal: world points at toi_lower
   std::optional<RotatingProof> proof;                            // when asked for
   Counters counters;
 };

@@ -37,6 +37,7 @@ class Draw {
 
   Random random;
   Coordinates coordinates;
+  std::uint64_t question = 0;  // of a workload: which of the run's
 
   // Free coordinates, |x| <= reach.
   double coordinate(double reach);

@@ -13,13 +13,15 @@
   family(target_margin) family(scaled_scene) family(many_vertices) family(needles) family(plates) \
   family(parallel_faces) family(parallel_edges) family(perpendicular) family(noisy_copy) \
   family(smooth_graze) family(slivers) family(far_own_frame) family(mixed_magnitudes) \
-  family(level_prisms)
+  family(level_prisms) family(at_rest) family(coaxial) family(equal_distances) \
+  family(parallel_caps) family(rods_and_round)
 
 // Those in which bodies turn.
 #define GRAZE_ROTATING_FAMILIES(family) \
   family(spinning_graze) family(fast_spin) family(off_centre_pivot) family(enters_and_leaves) \
   family(both_turn) family(slow_spin) family(random_rotating) family(pure_spin) \
-  family(far_own_frame_turning) family(long_arms) family(swung_balls)
+  family(far_own_frame_turning) family(long_arms) family(swung_balls) family(level_tiles) \
+  family(wheels) family(flat_plates_turning) family(above_a_floor) family(resting_turns)
 // clang-format on
 
 namespace graze::corpus::family {

@@ -21,7 +21,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kReach = 4;  // size of a small body (length)
+constexpr double kSmallReach = 4;  // size of a small body (length)
 
 struct Slope {
   double x = 0, y = 0;
@@ -40,8 +40,8 @@ double kept(const Draw& draw, double x) {
 // A hull above its bottom face, which passes the origin at the slope.
 Shape<double> tilted_hull(Draw& draw, double tilt) {
   Random& random = draw.random;
-  const double a = draw.positive_on_grid(kReach), b = std::abs(draw.on_grid(kReach));
-  const double c = -draw.positive_on_grid(kReach), d = draw.positive_on_grid(kReach);
+  const double a = draw.positive_on_grid(kSmallReach), b = std::abs(draw.on_grid(kSmallReach));
+  const double c = -draw.positive_on_grid(kSmallReach), d = draw.positive_on_grid(kSmallReach);
   const Slope slope = unit_slope(random);
   const Vec3<double> p(a, b, kept(draw, tilt * (slope.x * a + slope.y * b)));
   const Vec3<double> q(c, d, kept(draw, tilt * (slope.x * c + slope.y * d)));
@@ -49,9 +49,9 @@ Shape<double> tilted_hull(Draw& draw, double tilt) {
   std::vector<Vec3<double>> list = {p, q, zero - p, zero - q};
   const int vertices = random.integer(5, 16);
   while (static_cast<int>(list.size()) < vertices) {
-    const double x = draw.on_grid(kReach), y = draw.on_grid(kReach);
-    // Above the face, which rises by a tilt of 1/10 times 2 kReach at most.
-    list.emplace_back(x, y, 1 + draw.positive_on_grid(kReach));
+    const double x = draw.on_grid(kSmallReach), y = draw.on_grid(kSmallReach);
+    // Above the face, which rises by a tilt of 1/10 times 2 kSmallReach at most.
+    list.emplace_back(x, y, 1 + draw.positive_on_grid(kSmallReach));
   }
   for (std::size_t k = list.size(); k > 1; --k) std::swap(list[k - 1], list[random.below(k)]);
   return Hull<double>(std::span<const Vec3<double>>(list));
@@ -63,19 +63,19 @@ void fill_parallel_faces(Draw& draw, double hardness, Case& problem) {
   const bool by_pose = random.once_in(3);
 
   // The plate: its top is z = 0.
-  const double x = 20 * kReach, y = 20 * kReach, z = draw.positive_on_grid(kReach);
+  const double x = 20 * kSmallReach, y = 20 * kSmallReach, z = draw.positive_on_grid(kSmallReach);
   problem.a.shape = Box<double>{Vec3<double>(x, y, z)};
   problem.a.position = Vec3<double>(0, 0, -z);
   // Its face over the plate's, now and then over its rim or beside it.
   Vec3<double> place;
-  place[0] = draw.on_grid(random.once_in(2) ? x + kReach : 0.5 * x);
-  place[1] = draw.on_grid(random.once_in(3) ? y + kReach : 0.5 * y);
+  place[0] = draw.on_grid(random.once_in(2) ? x + kSmallReach : 0.5 * x);
+  place[1] = draw.on_grid(random.once_in(3) ? y + kSmallReach : 0.5 * y);
   const double height = draw.positive_on_grid(8);
   place[2] = height + 1;
   if (by_pose) {
-    const double half_z = draw.positive_on_grid(kReach);
-    const double half_x = draw.positive_on_grid(kReach);
-    problem.b.shape = Box<double>{Vec3<double>(half_x, draw.positive_on_grid(kReach), half_z)};
+    const double half_z = draw.positive_on_grid(kSmallReach);
+    const double half_x = draw.positive_on_grid(kSmallReach);
+    problem.b.shape = Box<double>{Vec3<double>(half_x, draw.positive_on_grid(kSmallReach), half_z)};
     const Slope slope = unit_slope(random);
     problem.b.orientation = {1, kept(draw, tilt / 2 * slope.x), kept(draw, tilt / 2 * slope.y), 0};
     place[2] += half_z;
@@ -104,13 +104,14 @@ void fill_parallel_faces(Draw& draw, double hardness, Case& problem) {
 void fill_parallel_edges(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double tilt = small_unit(draw, hardness);
-  const double length_a = 1 + draw.positive_on_grid(kReach), length_b = 1 + draw.positive_on_grid(kReach);
+  const double length_a = 1 + draw.positive_on_grid(kSmallReach),
+               length_b = 1 + draw.positive_on_grid(kSmallReach);
   const Vec3<double> zero = Vec3<double>::Zero();
   const Vec3<double> p(length_a, 0, 0), q(length_b, kept(draw, tilt * length_b), 0);
   const Shape<double> a = random.once_in(6) ? Shape<double>(Segment<double>{p, zero - p})
-                                            : hull_under(draw, {p, zero - p}, kReach, zero);
+                                            : hull_under(draw, {p, zero - p}, kSmallReach, zero);
   const Shape<double> b = random.once_in(6) ? Shape<double>(Segment<double>{q, zero - q})
-                                            : hull_under(draw, {q, zero - q}, kReach, zero);
+                                            : hull_under(draw, {q, zero - q}, kSmallReach, zero);
   if (random.once_in(2)) {
     // Past the crossing, above or below by some power of ten: v is horizontal.
     const double height = small_unit(draw, random.integer(1, static_cast<int>(hardness)));

@@ -17,7 +17,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kReach = 4;  // size of a shape (length)
+constexpr double kSliverReach = 4;  // size of a shape (length)
 
 Vec3<double> noise(Random& random, double size) {
   Vec3<double> x;
@@ -28,8 +28,8 @@ Vec3<double> noise(Random& random, double size) {
 // A grid vector of 1 to 4 along an axis.
 Vec3<double> side(Draw& draw) {
   Vec3<double> p;
-  for (int i = 0; i < 3; ++i) p[i] = draw.on_grid(kReach);
-  p[draw.random.integer(0, 2)] = 1 + draw.positive_on_grid(kReach - 1);
+  for (int i = 0; i < 3; ++i) p[i] = draw.on_grid(kSliverReach);
+  p[draw.random.integer(0, 2)] = 1 + draw.positive_on_grid(kSliverReach - 1);
   return p;
 }
 
@@ -51,7 +51,7 @@ Shape<double> sliver(Draw& draw, double size) {
       return Triangle<double>{p, zero - p, noise(random, size)};
     }
     case 1: {
-      const Vec3<double> p = side(draw), q = draw.vector(kReach);
+      const Vec3<double> p = side(draw), q = draw.vector(kSliverReach);
       const Vec3<double> r = beside_edge(random, p, q, 0, size);
       return Triangle<double>{q, p, r};
     }
@@ -63,7 +63,7 @@ Shape<double> sliver(Draw& draw, double size) {
     case 3: {
       std::vector<Vec3<double>> nodes;
       nodes.reserve(10);
-      for (int k = 0; k < 4; ++k) nodes.push_back(draw.vector(kReach));
+      for (int k = 0; k < 4; ++k) nodes.push_back(draw.vector(kSliverReach));
       for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t j = i + 1; j < 4; ++j) {
           nodes.push_back(beside_edge(random, nodes[i], nodes[j], 0.5, size));
@@ -75,7 +75,7 @@ Shape<double> sliver(Draw& draw, double size) {
       std::vector<Vec3<double>> list;
       const int vertices = random.integer(4, 8), more = random.integer(2, 6);
       list.reserve(static_cast<std::size_t>(vertices) + static_cast<std::size_t>(more));
-      for (int k = 0; k < vertices; ++k) list.push_back(draw.vector(kReach));
+      for (int k = 0; k < vertices; ++k) list.push_back(draw.vector(kSliverReach));
       for (int k = 0; k < more; ++k) {
         const auto i = static_cast<std::size_t>(random.integer(0, vertices - 2));
         const double t = 0.25 * random.integer(0, 3);
@@ -93,10 +93,10 @@ Shape<double> partner(Draw& draw, double size) {
     case 0:
       return Point<double>{};
     case 1:
-      return Segment<double>{draw.vector(kReach), draw.vector(kReach)};
+      return Segment<double>{draw.vector(kSliverReach), draw.vector(kSliverReach)};
     case 2: {
-      const double x = draw.positive_on_grid(kReach), y = draw.positive_on_grid(kReach);
-      return Box<double>{Vec3<double>(x, y, draw.positive_on_grid(kReach))};
+      const double x = draw.positive_on_grid(kSliverReach), y = draw.positive_on_grid(kSliverReach);
+      return Box<double>{Vec3<double>(x, y, draw.positive_on_grid(kSliverReach))};
     }
     default:
       return sliver(draw, size);
@@ -130,7 +130,7 @@ void fill_slivers(Draw& draw, double hardness, Case& problem) {
     for (int i = 0; i < 3; ++i) target[i] = (p[i] + q[i]) / 2;
   }
   Vec3<double> beside = Vec3<double>::Zero();
-  if (random.once_in(2)) beside = noise(random, random.once_in(2) ? kReach : 4 * size);
+  if (random.once_in(2)) beside = noise(random, random.once_in(2) ? kSliverReach : 4 * size);
   const Vec3<double> a = rotate(problem.a.orientation, target);
   const Vec3<double> b = rotate(problem.b.orientation, others[random.below(others.size())]);
   meet(draw, problem, a, b, beside, v, meeting_time(random));

@@ -1,5 +1,6 @@
 #include "corpus/format/json_value.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -134,6 +135,17 @@ class TreeBuilder {
   std::vector<JsonValue*> stack_;
 };
 
+// The parser takes a NUL byte for the end of the text, and what follows it would go unread. Nothing, if there is none.
+std::string nul_byte_of(std::string_view text) {
+  const std::size_t at = text.find('\0');
+  if (at == std::string_view::npos) return {};
+  const std::string_view before = text.substr(0, at);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t column = at - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0
+  return "a NUL byte at " + (line > 1 ? "line " + std::to_string(line) + ", " : std::string()) + "column " +
+         std::to_string(column) + "; JSON is text without one";
+}
+
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
@@ -144,6 +156,7 @@ const JsonValue* JsonValue::find(std::string_view key) const {
 }
 
 ParsedJson parse_json(std::string_view text) {
+  if (std::string nul = nul_byte_of(text); !nul.empty()) return {{}, Malformed{"", "not JSON: " + nul}};
   TreeBuilder builder;
   const bool complete = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
   if (!complete && !builder.error) builder.error = Malformed{"", "not JSON"};
@@ -170,6 +183,8 @@ std::string json_number(double x) {
 
 nlohmann::ordered_json parse_document(std::string_view text) {
   try {
+    if (const std::string nul = nul_byte_of(text); !nul.empty())
+      throw std::runtime_error("is no JSON: " + nul);
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::ordered_json::parse_error& error) {
     throw std::runtime_error("is no JSON: " + plain_message(error.what()));

@@ -1,15 +1,14 @@
-// A double for a checker's message: to the last bit, and readable.
+// A double for a checker's message: the shortest decimal that reads back to the same bits.
 #pragma once
 
-#include <cstdio>
+#include <charconv>
 #include <string>
 
 namespace graze::oracle {
 
 [[nodiscard]] inline std::string text(double x) {
-  char buffer[80];
-  std::snprintf(buffer, sizeof buffer, "%a (%.17g)", x, x);
-  return buffer;
+  char buffer[32];  // at most 24 characters: sign, 17 digits, point, exponent
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
 }
 
 }  // namespace graze::oracle

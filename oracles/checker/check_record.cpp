@@ -7,6 +7,7 @@
 #include "oracles/arithmetic/number_text.hpp"
 #include "oracles/checker/check_proof.hpp"
 #include "oracles/checker/check_rotating_proof.hpp"
+#include "oracles/checker/check_within.hpp"
 
 namespace graze::oracle {
 namespace {
@@ -114,10 +115,19 @@ struct Halves {
   return contact && !can_name_contact(problem);
 }
 
-// Is the stated bracket proved?
-[[nodiscard]] bool proves_bracket(const Proved& proved, const corpus::ProofRecord& record) {
-  if (!record.toi || record.tier == Tier::standard || record.outcome == Outcome::miss) return true;
-  return proved.lower >= record.toi->lower && proved.upper <= record.toi->upper;
+// Is the stated bracket proved? In tier standard, of some convex set within `granted` of C.
+[[nodiscard]] bool proves_bracket(const Proved& proved, const corpus::ProofRecord& record, double granted) {
+  if (!record.toi || record.outcome == Outcome::miss) return true;
+  const double lower = record.toi->lower, upper = record.toi->upper;
+  if (proved.lower >= lower && proved.upper <= upper) return true;
+  if (record.tier != Tier::standard || record.rotating || !(granted > 0)) return false;
+  // The same axis and portal, with each end that is stated more tightly than it is proved in place of the proved one.
+  Proof stated = record.proof;
+  stated.toi_lower = std::max(stated.toi_lower, lower);
+  stated.toi_upper = std::min(stated.toi_upper, upper);
+  const bool has_halves = (stated.toi_lower == 0 || stated.has_axis) &&
+                          (stated.toi_upper == kInfinity<double> || stated.portal_size > 0);
+  return has_halves && check_proof_within(record.problem, stated, granted).accepted();
 }
 
 }  // namespace
@@ -126,7 +136,7 @@ bool can_name_contact(const corpus::Case& problem) {
   return std::max(curved_points(problem.a.shape), curved_points(problem.b.shape)) <= kCurvedParts;
 }
 
-RecordVerdict compare_claim(const corpus::ProofRecord& record) {
+RecordVerdict compare_claim(const corpus::ProofRecord& record, double granted) {
   const DefaultEnvironment environment;
   const Proved proved(record);
   const auto claim = [&](const char* proves) {
@@ -134,14 +144,14 @@ RecordVerdict compare_claim(const corpus::ProofRecord& record) {
   };
   if (contradicts(proved, record)) return {RecordFinding::refused, "contradicted", claim(", proves ")};
   const Halves halves = halves_of(proved, record.outcome);
-  if (halves.proved == halves.needed && proves_bracket(proved, record)) return {};
+  if (halves.proved == halves.needed && proves_bracket(proved, record, granted)) return {};
   const bool something = halves.proved > 0 || proved.start_is_free() || proved.contact();
   if (something || is_beyond_words(proved, record) || record.tier == Tier::standard)
     return {RecordFinding::in_part, "in_part", claim(something ? ", proves only " : ", proves ")};
   return {RecordFinding::refused, "unproved", claim(", proves ")};
 }
 
-RecordVerdict check_record(const corpus::ProofRecord& record) {
+RecordVerdict check_record(const corpus::ProofRecord& record, double granted) {
   const auto refused = [](const auto& verdict) {
     return RecordVerdict{RecordFinding::refused, to_string(verdict.refusal), verdict.detail};
   };
@@ -152,7 +162,7 @@ RecordVerdict check_record(const corpus::ProofRecord& record) {
     const Verdict verdict = check_proof(record.problem, record.proof);
     if (!verdict.accepted()) return refused(verdict);
   }
-  return compare_claim(record);
+  return compare_claim(record, granted);
 }
 
 }  // namespace graze::oracle

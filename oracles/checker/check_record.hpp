@@ -15,9 +15,10 @@
 //
 // So a proof that brackets the time less closely than the record proves less than the record says; one that
 // brackets it more closely proves more. One whose bracket has no time in common with the record's says that
-// the record is false. In tier standard an answer holds for some set near C, and its bracket may well be
-// narrower than what a proof, which is about C, can prove: that is left to who knows the method's kappa
-// (`graze certify`), and only the outcome must be proved. A record without a tier is taken at its word.
+// the record is false. In tier standard an answer holds for some convex set S within kappa u scale of C, and its bracket
+// may be narrower than what a proof, which is about C, can prove. A bracket of that tier is proved if the proof's own axis
+// and portal prove it of one S within the granted length (check_within.hpp); the caller takes the length from the
+// guarantee of the record's method. A rotating record is granted nothing. A record without a tier is taken at its word.
 //
 // Four things are short of a proof and no fault: one of a hit's two halves alone; in tier standard, contact
 // or a miss by the rounding alone; and what the proof has no words for: under the policy pass_over, of a
@@ -43,12 +44,13 @@ struct RecordVerdict {
   std::string detail;  // one line; empty when accepted
 };
 
-[[nodiscard]] RecordVerdict check_record(const corpus::ProofRecord& record);
+// `granted`: a length, how far the set that a bracket of tier standard is true of may be from C.
+[[nodiscard]] RecordVerdict check_record(const corpus::ProofRecord& record, double granted = 0);
 
 // False where a point of one body is made of more than kCurvedParts points of curved shapes.
 [[nodiscard]] bool can_name_contact(const corpus::Case& problem);
 
 // The last part of it: of a record whose proof was accepted.
-[[nodiscard]] RecordVerdict compare_claim(const corpus::ProofRecord& record);
+[[nodiscard]] RecordVerdict compare_claim(const corpus::ProofRecord& record, double granted = 0);
 
 }  // namespace graze::oracle

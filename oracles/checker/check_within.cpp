@@ -156,17 +156,18 @@ Verdict check_proof_within(const Case& problem, const Proof& proof, double lengt
   return {};
 }
 
-RecordVerdict check_record_within(const corpus::ProofRecord& record, double kappa, bool* exactly) {
-  RecordVerdict exact = check_record(record);
+RecordVerdict check_record_within(const corpus::ProofRecord& record, Kappas kappa, bool* exactly) {
+  const double of_proof = rounding_granted(record, kappa.of_proof),
+               of_bracket = rounding_granted(record, std::max(kappa.of_proof, kappa.of_bracket));
+  RecordVerdict exact = check_record(record, of_bracket);
   if (exactly != nullptr) *exactly = true;
   // What a record says beside a true proof rounding does not excuse.
   const bool is_false =
       exact.finding == RecordFinding::refused && exact.reason != "contradicted" && exact.reason != "unproved";
-  if (!is_false || record.rotating || !(kappa > 0)) return exact;
-  if (!check_proof_within(record.problem, record.proof, rounding_granted(record, kappa)).accepted())
-    return exact;
+  if (!is_false || record.rotating || !(of_proof > 0)) return exact;
+  if (!check_proof_within(record.problem, record.proof, of_proof).accepted()) return exact;
   if (exactly != nullptr) *exactly = false;
-  return compare_claim(record);
+  return compare_claim(record, of_bracket);
 }
 
 double rounding_granted(const corpus::ProofRecord& record, double kappa) {

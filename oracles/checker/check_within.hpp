@@ -38,8 +38,14 @@ namespace graze::oracle {
 // kappa u scale, u the unit roundoff of the scalar that the record names, rounded down.
 [[nodiscard]] double rounding_granted(const corpus::ProofRecord& record, double kappa);
 
-// check_record with that granted to the record's proof. `exactly`: whether nothing of it was needed.
-[[nodiscard]] RecordVerdict check_record_within(const corpus::ProofRecord& record, double kappa,
+// What is granted to a record, in units of u scale: to its proof, which somebody may have rounded; and to the bracket that
+// it states in tier standard, which its method's guarantee grants. A bracket is granted the larger of the two.
+struct Kappas {
+  double of_proof = 0, of_bracket = 0;
+};
+
+// check_record with that granted. `exactly`: whether the proof needed none of it.
+[[nodiscard]] RecordVerdict check_record_within(const corpus::ProofRecord& record, Kappas kappa,
                                                 bool* exactly = nullptr);
 
 // The scale of docs/guarantees.md from below, in doubles: by no more than a hundredth, unless the bodies' coordinates are

@@ -4,7 +4,9 @@
 #include "oracles/truth/derive.hpp"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/polytope/exact_body.hpp"
@@ -188,12 +190,65 @@ bool turns(const corpus::Case& problem) {
 // Over scale: how wide an expected bracket may be.
 constexpr double kExpectedWidth = 1e-14;
 
+// Of a start in contact that is followed (judge/followed.hpp): the same for any depth from kTouching to kDeep over scale
+// that counts as deeper. Nothing: the start is apart.
+std::optional<Expect> followed_expectation(const corpus::Case& reported) {
+  constexpr double kTouching = 1e-14, kDeep = 1e-12;
+  const RotatingTruth truth = RotatingTruth::of_proved(reported, 0, 0, kTouching / 8);
+  const double touching = kTouching * truth.scale().low, deep = kDeep * truth.scale().high;
+  if (truth.distance_at(0).low > deep) return {};
+  if (truth.distance_at(0).high > touching)
+    throw Undecided("a start within rounding of contact, by pass_over");
+  Expect expect;
+  expect.by = "time subdivision in balls";
+  const Enclosure start = truth.depth_at(0), all = truth.depth_before(reported.t_max);
+  if (start.low > deep) {
+    expect.outcome = Outcome::initially_overlapping;
+    expect.toi_lower = expect.toi_upper = 0;
+    return expect;
+  }
+  if (start.high > touching) throw Undecided("a start about as deep as is followed, by pass_over");
+  if (all.high <= touching) {
+    // What comes apart and touches again without depth is new contact or none.
+    constexpr int kTimes = 64;
+    bool apart = false;
+    for (int i = 1; i <= kTimes; ++i) {
+      const Enclosure distance = truth.distance_at(reported.t_max * i / kTimes);
+      if (apart && distance.low <= deep) throw Undecided("a contact anew without depth, by pass_over");
+      apart = apart || distance.low > deep;
+    }
+    expect.outcome = Outcome::miss;
+    expect.toi_lower = expect.toi_upper = kInfinity<double>;
+    return expect;
+  }
+  if (!(all.low > deep)) throw Undecided("a contact that gets about as deep as is followed, by pass_over");
+  // The first time that is known to be deeper, and the last that is known not to be, by halves down to a double.
+  const auto halve = [](double low, double high, const auto& is_high) {
+    constexpr int kMostHalves = 128;
+    for (int i = 0; i < kMostHalves; ++i) {
+      const double middle = low + (high - low) / 2;
+      if (!(low < middle && middle < high)) break;
+      (is_high(middle) ? high : low) = middle;
+    }
+    return std::pair(low, high);
+  };
+  const double upper =
+      halve(0, reported.t_max, [&](double t) { return truth.depth_before(t).low > deep; }).second;
+  const double lower = halve(0, upper, [&](double t) { return truth.depth_before(t).high > touching; }).first;
+  expect.outcome = Outcome::hit;
+  expect.toi_lower = lower;
+  expect.toi_upper = upper;
+  return expect;
+}
+
 Expect rotating_expectation(corpus::Case problem) {
   if (problem.query == Query::line) throw Undecided("a line has no meaning where bodies turn");
   const bool any_time = problem.query == Query::swept_overlap;
   if (any_time) problem.start_policy = corpus::StartPolicy::report;
-  if (std::isinf(problem.t_max) || problem.start_policy != corpus::StartPolicy::report) {
-    throw Undecided("a rotating cast with an infinite t_max or the policy pass_over");
+  if (std::isinf(problem.t_max)) throw Undecided("a rotating cast with an infinite t_max");
+  if (problem.start_policy == corpus::StartPolicy::pass_over) {
+    problem.start_policy = corpus::StartPolicy::report;
+    if (std::optional<Expect> followed = followed_expectation(problem)) return *followed;
   }
   const RotatingTruth truth(problem, kExpectedWidth);
   if (truth.outcome() == Outcome::not_converged && !(any_time && truth.contact_proved())) {

@@ -30,8 +30,10 @@ struct Undecided : std::invalid_argument {
 //                     it. Clearance and depth are lower bounds, of depths up to a sixteenth below; there is none
 //                     of a graze that a closed form decides and no bracket does
 //   bodies that turn  in casts and swept_overlap, a clearance or depth below 1e-14 of scale, a search beyond
-//                     the budget of rotating_truth.hpp, an infinite t_max, a cast with the policy pass_over;
-//                     a line. toi_lower and toi_upper are a bracket as wide as 1e-14 of scale makes it
+//                     the budget of rotating_truth.hpp, an infinite t_max; a line. toi_lower and toi_upper are a
+//                     bracket as wide as 1e-14 of scale makes it. With the policy pass_over, a contact at the start
+//                     that gets between 1e-14 and 1e-12 of scale deep, or is new without that depth; the bracket
+//                     is from the one depth to the other
 [[nodiscard]] corpus::Expect derive_expectation(const corpus::Case& problem);
 
 }  // namespace graze::oracle

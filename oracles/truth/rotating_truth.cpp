@@ -428,6 +428,16 @@ Enclosure RotatingTruth::distance_at(double t) const {
   });
 }
 
+Enclosure RotatingTruth::depth_at(double t) const {
+  const DefaultEnvironment environment;
+  if (!std::isfinite(t)) return kUnbounded;
+  const WorkingPrecision precision(impl_->bits);
+  const Contact found = impl_->contact_at(impl_->pair->at(t), kSlack / 4);
+  if (found.kind == Contact::Kind::apart) return {};
+  const double low = found.kind == Contact::Kind::overlapping ? found.lower.low_double() : 0.0;
+  return {low, found.depth.high_double()};
+}
+
 Enclosure RotatingTruth::depth_before(double t) const {
   const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;

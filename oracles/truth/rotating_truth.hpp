@@ -61,8 +61,9 @@ class RotatingTruth {
   static constexpr double kSlack = 1.0 / 16;
   [[nodiscard]] Enclosure clearance() const;
   [[nodiscard]] Enclosure depth() const;
-  // The distance at a time (any finite t), and the greatest depth over [0, t].
+  // The distance and the penetration depth at a time (any finite t), and the greatest depth over [0, t].
   [[nodiscard]] Enclosure distance_at(double t) const;
+  [[nodiscard]] Enclosure depth_at(double t) const;
   [[nodiscard]] Enclosure depth_before(double t) const;
   // The larger of the two.
   [[nodiscard]] Enclosure backward_error(double t) const;

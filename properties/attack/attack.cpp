@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engines/guarantees.hpp"
 #include "oracles/checker/check_within.hpp"
 #include "properties/attack/claim_judge.hpp"
 #include "properties/attack/meaning.hpp"
@@ -41,19 +42,24 @@ class Flushing {
   Flushing& operator=(const Flushing&) = delete;
 };
 
-// What the checker has accepted. In tier standard a stated bracket holds for some set near the true one, and
-// is not proved.
+// What the checker has accepted. In the standard tier a linear record's bracket holds for some set near the true one
+// (stated_within).
 Claim claim_of(const ProofRecord& record, bool with_statement) {
   Claim claim;
   claim.lower = record.rotating ? record.rotating->toi_lower : record.proof.toi_lower;
   claim.upper = record.rotating ? record.rotating->toi_upper : record.proof.toi_upper;
   if (!with_statement) return claim;
   claim.outcome = record.outcome;
-  if (record.toi && record.tier != Tier::standard && record.outcome != Outcome::miss) {
+  if (record.toi && (record.tier != Tier::standard || record.rotating) && record.outcome != Outcome::miss) {
     claim.lower = std::max(claim.lower, record.toi->lower);
     claim.upper = std::min(claim.upper, record.toi->upper);
   }
   return claim;
+}
+
+// How far from C the set may be of which the checker lets a bracket of the standard tier stand: a length.
+double stated_within(const ProofRecord& record, const Settings& settings) {
+  return oracle::rounding_granted(record, std::max(settings.kappa, engine::kappa_of(record)));
 }
 
 // The classes, those more often that are seldom accepted.
@@ -143,7 +149,14 @@ class Attack {
     if (believed.stands && !has_a_time(record))
       return {Judgement::Kind::contradicted, "what it states beside a proof that rules it out"};
     const Claim claim = claim_of(record, believed.statement);
-    return believed.within > 0 ? judge_->judge_within(claim, believed.within) : judge_->judge(claim);
+    Judgement said =
+        believed.within > 0 ? judge_->judge_within(claim, believed.within) : judge_->judge(claim);
+    if (said.kind != Judgement::Kind::agreed || !believed.statement || record.tier != Tier::standard ||
+        record.rotating || !record.toi || record.outcome == Outcome::miss) {
+      return said;
+    }
+    return judge_->judge_within({.lower = record.toi->lower, .upper = record.toi->upper, .outcome = {}},
+                                stated_within(record, settings_));
   }
 
   void weigh(Mutant mutant) {
@@ -229,7 +242,8 @@ std::string text_of(const Finding& finding) {
 Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const Flushing flushing(settings.flush_subnormals);
   bool exactly = true;
-  const oracle::RecordVerdict verdict = oracle::check_record_within(record, settings.kappa, &exactly);
+  const oracle::RecordVerdict verdict = oracle::check_record_within(
+      record, {.of_proof = settings.kappa, .of_bracket = engine::kappa_of(record)}, &exactly);
   const double within = exactly ? 0 : oracle::rounding_granted(record, settings.kappa);
   if (verdict.finding != oracle::RecordFinding::refused)
     return {true, verdict.finding == oracle::RecordFinding::accepted, true, within};

@@ -108,14 +108,14 @@ struct ClaimJudge::Impl {
 
   [[nodiscard]] Judgement contradicted(const Claim& claim, const std::string& by) const {
     std::string said = known ? fmt::format("{}, toi in [{}, {}]", law::label_of(known->outcome),
-                                           law::hex(known->lower), law::hex(known->upper))
+                                           law::decimal(known->lower), law::decimal(known->upper))
                              : "";
     if (looks && std::isfinite(looks->earliest()))
-      said += fmt::format("; at t = {} they overlap", law::hex(looks->earliest()));
+      said += fmt::format("; at t = {} they overlap", law::decimal(looks->earliest()));
     return {Kind::contradicted,
             fmt::format("{}toi in [{}, {}]; by {}: {}",
                         claim.outcome ? std::string(law::label_of(*claim.outcome)) + ", " : std::string(),
-                        law::hex(claim.lower), law::hex(claim.upper), by, said)};
+                        law::decimal(claim.lower), law::decimal(claim.upper), by, said)};
   }
 
   // Is there a contact before `lower`, in [0, t_max]?

@@ -71,6 +71,17 @@ void edit_bracket(ProofRecord& record, Random& random) {
   }
 }
 
+// A true proof of less, and a time between its bounds that it does not prove.
+void state_beyond_a_weaker_proof(ProofRecord& record, Random& random) {
+  double &lower = lower_of(record), &upper = upper_of(record);
+  const double t_max = record.problem.t_max;
+  if (!(lower < kInfinity<double> && upper < kInfinity<double>)) return;
+  lower *= random.unit();
+  if (std::isfinite(t_max)) upper += (t_max - upper) * random.unit();
+  record.tier = Tier::standard;
+  record.toi->lower = record.toi->upper = lower + (upper - lower) * random.unit();
+}
+
 // What the record states beside its proof.
 void edit_outcome(ProofRecord& record, Random& random) {
   constexpr std::array kOutcomes = {Outcome::initially_overlapping, Outcome::hit, Outcome::miss,
@@ -81,7 +92,7 @@ void edit_outcome(ProofRecord& record, Random& random) {
   }
   double &lower = record.toi->lower, &upper = record.toi->upper;
   const double from = std::isfinite(lower) ? lower : 1, to = std::isfinite(upper) ? upper : from;
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
       record.tier = static_cast<Tier>(random.below(3));
       break;
@@ -105,6 +116,9 @@ void edit_outcome(ProofRecord& record, Random& random) {
         lower = more(to, random);
         upper = more(lower, random);
       }
+      break;
+    case 5:
+      state_beyond_a_weaker_proof(record, random);
       break;
     default:
       // Less than it was.

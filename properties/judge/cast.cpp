@@ -57,14 +57,14 @@ std::string report(const Case& problem, const CastJudgement& judgement) {
     const Proof& proof = *one.answer.proof;
     const std::string axis = !proof.has_axis  ? "none"
                              : proof.symbolic ? corpus::write_axis(proof)
-                                              : hex(proof.axis);
-    text += fmt::format("  proof: toi in [{}, {}], axis {}, portal of {}\n", hex(proof.toi_lower),
-                        hex(proof.toi_upper), axis, proof.portal_size);
+                                              : decimal(proof.axis);
+    text += fmt::format("  proof: toi in [{}, {}], axis {}, portal of {}\n", decimal(proof.toi_lower),
+                        decimal(proof.toi_upper), axis, proof.portal_size);
   }
   if (is_linear_question(problem) && has_truth(problem)) {
     const oracle::CaseTruth& truth = truth_of(problem);
     text += fmt::format("oracle: {}, toi in [{}, {}], clearance {}, depth {}, scale {}\n",
-                        label_of(truth.outcome()), hex(truth.toi_lower()), hex(truth.toi_upper()),
+                        label_of(truth.outcome()), decimal(truth.toi_lower()), decimal(truth.toi_upper()),
                         truth.clearance().high, truth.depth().high, truth.scale().high);
   }
   return text;

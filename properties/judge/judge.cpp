@@ -31,8 +31,12 @@ Request held_of(Request request, const engine::Holds& holds) {
 
 Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer& answer, Request request,
                 bool measure) {
-  if (method.is_ours()) return judge_by_kind(truth, method, answer, request, measure);
   Judgement judgement;
+  if (method.is_ours()) {
+    judgement = judge_by_kind(truth, method, answer, request, measure);
+    if (!asks_for(request, Request::proof)) judge_work(judgement, method, truth.problem(), answer.counters);
+    return judgement;
+  }
   judgement.outcome = answer.outcome;
   if (answer.failure != engine::Failure::none) {
     judgement.failure = answer.failure;
@@ -40,11 +44,13 @@ Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer
     return judgement;
   }
   if (answer.declined) {
-    judgement.not_asked = true;
+    judgement.not_asked = judgement.declined = true;
     return judgement;
   }
   // Its certificate is the least limit that it would have kept: every error is measured.
-  return judge_by_kind(truth, method, answer, held_of(request, method.holds), true);
+  judgement = judge_by_kind(truth, method, answer, held_of(request, method.holds), true);
+  judge_work(judgement, method, truth.problem(), answer.counters);
+  return judgement;
 }
 
 }  // namespace graze::law

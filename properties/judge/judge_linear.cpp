@@ -183,6 +183,13 @@ class LinearJudge {
       judgement_.stalled = !judgement_.undecided.empty();
       judgement_.excused = !judgement_.stalled;
     }
+    if (limits.strict) {
+      // An open answer may have no upper end: what rounding costs is of toi_lower.
+      const double near = limits.wide_at(answer_.toi_lower);
+      convict(judgement_.off, lower_fault(exact, answer_, problem().t_max, near));
+      if (asks_for(request_, Request::normal) && asks_for(request_, Request::witnesses))
+        convict(judgement_.bad_contact, open_answer_fault(exact, method_, problem(), answer_, near));
+    }
     judge_contact(judgement_, exact, answer_, method_, problem(), limits, request_);
     return granted;
   }

@@ -9,6 +9,7 @@
 #include "oracles/checker/check_record.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
+#include "properties/judge/followed.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/rotating.hpp"
 #include "properties/judge/start.hpp"
@@ -67,6 +68,10 @@ class RotatingJudge {
       convict(judgement_.wrong, std::move(why));
       return judgement_;
     }
+    if (problem.start_policy == StartPolicy::pass_over) {
+      start_passed_over(oracle);
+      return judgement_;
+    }
     proof();
     const Open open = left_open(problem);
     if (open == Open::nothing && !oracle) return judgement_;
@@ -113,8 +118,11 @@ class RotatingJudge {
     const corpus::Case& problem = truth_.problem();
     const std::string invalid = why_invalid(problem);
     const bool refused = answer_.outcome == Outcome::invalid_input;
-    if (invalid.empty() && (!refused || answer_.invalid == Invalid::not_linear) &&
-        (problem.t_max == kInfinity<double> || problem.start_policy == StartPolicy::pass_over)) {
+    const bool endless =
+        problem.t_max == kInfinity<double> && (!refused || answer_.invalid == Invalid::not_linear);
+    const bool unfollowed =
+        problem.start_policy == StartPolicy::pass_over && refused && answer_.invalid == Invalid::not_followed;
+    if (invalid.empty() && (endless || unfollowed)) {
       judgement_.not_asked = true;
       return true;
     }
@@ -122,6 +130,25 @@ class RotatingJudge {
       convict(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
     }
     return refused || !invalid.empty();
+  }
+
+  // A start that is apart is any other case, also where it is apart by less than counts.
+  void start_passed_over(bool oracle) {
+    const corpus::Case& problem = truth_.problem();
+    const RotatingTruth start = truth_from_start(problem);
+    const Limits limits = limits_of(method_, problem, start.scale().high);
+    const double apart = start.distance_at(0).low;
+    if (apart > 0) {
+      Truth reported(reporting(problem));
+      Judgement judgement = RotatingJudge(reported, method_, answer_, request_)(oracle);
+      if (answer_.passed_over && apart > followed_depth(limits))
+        convict(judgement.wrong, "says that it passed over the start, which is no contact");
+      if (apart > followed_depth(limits) || !(judgement.faulty() || judgement.stalled)) {
+        judgement_ = std::move(judgement);
+        return;
+      }
+    }
+    judge_followed(judgement_, start, problem, answer_, limits, request_);
   }
 
   // No verdict is proved, but that the bodies come no farther than a part of the width from touching:
@@ -216,6 +243,9 @@ class RotatingJudge {
     const bool decides = left.length > (limits_.strict ? limits_.wide : limits_.limit);
     judgement_.stalled = decides || !left.fault.empty();
     judgement_.excused = !judgement_.stalled;
+    if (!asks_for(request_, Request::normal) || !asks_for(request_, Request::witnesses)) return;
+    if (const RotatingError open = open_error(truth, truth_.problem(), answer_, limits_); !open.fault.empty())
+      convict(judgement_.bad_contact, open.fault);
   }
 
   void late(const RotatingTruth& truth) {

@@ -4,14 +4,53 @@
 
 #include <cmath>
 
+#include "corpus/support_value.hpp"
+#include "engines/guarantees.hpp"
+
 namespace graze::law {
+
+std::size_t Judgement::worst_fault() const {
+  std::size_t k = 0;
+  while (k < kFaults && (this->*kFaultKinds[k].why).empty()) ++k;
+  return k;
+}
 
 const std::string& Judgement::fault() const {
   static const std::string kNone;
-  for (const FaultKind& kind : kFaultKinds) {
-    if (!(this->*kind.why).empty()) return this->*kind.why;
+  const std::size_t worst = worst_fault();
+  return worst < kFaults ? this->*kFaultKinds[worst].why : kNone;
+}
+
+std::string Judgement::told_fault() const {
+  std::string others;
+  for (std::size_t k = worst_fault() + 1; k < kFaults; ++k) {
+    if (!(this->*kFaultKinds[k].why).empty())
+      others += fmt::format("{}{}", others.empty() ? "" : ", ", kFaultKinds[k].name);
   }
-  return kNone;
+  return others.empty() ? fault() : fmt::format("{} (also {})", fault(), others);
+}
+
+namespace {
+
+// 2^16 times as far as it is large: rounded to float such a shape is another one, of which a search sees what the case is not
+// about.
+bool lies_far_out_in_its_frame(const Shape<double>& shape) {
+  const corpus::Bounds box = corpus::bounds(shape);
+  return (box.high + box.low).norm() / 2 > 0x1p16 * (box.high - box.low).norm();
+}
+
+}  // namespace
+
+void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
+                const Counters& counters) {
+  judgement.supports = counters.supports;
+  if (judgement.not_asked || method.guarantee == nullptr || !method.guarantee->most_supports) return;
+  const bool follows =
+      method.kind == engine::Kind::rotating && problem.start_policy == StartPolicy::pass_over;
+  const int most = *method.guarantee->most_supports * (follows ? kFollowing : 1);
+  if (counters.supports <= most) return;
+  if (lies_far_out_in_its_frame(problem.a.shape) || lies_far_out_in_its_frame(problem.b.shape)) return;
+  judgement.work = fmt::format("{} support evaluations; the guarantee is {}", counters.supports, most);
 }
 
 double over(double length, double scale) {
@@ -32,6 +71,7 @@ std::string senseless(const engine::Answer& answer, double t_max) {
       if (!(0 <= lower && lower <= upper && upper < kInfinity<double> && lower <= t_max)) {
         return "a hit has a bracket that is no interval of times up to t_max";
       }
+      if (upper == 0) return "a hit at time 0; a contact at the start is initially_overlapping";
       return {};
     case Outcome::not_converged:
       if (!(0 <= lower && lower <= upper && lower < kInfinity<double>)) {
@@ -70,15 +110,15 @@ std::string_view label_of(Outcome outcome) {
   return "no outcome";
 }
 
-std::string hex(double x) { return fmt::format("{:a} ({})", x, x); }
-std::string hex(const Vec3<double>& x) {
-  return fmt::format("[{}, {}, {}]", hex(x[0]), hex(x[1]), hex(x[2]));
+std::string decimal(double x) { return fmt::format("{}", x); }
+std::string decimal(const Vec3<double>& x) {
+  return fmt::format("[{}, {}, {}]", decimal(x[0]), decimal(x[1]), decimal(x[2]));
 }
 
 namespace {
 
 std::string bracket_text(const engine::Interval& bracket) {
-  return fmt::format("[{}, {}]", hex(bracket.lower), hex(bracket.upper));
+  return fmt::format("[{}, {}]", decimal(bracket.lower), decimal(bracket.upper));
 }
 
 std::string plan_text(const Plan& plan) {
@@ -100,10 +140,10 @@ std::string describe(const engine::Answer& answer) {
   if (answer.depth) out += ", depth in " + bracket_text(*answer.depth);
   if (answer.t_in) out += ", t_in in " + bracket_text(*answer.t_in);
   if (answer.t_out) out += ", t_out in " + bracket_text(*answer.t_out);
-  if (answer.has_normal()) out += ", normal " + hex(answer.normal);
-  if (!answer.normal_out.isZero(0)) out += ", leaving " + hex(answer.normal_out);
+  if (answer.has_normal()) out += ", normal " + decimal(answer.normal);
+  if (!answer.normal_out.isZero(0)) out += ", leaving " + decimal(answer.normal_out);
   if (answer.has_points || !answer.point_a.isZero(0) || !answer.point_b.isZero(0))
-    out += ", points " + hex(answer.point_a) + " and " + hex(answer.point_b);
+    out += ", points " + decimal(answer.point_a) + " and " + decimal(answer.point_b);
   if (answer.stalled) out += ", stalled";
   out += plan_text(answer.plan);
   out += fmt::format(", {} iterations, {} supports", answer.counters.iterations, answer.counters.supports);

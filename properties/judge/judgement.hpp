@@ -43,6 +43,7 @@ struct Judgement {
   std::string bad_contact;  // the normal or a witness is farther off than its limit
   std::string unproved;     // tier certified, turning: no proof, or one that claims less than the answer
   std::string false_proof;  // which claim of it is false
+  std::string work;         // more support evaluations than the guarantee's most_supports
   // No fault by itself: its frequency is capped. not_converged, or a bracket that says of itself that it is
   // wide; of tier certified where clearance or depth exceeds the width of its guarantee, and then why.
   bool stalled = false;
@@ -52,14 +53,20 @@ struct Judgement {
   bool open = false;       // the oracle cannot tell whether the answer stands
   bool by_oracle = false;  // it was asked
   bool not_asked = false;  // no question for the method, or none that the oracle has an answer to
+  bool declined = false;   // then: an engine answered that it does not support the question
   ProofState proof = ProofState::none;
-  Errors errors;  // by_oracle only
+  int supports = 0;  // support evaluations that the answer took
+  Errors errors;     // by_oracle only
 
-  [[nodiscard]] const std::string& fault() const;  // the first of the faults; empty if there is none
+  // An answer counts as one fault, the worst: a place in kFaultKinds; kFaults if there is none.
+  [[nodiscard]] std::size_t worst_fault() const;
+  [[nodiscard]] const std::string& fault() const;  // the reason of the worst fault; empty if there is none
+  // The same, and in brackets the other kinds of fault: "... (also off, contact off)".
+  [[nodiscard]] std::string told_fault() const;
   [[nodiscard]] bool faulty() const { return !fault().empty(); }
 };
 
-// The kinds of fault: how reports call them, and what they say of the answers that have them.
+// The kinds of fault, the worst first: how reports call them, and what they say of the answers that have them.
 struct FaultKind {
   const char* name;
   const char* sentence;
@@ -74,6 +81,7 @@ inline constexpr FaultKind kFaultKinds[] = {
     {"contact off", "with a normal or a witness off by more than the guarantee", &Judgement::bad_contact},
     {"unproved", "without its proof", &Judgement::unproved},
     {"false proof", "with a false proof", &Judgement::false_proof},
+    {"work", "by more support evaluations than the guarantee", &Judgement::work},
 };
 inline constexpr std::size_t kFaults = std::size(kFaultKinds);
 
@@ -87,6 +95,12 @@ inline void convict(std::string& fault, std::string why) {
 
 // What no answer to a cast may look like, whatever is true of the case; empty for a sensible one.
 [[nodiscard]] std::string senseless(const engine::Answer& answer, double t_max);
+
+// Compares the supports with the method's guarantee: Judgement::supports and Judgement::work. A rotating cast under pass_over
+// may take kFollowing times as many: it follows the contact of the start before it searches.
+inline constexpr int kFollowing = 4;
+void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
+                const Counters& counters);
 
 [[nodiscard]] bool claims_contact(const engine::Answer& answer);  // hit or initially_overlapping
 
@@ -104,9 +118,9 @@ inline void convict(std::string& fault, std::string why) {
 [[nodiscard]] bool is_beyond_range(double lower, double upper, double unit_roundoff);
 
 [[nodiscard]] std::string_view label_of(Outcome outcome);
-// Numbers as hexfloats, which read back to the same bits, and as they are read.
-[[nodiscard]] std::string hex(double x);
-[[nodiscard]] std::string hex(const Vec3<double>& x);
+// Numbers as the shortest decimals that read back to the same bits.
+[[nodiscard]] std::string decimal(double x);
+[[nodiscard]] std::string decimal(const Vec3<double>& x);
 // All that an answer holds, in one line.
 [[nodiscard]] std::string describe(const engine::Answer& answer);
 

@@ -102,8 +102,8 @@ bool is_question_for(const Method& method, const Case& seen) {
 namespace {
 
 std::string text_of(const CaseTruth& truth) {
-  return fmt::format("{}, toi in [{}, {}]", label_of(truth.outcome()), hex(truth.toi_lower()),
-                     hex(truth.toi_upper()));
+  return fmt::format("{}, toi in [{}, {}]", label_of(truth.outcome()), decimal(truth.toi_lower()),
+                     decimal(truth.toi_upper()));
 }
 
 std::string over_scale(double error, const CaseTruth& truth) {
@@ -132,8 +132,8 @@ std::string late_fault(const CaseTruth& truth, const Answer& answer, double boun
   if (std::isinf(answer.toi_lower)) return "an infinite toi_lower without a miss";
   const double late = truth.lateness(answer.toi_lower).low;
   if (!(late > bound)) return "";
-  return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer), hex(answer.toi_lower),
-                     over_scale(late, truth), text_of(truth));
+  return fmt::format("{} {} is late by a depth of {}; true: {}", lower_name(answer),
+                     decimal(answer.toi_lower), over_scale(late, truth), text_of(truth));
 }
 
 std::string early_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -142,7 +142,7 @@ std::string early_fault(const CaseTruth& truth, const Answer& answer, double bou
   const double early = truth.distance_at(answer.toi_upper).low;
   if (!(early > bound)) return "";
   return fmt::format("{} {} is early by a distance of {}; true: {}", upper_name(answer),
-                     hex(answer.toi_upper), over_scale(early, truth), text_of(truth));
+                     decimal(answer.toi_upper), over_scale(early, truth), text_of(truth));
 }
 
 std::string time_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -155,7 +155,7 @@ std::string time_fault(const CaseTruth& truth, const Answer& answer, double boun
     if (!(t >= 0) || std::isinf(t)) return "a contact at no time: " + describe(answer);
     const double error = truth.backward_error(t).low;
     if (error > bound) {
-      return fmt::format("{} at {} has backward error {}; true: {}", label_of(answer.outcome), hex(t),
+      return fmt::format("{} at {} has backward error {}; true: {}", label_of(answer.outcome), decimal(t),
                          over_scale(error, truth), text_of(truth));
     }
   }
@@ -176,7 +176,7 @@ std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<d
   if (at_truth <= bound || at_claim <= bound) return "";
   return fmt::format(
       "the normal {} misses the cone of supporting normals by {} at the true contact, by {} at its own",
-      hex(n), over_scale(at_truth, truth), at_claim);
+      decimal(n), over_scale(at_truth, truth), at_claim);
 }
 
 std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double bound) {
@@ -186,6 +186,35 @@ std::string undecided_fault(const CaseTruth& truth, const Answer& answer, double
   if (!(margin > bound)) return "";
   return fmt::format("undecided, though the {} is {}; true: {}", contact ? "depth" : "clearance",
                      over_scale(margin, truth), text_of(truth));
+}
+
+std::string lower_fault(const CaseTruth& truth, const Answer& answer, double t_max, double bound) {
+  if (answer.outcome == Outcome::miss || answer.outcome == Outcome::invalid_input) return "";
+  if (!(answer.toi_lower < t_max)) return "";
+  if (is_beyond_range(answer.toi_lower, answer.toi_upper, kUnitRoundoff<float>)) return "";
+  const double away = truth.distance_at(answer.toi_lower).low;
+  if (!(away > bound)) return "";
+  return fmt::format("toi_lower is {}, where the bodies are {} from contact; true: {}", answer.toi_lower,
+                     over_scale(away, truth), text_of(truth));
+}
+
+std::string open_answer_fault(const CaseTruth& truth, const Method& method, const Case& problem,
+                              const Answer& answer, double bound) {
+  if (answer.outcome != Outcome::not_converged || !(answer.toi_lower < problem.t_max)) return "";
+  const double u = method.unit_roundoff;
+  if (!(answer.distance <= bound * (1 + 8 * u))) return fmt::format("open, and {} apart", answer.distance);
+  if (!(std::abs(answer.normal.norm() - 1) <= 8 * u)) return "open, and the normal is not a unit vector";
+  for (const char body : {'a', 'b'}) {
+    const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
+    const Body<double>& of = body == 'a' ? problem.a : problem.b;
+    if (!point.allFinite()) return fmt::format("open, and the witness of {} is not finite", body);
+    const double size = std::max({point.cwiseAbs().maxCoeff(), of.position.cwiseAbs().maxCoeff(),
+                                  answer.toi_lower * of.displacement.cwiseAbs().maxCoeff()});
+    const double away = truth.distance_from_body(body, answer.toi_lower, point).low;
+    if (!(away <= bound + 8 * u * size))
+      return fmt::format("open, and the witness of {} lies {} away from it", body, over_scale(away, truth));
+  }
+  return "";
 }
 
 std::string any_fault(const CaseTruth& truth, const Answer& answer, double bound) {

@@ -59,6 +59,14 @@ namespace graze::law {
 // not_converged, though clearance or depth exceeds the bound: what tier certified promises to decide.
 [[nodiscard]] std::string undecided_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                           double bound);
+// Tier certified: an answer whose toi_lower is far from contact, by more than the bound, and before the end of the motion.
+[[nodiscard]] std::string lower_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
+                                      double t_max, double bound);
+// Tier certified, not_converged, normal and witnesses requested: what keeps a caller from taking it for contact. A
+// normal that is not a unit vector, a witness off its body, a distance above the bound.
+[[nodiscard]] std::string open_answer_fault(const oracle::CaseTruth& truth, const engine::Method& method,
+                                            const corpus::Case& problem, const engine::Answer& answer,
+                                            double bound);
 // The first fault of verdict and times.
 [[nodiscard]] std::string any_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                     double bound);

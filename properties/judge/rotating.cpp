@@ -47,7 +47,7 @@ RotatingError verdict_error(const RotatingTruth& truth, const Answer& answer, co
     // Of a contact at t = 0 that is left open beside one nearby, only the depth is known.
     if (out.length > allowed(limits.may_miss, answer, limits) ||
         (limits.strict && truth.outcome() != Outcome::not_converged)) {
-      out.fault = fmt::format("says miss; there is contact, {} deep, at {:.17g} for the first time",
+      out.fault = fmt::format("says miss; there is contact, {} deep, at {} for the first time",
                               text_of(out.length, limits), truth.toi_upper());
     }
   }
@@ -68,8 +68,8 @@ RotatingError late_error(const RotatingTruth& truth, const Answer& answer, const
   if (truth.outcome() == Outcome::miss || truth.compare(answer.toi_lower) <= 0) return {};
   RotatingError out{.length = truth.depth_before(answer.toi_lower).low};
   if (limits.strict || out.length > allowed(limits.may_be_late, answer, limits)) {
-    out.fault = fmt::format("{} {:.17g} is past the contact at {:.17g}, {} deep", lower_name(answer),
-                            answer.toi_lower, truth.toi_upper(), text_of(out.length, limits));
+    out.fault = fmt::format("{} {} is past the contact at {}, {} deep", lower_name(answer), answer.toi_lower,
+                            truth.toi_upper(), text_of(out.length, limits));
   }
   return out;
 }
@@ -79,7 +79,7 @@ RotatingError early_error(const RotatingTruth& truth, const Answer& answer, cons
   if (truth.compare(answer.toi_upper) >= 0) return {};
   RotatingError out{.length = truth.distance_at(answer.toi_upper).low};
   if (limits.strict || out.length > limits.wide) {
-    out.fault = fmt::format("claims contact by {:.17g}, where the bodies are {} apart", answer.toi_upper,
+    out.fault = fmt::format("claims contact by {}, where the bodies are {} apart", answer.toi_upper,
                             text_of(out.length, limits));
   }
   return out;
@@ -96,10 +96,10 @@ RotatingError width_error(const RotatingTruth& truth, const Answer& answer, cons
   RotatingError out{.length = std::max(before, depth),
                     .over_limit = std::max(over(before, may_be_apart), over(depth, may_be_deep))};
   if (before > may_be_apart) {
-    out.fault = fmt::format("at {} {:.17g} the bodies are {} apart", lower_name(answer), answer.toi_lower,
+    out.fault = fmt::format("at {} {} the bodies are {} apart", lower_name(answer), answer.toi_lower,
                             text_of(before, limits));
   } else if (depth > may_be_deep) {
-    out.fault = fmt::format("by {} {:.17g} the bodies have met {} deep", upper_name(answer), answer.toi_upper,
+    out.fault = fmt::format("by {} {} the bodies have met {} deep", upper_name(answer), answer.toi_upper,
                             text_of(depth, limits));
   }
   return out;
@@ -130,7 +130,7 @@ RotatingError normal_error(const RotatingTruth& truth, const Answer& answer, con
   if (answer.outcome != Outcome::hit) return {};
   const double length = answer.normal.norm();
   if (!(std::abs(length - 1) <= std::max(16 * limits.unit_roundoff, limits.contact_u)))
-    return {.fault = fmt::format("the normal has length {:.17g}", length)};
+    return {.fault = fmt::format("the normal has length {}", length)};
   if (truth.outcome() != Outcome::hit) return {};
   const double between = std::max(std::abs(answer.toi_lower - truth.toi_lower()),
                                   std::abs(answer.toi_lower - truth.toi_upper()));
@@ -141,8 +141,11 @@ RotatingError normal_error(const RotatingTruth& truth, const Answer& answer, con
   return out;
 }
 
-RotatingError witness_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
-  if (answer.outcome != Outcome::hit) return {};
+namespace {
+
+// How far the witnesses are off their bodies, each may be by `allowed`.
+RotatingError off_its_body(const RotatingTruth& truth, const Answer& answer, const Limits& limits,
+                           double allowed) {
   if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) return {.fault = "a witness is not finite"};
   RotatingError out{.length = 0};
   for (const char body : {'a', 'b'}) {
@@ -152,8 +155,33 @@ RotatingError witness_error(const RotatingTruth& truth, const Answer& answer, co
                                            2 * limits.unit_roundoff * point.norm() -
                                            (body == 'a' ? answer.reach_a : answer.reach_b));
     out.length = std::max(out.length, error);
-    if (error > limits.contact && out.fault.empty())
+    if (error > allowed && out.fault.empty())
       out.fault = fmt::format("witness {} is {} off its body", body, text_of(error, limits));
+  }
+  return out;
+}
+
+}  // namespace
+
+RotatingError witness_error(const RotatingTruth& truth, const Answer& answer, const Limits& limits) {
+  if (answer.outcome != Outcome::hit) return {};
+  return off_its_body(truth, answer, limits, limits.contact);
+}
+
+RotatingError open_error(const RotatingTruth& truth, const corpus::Case& problem, const Answer& answer,
+                         const Limits& limits) {
+  if (!limits.strict || answer.outcome != Outcome::not_converged || !(answer.toi_lower < problem.t_max))
+    return {};
+  const double near = limits.wide + limits.rounding_at(answer.toi_lower), few = 8 * limits.unit_roundoff;
+  RotatingError out{.length = truth.distance_at(answer.toi_lower).low};
+  if (out.length > near) {
+    out.fault = fmt::format("open, and at toi_lower {} apart", text_of(out.length, limits));
+  } else if (!(answer.distance <= near * (1 + few))) {
+    out.fault = fmt::format("open, and states a distance of {}", text_of(answer.distance, limits));
+  } else if (!(std::abs(answer.normal.norm() - 1) <= few)) {
+    out.fault = "open, and the normal is not a unit vector";
+  } else if (RotatingError off = off_its_body(truth, answer, limits, near); !off.fault.empty()) {
+    out.fault = "open, and " + off.fault;
   }
   return out;
 }

@@ -53,6 +53,11 @@ struct RotatingError {
 [[nodiscard]] RotatingError witness_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
                                           const Limits& limits);
 
+// Of tier certified, a tie that is left open before the motion ends: the distance at toi_lower. It must be within the width,
+// and the answer have what a caller needs who takes it for contact: a distance, a normal, points.
+[[nodiscard]] RotatingError open_error(const oracle::RotatingTruth& truth, const corpus::Case& problem,
+                                       const engine::Answer& answer, const Limits& limits);
+
 // The first fault of verdict, times and width; or empty.
 [[nodiscard]] std::string any_fault(const oracle::RotatingTruth& truth, const engine::Answer& answer,
                                     const Limits& limits);

@@ -21,7 +21,7 @@ enum class Holding { holds, broken, not_applicable };
 
 struct LawResult {
   Holding holding = Holding::holds;
-  std::string reason;  // broken: what was seen and what should be, numbers as hexfloats; not applicable: why
+  std::string reason;  // broken: what was seen and what should be, numbers as decimals; not applicable: why
   // Classification of what was drawn, for counting: the outcome, and what the law distinguishes. Of a law
   // that is not applicable: "undecided", where an oracle was asked in vain.
   std::vector<std::string_view> labels;

@@ -13,7 +13,8 @@ std::vector<Law> linear_metamorphic_laws(), linear_motion_laws(), linear_symmetr
 std::vector<Law> query_any_laws(), query_gap_laws(), query_motion_laws(), query_proof_laws(),
     query_oracle_laws(), query_advancement_laws();
 std::vector<Law> rotating_time_laws(), rotating_symmetry_laws(), rotating_plan_laws(), rotating_answer_laws(),
-    rotating_standing_laws(), rotating_validity_laws(), rotating_proof_laws(), rotating_oracle_laws();
+    rotating_standing_laws(), rotating_validity_laws(), rotating_proof_laws(), rotating_oracle_laws(),
+    rotating_followed_laws();
 
 struct LawTable {
   Kind kind;
@@ -44,6 +45,7 @@ inline constexpr LawTable kLawTables[] = {
     {Kind::rotating, &rotating_validity_laws},
     {Kind::rotating, &rotating_proof_laws},
     {Kind::rotating, &rotating_oracle_laws},
+    {Kind::rotating, &rotating_followed_laws},
 };
 
 }  // namespace graze::law

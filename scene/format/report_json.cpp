@@ -127,7 +127,6 @@ std::string write_plan(const Document& document, const Planned& planned) {
                          text_field("b", scene.bodies[pair.b].name) +
                          text_field("simulated", to_text(pair.plan.effects)) +
                          field("because", reasons_text(pair.plan.reasons)) +
-                         field("added", json_number(pair.plan.added)) +
                          field("begin", json_number(pair.begin)) + "}";
                 }));
   return text + "}";

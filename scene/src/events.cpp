@@ -9,6 +9,13 @@ Request request_of(const Options& options) {
   return options.economies.has(Economy::asked) ? options.request : Request::everything;
 }
 
+// Where a proof is requested, bodies that turn are in contact only from when that is proved, which may be later. So no proof is
+// computed that nobody asked for.
+Request request_of_turning(const Options& options) {
+  const bool proves = asks_for(options.request, Request::proof) || options.economies.has(Economy::asked);
+  return proves ? request_of(options) : Request::normal | Request::witnesses;
+}
+
 // Neither body turns: a static overlap, or a linear cast.
 graze::Plan plan_without_turning(const RotatingBody<double>& a, const RotatingBody<double>& b,
                                  const Options& options) {
@@ -26,7 +33,7 @@ RotatingOptions<double> turning_options(const Options& options, double t_max) {
   RotatingOptions<double> out;
   out.tier = options.tier;
   out.economies = options.economies.of_a_pair();
-  out.request = request_of(options);
+  out.request = request_of_turning(options);
   out.t_max = t_max;
   out.target_distance = options.target_distance;
   out.tolerance = options.tolerance;

@@ -128,7 +128,7 @@ TEST(Stability, a_late_time_is_measured_level_by_level) {
   }
   EXPECT_EQ(curve.hardest()->hardness, kLevels[0]);
   EXPECT_FALSE(curve.holds());
-  EXPECT_TRUE(curve.first_fault.starts_with("hits/h20/s1: the time 0x")) << curve.first_fault;
+  EXPECT_TRUE(curve.first_fault.starts_with("hits/h20/s1: the time 0.5")) << curve.first_fault;
   ASSERT_EQ(breaches({curve}).size(), 1U);
   EXPECT_NE(breaches({curve})[0].find("9 of 9 beyond the row"), std::string::npos) << breaches({curve})[0];
 }

@@ -25,7 +25,7 @@ Tally tally_of(std::size_t good, const std::vector<Judgement>& bad, const engine
   const auto add = [&](const std::string& id, const Judgement& judgement) {
     corpus::Case problem;
     problem.id = id;
-    tally.add(problem, judgement, {});
+    tally.add(problem, judgement);
   };
   for (std::size_t i = 0; i < good; ++i) add("good/" + std::to_string(i), {});
   for (std::size_t i = 0; i < bad.size(); ++i) add("bad/" + std::to_string(i), bad[i]);
@@ -45,21 +45,55 @@ TEST(Tally, counts_an_answer_at_fault_once) {
 TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {})).empty()); }
 
 TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
-  Judgement faulty;
-  faulty.wrong = "reason-wrong";
-  faulty.late = "reason-late";
-  faulty.off = "reason-off";
-  faulty.bad_contact = "reason-contact";
-  faulty.false_proof = "reason-proof";
-  const Tally tally = tally_of(3, {faulty, faulty});
-  const std::vector<std::string> lines = breaches(tally);
-  ASSERT_EQ(lines.size(), 5U);
-  for (const char* reason : {"reason-wrong", "reason-late", "reason-off", "reason-contact", "reason-proof"}) {
-    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-      return line.starts_with("gjk/double standard, made-up: 2 ") &&
-             line.find("bad/0") != std::string::npos && line.find(reason) != std::string::npos;
-    })) << reason;
+  for (const law::FaultKind& kind : law::kFaultKinds) {
+    Judgement faulty;
+    faulty.*kind.why = "the reason";
+    const std::vector<std::string> lines = breaches(tally_of(3, {faulty, faulty}));
+    ASSERT_EQ(lines.size(), 1U) << kind.name;
+    EXPECT_EQ(lines[0], std::string("gjk/double standard, made-up: 2 ") + kind.sentence +
+                            " of 5; the first is bad/0: the reason");
   }
+}
+
+TEST(Breaches, an_answer_has_one_fault_the_worst_and_the_others_in_brackets) {
+  Judgement faulty;
+  faulty.late = "by a metre";
+  faulty.off = faulty.bad_contact = faulty.work = "as well";
+  const Tally tally = tally_of(3, {faulty});
+  EXPECT_EQ(tally.at_fault, 1U);
+  const std::vector<std::string> lines = breaches(tally);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("1 late of 4; the first is bad/0: by a metre (also off, contact off, work)"),
+            std::string::npos)
+      << lines[0];
+}
+
+TEST(Tally, keeps_the_case_that_took_the_most_supports) {
+  Judgement cheap, dear;
+  cheap.supports = 7;
+  dear.supports = 300;
+  Tally tally = tally_of(1, {cheap, dear, cheap});
+  EXPECT_EQ(tally.most_supports.value, 300);
+  EXPECT_EQ(tally.most_supports.id, "bad/1");
+}
+
+TEST(Tally, counts_open_answers_that_the_guarantee_grants_too) {
+  Judgement tie, stall;
+  tie.outcome = stall.outcome = Outcome::not_converged;
+  tie.excused = stall.stalled = true;
+  const Tally tally = tally_of(98, {tie, stall});
+  EXPECT_EQ(tally.left_open, 2U);
+  EXPECT_EQ(tally.stalled, 1U);
+}
+
+TEST(Tally, says_that_too_many_questions_are_declined) {
+  Judgement declined;
+  declined.not_asked = declined.declined = true;
+  EXPECT_EQ(declines(tally_of(9, {declined})), "");
+  const Tally tally = tally_of(8, {declined});
+  EXPECT_EQ(tally.cases, 8U);
+  EXPECT_EQ(tally.not_asked, 0U);
+  EXPECT_EQ(declines(tally), "gjk/double declines 1 of 9 questions (11 %)");
 }
 
 TEST(Breaches, stalls_break_a_row_only_above_their_cap) {

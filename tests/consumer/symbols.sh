@@ -6,7 +6,7 @@
 set -euo pipefail
 source "$1"
 foreign='\b(epa|Epa\w*|[Pp]enetration\w*|swept_\w+|Swept\w+|brute_force\w*|BruteForce\w*|line|Line[A-Z]\w*|overlap_\w+|Overlap[A-Z]\w*)\b'
-foreign+='|\b(\w*[Rr]otating\w*|\w*[Aa]ngular\w*|[Bb]ilateral\w*|[Ss]pin\w*|\w*time_step\w*|[Ss]ubdivi\w*|plan|Plan\w*)\b'
+foreign+='|\b(\w*[Rr]otating\w*|\w*[Aa]ngular\w*|[Bb]ilateral\w*|[Ss]pin\w*|\w*time_step\w*|[Ss]ubdivi\w*|plan|Plan([A-Z]\w*)?)\b'
 build="$scratch/symbols"
 rm -rf "$build"
 mkdir -p "$build"

@@ -44,6 +44,13 @@ const Malformation kMalformations[] = {
     {"not_json", "hello", "", "not JSON"},
     {"cut_off", R"({"schema": "graze.case/1", "id")", "", "not JSON: parse error at line 1"},
     {"two_objects", std::string(kSound) + kSound, "", "not JSON"},
+    // The parser takes a NUL for the end, and would leave the rest unread.
+    {"nul_after_the_case", kSound + std::string("\0", 1), "",
+     "not JSON: a NUL byte at column 110; JSON is text"},
+    {"bytes_after_a_nul", kSound + std::string("\0{\"id\": 2}", 11), "",
+     "not JSON: a NUL byte at column 110"},
+    {"nul_on_another_line", kSound + std::string("\n \0", 3), "", "not JSON: a NUL byte at line 2, column 2"},
+    {"nul_within", std::string("{\0}", 3), "", "not JSON: a NUL byte at column 2"},
     {"nan_literal", with_shape(R"({"type": "sphere", "radius": NaN})"), "", "not JSON"},
     {"an_array", std::string("[") + kSound + "]", "", "an array of 1; an object with the fields schema"},
     {"deep_arrays", std::string(100000, '['), "[0][0]", "nested deeper than 64 levels"},

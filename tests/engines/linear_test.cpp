@@ -160,6 +160,14 @@ TEST(Guarantees, allow_tier_exact_nothing) {
   }
 }
 
+TEST(Guarantees, say_how_much_work_an_answer_takes_at_most) {
+  for (const Guarantee& row : guarantees()) EXPECT_TRUE(row.most_supports) << row.name();
+  const auto row = parse_guarantees(R"({"schema": "graze.guarantees/1", "rows": [{"method": "ca",
+    "scalar": "float", "tier": "standard", "kappa_polytope": 1, "kappa_rounded": 1, "stall_cap": 0,
+    "most_supports": 256, "mechanism": ""}]})");
+  EXPECT_EQ(row.at(0).most_supports, 256);
+}
+
 std::string table_with(const std::string& kappa, const std::string& more) {
   return R"({"schema": "graze.guarantees/1", "rows": [{"method": "ca", "scalar": "float", "tier": "standard",
              "kappa_polytope": )" +
@@ -187,6 +195,12 @@ TEST(Guarantees, what_is_no_row_is_refused_by_its_field) {
   EXPECT_NE(error_of(table_with("-1", R"(, "mechanism": "")")).find("kappa_polytope"), std::string::npos);
   EXPECT_NE(error_of(table_with("\"1\"", R"(, "mechanism": "")")).find("kappa_polytope"), std::string::npos);
   EXPECT_NE(error_of(table_with("1", R"(, "mechanism": "", "more": 1)")).find("more"), std::string::npos);
+  for (const std::string most : {"0", "-1", "1.5", "\"256\"", "2147483648"}) {
+    EXPECT_NE(error_of(table_with("1", R"(, "mechanism": "", "most_supports": )" + most))
+                  .find("rows[0].most_supports: must be a whole number from 1 to 2147483647"),
+              std::string::npos)
+        << most;
+  }
   EXPECT_FALSE(error_of("{").empty());
   EXPECT_FALSE(error_of(R"({"schema": "graze.guarantees/1", "rows": []})").empty());
 }

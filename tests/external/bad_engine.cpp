@@ -4,6 +4,8 @@
 // bad_engine none         sins not.
 // bad_engine has_margin   sins not, either: its balls are rounded by the margin that it declares, half of it each.
 // bad_engine misses_all_hits     says miss of every hit.
+// bad_engine hits_all_starts     says hit at time 0 of every start in contact.
+// bad_engine declines_half       answers every second question with unsupported.
 // bad_engine documents_misses    does so, too, and declares a limit that every body is beyond.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -118,6 +120,12 @@ const std::map<std::string, Sin>& sins() {
           std::fprintf(stderr, "about to fall\n");
           std::raise(SIGSEGV);
           return {};
+        }}},
+      {"traceback",
+       {Needs::anything,
+        [](const Question&, const Answer&) -> std::string {
+          std::fprintf(stderr, "Traceback:\n  line 1\n  line 2\n");
+          std::exit(3);
         }}},
       {"abort", {Needs::anything, [](const Question&, const Answer&) -> std::string { std::abort(); }}},
       {"exit_3", {Needs::anything, [](const Question&, const Answer&) -> std::string { std::exit(3); }}},
@@ -305,7 +313,7 @@ bool suits(Sin::Needs needs, const Answer& right) {
 
 int main(int argc, char** argv) {
   const std::string sin = argc > 1 ? argv[1] : "none";
-  int left = argc > 2 ? std::atoi(argv[2]) : 1;
+  int left = argc > 2 ? std::atoi(argv[2]) : 1, asked = 0;
   has_margin = sin == "has_margin" || sin == "beyond_its_margin";
   const auto known = sins().find(sin);
   if (sin == "silent_start") sleep_for_ever();
@@ -320,6 +328,17 @@ int main(int argc, char** argv) {
     // Always, whatever N: what is made small is asked of many processes.
     if ((sin == "misses_all_hits" || sin == "documents_misses") && right.outcome == Outcome::hit) {
       say(write_answer(q.id, Answer::miss()) + "\n");
+      continue;
+    }
+    if (sin == "hits_all_starts" && right.outcome == Outcome::initially_overlapping) {
+      Answer bad = right;
+      bad.outcome = Outcome::hit;
+      bad.time = 0;
+      say(write_answer(q.id, bad) + "\n");
+      continue;
+    }
+    if (sin == "declines_half" && asked++ % 2 == 0) {
+      say(R"({"schema": "graze.answer/1", "id": ")" + q.id + R"(", "outcome": "unsupported"})" + "\n");
       continue;
     }
     const bool is_time = --left <= 0 && known != sins().end() && suits(known->second.needs, right);

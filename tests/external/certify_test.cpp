@@ -148,6 +148,42 @@ TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
   EXPECT_EQ(corpus::read_file(folder.path() / "bad.jsonl").cases.size(), std::size_t{kHits});
 }
 
+// A hit is at a time above 0; and of two starts there is one line.
+TEST(Certify, TakesAHitAtTime0ForWrong) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const CommandRun run = folder.graze("certify --queries 0 --json out.json --engine \"" BAD_ENGINE
+                                      " hits_all_starts\" balls.jsonl");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  const auto report = nlohmann::json::parse(folder.read("out.json"));
+  EXPECT_EQ(report.at("methods").at(0).at("total").at("faults").at("wrong").at("count"), kStarts);
+  const std::size_t table = run.out.find("needed by"),
+                    line = run.out.find("\nwrong: 2 answers of 1 method in 1 family;");
+  ASSERT_NE(line, std::string::npos) << run.out;
+  EXPECT_LT(table, line);
+  EXPECT_EQ(run.out.find("broken: "), std::string::npos);
+  const CommandRun full =
+      folder.graze("certify --queries 0 --full --engine \"" BAD_ENGINE " hits_all_starts\" balls.jsonl");
+  EXPECT_NE(full.out.find("broken: bad/double"), std::string::npos) << full.out;
+}
+
+TEST(Certify, CountsWhatIsDeclined) {
+  const Folder folder;
+  folder.write("balls.jsonl", cases());
+  const std::string words =
+      "certify --queries 0 --threads 1 --json out.json --engine \"" BAD_ENGINE " declines_half\" balls.jsonl";
+  const CommandRun run = folder.graze(words);
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  const std::string said = "bad/double declines 5 of 10 questions (50 %)";
+  EXPECT_NE(run.out.substr(0, run.out.find('\n')).find(said), std::string::npos) << run.out;
+  const auto total = nlohmann::json::parse(folder.read("out.json")).at("methods").at(0).at("total");
+  EXPECT_EQ(total.at("declined"), 5);
+  EXPECT_EQ(total.at("not_asked"), 0);
+  const CommandRun allowed = folder.graze(words + " --allow-declined");
+  EXPECT_EQ(allowed.exit_code, 0) << allowed.out << allowed.err;
+  EXPECT_NE(allowed.out.find(said), std::string::npos) << allowed.out;
+}
+
 TEST(Certify, SaysThatAProcessWasLeftBehind) {
   const Folder folder;
   folder.write("balls.jsonl", cases());

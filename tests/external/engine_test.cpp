@@ -63,6 +63,7 @@ TEST_P(Sins, AreFoundAndNamed) {
 INSTANTIATE_TEST_SUITE_P(
     Every, Sins,
     testing::Values(Found{"segfault", Failure::crashed, "SIGSEGV; it wrote: about to fall"},
+                    Found{"traceback", Failure::crashed, "it wrote:\nTraceback:\n  line 1\n  line 2"},
                     Found{"abort", Failure::crashed, "SIGABRT"}, Found{"exit_3", Failure::crashed, "exit 3"},
                     Found{"exit_0", Failure::silent, "it ended, and said nothing"},
                     Found{"hang", Failure::hung, "no answer within 0.5 s (is every line flushed?)"},

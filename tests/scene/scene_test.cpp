@@ -324,8 +324,6 @@ TEST(Scene, ThePlanIsWhatIsRun) {
     Report report = run(drawn.scene, drawn.options);
     Planned planned = plan(drawn.scene, drawn.options);
     ASSERT_EQ(planned.wrong, report.wrong);
-    // What a slow turn's linear cast leaves open is known when it is cast.
-    report.counts.reasons[static_cast<std::size_t>(PlanReason::linear_left_open)] = 0;
     report.counts.probe_casts = report.counts.probe_moot = 0;
     EXPECT_EQ(planned.counts, report.counts) << "scene " << seed << "\n"
                                              << to_text(planned.counts) << to_text(report.counts);

@@ -17,6 +17,7 @@
 #include "certify/campaign/run.hpp"
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
+#include "corpus/workloads.hpp"
 #include "report/inputs.hpp"
 #include "report/outputs.hpp"
 #include "report/stop.hpp"
@@ -40,9 +41,16 @@ constexpr std::uint64_t kBlock = 4096, kSlowBlock = 256;
 // Of a case of turning bodies the oracle takes 10 ms and more, the casts and the checks of their proofs 1 ms.
 constexpr std::uint64_t kRotatingOracleEvery = 64;
 
+// --work: the families that ask what a simulation asks on its first day; beside N casts of each, so many times N of the
+// workloads, and of queries one in so many.
+constexpr std::string_view kWorkFamilies[] = {
+    "at_rest",     "coaxial", "equal_distances",     "parallel_caps", "rods_and_round",
+    "level_tiles", "wheels",  "flat_plates_turning", "above_a_floor"};
+constexpr std::uint64_t kWorkloadCasts = 10, kWorkQueries = 100;
+
 struct CampaignArguments {
   std::optional<std::uint64_t> casts, rotating, per_family, rotating_per_family, queries;
-  std::optional<std::uint64_t> oracle_every, block;
+  std::optional<std::uint64_t> oracle_every, block, workloads, work;
   std::uint64_t judge_every = 1;
   std::uint64_t seed = 1;
   std::vector<std::string> families, methods;
@@ -52,10 +60,11 @@ struct CampaignArguments {
   EngineArguments engines;
 
   [[nodiscard]] bool casts_linear() const {
-    const bool other = rotating || rotating_per_family || queries;
+    const bool other = rotating || rotating_per_family || queries || workloads;
     return casts || per_family || !other;
   }
   [[nodiscard]] bool casts_rotating() const { return rotating || rotating_per_family; }
+  [[nodiscard]] bool is_slow() const { return queries || casts_rotating() || workloads || work; }
 };
 
 // Those named, in the order of the table, so that the order of the options says nothing.
@@ -76,7 +85,9 @@ void check_families(const CampaignArguments& arguments) {
       throw std::runtime_error(
           fmt::format("--family: {} is no family; `graze generate --help` lists them", name));
     }
-    if (family->rotating && !arguments.casts_rotating())
+    if (family->of_run > 1 && !arguments.workloads)
+      throw std::runtime_error(fmt::format("--family: {} is a workload; it is cast by --workloads", name));
+    if (family->rotating && family->of_run == 1 && !arguments.casts_rotating())
       throw std::runtime_error(fmt::format("--family: bodies of {} turn; they are cast by --rotating", name));
     if (!family->rotating && !arguments.casts_linear() && !arguments.queries)
       throw std::runtime_error(
@@ -148,6 +159,32 @@ int stopped_by(int signal, const CampaignState& state, const std::string& file) 
   return 128 + signal;
 }
 
+// --work: the same for everybody, so that one command is the test.
+CampaignPlan plan_of_work(const CampaignArguments& arguments) {
+  CampaignPlan plan(arguments.seed);
+  const std::vector<std::string> names(std::begin(kWorkFamilies), std::end(kWorkFamilies));
+  const std::uint64_t each = *arguments.work;
+  const auto linear = chosen_families(names, corpus::families());
+  const auto rotating = chosen_families(names, corpus::rotating_families());
+  const auto workloads = chosen_families({}, corpus::workloads());
+  const auto sampling = [&](std::uint64_t oracle_every) {
+    return Sampling{.oracle_every = arguments.oracle_every.value_or(oracle_every),
+                    .judge_every = arguments.judge_every};
+  };
+  const auto at_least_one = [](std::uint64_t n) { return std::max<std::uint64_t>(1, n); };
+  plan.add_per_family(linear, chosen_contenders(engine::Kind::linear, {}), each, sampling(kCastOracleEvery));
+  plan.add_per_family(
+      linear, chosen_contenders(engine::Kind::linear, {"gjk", "mpr", "gjk/float", "mpr/float", "certified"}),
+      each, sampling(kCastOracleEvery));
+  plan.add_per_family(linear, chosen_contenders(engine::Kind::query, {}), at_least_one(each / kWorkQueries),
+                      sampling(1));
+  // Of what turns each family has so many casts, of all methods together.
+  const Contenders turning = chosen_contenders(engine::Kind::rotating, {});
+  plan.add_per_family(rotating, turning, at_least_one(each / turning.size()), sampling(kRotatingOracleEvery));
+  plan.add(workloads, turning, kWorkloadCasts * each, sampling(kRotatingOracleEvery));
+  return plan;
+}
+
 // What is asked, part by part.
 CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines) {
   const auto only_one = [](const char* one, const char* other, bool both) {
@@ -156,6 +193,7 @@ CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines)
   only_one("--casts", "--per-family", arguments.casts && arguments.per_family);
   only_one("--rotating", "--rotating-per-family", arguments.rotating && arguments.rotating_per_family);
   check_families(arguments);
+  if (arguments.work) return plan_of_work(arguments);
   CampaignPlan plan(arguments.seed);
   std::map<std::string, std::string> versions;
   for (const auto& engine : engines.all()) {
@@ -189,6 +227,14 @@ CampaignPlan plan_of(const CampaignArguments& arguments, const Engines& engines)
   if (arguments.casts_rotating())
     add(engine::Kind::rotating, arguments.rotating_per_family, arguments.rotating.value_or(0),
         kRotatingOracleEvery);
+  if (arguments.workloads) {
+    plan.add(
+        chosen_families(arguments.families, corpus::workloads()),
+        chosen_contenders(engine::Kind::rotating, arguments.methods, engines.methods(engine::Kind::rotating)),
+        *arguments.workloads,
+        {.oracle_every = arguments.oracle_every.value_or(kRotatingOracleEvery),
+         .judge_every = arguments.judge_every});
+  }
   return plan;
 }
 
@@ -203,7 +249,7 @@ int run_campaign_command(const CampaignArguments& arguments) {
                      arguments.outputs.save_undecided});
   const Engines engines(arguments.engines);
   const CampaignPlan plan = plan_of(arguments, engines);
-  const bool slow = arguments.queries || arguments.casts_rotating() || !engines.empty();
+  const bool slow = arguments.is_slow() || !engines.empty();
   const std::uint64_t block = arguments.block.value_or(slow ? kSlowBlock : kBlock);
   CampaignState state = initial_state(arguments, fresh_state(plan, block, shard));
 
@@ -260,6 +306,19 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--queries", arguments->queries,
                    "Ask each other query N times in each linear family, of each method")
+      ->check(count_of_casts())
+      ->type_name("N");
+  command
+      ->add_option("--workloads", arguments->workloads,
+                   "Casts of the workloads, the steps of simulations (docs/workloads.md)")
+      ->check(count_of_casts())
+      ->type_name("N");
+  command
+      ->add_option(
+          "--work", arguments->work,
+          fmt::format("Instead: N casts of each family of bodies at rest, equal distances and much work, by "
+                      "methods of every tier, and {} N of the workloads",
+                      kWorkloadCasts))
       ->check(count_of_casts())
       ->type_name("N");
   command
@@ -326,6 +385,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       "  graze campaign --casts 100000 --family grazing_face --method mpr/float --save hard.jsonl\n"
       "  graze campaign --casts 2000000 --queries 2000 --methods standard --state standard.json\n"
       "  graze campaign --rotating 2000000 --state rotating.json\n"
+      "  graze campaign --work 100000 --state work.json\n"
       "  graze campaign --state part3.json --shard 3/8      on one of eight machines; graze merge "
       "part*.json\n\n"
       "Exit code: 0 if no cast failed, 1 if one did, 2 for bad input; 130 or 143 if stopped by a signal.");

@@ -151,6 +151,7 @@ int run_certify_command(const CertifyArguments& arguments) {
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   settings.fail_fast = arguments.fail_fast;
+  settings.allow_declined = arguments.engines.allow_declined;
   WorstCases worst;
   if (files.has_page()) {
     settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method& method,
@@ -169,10 +170,11 @@ int run_certify_command(const CertifyArguments& arguments) {
       complain_of_unasked(selection.engines(), certification) || complain_of_no_answer(certification);
   const std::vector<std::string> left_behind = selection.engines().finish();
   certification.breaches.insert(certification.breaches.end(), left_behind.begin(), left_behind.end());
+  // First, so that a reader of them who is gone ends the run before a word is said.
+  files.write(certification, settings, took.count(), html);
   print_certification(arguments, selection, certification, settings, intake, took.count());
   if (!arguments.findings.empty())
     fmt::print(arguments.screen(), "\n{}", save_findings(findings, arguments.findings));
-  files.write(certification, settings, took.count(), html);
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   if (bad || is_unasked) return 2;
   return certification.breaches.empty() ? 0 : 1;
@@ -195,8 +197,8 @@ void require_meaning(const CLI::App& command) {
                                                "--full",         "--fail-fast", "--thorough",
                                                "--report-cases", "--queries",   "--oracle-every"};
   Instead laws{"--laws", "tries laws", of_answers}, stability{"--stability", "draws curves", of_answers};
-  for (const char* option :
-       {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance", "--kappa"})
+  for (const char* option : {"--stability", "--plot", "--guarantees", "--tolerance", "--relative-tolerance",
+                             "--kappa", "--measure", "--allow-declined"})
     laws.without_meaning.push_back(option);
   for (const char* option : {"--report", "--corpus"}) stability.without_meaning.push_back(option);
   for (const Instead& instead : {laws, stability}) {
@@ -317,6 +319,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(0, ReportDefaults::kMost))
       ->type_name("N");
   add_promise_options(*command, arguments->engines);
+  add_declined_option(*command, arguments->engines.allow_declined)
+      ->group(command->get_option("--engine")->get_group());
   add_need_options(*command, arguments->engines);
   command->add_flag("--stability", arguments->stability,
                     "Instead: curves of error against hardness, every case measured by the oracle "

@@ -52,13 +52,12 @@ void print_intake(std::FILE* screen, const Intake& intake) {
 
 void print_screen(std::FILE* screen, const Certification& certification, const Settings& settings) {
   fmt::print(screen, "\n{}", summary_table(certification, settings));
-  fmt::print(
-      screen,
-      "answers in both scalars; stalls: not converged, or a bracket that says of itself that it is wide; "
-      "proofs: "
-      "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
-      "guarantee "
-      "grants. --full: all.\n");
+  fmt::print(screen,
+             "answers in both scalars; open: not converged, or a bracket that says of itself that it is "
+             "wide; proofs: "
+             "that the\nchecker accepted; error / limit: the largest that the oracle measured over what the "
+             "guarantee "
+             "grants; most supports:\nsupport evaluations of the costliest answer. --full: all.\n");
 }
 
 // What asks for the same judgement again; what is written where is left out.
@@ -150,7 +149,6 @@ void print_certification(const CertifyArguments& arguments, const Selection& sel
                          double seconds) {
   std::FILE* const screen = arguments.screen();
   fmt::print(screen, "{}", verdict_line(certification, seconds));
-  for (const std::string& breach : certification.breaches) fmt::print(screen, "broken: {}\n", breach);
   if (!certification.unfinished.empty()) {
     fmt::print(screen, "Not finished: {}\n", fmt::join(certification.unfinished, ", "));
   }
@@ -167,6 +165,14 @@ void print_certification(const CertifyArguments& arguments, const Selection& sel
     fmt::print(screen, "\n{}", certificates(certification, settings));
     if (const std::string times = time_table(certification, settings); !times.empty())
       fmt::print(screen, "\n{}", times);
+  }
+  const bool in_full = arguments.full || arguments.thorough;
+  const std::vector<std::string> lines = fault_lines(certification);
+  if (!lines.empty()) fmt::print(screen, "\n");
+  for (const std::string& line : lines) fmt::print(screen, "{}\n", line);
+  if (in_full) {
+    if (!lines.empty()) fmt::print(screen, "\n");
+    for (const std::string& breach : certification.breaches) fmt::print(screen, "broken: {}\n", breach);
   }
 }
 

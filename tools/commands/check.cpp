@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engines/guarantees.hpp"
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/checker/check_within.hpp"
 #include "report/inputs.hpp"
@@ -34,7 +35,8 @@ int run_check_command(const CheckArguments& arguments) {
     bad = bad || !read.ok();
     for (const corpus::ProofRecord& record : read.proofs) {
       bool exactly = true;
-      const oracle::RecordVerdict verdict = oracle::check_record_within(record, arguments.kappa, &exactly);
+      const oracle::RecordVerdict verdict = oracle::check_record_within(
+          record, {.of_proof = arguments.kappa, .of_bracket = engine::kappa_of(record)}, &exactly);
       within += exactly ? 0 : 1;
       if (verdict.finding == oracle::RecordFinding::accepted) {
         ++accepted;
@@ -80,14 +82,18 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "bounds it from above; of a rotating answer, a chain of axes with their slices of time, and pairs in "
       "contact at\n"
       "its end. Its record also says what was answered: an outcome and, where it states one, a bracket.\n\n"
-      "  accepted  the proof is true and proves the outcome; and the bracket, but in tier standard, whose "
-      "bracket\n"
-      "            holds within rounding and may be narrower than what can be proved\n"
-      "  in part   the proof is true and proves less: one of a hit's two halves; in tier standard, of "
-      "contact "
-      "or a miss\n"
-      "            by the rounding alone, perhaps nothing; of a start under pass_over what the format can "
-      "say\n"
+      "  accepted  the proof is true and proves the outcome and the bracket. In the standard tier it may "
+      "prove "
+      "the\n"
+      "            bracket for shapes within kappa u of scale, kappa from the guarantee of the record's "
+      "method\n"
+      "  in part   the proof is true and proves less: a wider bracket; one half of a hit; in the standard "
+      "tier, "
+      "of\n"
+      "            contact or a miss by the rounding alone, perhaps nothing; for a start under pass_over "
+      "what "
+      "the\n"
+      "            format can say\n"
       "  refused   the proof is false, or contradicts what its record says, or proves nothing of it\n\n"
       "Each that is not accepted is a line: the case, the method, what is claimed, what is proved, or why "
       "not.\n\n"

@@ -8,7 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "certify/tally.hpp"
 #include "corpus/format/fields.hpp"
+#include "external/methods.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
@@ -86,6 +88,24 @@ void add_promise_options(CLI::App& command, EngineArguments& arguments) {
       ->check(number_from(0))
       ->type_name("K")
       ->group(kGroup);
+  command
+      .add_flag(
+          "--measure", arguments.measure,
+          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
+                      "to {:g} of scale",
+                      external::kAssumedRelativeTolerance))
+      ->excludes("--tolerance")
+      ->excludes("--relative-tolerance")
+      ->excludes("--kappa")
+      ->group(kGroup);
+}
+
+CLI::Option* add_declined_option(CLI::App& command, bool& allow_declined) {
+  return command.add_flag(
+      "--allow-declined", allow_declined,
+      fmt::format("An engine may answer unsupported to more than {:g} % of the questions that it "
+                  "takes",
+                  100 * kMostDeclined));
 }
 
 void add_need_options(CLI::App& command, EngineArguments& arguments) {
@@ -126,6 +146,7 @@ Engines::Engines(const EngineArguments& arguments) {
                                     .tolerance = arguments.tolerance,
                                     .relative_tolerance = arguments.relative_tolerance,
                                     .kappa = arguments.kappa,
+                                    .measure = arguments.measure,
                                     .beyond_limits = arguments.beyond_limits};
     options.limits.time =
         std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(arguments.time_limit * 1000)));

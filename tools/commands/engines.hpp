@@ -17,6 +17,7 @@ struct EngineArguments {
   double time_limit = 1;              // seconds
   std::uint64_t memory_limit = 2048;  // MiB
   std::optional<double> tolerance, relative_tolerance, kappa;
+  bool measure = false, allow_declined = false;
   bool beyond_limits = false;
   std::vector<std::string> needed_shapes, needed_answers;  // what each must declare
 };
@@ -25,6 +26,7 @@ struct EngineArguments {
 void add_engine_options(CLI::App& command, EngineArguments& arguments);
 // What each is held to: of the commands that judge.
 void add_promise_options(CLI::App& command, EngineArguments& arguments);
+CLI::Option* add_declined_option(CLI::App& command, bool& allow_declined);
 // What each must declare.
 void add_need_options(CLI::App& command, EngineArguments& arguments);
 // Throws std::runtime_error with one line to show if one of these options is given, and no engine.

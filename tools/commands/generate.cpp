@@ -8,6 +8,7 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
+#include "corpus/workloads.hpp"
 #include "report/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
@@ -24,7 +25,7 @@ struct GenerateSettings {
 std::string family_list() {
   std::string text;
   std::size_t width = 0;
-  for (const auto families : {corpus::families(), corpus::rotating_families()}) {
+  for (const auto families : {corpus::families(), corpus::rotating_families(), corpus::workloads()}) {
     for (const corpus::Family& family : families) width = std::max(width, family.name.size() + 2);
   }
   const auto add = [&](std::span<const corpus::Family> families) {
@@ -36,6 +37,8 @@ std::string family_list() {
   add(corpus::families());
   text += "\nIn these a body turns:\n";
   add(corpus::rotating_families());
+  text += "\nThese are workloads, steps of simulations; seeds in a row are the questions of one run:\n";
+  add(corpus::workloads());
   return text;
 }
 

@@ -12,6 +12,7 @@
 
 #include "certify/certification.hpp"
 #include "certify/engine_report.hpp"
+#include "certify/report.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
 #include "external/answer.hpp"
@@ -19,6 +20,7 @@
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
@@ -31,6 +33,7 @@ struct JudgeArguments {
   std::string answers, engine_file, json;
   std::vector<std::string> cases;
   external::Held held;
+  bool allow_declined = false, full = false;
   unsigned threads = 0;  // 0: as many as the machine has
 };
 
@@ -181,26 +184,29 @@ int run_judge_command(const JudgeArguments& arguments) {
   settings.threads =
       arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
   for (const engine::Method& method : engine.methods()) settings.methods.push_back(&method);
+  settings.allow_declined = arguments.allow_declined;
   // Standard output is one thing's.
   std::FILE* const screen = arguments.json == "-" ? stderr : stdout;
   std::size_t faulty = 0;
+  std::vector<std::string> told;  // of --full: an answer at fault each
   settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method&,
                         const law::Judgement& judgement) {
     if (judgement.not_asked || !judgement.faulty()) return;
-    const Case problem = suite.at(i);
     ++faulty;
-    for (const law::FaultKind& kind : law::kFaultKinds) {
-      if (!(judgement.*kind.why).empty())
-        fmt::print(screen, "{}  {}  {}\n", problem.id, kind.name, judgement.*kind.why);
-    }
+    if (!arguments.full) return;
+    told.push_back(fmt::format("{}  {}  {}", suite.at(i).id, law::kFaultKinds[judgement.worst_fault()].name,
+                               judgement.told_fault()));
   };
   const StopBySignal signals;
   settings.stop = [] { return StopBySignal::received() != 0; };
   const Certification certification = certify(suites, settings);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  fmt::print(screen, "{} of {} answers at fault\n", faulty, certification.answers);
-  for (const std::string& breach : certification.breaches) fmt::print(screen, "broken: {}\n", breach);
-  fmt::print(screen, "\n{}", certificates(certification, settings));
+  fmt::print(screen, "{} of {} answers at fault", faulty, certification.answers);
+  for (const std::string& line : certification.declined) fmt::print(screen, "; {}", line);
+  fmt::print(screen, "\n\n{}", certificates(certification, settings));
+  for (const std::vector<std::string>& part : {fault_lines(certification), told}) {
+    if (!part.empty()) fmt::print(screen, "\n{}\n", fmt::join(part, "\n"));
+  }
   if (json) {
     json->write_line(certification_json(certification, settings, took.count()));
     json->close();
@@ -238,6 +244,17 @@ void add_judge_command(CLI::App& app, int& exit_code) {
   add_limit(*command, "--relative-tolerance", arguments->held.relative_tolerance,
             "The same, over the scale of each question");
   add_limit(*command, "--kappa", arguments->held.kappa, "The same, in units of u scale");
+  command
+      ->add_flag(
+          "--measure", arguments->held.measure,
+          fmt::format("Measure errors only, whatever it promises; without a promise or a limit it is held "
+                      "to {:g} of scale",
+                      external::kAssumedRelativeTolerance))
+      ->excludes("--tolerance")
+      ->excludes("--relative-tolerance")
+      ->excludes("--kappa");
+  add_declined_option(*command, arguments->allow_declined);
+  command->add_flag("--full", arguments->full, "Print a line for each answer at fault, too");
   command->add_option("--json", arguments->json, "Write what was counted to this file, one JSON object")
       ->type_name("OUT.json");
   command
@@ -245,9 +262,12 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       ->check(whole_number(1, kMostThreads))
       ->type_name("N");
   command->footer(
-      "Of each answer at fault a line: the case, the fault, the reason. Then what certify prints of engines "
-      "of others:\nthe least limit with which every answer would have passed. A case without an answer, an "
-      "answer to no case and\na second answer are errors. docs/engines.md has the documents.\n\n"
+      "Prints what certify prints of third-party engines, the least limit with which every answer would have "
+      "passed, then a\nline for each kind of fault. An answer counts as its worst fault. Without a promise "
+      "or a "
+      "limit the answers are held\nto 0.001 of scale. A case without an answer, an answer to no case and a "
+      "second "
+      "answer are errors.\ndocs/engines.md has the documents.\n\n"
       "  graze judge answers.jsonl --cases cases.jsonl --tolerance 1e-6\n\n"
       "Exit code: 0 if it keeps what it promises, 1 if it does not, 2 for bad input.");
   command->callback([arguments, &exit_code] { exit_code = run_judge_command(*arguments); });

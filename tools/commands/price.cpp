@@ -9,10 +9,12 @@
 #include <thread>
 
 #include "corpus/format/case_json.hpp"
+#include "corpus/workloads.hpp"
 #include "price/advice.hpp"
 #include "price/run.hpp"
 #include "price/screen.hpp"
 #include "price/sentences.hpp"
+#include "price/workloads.hpp"
 #include "report/inputs.hpp"
 #include "report/stop.hpp"
 #include "show/page.hpp"
@@ -32,7 +34,8 @@ struct PriceArguments {
   bool quick = false, thorough = false, full = false, goes_on = false;
   std::uint64_t seed = 1, rounds = 0;
   unsigned threads = 0;
-  std::string json, csv, report;
+  std::string json, csv, report, page;
+  std::optional<std::uint64_t> workloads;
 };
 
 // As it would be typed again.
@@ -100,7 +103,33 @@ void write_json(const PriceArguments& arguments, const price::Document& document
   if (!arguments.json.empty()) write_whole(arguments.json, price::write_document(document));
 }
 
+// --workloads: the steps of simulations instead.
+int show_workloads(const PriceArguments& arguments) {
+  for (const std::string& name : arguments.only) {
+    const auto all = corpus::workloads();
+    if (std::none_of(all.begin(), all.end(), [&](const corpus::Family& one) { return one.name == name; }))
+      throw std::runtime_error(
+          fmt::format("--only: {} is no workload; `graze generate --help` lists them", name));
+  }
+  const StopBySignal signals;
+  const price::WorkloadSettings settings{
+      .casts = *arguments.workloads, .seed = arguments.seed, .only = arguments.only, .stop = [] {
+        return StopBySignal::received() != 0;
+      }};
+  const std::vector<price::WorkloadRow> rows = price::measure_workloads(settings);
+  fmt::print("{}", price::workload_table(rows));
+  if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
+  if (!arguments.page.empty()) {
+    std::string page = price::workload_page(rows, settings, price::this_machine());
+    page.pop_back();
+    write_whole(arguments.page, page);
+  }
+  return 0;
+}
+
 int run_price_command(const PriceArguments& arguments) {
+  if (arguments.workloads) return show_workloads(arguments);
+  if (!arguments.page.empty()) throw std::runtime_error("--page: is of --workloads; give both");
   if (arguments.quick && arguments.thorough)
     throw std::runtime_error("--quick and --thorough: a run is one of the two");
   require_own_files({arguments.json, arguments.csv});
@@ -202,6 +231,16 @@ void add_price_command(CLI::App& app, int& exit_code) {
           "Write the report into this folder: index.html, one file to look at, which needs no network, and "
           "price.json")
       ->type_name("DIR");
+  command
+      ->add_option("--workloads", arguments->workloads,
+                   "Instead: the steps of simulations (docs/workloads.md), N casts of each workload at each "
+                   "place; --only names workloads")
+      ->check(whole_number(1))
+      ->type_name("N");
+  command
+      ->add_option("--page", arguments->page,
+                   "With --workloads: write docs/reports/workloads.md to this file")
+      ->type_name("OUT.md");
   command->add_flag("--continue", arguments->goes_on,
                     "Go on with what a run that was stopped left in the file of --json");
   add_engine_options(*command, arguments->engines);
@@ -217,6 +256,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its calls\n"
       "  graze price --report DIR                             a page to look at: DIR/index.html\n"
       "  python3 price/figures.py price.json figures          every figure\n"
+      "  graze price --workloads 1000                         what the steps of simulations cost\n"
       "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
       "Exit code: 0; 2 for bad input; 130 if it was stopped.");
   command->callback([arguments, command, &exit_code] {

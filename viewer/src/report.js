@@ -105,7 +105,7 @@ const wide = (label, table) => h("div", { class: "wide", tabindex: 0, role: "reg
 
 function keepers(data, methods, open) {
   const heads = [["method", 1], ["promise"], ["kept", 1], ["answers", 1], ["wrong", 1], ["late", 1], ["other faults", 1], ["stalls", 1],
-    ["worst error of its limit", 1], ["median time", 1]];
+    ["worst error of its limit", 1], ["most supports", 1], ["median time", 1]];
   const rows = methods.map((m) => {
     const { wrong = 0, late = 0, ...rest } = m.faults;
     const other = Object.values(rest).reduce((sum, n) => sum + n, 0);
@@ -119,6 +119,7 @@ function keepers(data, methods, open) {
       h("td", { "data-value": number(m.over_limit) ?? NaN, class: "number" }, worst
         ? h("button", { type: "button", class: "open", onclick: () => open(worst.worst, m.name), title: `look at ${worst.worst}` }, bar(m.over_limit), ofLimit(m.over_limit))
         : ofLimit(m.over_limit)),
+      cell(number(m.supports), m.supports === null ? "–" : count(m.supports)),
       cell(number(m.ns), m.ns === null ? "–" : nanoseconds(m.ns)));
   });
   // A table a kind: what one sees first is what most come for.
@@ -215,21 +216,24 @@ function heat(data, open) {
     h("p", {}, "The worst error of each method on each family, over the limit that its guarantee grants it: 1 is the limit. The stronger the colour, the nearer; red is a fault. Framed is an error beyond the limit that is let pass: the answer says so itself, or the question hangs on less than the limit. Press a number to look at its case."), tables);
 }
 
+// What is named beside faults.
+const harmless = ["worst", "stalled", "most supports"];
+
 function worstCases(data, open) {
   const kMost = 24;
   const seen = new Set();
   const all = data.named.filter((one) => !seen.has(one.id + one.method) && seen.add(one.id + one.method));
-  const faults = all.filter((one) => one.what !== "worst" && one.what !== "stalled");
+  const faults = all.filter((one) => !harmless.includes(one.what));
   const rows = all.slice(0, Math.max(kMost, Math.min(faults.length, 60))).map((one) => {
     const m = data.methods[one.method];
-    const bad = one.what !== "worst" && one.what !== "stalled";
+    const bad = !harmless.includes(one.what);
     return h("tr", { class: bad ? "wrong" : "" }, h("td", {}, h("button", { type: "button", class: `open ${data.scenes[one.id] ? "held" : ""}`, "data-case": one.id, onclick: () => open(one.id, m.name) }, one.id)),
-      h("td", {}, m.name), h("td", {}, bad ? h("strong", { class: "bad" }, one.what) : one.what === "worst" ? "within its limit" : "stalled"),
+      h("td", {}, m.name), h("td", {}, bad ? h("strong", { class: "bad" }, one.what) : one.what === "worst" ? "within its limit" : one.what),
       h("td", { class: "number" }, ofLimit(one.over_limit)), faults.length > 0 && h("td", { class: "why" }, one.why || "–"));
   });
   return h("section", { id: "worst" }, h("h2", {}, "Worst cases"),
-    h("p", {}, faults.length > 0 ? "Faults first; then, of each method, the case whose error is the largest part of its limit."
-      : "Nothing is at fault. Of each method, the case whose error is the largest part of its limit, and those that stall."),
+    h("p", {}, faults.length > 0 ? "Faults first; then, of each method, the case whose error is the largest part of its limit and the one that took the most support evaluations."
+      : "Nothing is at fault. Of each method, the case whose error is the largest part of its limit, the one that took the most support evaluations, and those that stall."),
     wide("Worst cases", h("table", {}, h("thead", {}, h("tr", {}, ["case", "method", "", "of its limit", faults.length > 0 && "why"].filter((name) => name !== false).map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))));
 }
 

@@ -8,14 +8,17 @@
 // Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
 // the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
 // exact tier, whose bracket is narrower still.
-//   miss                   an axis proves it;
-//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards;
-//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact
-//                          and contact is proved a little later: a verdict of contact, whether it is in
-//                          contact at t = 0 or not;
-//   not_converged          the bracket is proved, but wider. Only where clearance or depth is below the
-//                          width, or under pass_over where that much decides whether the start leaves.
-//                          Of a shape that lies far out in its own frame, 1e12 scale and more, the width is
+//   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
+//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
+//                          arithmetic (exact_start.hpp): bodies that touch;
+//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact, is not
+//                          proved to be in contact, and contact is proved a little later;
+//   not_converged          a tie: at toi_lower the bodies are within the width of contact, or the motion ends there, and
+//                          neither contact nor a miss is proved. The answer has a normal, witnesses and `distance`, a
+//                          bound of the gap that is at most the width, so that a caller can take it for contact. Only
+//                          where clearance or depth is below the width, or under pass_over where that much decides
+//                          whether the start leaves. A search that the caller's own max_iterations ends may say less.
+//                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
 // How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides; with a
@@ -33,6 +36,7 @@
 #include <graze/cast.hpp>
 #include <graze/certified/curved_bracket.hpp>
 #include <graze/certified/degenerate.hpp>
+#include <graze/certified/exact_start.hpp>
 #include <graze/certified/surround.hpp>
 #include <graze/exact/cast.hpp>
 #include <graze/numeric/rounding.hpp>
@@ -56,6 +60,7 @@ class CertifiedCast {
         context_(proof_context(a, b, cso_, t_max, target_distance)),
         counters_(counters),
         points_(context_, counters),
+        target_distance_(target_distance),
         budget_(options.max_iterations),
         wants_proof_(asks_for(options.request, Request::proof)),
         // cso.scale() is not above the pair's. A portal is 2^9 times the doubt of its corners high.
@@ -64,11 +69,25 @@ class CertifiedCast {
   CertifiedCast& operator=(const CertifiedCast&) = delete;
 
   void run() {
-    if (cso_.moves() && context_.s_max > 0) {
+    if (is_swept()) {
       sweep();
     } else {
       rest();
     }
+    if (outcome == Outcome::not_converged) come_near();
+    if (outcome == Outcome::hit || outcome == Outcome::not_converged) settle_start();
+    if (outcome == Outcome::not_converged) fill_open();
+  }
+  // The same where a quicker search has left the verdict open: if the bodies touch at t = 0 up to rounding, that is
+  // decided first. A proof may come of the wider search alone.
+  void run_open() {
+    Simplex<double> simplex;
+    const Distance<double> d =
+        gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
+    if (std::abs(d.upper - cso_.radius()) <= width_allowed_ && !wants_proof_) {
+      if (is_shown_at_start() || settle_start()) return;
+    }
+    run();
   }
 
   // Of a hit: points of A and B, in the world at t = 0, that are at contact at `lower`, up to the width.
@@ -112,6 +131,7 @@ class CertifiedCast {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
     if (away.toi_lower == kInfinity<double>) return Start::leaves;
+    if (const Start exactly = start_exactly(); exactly != Start::open) return exactly;
     // An n with h(n) <= 0 has n.v <= 0 where C has a point ahead on the line; and n.v = 0, too, only if seen
     // along the line it keeps all of C in a half-plane. Where points of C surround the line none does. At
     // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
@@ -128,14 +148,24 @@ class CertifiedCast {
     return around_origin(true) ? Start::enters : Start::open;
   }
 
+  // After run(): nothing is known but that the bodies are near contact at t = 0.
+  void leave_open() {
+    outcome = Outcome::not_converged;
+    proof = {};
+    upper = kInfinity<double>;
+    apart = cso_.to_length(near(0).distance);
+    fill_open();
+  }
+
   Outcome outcome = Outcome::not_converged;
   Proof proof;  // times in double; a portal's pairs only while its points have names
   double lower = 0, upper = kInfinity<double>;  // t
   double apart = kInfinity<double>;             // of the bodies at lower, at most; world length
-  Vec3<double> n = Vec3<double>::Zero();        // hit: unit, supports C at the contact
-  ProvedPortal portal;                          // hit
+  Vec3<double> n = Vec3<double>::Zero();  // hit, not_converged: unit, supports C at the contact, or nearly
+  ProvedPortal portal;                    // hit
 
  private:
+  [[nodiscard]] bool is_swept() const { return cso_.moves() && context_.s_max > 0; }
   // A portal's own rounding, and what its points are drawn in by, is 32 u of the lengths in them.
   [[nodiscard]] double gap() const { return 32 * kUnitRoundoff<double> * cso_.scale(); }
 
@@ -236,8 +266,7 @@ class CertifiedCast {
       if (is_miss(portal.found ? portal.n : portal.across) || is_miss_by_search(search.n)) return;
       // A line through the border of two portals, of symmetry mostly, is proved by neither.
       if (is_deep_at_start()) return;
-      bound_below(search);
-      return undecided();
+      return bound_below(search);
     }
     if (portal.upper <= 0) {
       const ProvedPortal out = leave();
@@ -251,7 +280,7 @@ class CertifiedCast {
     // The portal's point may lie before the start; with one of C behind the start, contact is in between.
     if (!(portal.least >= 0)) {
       const ProvedPortal out = leave();
-      if (!out.found || !(out.upper <= 0)) return undecided();
+      if (!out.found || !(out.upper <= 0)) return;
     }
     close();
   }
@@ -300,9 +329,103 @@ class CertifiedCast {
       prove_lower(context_, search.facing, false, proof, counters_);
     }
   }
-  void undecided() {
+  // ---- where the search ends without a verdict ----
+
+  struct Near {
+    double distance;  // not below the distance of s r from C, internal length
+    Vec3<double> n;
+  };
+
+  // A lower end near contact, by conservative advancement: each axis from C to the path's point at the lower end proves a
+  // later one. Past a rounded side each step halves the way to the nearest point, at least.
+  void come_near() {
+    double s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
+    Near at = near(s);
+    for (int i = 0; i < kAdvances && !(at.distance <= width_allowed_); ++i) {
+      if (is_miss(at.n)) return;
+      if (!is_swept() || !(prove_later(at.n) || looks_from_before(s, at)) || at.distance <= width_allowed_)
+        break;
+      s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
+      at = near(s);
+    }
+    if (!(at.distance <= width_allowed_) && is_miss_by_search(at.n)) return;
+    apart = cso_.to_length(at.distance);
+    n = at.n;
+  }
+  [[nodiscard]] bool prove_later(const Vec3<double>& axis) {
+    const double before = proof.toi_lower;
+    prove_lower(context_, axis, false, proof, counters_);
+    return proof.toi_lower > before;
+  }
+  // So near to C the direction to it is rounding, and a search may stall: it asks at points of the path farther and farther
+  // before s. A later bound may be proved by what it finds there, and C is no farther from s than from there and the way back.
+  [[nodiscard]] bool looks_from_before(double s, Near& at) {
+    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    for (double before = width_allowed_ / 16 / speed; before < kFarBefore; before *= 2) {
+      const Near there = near(s - before);
+      at.distance = std::min(at.distance, there.distance + before * speed);
+      if (at.distance <= width_allowed_ || prove_later(there.n)) return true;
+    }
+    return false;
+  }
+  // Whether a start that is not proved to be free of contact is one in contact, in exact arithmetic. True: it is, or
+  // the bodies are apart and stay so.
+  bool settle_start() {
+    if (proof.toi_lower > 0) return false;
+    const ExactStart start = decide_start();
+    if (start.is_contact()) {
+      outcome = Outcome::initially_overlapping;
+      lower = upper = 0;
+      proof = {};
+    } else if (start.kind == StartKind::apart && (!is_swept() || rate_along(start.n) >= 0)) {
+      outcome = Outcome::miss;
+      lower = upper = kInfinity<double>;
+    }
+    return outcome == Outcome::initially_overlapping || outcome == Outcome::miss;
+  }
+  [[nodiscard]] ExactStart decide_start() {
+    return StartDecision<S>(a_, b_, cso_, target_distance_, budget_, counters_)();
+  }
+  // The sign of n.v.
+  [[nodiscard]] int rate_along(const exact::Dyadic3& direction) const {
+    const exact::Exact v = exact::Exact::of(wide(b_.displacement), wide(a_.displacement));
+    return exact::dot(direction, v.x).sign();
+  }
+  // Of C without the target distance.
+  [[nodiscard]] Start start_exactly() {
+    const ExactStart start = decide_start();
+    if (start.kind == StartKind::deep) return Start::enters;
+    const bool known = start.kind == StartKind::touching || start.kind == StartKind::apart;
+    if (!known || direction_of(start.n) == Vec3<double>::Zero()) return Start::open;
+    if (rate_along(start.n) >= 0) return Start::leaves;
+    return start.only_normal ? Start::enters : Start::open;
+  }
+  // The tie is open, and the bodies are within the width: what a caller needs who takes it for contact.
+  void fill_open() {
     lower = std::min(proof.toi_lower, context_.t_max);
     proof.toi_lower = lower;
+    // Where they touch, what a search says of the direction between them may be noise. The best is what C reaches least
+    // beyond the path along, of those from points beside it as well.
+    const Vec3<double> x = cso_.to_parameter(lower) * context_.r;
+    double least = kInfinity<double>;
+    Vec3<double> best = Vec3<double>::Zero();
+    const auto try_direction = [&](const Vec3<double>& given) {
+      if (!(given.cwiseAbs().maxCoeff() > 0)) return;
+      const Vec3<double> e = unit(given);
+      const double beyond = context_.reach(e, counters_) * power_of_two(-cso_.length_exponent()) - e.dot(x);
+      if (beyond < least) {
+        least = beyond;
+        best = e;
+      }
+    };
+    for (const Vec3<double>& e : {n, portal.n, proof.axis}) try_direction(e);
+    try_direction(Vec3<double>(x - cso_.middle()));
+    for (const double away : {0x1p-20, 0x1p-26}) {
+      Simplex<double> simplex;
+      try_direction(
+          gjk_distance(cso_, Vec3<double>(x + away * best), simplex, 0.0, 0.0, budget_, counters_).n);
+    }
+    n = best;
   }
 
   // Not below the depth of the path over [0, t) in C, internal length, by the axis n.
@@ -313,10 +436,6 @@ class CertifiedCast {
     const double h = context_.reach(e, counters_);
     return std::max(0.0, h - least) * (1 + 16 * kUnitRoundoff<double>)*power_of_two(-cso_.length_exponent());
   }
-  struct Near {
-    double distance;  // not below the distance of s r from C, internal length
-    Vec3<double> n;
-  };
   [[nodiscard]] Near near(double s) {
     Simplex<double> simplex;
     const Vec3<double> x = s * context_.r;
@@ -354,6 +473,11 @@ class CertifiedCast {
       steep = at_lower.n;
     }
     if (!(short_of <= width_allowed_)) short_of = nearer(steep);
+    if (!(short_of <= width_allowed_)) {
+      come_near();
+      if (outcome == Outcome::miss) return;
+      short_of = apart * power_of_two(-cso_.length_exponent());
+    }
     n = portal.n;
     double deep = depth_before(n, upper);
     const auto try_axis = [&](const Vec3<double>& axis) {
@@ -418,12 +542,15 @@ class CertifiedCast {
   // Of the path's parameter: the root of the width, from where an axis is tilted by more than the width
   // allows.
   static constexpr double kFarBefore = 1e-6;
+  // Of come_near(): 40 halvings of the way are from the scale to the width, and as many where rounding takes some back.
+  static constexpr int kAdvances = 80;
 
   const Body<S>&a_, &b_;
   Cso<double> cso_;
   ProofContext<S> context_;
   Counters& counters_;
   NamedPoints<S> points_;
+  double target_distance_;
   int budget_;
   bool wants_proof_;
   bool start_was_asked_ = false;  // and not shown
@@ -445,10 +572,7 @@ void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
     return;
   }
   // Whether it is a start in contact, or whether that leaves, is open: then so is all that follows.
-  cast.outcome = Outcome::not_converged;
-  cast.lower = 0;
-  cast.upper = kInfinity<double>;
-  cast.proof = {};
+  cast.leave_open();
 }
 
 }  // namespace detail
@@ -464,13 +588,14 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
   }
   const bool proof = asks_for(options.request, Request::proof);
-  const bool quick = detail::is_round_pair(a, b, options) ? detail::round_certified(a, b, options, out)
-                     : detail::is_curved_pair(a, b)       ? detail::curved_certified(a, b, options, out)
-                                                          : false;
+  const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
+  const bool quick = round    ? detail::round_certified(a, b, options, out)
+                     : curved ? detail::curved_certified(a, b, options, out)
+                              : false;
   if (quick && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);
-  cast.run();
+  quick || !(round || curved) ? cast.run() : cast.run_open();
   if (quick) {
     if (cast.outcome == out.outcome) out.proof = cast.proof;
     return out;
@@ -488,8 +613,6 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
     const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
     const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
     out.distance = exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
-  }
-  if (out.outcome == Outcome::hit) {
     if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
       const auto at_lower = [&](const Body<S>& body, const Vec3<double>& x) -> Vec3<S> {

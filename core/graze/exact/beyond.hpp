@@ -11,7 +11,7 @@
 // neighbours are enough, n being separable.
 #pragma once
 
-#include <graze/exact/scene.hpp>
+#include <graze/exact/heights.hpp>
 #include <graze/result.hpp>
 #include <graze/support/prepared_pair.hpp>
 
@@ -110,6 +110,7 @@ class BeyondSearch {
     std::uint32_t at = 0;                       // of x_0
     Vec3<double> d = Vec3<double>::Zero();      // n in the leaf's own axes, negated for B
     Vec3<double> error = Vec3<double>::Zero();  // of a step's height, over the step's components
+    std::optional<Heights<S>> heights = {};     // once doubles did not tell
     bool found = false;
     std::uint32_t best = 0;
   };
@@ -181,8 +182,9 @@ class BeyondSearch {
     s.found = true;
     s.best = k;
   }
-  [[nodiscard]] bool rises_exactly(const Search& s, std::uint32_t from, std::uint32_t to) const {
-    return scene_.determinant_sign(Term::step(s.index, from, to), s.n.f1, s.n.f2) * s.n.sign > 0;
+  [[nodiscard, gnu::noinline]] bool rises_exactly(Search& s, std::uint32_t from, std::uint32_t to) const {
+    if (!s.heights) s.heights.emplace(scene_, s.index, s.n.f1, s.n.f2);
+    return s.heights->sign(from, to) * s.n.sign > 0;
   }
   // A step that is 0 along every axis along which n is not known to be: of a face across an axis.
   [[nodiscard]] static bool ties_by_axes(const Search& s, const Vec3<double>& step) {
@@ -231,12 +233,7 @@ class BeyondSearch {
       const double own = s.error[static_cast<int>(i)];
       if ((level >> i & 1u) != 0 || step == 0 || own == 0) continue;
       const double error = 1.01 * own * std::abs(step) + kUnderflow;
-      const bool up =
-          std::abs(height) > error
-              ? height > 0
-              : scene_.determinant_sign(Term::step(s.index, s.at, s.at ^ (1u << i)), s.n.f1, s.n.f2) *
-                        s.n.sign >
-                    0;
+      const bool up = std::abs(height) > error ? height > 0 : rises_exactly(s, s.at, s.at ^ (1u << i));
       if (up) flips |= 1u << i;
     }
     if (flips == 0) return;

@@ -9,70 +9,19 @@
 #pragma once
 
 #include <graze/cast.hpp>
-#include <graze/exact/ends.hpp>
-#include <graze/exact/meeting.hpp>
-#include <graze/numeric/rounding.hpp>
-#include <graze/support/validate.hpp>
+#include <graze/exact/answer_cast.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  using exact::Passage;
   CastResult<S> out;
   out.method = Method::exact_portal;
   out.invalid = exact::refusal(a, b, options);
   if (exact::refused(out, a, b, options)) return out;
-
   exact::PassageSearch<S> cast(a, b, out.counters);
-  const double t_max = static_cast<double>(options.t_max);
-  const exact::Answer answer = cast.pass(t_max);
-  exact::TimeBracket toi{kInfinity<double>, kInfinity<double>};
-  out.outcome = Outcome::miss;
-  out.toi_lower = out.toi_upper = kInfinity<S>;
-  if (!cast.has_scene()) {
-    if (asks_for(options.request, Request::proof))
-      out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
-    return out;
-  }
-  const exact::Scene<S>& scene = cast.scene();
-  if (answer.passage == Passage::contact) {
-    out.passed_over = options.start_policy == StartPolicy::pass_over && cast.leaves_or_slides();
-    if (!out.passed_over) {
-      out.outcome = Outcome::initially_overlapping;
-      toi = {0, 0};
-      out.toi_lower = out.toi_upper = 0;
-    }
-  } else if (answer.passage == Passage::ahead && cast.pair().moves()) {
-    // t_max is a double: t_in <= t_max iff the least double not below t_in is.
-    exact::Meeting<S> meeting(cast.pair(), scene, answer.facet, cast.v());
-    const exact::TimeBracket t_in = meeting.time();
-    if (t_in.upper <= t_max) {
-      out.outcome = Outcome::hit;
-      toi = t_in;
-      out.toi_lower = exact::round_down<S>(toi.lower);
-      out.toi_upper = exact::round_up<S>(toi.upper);
-      const Triple& r = cast.pair().direction();
-      const double speed = std::sqrt(dot(r, r)) * power_of_two(scene.speed_exponent());
-      out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * speed);
-      if (asks_for(options.request, Request::normal))
-        out.normal = Vec3<double>(-meeting.normal()).template cast<S>();
-      if (asks_for(options.request, Request::witnesses)) {
-        const std::array<Vec3<double>, 2> points = meeting.witnesses(double(out.toi_lower));
-        out.point_a = points[0].template cast<S>();
-        out.point_b = points[1].template cast<S>();
-      }
-    }
-  }
-  GRAZE_ASSERT(!scene.valid() || out.toi_lower <= out.toi_upper);
-  if (asks_for(options.request, Request::proof) && !out.passed_over)
-    out.proof = exact::prove(answer, out.outcome, toi, options.start_policy);
-  out.counters.exact_decisions = scene.exact_decisions();
-  if (!scene.valid()) {
-    out = {};
-    out.method = Method::exact_portal;
-    exact::refuse_as_too_complex(out);
-  }
+  const exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
+  exact::answer_cast(cast, answer, options, out);
   return out;
 }
 

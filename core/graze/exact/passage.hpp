@@ -30,6 +30,19 @@ struct Answer {
   int hull_size = 0;
 };
 
+// The portal that a quick walk ended with.
+template <class Walk>
+[[nodiscard]] Seeds seeds_of(const Walk& walk) {
+  Seeds out;
+  out.known = walk.has_portal();
+  out.last = out.known && !walk.passed();
+  for (std::size_t i = 0; out.known && i < 3; ++i) {
+    const QuickCorner& c = walk.corner(i);
+    out.vertex[i] = {c.vertex_a, c.vertex_b};
+  }
+  return out;
+}
+
 template <Scalar S>
 class PassageSearch {
  public:
@@ -39,12 +52,21 @@ class PassageSearch {
         pair_(a, b),
         counters_(counters),
         is_quick_(detail::is_quick(a.shape) && detail::is_quick(b.shape)) {}
+  // Of a pair that is prepared, and walked before: no quick walk goes first.
+  PassageSearch(const GuidedPair<S>& pair, Counters& counters)
+      : a_(pair.a().body()), b_(pair.b().body()), pair_(pair), counters_(counters), is_quick_(false) {}
 
   // As far as t in [0, t_max] goes: a line that is met later only may come out as one that is beside C.
   [[nodiscard]] Answer pass(double t_max = kInfinity<double>) {
     Answer out;
     Seeds seeds;
-    if (!seek(t_max, seeds, out.miss)) fuses() ? pass_fused(seeds, out) : pass_from(seeds, out);
+    if (!seek(t_max, seeds, out.miss)) out = pass(seeds);
+    return out;
+  }
+  // The same of the whole line, from where another walk ended.
+  [[nodiscard]] Answer pass(const Seeds& seeds) {
+    Answer out;
+    fuses() ? pass_fused(seeds, out) : pass_from(seeds, out);
     return out;
   }
   // t_in (toward -1) or t_out (+1) of the line.
@@ -105,12 +127,7 @@ class PassageSearch {
     const Seed seed = walk.seek();
     if (seed == Seed::none) return false;
     if (seed != Seed::miss) {
-      seeds.known = true;
-      seeds.last = seed == Seed::portal;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const QuickCorner& c = walk.corner(i);
-        seeds.vertex[i] = {c.vertex_a, c.vertex_b};
-      }
+      seeds = seeds_of(walk);
       return false;
     }
     const Triple& n = walk.axis();

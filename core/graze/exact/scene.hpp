@@ -121,6 +121,68 @@ class Scene {
     return grid_of(a) + grid_of(b) + std::min(grid_of(c), grid_of(d) + trailing_exponent(s));
   }
 
+  // Whether each is a step or a difference that only bodies with one rotation take part in.
+  [[nodiscard]] bool is_straight(const Term& a, const Term& b, const Term& c) const {
+    if (!is_of_two_leaves()) return false;
+    std::array<bool, 2> takes_part = {false, false};
+    for (const Term* const term : {&a, &b, &c}) {
+      if (term->kind == Term::Kind::step) {
+        takes_part[leaves_[term->leaf].of_b] = true;
+      } else if (term->kind == Term::Kind::difference) {
+        takes_part[0] = takes_part[0] || term->from.a != term->to.a;
+        takes_part[1] = takes_part[1] || term->from.b != term->to.b;
+      } else {
+        return false;
+      }
+    }
+    return alike_ || !(takes_part[0] && takes_part[1]);
+  }
+  // Of a body with that orientation.
+  const FineTurn& turn(bool of_b, const Quaternion<double>& q) const {
+    if (!has_turn_[of_b]) {
+      turn_[of_b] = FineTurn(q);
+      has_turn_[of_b] = true;
+    }
+    return turn_[of_b];
+  }
+
+  // Every coordinate of an unturned term is a multiple of 2^grid.
+  [[nodiscard]] int grid_of(const Term& term) const {
+    int grid = kAnyGrid;
+    const auto take = [&](const Vec3<double>& x) { grid = std::min(grid, trailing_exponent(x)); };
+    const auto take_vertex = [&](const Vertex& v) {
+      for (const Leaf<S>& leaf : leaves_) take(at(leaf, leaf.vertex(v)));
+    };
+    switch (term.kind) {
+      case Term::Kind::motion:
+        take(Vec3<double>(power_of_two(-j_) * a_.displacement.template cast<double>()));
+        take(Vec3<double>(power_of_two(-j_) * b_.displacement.template cast<double>()));
+        break;
+      case Term::Kind::given:
+        take(term.given_triple());
+        break;
+      case Term::Kind::step:
+        take(at(leaves_[term.leaf], term.k));
+        take(at(leaves_[term.leaf], term.l));
+        break;
+      case Term::Kind::point:
+        take(Vec3<double>(unit_ * a_.position.template cast<double>()));
+        take(Vec3<double>(unit_ * b_.position.template cast<double>()));
+        for (const Shift& s : shifts_) take(Vec3<double>(unit_ * s.by));
+        take_vertex(term.to);
+        break;
+      case Term::Kind::inside:
+        for (const Vertex& v : term.around) take_vertex(v);
+        take_vertex(term.from);
+        break;
+      case Term::Kind::difference:
+        take_vertex(term.from);
+        take_vertex(term.to);
+        break;
+    }
+    return grid == kAnyGrid ? 0 : grid;
+  }
+
   static constexpr double kLeastSize = 0x1p-700, kMostSize = 0x1p700, kFineError = 0x1p-87;
   // What is added up for a point: a part of each leaf, each shift, and the bodies' positions.
   static constexpr std::size_t kFineParts = 16;
@@ -229,22 +291,6 @@ class Scene {
         false);
     return out;
   }
-  // Whether each is a step or a difference that only bodies with one rotation take part in.
-  [[nodiscard]] bool is_straight(const Term& a, const Term& b, const Term& c) const {
-    if (!is_of_two_leaves()) return false;
-    std::array<bool, 2> takes_part = {false, false};
-    for (const Term* const term : {&a, &b, &c}) {
-      if (term->kind == Term::Kind::step) {
-        takes_part[leaves_[term->leaf].of_b] = true;
-      } else if (term->kind == Term::Kind::difference) {
-        takes_part[0] = takes_part[0] || term->from.a != term->to.a;
-        takes_part[1] = takes_part[1] || term->from.b != term->to.b;
-      } else {
-        return false;
-      }
-    }
-    return alike_ || !(takes_part[0] && takes_part[1]);
-  }
   template <bool kFused>
   [[nodiscard, gnu::flatten, gnu::noinline]] static double determinant(const Fine& x, const Fine& y,
                                                                        const Fine& z) {
@@ -277,13 +323,14 @@ class Scene {
     const Leaf<S>&a = own_[0], &b = own_[1];
     Fine out;
     const auto add = [&](const Vec3<double>& x, const Vec3<double>& y, bool negative) {
+      double size = 0;
       for (int i = 0; i < 3; ++i) {
         const Pair d = negative ? difference(y[i], x[i]) : difference(x[i], y[i]);
+        size = std::max(size, Fine::size_of(d));
         Pair& sum = out.x[static_cast<std::size_t>(i)];
         sum = sum + d;
       }
-      out.size += std::max({std::abs(x[0]) + std::abs(y[0]), std::abs(x[1]) + std::abs(y[1]),
-                            std::abs(x[2]) + std::abs(y[2])});
+      out.size += size;
     };
     switch (term.kind) {
       case Term::Kind::step: {
@@ -357,51 +404,6 @@ class Scene {
   }
   void turn_outside(Fine& v, const Quaternion<double>& q, bool of_b) const {
     if (!q.is_identity()) turn(of_b, q)(v);
-  }
-
-  const FineTurn& turn(bool of_b, const Quaternion<double>& q) const {
-    if (!has_turn_[of_b]) {
-      turn_[of_b] = FineTurn(q);
-      has_turn_[of_b] = true;
-    }
-    return turn_[of_b];
-  }
-
-  // Every coordinate of an unturned term is a multiple of 2^grid.
-  [[nodiscard]] int grid_of(const Term& term) const {
-    int grid = kAnyGrid;
-    const auto take = [&](const Vec3<double>& x) { grid = std::min(grid, trailing_exponent(x)); };
-    const auto take_vertex = [&](const Vertex& v) {
-      for (const Leaf<S>& leaf : leaves_) take(at(leaf, leaf.vertex(v)));
-    };
-    switch (term.kind) {
-      case Term::Kind::motion:
-        take(Vec3<double>(power_of_two(-j_) * a_.displacement.template cast<double>()));
-        take(Vec3<double>(power_of_two(-j_) * b_.displacement.template cast<double>()));
-        break;
-      case Term::Kind::given:
-        take(term.given_triple());
-        break;
-      case Term::Kind::step:
-        take(at(leaves_[term.leaf], term.k));
-        take(at(leaves_[term.leaf], term.l));
-        break;
-      case Term::Kind::point:
-        take(Vec3<double>(unit_ * a_.position.template cast<double>()));
-        take(Vec3<double>(unit_ * b_.position.template cast<double>()));
-        for (const Shift& s : shifts_) take(Vec3<double>(unit_ * s.by));
-        take_vertex(term.to);
-        break;
-      case Term::Kind::inside:
-        for (const Vertex& v : term.around) take_vertex(v);
-        take_vertex(term.from);
-        break;
-      case Term::Kind::difference:
-        take_vertex(term.from);
-        take_vertex(term.to);
-        break;
-    }
-    return grid == kAnyGrid ? 0 : grid;
   }
 
   const Body<S>&a_, &b_;

@@ -88,7 +88,7 @@ struct Bounds {
     const double reach = pair.a().reach() + pair.b().reach(), extent = pair.extent();
     body = pair.a().error() + pair.b().error();
     const double place = body + pair.offset_error() + 2 * kU * extent;  // of w
-    edge = 2 * body + 20 * kU * reach + kUnderflow;
+    edge = 2 * body + detail::rounded_product(20 * kU, reach) + kUnderflow;
     seen = 2 * place + 8 * kU * extent + kUnderflow;
     far = seen + 2 * (pair.a().slip() + pair.b().slip()) + 16 * kU * reach;
   }
@@ -104,9 +104,11 @@ struct Measured {
 // that (twice, and u of its length, below 2.9 extent); of x 9 of it (6, and 12 u of what is below twice the extent each);
 // and 3 u of the product, |x| below 12 extent: 5 of it, over d - c.
 inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, double sum_y, double seen) {
-  const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - 3 * c.qx, y = sum_y - 3 * c.qy;
-  return {ex * y - ey * x, 15 * seen * (std::abs(ex) + std::abs(ey)) +
-                               3 * seen * (std::abs(x) + std::abs(y)) + 50 * seen * seen};
+  const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - detail::rounded_product(3.0, c.qx),
+               y = sum_y - detail::rounded_product(3.0, c.qy);
+  return {
+      detail::rounded_product(ex, y) - detail::rounded_product(ey, x),
+      15 * seen * (std::abs(ex) + std::abs(ey)) + 3 * seen * (std::abs(x) + std::abs(y)) + 50 * seen * seen};
 }
 
 // Vertices of C that a walk may begin with.
@@ -223,8 +225,9 @@ class PortalWalk {
   bool support_across(double nx, double ny, Corner& out) {
     // Perpendicular to v but for its rounding.
     support(nx * line_.across_x + ny * line_.across_y, out);
-    const double height = nx * out.qx + ny * out.qy;
-    if (!(height < -(bounds_.far * 2 * (std::abs(nx) + std::abs(ny)) + kUnderflow))) return true;
+    const double height = detail::rounded_product(nx, out.qx) + detail::rounded_product(ny, out.qy);
+    if (!(height < -(detail::rounded_product(bounds_.far, 2 * (std::abs(nx) + std::abs(ny))) + kUnderflow)))
+      return true;
     Vec3<double> x = Vec3<double>::Zero();
     x[line_.x] = ny;
     x[line_.y] = -nx;
@@ -243,7 +246,7 @@ class PortalWalk {
   }
   // The sign of v_z (u_x w_y - u_y w_x), each within e; 0 where that is not beyond its rounding.
   [[nodiscard]] int sign_in_doubles(double ux, double uy, double wx, double wy, double e) const {
-    const double value = ux * wy - uy * wx;
+    const double value = detail::rounded_product(ux, wy) - detail::rounded_product(uy, wx);
     const double error = 2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * e * e;
     return value > error ? line_.sign : value < -error ? -line_.sign : 0;
   }
@@ -315,7 +318,8 @@ class PortalWalk {
       ey = second.qy - first.qy;
     }
     // To the side where o is.
-    const bool left = first.qx * second.qy - first.qy * second.qx >= 0;
+    const bool left =
+        detail::rounded_product(first.qx, second.qy) >= detail::rounded_product(first.qy, second.qx);
     return support_across(left ? -ey : ey, left ? ex : -ex, third);
   }
 
@@ -475,7 +479,8 @@ class PortalWalk {
     if (!is_corner(w.id)) {
       const Triple g = edge(c0, w);
       const double g_1 = sum(magnitude(g));
-      const double error = 1.1 * bounds_.edge * (e_1 * f_1 + (e_1 + f_1) * g_1) + kUnderflow;
+      const double area = detail::rounded_product(e_1, f_1) + detail::rounded_product(e_1 + f_1, g_1);
+      const double error = detail::rounded_product(1.1 * bounds_.edge, area) + kUnderflow;
       if (dot(n, g) > error) return true;
     }
     return surely_above(n, e, f, w);

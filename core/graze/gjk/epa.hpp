@@ -16,25 +16,29 @@
 #pragma once
 
 #include <Eigen/Geometry>  // cross
+#include <algorithm>
 #include <graze/gjk/gjk.hpp>
 #include <graze/portal/frame.hpp>
+#include <vector>
 
 namespace graze::inline GRAZE_LINKAGE {
 
-// Vertices: a polytope is done after as many supports as C has vertices around the answer, 5..40; a curved C
-// halves the gap with every 2 to 4, so 60 to 190 for 46 bits. A triangulated sphere has 2 V - 4 faces.
-inline constexpr std::size_t kEpaVertices = 192, kEpaFaces = 2 * kEpaVertices;
+// Vertices. A polytope has an end, after as many supports as C has vertices around the answer: 5 to 40, all of them
+// where they are equally near. A curved C has none: it halves the gap with every 2 to 4, so 60 to 190 for 46 bits, and
+// more where it is nearly a ball or a tube about the origin; what is not reached there is a wide bracket.
+inline constexpr std::size_t kMostCurvedVertices = 1024;
 
 // See above; 32 u scale is what the closest-point searches call contact (sweep.hpp).
 inline constexpr int kVisible = 32;
 
 template <Scalar S>
 struct EpaFace {
-  Vec3<S> n;                            // unit, outward
-  S d;                                  // n.p, internal length
-  std::array<std::uint8_t, 3> v;        // vertices, counter-clockwise seen from outside
-  std::array<std::uint16_t, 3> across;  // the face beyond the edge v[i] -> v[i + 1]
-  bool alive, settled;                  // settled: n, d are of the triangle's point nearest to the origin
+  Vec3<S> n = Vec3<S>::Zero();          // unit, outward
+  S d = 0;                              // n.p, internal length
+  std::array<std::uint32_t, 3> v;       // vertices, counter-clockwise seen from outside
+  std::array<std::uint32_t, 3> across;  // the face beyond the edge v[i] -> v[i + 1]
+  std::uint32_t made = 0;               // which face of its slot this is
+  bool alive = false, settled = false;  // settled: n, d are of the triangle's point nearest to the origin
 };
 
 template <Scalar S>
@@ -42,14 +46,18 @@ class EpaPolytope {
  public:
   // Four points with a volume, in any order. False if it has none.
   bool start(const std::array<CsoPoint<S>, 4>& corner) {
-    vertices_ = faces_ = 0;
-    for (const CsoPoint<S>& c : corner) point_[vertices_++] = c;
+    point_.assign(corner.begin(), corner.end());
+    face_.assign(4, {});
+    free_.clear();
+    heap_.clear();
+    rim_.clear();
+    leaves_.assign(4, kNone);
     const Vec3<S> e1 = corner[1].w - corner[0].w, e2 = corner[2].w - corner[0].w,
                   e3 = corner[3].w - corner[0].w;
     const S volume = e1.cross(e2).dot(e3);
     if (!(std::abs(volume) > 0)) return false;
     // Seen from outside, the face opposite to corner i of a positive tetrahedron.
-    constexpr std::array<std::array<std::uint8_t, 3>, 4> kPositive = {
+    constexpr std::array<std::array<std::uint32_t, 3>, 4> kPositive = {
         {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     for (std::size_t i = 0; i < 4; ++i) {
       auto v = kPositive[i];
@@ -60,19 +68,18 @@ class EpaPolytope {
         face_[i].across[k] = v[(k + 2) % 3];
       }
     }
-    faces_ = 4;
+    for (std::uint32_t f = 0; f < 4; ++f) enqueue(f);
     return true;
   }
 
-  [[nodiscard]] std::size_t faces() const { return faces_; }  // slots, some of them dead
+  [[nodiscard]] std::size_t faces() const { return face_.size(); }  // slots, some of them dead
   [[nodiscard]] const EpaFace<S>& face(std::size_t f) const { return face_[f]; }
-  [[nodiscard]] bool full() const { return vertices_ == kEpaVertices; }
+  [[nodiscard]] std::size_t vertices() const { return point_.size(); }
   // Does P have this point, or one as near to it as rounding can tell?
   [[nodiscard]] bool holds(const CsoPoint<S>& p, S apart) const {
-    for (std::size_t i = 0; i < vertices_; ++i) {
-      if (point_[i].same_feature(p) || (point_[i].w - p.w).squaredNorm() <= apart * apart) return true;
-    }
-    return false;
+    return std::any_of(point_.begin(), point_.end(), [&](const CsoPoint<S>& q) {
+      return q.same_feature(p) || (q.w - p.w).squaredNorm() <= apart * apart;
+    });
   }
   [[nodiscard]] Closest<S> triangle(std::size_t f, Simplex<S>& corners) const {
     for (std::size_t i = 0; i < 3; ++i) corners.add(point_[face_[f].v[i]]);
@@ -86,90 +93,99 @@ class EpaPolytope {
     face_[f].settled = true;
     face_[f].d = std::sqrt(closest.dist_sq);
     if (face_[f].d > 0) face_[f].n = unit(closest.v);
+    enqueue(static_cast<std::uint32_t>(f));
   }
-  // The alive face with the least offset.
-  [[nodiscard]] std::size_t nearest() const {
-    std::size_t best = 0;
-    S least = kInfinity<S>;
-    for (std::size_t f = 0; f < faces_; ++f) {
-      if (face_[f].alive && face_[f].d < least) {
-        least = face_[f].d;
-        best = f;
-      }
+  // The alive face with the least offset; what was in the queue for it before goes.
+  [[nodiscard]] std::size_t nearest() {
+    while (true) {
+      const Queued& top = heap_.front();
+      const EpaFace<S>& f = face_[top.face];
+      if (f.alive && f.made == top.made && f.d == top.d) return top.face;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.pop_back();
     }
-    return best;
   }
 
   // The hull of P and w, a point beyond the face `seen`. `visible`: how far below a face's plane w may lie
   // and still see it. False, and nothing changed, if rounding leaves no disc of faces, or if there is no
   // room.
   bool add(const CsoPoint<S>& w, std::size_t seen, S visible) {
-    if (full()) return false;
-    GRAZE_ASSERT(vertices_ >= 4 && seen < faces_ && face_[seen].alive);
+    GRAZE_ASSERT(point_.size() >= 4 && seen < face_.size() && face_[seen].alive);
     // The seen faces, from one to the next across edges; the edges beyond which a face is not seen.
     ++stamp_;
-    std::size_t seen_count = 1, rim = 0;
+    mark_.resize(face_.size(), 0);
+    seen_.assign(1, static_cast<std::uint32_t>(seen));
+    rim_.clear();
     mark_[seen] = stamp_;
-    stack_[0] = static_cast<std::uint16_t>(seen);
-    for (std::size_t next = 0; next < seen_count; ++next) {
-      const EpaFace<S>& f = face_[stack_[next]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint16_t g = f.across[k];
+    for (std::size_t next = 0; next < seen_.size(); ++next) {
+      const EpaFace<S>& f = face_[seen_[next]];
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t g = f.across[k];
         if (mark_[g] == stamp_) continue;
         if (face_[g].n.dot(w.w) - face_[g].d >= -visible) {
           mark_[g] = stamp_;
-          stack_[seen_count++] = g;
+          seen_.push_back(g);
         } else {
-          if (rim == kEpaVertices) return false;
-          rim_[rim++] = {stack_[next], static_cast<std::uint8_t>(k)};
+          rim_.push_back({seen_[next], k});
         }
       }
     }
     // One disc has one rim, which leaves each of its vertices once.
-    if (rim < 3 || faces_ + rim > kEpaFaces + seen_count) return false;
-    leaves_.fill(kNone);
-    for (std::size_t i = 0; i < rim; ++i) {
-      std::uint16_t& at = leaves_[from(rim_[i])];
+    const bool whole = rim_.size() >= 3 && is_one_rim();
+    if (whole) {
+      const auto apex = static_cast<std::uint32_t>(point_.size());
+      point_.push_back(w);
+      made_.assign(rim_.size(), {});
+      bool flat = false;
+      for (std::size_t i = 0; i < rim_.size() && !flat; ++i)
+        flat = !set_face(made_[i], {from(rim_[i]), to(rim_[i]), apex});
+      if (!flat) {
+        commit();
+        leaves_.push_back(kNone);
+        return true;
+      }
+      point_.pop_back();
+    }
+    for (const Edge& e : rim_) leaves_[from(e)] = kNone;
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  struct Edge {
+    std::uint32_t face = 0, k = 0;
+  };
+  struct Queued {
+    S d = 0;
+    std::uint32_t face = 0, made = 0;
+    bool operator<(const Queued& o) const { return d != o.d ? d > o.d : face > o.face; }  // the least on top
+  };
+  [[nodiscard]] std::uint32_t from(Edge e) const { return face_[e.face].v[e.k]; }
+  [[nodiscard]] std::uint32_t to(Edge e) const { return face_[e.face].v[(e.k + 1) % 3]; }
+
+  void enqueue(std::uint32_t f) {
+    heap_.push_back({face_[f].d, f, face_[f].made});
+    std::push_heap(heap_.begin(), heap_.end());
+  }
+
+  // leaves_: of each vertex the rim's edge that begins there; kNone outside of add().
+  bool is_one_rim() {
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
+      std::uint32_t& at = leaves_[from(rim_[i])];
       if (at != kNone) return false;
-      at = static_cast<std::uint16_t>(i);
+      at = static_cast<std::uint32_t>(i);
     }
     std::size_t length = 0;
-    for (std::size_t i = 0; length <= rim; ++length) {
-      const std::uint16_t next = leaves_[to(rim_[i])];
+    for (std::size_t i = 0; length <= rim_.size(); ++length) {
+      const std::uint32_t next = leaves_[to(rim_[i])];
       if (next == kNone) return false;
       i = next;
       if (i == 0) break;
     }
-    if (length + 1 != rim) return false;
-    const std::uint8_t apex = static_cast<std::uint8_t>(vertices_);
-    point_[vertices_] = w;
-    for (std::size_t i = 0; i < rim; ++i) {
-      if (!set_face(made_[i], {from(rim_[i]), to(rim_[i]), apex})) return false;
-    }
-    ++vertices_;
-    // The new faces take the slots of the seen ones, then fresh ones.
-    for (std::size_t i = 0; i < rim; ++i) {
-      slot_[i] = i < seen_count ? stack_[i] : static_cast<std::uint16_t>(faces_++);
-    }
-    for (std::size_t i = 0; i < rim; ++i) {
-      const std::uint16_t after = leaves_[made_[i].v[1]];
-      made_[i].across[0] = face_[rim_[i].face].across[rim_[i].k];
-      made_[i].across[1] = slot_[after];
-      made_[after].across[2] = slot_[i];
-    }
-    return commit(rim, seen_count);
+    return length + 1 == rim_.size();
   }
 
- private:
-  static constexpr std::uint16_t kNone = 0xffff;
-  struct Edge {
-    std::uint16_t face = 0;
-    std::uint8_t k = 0;
-  };
-  [[nodiscard]] std::uint8_t from(Edge e) const { return face_[e.face].v[e.k]; }
-  [[nodiscard]] std::uint8_t to(Edge e) const { return face_[e.face].v[(e.k + 1) % 3]; }
-
-  bool set_face(EpaFace<S>& f, const std::array<std::uint8_t, 3>& v) const {
+  bool set_face(EpaFace<S>& f, const std::array<std::uint32_t, 3>& v) const {
     const Vec3<S>&a = point_[v[0]].w, &b = point_[v[1]].w, &c = point_[v[2]].w;
     f.v = v;
     f.n = unit(face_normal(a, b, c));
@@ -179,44 +195,49 @@ class EpaPolytope {
     return f.n.squaredNorm() > 0;  // false for NaN too
   }
 
-  bool commit(std::size_t rim, std::size_t seen_count) {
-    for (std::size_t i = 0; i < rim; ++i) {
+  // The faces of made_ take the slots of the seen ones, then dead ones, then fresh ones.
+  void commit() {
+    slot_.clear();
+    for (const std::uint32_t f : seen_) {
+      face_[f].alive = false;
+      free_.push_back(f);
+    }
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
+      if (free_.empty()) {
+        free_.push_back(static_cast<std::uint32_t>(face_.size()));
+        face_.push_back({});
+      }
+      slot_.push_back(free_.back());
+      free_.pop_back();
+    }
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
+      const std::uint32_t after = leaves_[made_[i].v[1]];
+      made_[i].across[0] = face_[rim_[i].face].across[rim_[i].k];
+      made_[i].across[1] = slot_[after];
+      made_[after].across[2] = slot_[i];
+    }
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
       // The face outside still points at one that goes.
       EpaFace<S>& outside = face_[made_[i].across[0]];
       for (std::size_t k = 0; k < 3; ++k) {
         if (outside.v[k] == made_[i].v[1] && outside.v[(k + 1) % 3] == made_[i].v[0])
           outside.across[k] = slot_[i];
       }
+      leaves_[made_[i].v[0]] = kNone;
     }
-    for (std::size_t i = rim; i < seen_count; ++i) face_[stack_[i]].alive = false;
-    for (std::size_t i = 0; i < rim; ++i) face_[slot_[i]] = made_[i];
-    // Dead slots are filled from the end, so that none is lost.
-    for (std::size_t i = rim; i < seen_count; ++i) bury(stack_[i]);
-    return true;
-  }
-  void bury(std::size_t dead) {
-    while (faces_ > 0 && !face_[faces_ - 1].alive) --faces_;
-    if (dead >= faces_) return;
-    const std::size_t last = faces_ - 1;
-    face_[dead] = face_[last];
-    face_[last].alive = false;
-    --faces_;
-    for (std::size_t k = 0; k < 3; ++k) {
-      EpaFace<S>& g = face_[face_[dead].across[k]];
-      for (std::size_t m = 0; m < 3; ++m) {
-        if (g.across[m] == last) g.across[m] = static_cast<std::uint16_t>(dead);
-      }
+    for (std::size_t i = 0; i < rim_.size(); ++i) {
+      EpaFace<S>& slot = face_[slot_[i]];
+      made_[i].made = slot.made + 1;
+      slot = made_[i];
+      enqueue(slot_[i]);
     }
   }
 
-  std::size_t vertices_ = 0, faces_ = 0;
-  std::array<CsoPoint<S>, kEpaVertices> point_;
-  std::array<EpaFace<S>, kEpaFaces> face_;
-  std::array<EpaFace<S>, kEpaVertices> made_;
-  std::array<Edge, kEpaVertices> rim_;
-  std::array<std::uint16_t, kEpaVertices> leaves_, slot_;
-  std::array<std::uint16_t, kEpaFaces> stack_;
-  std::array<std::uint32_t, kEpaFaces> mark_{};
+  std::vector<CsoPoint<S>> point_;
+  std::vector<EpaFace<S>> face_, made_;
+  std::vector<Edge> rim_;
+  std::vector<Queued> heap_;
+  std::vector<std::uint32_t> leaves_, slot_, seen_, free_, mark_;
   std::uint32_t stamp_ = 0;
 };
 
@@ -299,12 +320,13 @@ std::size_t touching_face(const EpaPolytope<S>& P, S within, Simplex<S>& contact
 
 }  // namespace detail
 
-// `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach.
+// `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach;
+// `loose`: a caller's tolerance, which ends the same search earlier.
 // `noise`: what rounding cannot tell from nothing (sweep.hpp). Ends after `budget` supports beside the first
-// twelve.
+// twelve, or with `most_vertices`.
 template <Scalar S, class Support>
-Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S noise, S scale, int budget,
-           Counters& counters) {
+Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loose, S noise, S scale,
+           int budget, std::size_t most_vertices, Counters& counters) {
   const auto support = [&](const Vec3<S>& n) {
     ++counters.supports;
     return given(n);
@@ -369,11 +391,14 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S noi
         continue;
       }
     }
+    if (loose > gap && !closed && least >= 0 && h <= out.upper && out.upper - out.lower <= loose &&
+        detail::touching_face(P, S(out.upper + noise), out.contact) == f)
+      return out;
     // No new point, no room, or no budget: what is known is handed back. NaN ends here too.
     const bool known_point = P.holds(w, same);
     if (budget-- > 0 && known_point && enclosed && !face.settled) {
       P.settle(f);
-    } else if (!(h - face.d > gap) || known_point || budget < 0 ||
+    } else if (!(h - face.d > gap) || known_point || budget < 0 || P.vertices() >= most_vertices ||
                !(P.add(w, f, visible) || P.add(w, f, S(0)))) {
       out.stalled = !closed;
       if (!closed) detail::touching_face(P, S(out.upper + noise), out.contact);

@@ -22,10 +22,11 @@ struct Distance {
 
 // `support(n)` is the core's, or that of a set made from it. `simplex` may come from a former call (of any
 // x): a warm start; if it is empty, the search begins along `start`. On return it holds the closest feature.
-// Stops early once upper <= near_enough.
+// Stops early once upper <= near_enough; and once upper - lower <= loose_gap, where lower > near_enough: a tolerance leaves
+// no verdict open.
 template <Scalar S, class Support>
 Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>& start, Simplex<S>& simplex,
-                         S gap, S near_enough, int budget, Counters& counters) {
+                         S gap, S near_enough, int budget, Counters& counters, S loose_gap = 0) {
   GRAZE_ASSERT(gap >= 0);  // x may be anything: NaN ends the search with a bracket of [0, infinity]
   Distance<S> out;
   if (simplex.size == 0) {
@@ -56,7 +57,7 @@ Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>
       out.lower = lower;
       out.n = closest.n;
     }
-    if (out.upper - out.lower <= gap) return out;
+    if (out.upper - out.lower <= (out.lower > near_enough ? std::max(gap, loose_gap) : gap)) return out;
     if (simplex.holds(next)) {
       // The support is a vertex of the feature itself: its own normal cannot be bettered, only its rounding.
       out.stalled = true;

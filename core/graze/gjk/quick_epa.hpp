@@ -21,8 +21,9 @@ class QuickEpa {
  public:
   QuickEpa(PairSupport<S>& support, Counters& counters) : support_(support), counters_(counters) {}
 
-  // Four vertices, in any order, that need not hold the origin. True: the answer holds, within `gap`.
-  [[nodiscard]] bool run(const std::array<PairVertex, 4>& corner, double gap, int budget) {
+  // Four vertices, in any order, that need not hold the origin. True: the answer holds, within `gap`; or within `loose`, a
+  // caller's tolerance, which costs no support.
+  [[nodiscard]] bool run(const std::array<PairVertex, 4>& corner, double gap, double loose, int budget) {
     visible_ = kVisibleNoises * support_.noise();
     if (!begin(corner)) return false;
     while (budget-- > 0 && vertices_ < kMostVertices) {
@@ -55,6 +56,7 @@ class QuickEpa {
           }
         }
       }
+      if (dot(n, w.w) - d_[f] <= loose && closes_early(f, w, loose)) return true;
       if (!add(f, visible_) && !add(f, 0.0)) return false;
     }
     return false;
@@ -237,6 +239,17 @@ class QuickEpa {
   [[nodiscard]] std::uint8_t to(std::size_t i) const { return face_[rim_edge_[i].face].v[rim_edge_[i].edge]; }
 
   // A face no deeper than upper_ that the origin projects into, f if it is one; its weights. kFaces: none.
+  // With the vertex in hand, which the farthest along the face's normal is not much beyond.
+  [[nodiscard]] bool closes_early(std::size_t f, const PairVertex& w, double loose) {
+    const Triple n = face_[f].n;
+    const double h = dot(n, w.w) + support_.guess_error() * sum(magnitude(n));
+    if (!(d_[f] >= 0 && h - d_[f] <= loose && projects(f))) return false;
+    answer_ = f;
+    upper_ = h;
+    lower_ = d_[f];
+    n_ = n;
+    return true;
+  }
   [[nodiscard]] std::size_t projected_into(std::size_t f) {
     if (projects(f)) return answer_ = f;
     for (std::size_t g = 0; g < faces_; ++g) {

@@ -28,9 +28,10 @@ class QuickGjk {
  public:
   QuickGjk(Support& support, Counters& counters) : support_(support), counters_(counters) {}
 
-  // `gap`: of upper - lower, to reach; the noise will do where the search ends by itself. `verdict`: an axis that
-  // separates is enough.
-  [[nodiscard]] QuickState run(const WarmStart& start, double gap, bool verdict, int budget) {
+  // To reach of upper - lower: the finest; the noise will do where the search ends by itself. `loose`: a caller's tolerance,
+  // 0 for none, will do where the bodies are apart for sure; it costs no support and moves no verdict. `verdict`: an axis
+  // that separates is enough.
+  [[nodiscard]] QuickState run(const WarmStart& start, double loose, bool verdict, int budget) {
     if (!begin(start)) {
       const Triple& d = support_.pair().offset();
       const Triple along = start.has_axis()       ? triple(start.axis)
@@ -60,7 +61,11 @@ class QuickGjk {
       support_.guess(n_, next);
       if (verdict && support_.separates(n_, next)) return found_axis(n_);
       bool known = holds(next);
-      if (!known && (dist + dot(n_, next.w) / length > gap)) {
+      const double guessed = -dot(n_, next.w) / length;
+      if (!known && dist - guessed > support_.fine()) {
+        if constexpr (requires { support_.guess_error(); }) {
+          if (dist - guessed <= loose && closes_early(next, length, loose)) return QuickState::apart;
+        }
         ++size_;
         continue;
       }
@@ -69,7 +74,7 @@ class QuickGjk {
       upper_ = weighted();
       lower_ = -dot(n_, next.w) / length;
       known = holds(next);
-      if (upper_ - lower_ <= gap || (known && upper_ - lower_ <= support_.noise())) {
+      if (upper_ - lower_ <= support_.fine() || (known && upper_ - lower_ <= support_.noise())) {
         n_ = (1 / length) * n_;
         return QuickState::apart;
       }
@@ -101,6 +106,14 @@ class QuickGjk {
   [[nodiscard]] WarmStart warm() const { return {n_.vector(), size_, vertices(true), vertices(false)}; }
 
  private:
+  // With the guessed vertex, which the farthest is not much beyond.
+  [[nodiscard]] bool closes_early(const PairVertex& next, double length, double loose) {
+    upper_ = weighted();
+    lower_ = (-dot(n_, next.w) - support_.guess_error() * sum(magnitude(n_))) / length;
+    if (!(lower_ > 2 * support_.noise() && upper_ - lower_ <= loose)) return false;
+    n_ = (1 / length) * n_;
+    return true;
+  }
   [[nodiscard]] QuickState found_axis(const Triple& n) {
     n_ = n;
     separated_ = true;

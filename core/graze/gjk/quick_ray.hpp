@@ -10,7 +10,8 @@
 //   hit       upper: weights >= 0 of the simplex, whose point is within the noise of the path; of a triangle that
 //             nothing lies beyond, where the path passes it;
 //             lower: h(n) / n.r for the axis that proved the last step;
-//             the farthest vertex along an axis is made sure of, and upper - lower is below the target
+//             the farthest vertex along an axis is made sure of, and upper - lower is below the noise, or
+//             within the caller's tolerance where that moves no verdict
 //   contact   the simplex holds the start within the noise
 // Where that fails, near the start, near the end of the path or after kQuickRaySteps, it gives up, and the search of
 // advancement.hpp answers.
@@ -42,7 +43,7 @@ class QuickRay {
     s_max_ = horizon;
     r_sq_ = dot(r_, r_);
     noise_ = support_.noise();
-    target_ = std::max(noise_, pair.tolerated(tolerance));
+    tolerated_ = pair.tolerated(tolerance);
     margin_ = support_.margin();
     guess_ = pair.a().slip() + pair.b().slip();
     // What floats guess decides in doubles only after a second look.
@@ -75,9 +76,12 @@ class QuickRay {
       const bool face = feature_.size == 3;
       sure_ ? support_.sure(n, w) : support_.guess(n, w);
       const double size_n = sum(magnitude(n)), level = dot(n, slot_[feature_.at[0]].w);
-      if (face && !(dot(n, w.w) - level > target_ / 4 * size_n) && dot(n, r_) < 0) {
+      if (face && !(dot(n, w.w) - level > noise_ / 4 * size_n) && dot(n, r_) < 0) {
         if (makes_sure_ && !sure_) support_.sure(n, w);
-        if (!(dot(n, w.w) - level > target_ / 4 * size_n) && close(n, dot(n, w.w))) return out_;
+        if (!(dot(n, w.w) - level > noise_ / 4 * size_n) && close(n, dot(n, w.w))) return out_;
+      } else if (face && tolerated_ > noise_ && dot(n, w.w) - level <= tolerated_ * size_n &&
+                 closes_early(n, dot(n, w.w), size_n)) {
+        return out_;
       }
       const double before = s_, clear = dot(n, x_) - dot(n, w.w);
       const double least = feature_.dist_sq <= noise_sq ? support_.fine() * size_n : 0.0;
@@ -172,7 +176,7 @@ class QuickRay {
     axis_is_sure_ = true;
   }
 
-  // A triangle that nothing lies beyond by more than the target: is it where the path comes in?
+  // A triangle that nothing lies beyond by more than the noise: is it where the path comes in?
   [[nodiscard]] bool close(const Triple& n, double reach) {
     const Triple &a = corner(0).w, &b = corner(1).w, &c = corner(2).w;
     const double upper = QuickTriangle{a, b, c, r_, r_sq_}.pass(noise_ / 4, out_.lambda);
@@ -183,7 +187,19 @@ class QuickRay {
   }
   [[nodiscard]] bool is_hit(double lower, double upper) const {
     return lower > 0 && upper < s_max_ && upper > 2 * noise_ &&
-           (upper - lower) * sum(magnitude(r_)) <= target_;
+           (upper - lower) * sum(magnitude(r_)) <= noise_;
+  }
+  // Within the caller's tolerance already, as the quick walk has it (quick_walk.hpp): no support more, and the same verdict.
+  [[nodiscard, gnu::noinline]] bool closes_early(const Triple& n, double guessed, double size) {
+    const QuickTriangle triangle{corner(0).w, corner(1).w, corner(2).w, r_, r_sq_};
+    const double speed = sum(magnitude(r_)), along = dot(n, r_);
+    if (!(along < 0) || !triangle.holds_line(2 * margin_ * support_.pair().extent() * speed)) return false;
+    const double upper = triangle.pass(noise_ / 4, out_.lambda),
+                 lower = std::min((guessed + support_.guess_error() * size) / along, upper);
+    if (!(lower > 2 * noise_ && upper + noise_ < s_max_ && (upper - lower) * speed <= tolerated_))
+      return false;
+    claim(n, lower, upper);
+    return true;
   }
   void claim(const Triple& n, double lower, double upper) {
     out_.outcome = Outcome::hit;
@@ -208,7 +224,7 @@ class QuickRay {
   PairSupport<S> support_;
   Counters& counters_;
   Triple r_, x_{0, 0, 0}, axis_{0, 0, 0};
-  double r_sq_ = 1, s_ = 0, s_end_ = 0, s_max_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0,
+  double r_sq_ = 1, s_ = 0, s_end_ = 0, s_max_ = 0, noise_ = 0, tolerated_ = 0, margin_ = 0, guess_ = 0,
          reach_ = 0;
   int budget_;
   bool makes_sure_ = true, sure_ = false, axis_is_sure_ = false;

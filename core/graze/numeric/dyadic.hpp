@@ -55,6 +55,12 @@ class Dyadic {
   [[nodiscard]] int order() const {
     return exponent_ + 64 * size_ - 1 - std::countl_zero(limb_[static_cast<std::size_t>(size_ - 1)]);
   }
+  // The exponent of the last bit that is set: x is an odd multiple of 2^grid. For x != 0.
+  [[nodiscard]] int grid() const {
+    std::size_t k = 0;
+    while (limb_[k] == 0) ++k;
+    return exponent_ + 64 * static_cast<int>(k) + std::countr_zero(limb_[k]);
+  }
   // x 2^-order as a double, truncated: in +-[1, 2). For x != 0.
   [[nodiscard]] double leading() const {
     const std::size_t top = static_cast<std::size_t>(size_ - 1);

@@ -44,6 +44,28 @@ struct TwoLanes {
 };
 #endif
 
+// x, a product, as it is rounded. Compilers may fuse a product with the sum that it goes into, where they may use such
+// instructions: g++ by default, and clang does not keep to the pragma that forbids it under -ffp-contract=fast. What has
+// to have the same bits everywhere says so, product by product. The asm is empty: nothing is done, and compilers do not
+// look through it. Without fused multiply-adds to use there is nothing to forbid.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T as_rounded(T x) {
+#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(__FMA__) || defined(__FMA4__)
+  asm("" : "+x"(x));
+#endif
+#elif defined(__GNUC__) && defined(__aarch64__)
+  asm("" : "+w"(x));
+#elif defined(__GNUC__)
+  asm("" : "+m"(x));
+#endif
+  return x;
+}
+template <class T, class U>
+[[nodiscard, gnu::always_inline]] inline U rounded_product(T a, U b) {
+  return as_rounded<U>(a * b);
+}
+
 // A fused multiply-add that the compiler may not use?
 [[nodiscard]] inline bool fuses() {
 #if GRAZE_FUSES_IF_THERE

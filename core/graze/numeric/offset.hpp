@@ -5,7 +5,8 @@
 // as p_B - p_A is exact, the turns are within 2^-98 of |c| and the two sums after them within 2^-100 of what
 // they add up, at most |offset| + 2 (|c_A| + |c_B|). Computed as an unevaluated sum hi + lo of two doubles
 // (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Sums are Knuth's; products use std::fma where the compiler has it
-// (and may contract), else Veltkamp's splitting (and it cannot): contraction changes no result. The splitting
+// (and may contract), else Veltkamp's splitting (and it cannot); every product that goes into a sum is rounded before
+// (machine.hpp): contraction changes no result. The splitting
 // is exact for |x| < 2^996.
 #pragma once
 
@@ -37,7 +38,8 @@ inline TwoDoublesOfTwo two_sum(TwoLanes a, TwoLanes b) {
 // a b = hi + lo exactly, barring underflow. Fused: only where fuses().
 template <bool kFused = false>
 TwoDoubles two_product(double a, double b) {
-  const double hi = a * b;
+  // Rounded as it is: fused with a sum that it goes into later it would be another number there than here.
+  const double hi = rounded_product(a, b);
 #if GRAZE_FUSES_IF_THERE
   if constexpr (kFused) return {hi, fused_difference(a, b, hi)};
 #endif
@@ -55,7 +57,7 @@ template <bool kFused = false>
 TwoDoublesOfTwo two_product(TwoLanes a, TwoLanes b) {
 #if GRAZE_FUSES_IF_THERE
   if constexpr (kFused) {
-    const TwoLanes hi = a * b;
+    const TwoLanes hi = rounded_product(a, b);
     return {hi, fused_difference(a, b, hi)};
   }
 #endif
@@ -73,7 +75,7 @@ inline TwoDoubles operator-(TwoDoubles x) { return {-x.hi, -x.lo}; }
 template <bool kFused>
 TwoDoubles multiplied(TwoDoubles x, TwoDoubles y) {
   const TwoDoubles p = two_product<kFused>(x.hi, y.hi);
-  return two_sum(p.hi, p.lo + (x.lo * y.hi + x.hi * y.lo));
+  return two_sum(p.hi, p.lo + (rounded_product(x.lo, y.hi) + rounded_product(x.hi, y.lo)));
 }
 template <bool kFused>
 TwoDoubles divided(TwoDoubles x, TwoDoubles y) {
@@ -142,11 +144,14 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
 // magnitudes add up to at most |q|^2), |q|^2 is within 4 u relatively, the quotient rounds once, and no entry
 // exceeds 1.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
-  const double ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
+  const double ww = rounded_product(q.w, q.w), xx = rounded_product(q.x, q.x), yy = rounded_product(q.y, q.y),
+               zz = rounded_product(q.z, q.z), xy = rounded_product(q.x, q.y), xz = rounded_product(q.x, q.z),
+               yz = rounded_product(q.y, q.z), wx = rounded_product(q.w, q.x), wy = rounded_product(q.w, q.y),
+               wz = rounded_product(q.w, q.z);
   Mat3<double> r;
-  r << ww + xx - yy - zz, 2 * (q.x * q.y - q.w * q.z), 2 * (q.x * q.z + q.w * q.y),  //
-      2 * (q.x * q.y + q.w * q.z), ww - xx + yy - zz, 2 * (q.y * q.z - q.w * q.x),   //
-      2 * (q.x * q.z - q.w * q.y), 2 * (q.y * q.z + q.w * q.x), ww - xx - yy + zz;
+  r << ww + xx - yy - zz, 2 * (xy - wz), 2 * (xz + wy),  //
+      2 * (xy + wz), ww - xx + yy - zz, 2 * (yz - wx),   //
+      2 * (xz - wy), 2 * (yz + wx), ww - xx - yy + zz;
   return r / (ww + xx + yy + zz);
 }
 

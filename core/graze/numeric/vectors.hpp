@@ -20,15 +20,18 @@ struct Fine {
   Pair weight{1, 0};  // > 0
   bool weighted = false;
 
-  // x - y, exact
+  // x - y, exact: however far out x and y are, nothing is lost, so its size is that of the difference.
   static Fine of(const Vec3<double>& x, const Vec3<double>& y) {
     Fine out;
     for (int i = 0; i < 3; ++i) {
-      out.x[static_cast<std::size_t>(i)] = difference(x[i], y[i]);
-      out.size = std::max(out.size, std::abs(x[i]) + std::abs(y[i]));
+      const Pair d = difference(x[i], y[i]);
+      out.x[static_cast<std::size_t>(i)] = d;
+      out.size = std::max(out.size, size_of(d));
     }
     return out;
   }
+  // Bounds |x|, x being a sum of two that was rounded, |lo| <= u |hi|; 0 only where x is.
+  static double size_of(const Pair& x) { return (1 + 0x1p-52) * std::abs(x.hi); }
   static Fine of(const Vec3<double>& x) {
     Fine out;
     for (int i = 0; i < 3; ++i) out.x[static_cast<std::size_t>(i)].hi = x[i];
@@ -48,7 +51,7 @@ struct Fine {
       const Pair more = weighted ? part.x[i] * weight : part.x[i];
       x[i] = own + (negative ? -more : more);
     }
-    size = size * part.weight.hi + part.size * weight.hi;
+    size = detail::rounded_product(size, part.weight.hi) + detail::rounded_product(part.size, weight.hi);
     if (part.weighted) weight = weighted ? weight * part.weight : part.weight;
     weighted = true;
   }

@@ -63,7 +63,8 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   Sweep<S> out;
   const Frame<S> frame(cso.direction());
   const S z_max = limits.s_max * frame.length;
-  const PortalSearch<S> in = enter_line(cso, frame, z_max, limits.target / 2, limits.budget, counters);
+  const PortalSearch<S> in =
+      enter_line(cso, frame, z_max, limits.noise / 2, limits.budget, counters, limits.target / 2);
   counters.iterations = counters.portal_steps;
   out.n = in.n;
   if (in.state == State::missed || in.state == State::rejected) {
@@ -78,8 +79,8 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   // exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than the
   // gap.
   const S width = in.upper - in.lower;
-  const bool along =
-      in.state == State::entered && width > limits.noise && (width > limits.target || in.upper > z_max);
+  const bool within = in.lower > 2 * limits.noise && in.upper + limits.noise < z_max;
+  const bool along = in.state == State::entered && width > limits.noise && (width > limits.target || !within);
   if (along) {
     out.lower = out.upper;
     out.n = in.facing;

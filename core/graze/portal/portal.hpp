@@ -399,7 +399,27 @@ struct PortalLimits {
   S accept_at;      // upper <= accept_at: accepted
   S reject_beyond;  // lower > reject_beyond: rejected
   S gap;            // the normal's plane is this near the portal, and the bracket as narrow: entered
+  // A caller's tolerance: the gap where it moves no verdict. The line passes inside of the portal, and the bracket holds
+  // neither `decided_at` nor `reject_beyond`, each by more than rounding.
+  S loose_gap = 0, decided_at = -kInfinity<S>;
 };
+
+// See PortalLimits::loose_gap.
+template <Scalar S>
+[[nodiscard]] bool is_decided(const PortalSearch<S>& search, const PortalLimits<S>& limits, S noise) {
+  if (!(limits.loose_gap > limits.gap) || search.portal.size != 3) return false;
+  if (!(search.upper - search.lower <= 2 * limits.loose_gap)) return false;
+  const S near = 2 * limits.gap;  // what the caller takes for rounding
+  const bool beyond = search.lower > limits.decided_at + 2 * near,
+             before = search.upper + 2 * near < limits.decided_at;
+  if (!((beyond || before) && search.upper + near < limits.reject_beyond)) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<S>&from = search.portal.p[i].q, &to = search.portal.p[(i + 1) % 3].q;
+    if (!(detail::cross2(from, to) > 2 * noise * detail::length_across(to[0] - from[0], to[1] - from[1])))
+      return false;
+  }
+  return true;
+}
 
 // Moves the portal to the surface of C. Takes the state `entered` of find_portal.
 template <Scalar S>
@@ -440,11 +460,12 @@ void refine_portal(const detail::PortalView<S>& view, PortalSearch<S>& search, c
     // `told`: the bracket of z is as narrow as was asked for. It need not be where the gap is closed: a steep
     // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
     // before that. In both cases the gap is closed further, as far as rounding allows.
-    const auto told = [&] {
-      return search.upper - search.lower <= 2 * limits.gap && search.upper <= limits.reject_beyond;
-    };
+    const S gap = is_decided(search, limits, noise) ? std::max(limits.gap, limits.loose_gap) : limits.gap;
     const S fine = std::min(limits.gap, S(4 * noise));
-    if (!(reach - face > (told() ? limits.gap : fine))) {
+    const auto told = [&] {
+      return search.upper - search.lower <= 2 * gap && search.upper <= limits.reject_beyond;
+    };
+    if (!(reach - face > (told() ? gap : fine))) {
       search.lambda = portal_weights(search.portal);
       // Where the plane is steep, its height on the line has an error of rounding over n_z. The portal's own
       // point, which the witnesses are made of, has not, provided that it is on the line.

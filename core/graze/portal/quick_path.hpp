@@ -27,9 +27,12 @@ struct QuickSweep {
 template <class Pair>
 [[nodiscard]] Triple quick_first_direction(const Pair& pair) {
   const Triple& r = pair.direction();
-  const double r_sq = dot(r, r), ball = kQuickBall * (pair.a().reach() + pair.b().reach()) + pair.radius();
+  const double r_sq = dot(r, r),
+               ball =
+                   detail::rounded_product(kQuickBall, pair.a().reach() + pair.b().reach()) + pair.radius();
   const Triple c = -pair.offset(), beside = r_sq * c - dot(c, r) * r;
-  const double radius = ball * r_sq, room = std::max(radius * radius - dot(beside, beside), 0.0);
+  const double radius = ball * r_sq,
+               room = std::max(detail::rounded_product(radius, radius) - dot(beside, beside), 0.0);
   return -(radius * beside + room * r);
 }
 
@@ -56,6 +59,11 @@ struct QuickTriangle {
       s = place(lambda, g);
     }
     return largest(g) <= near ? s : std::numeric_limits<double>::quiet_NaN();
+  }
+  // Does the line pass inside of each edge, its determinant above what rounding may add to it?
+  [[nodiscard]] bool holds_line(double rounding) const {
+    const Triple m0 = cross(c0, r), m1 = cross(c1, r), m2 = cross(c2, r);
+    return dot(c1, m2) > rounding && dot(c2, m0) > rounding && dot(c0, m1) > rounding;
   }
 
  private:

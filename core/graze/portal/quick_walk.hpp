@@ -58,7 +58,8 @@ class QuickWalk {
     // Beyond its extent nothing of C is met.
     end_ = std::min(horizon, 2 * pair.extent()) * r_;
     s_max_ = horizon;
-    target_ = std::max(support_.noise(), pair.tolerated(tolerance));
+    target_ = support_.noise();
+    tolerated_ = pair.tolerated(tolerance);
   }
 
   [[nodiscard]] const QuickSweep& run() {
@@ -72,14 +73,17 @@ class QuickWalk {
     target_ = kContact * kUnitRoundoff<double> * support_.pair().size();
     if (find()) refine();
     if (out_.outcome == Outcome::miss) return Seed::miss;
-    return at_[0] == nullptr ? Seed::none : passed_ ? Seed::passed : Seed::portal;
+    return !has_portal() ? Seed::none : passed_ ? Seed::passed : Seed::portal;
   }
   // What n.w may be off by, over |n|_1, w the farthest vertex; and the path's end, as far as C reaches.
   [[nodiscard]] double margin() const { return support_.margin(); }
   [[nodiscard]] const Triple& end() const { return end_; }
   // Of the miss.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
-  // Of the portal.
+  // Three vertices that are likely to be about the line, and the last portal, or, where it passed the origin, the one
+  // before; if it found one.
+  [[nodiscard]] bool has_portal() const { return at_[0] != nullptr; }
+  [[nodiscard]] bool passed() const { return passed_; }
   [[nodiscard]] const QuickCorner& corner(std::size_t i) const { return *at_[i]; }
 
  private:
@@ -170,14 +174,11 @@ class QuickWalk {
       const double face = dot(n, c0->w), size = sum(magnitude(n));
       if (is_small_direction(n)) return;
       if (face >= 0) {
+        at_ = {c0, c1, c2};
+        if constexpr (!kSeeks) touch();
         // The portal before: one step from the one that shows contact.
-        if constexpr (kSeeks) {
-          passed_ = before_[0] != nullptr;
-          if (passed_) at_ = before_;
-        } else {
-          at_ = {c0, c1, c2};
-          touch();
-        }
+        passed_ = before_[0] != nullptr;
+        if (passed_) at_ = before_;
         return;
       }
       if constexpr (kSeeks) at_ = {c0, c1, c2};
@@ -198,6 +199,9 @@ class QuickWalk {
           if (entry) close(n, dot(n, w.w));
           return;
         }
+      }
+      if constexpr (!kSeeks && !kDecides) {
+        if (tolerated_ > target_ && entry && closes_early({c0, c1, c2}, n, dot(n, w.w), size)) return;
       }
       // w takes the place of the corner whose opposite edge makes with it the triangle that the line passes.
       // The normals of all three are at hand before the signs are.
@@ -253,12 +257,39 @@ class QuickWalk {
     out_.size = 3;
   }
 
+  // Within the caller's tolerance already, on the way that the walk takes anyway: so a tolerance costs no support. It moves
+  // no verdict either: the line passes the portal, of vertices of C, and the start is apart, both beyond rounding. Else the
+  // walk goes on to the noise. A corner errs by less than margin / 4 per component, so det(c, d, r), |c| and |d| at most M,
+  // by 2 sqrt(3) / 4 margin M |r|, and by a fifth of that for its products, as 40 u M is in the margin.
+  [[nodiscard, gnu::noinline]] bool closes_early(const Portal& portal, const Triple& n, double guessed,
+                                                 double size) {
+    const double speed = sum(magnitude(r_)), along = dot(n, r_);
+    const double inside = 2 * support_.margin() * support_.pair().extent() * speed;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(det(*portal[i], *portal[(i + 1) % 3]) > inside)) return false;
+    }
+    std::array<double, 4> lambda;
+    const double upper = pass(portal, lambda),
+                 lower = std::min((guessed + support_.guess_error() * size) / along, upper);
+    const bool sure = along < 0 && lower > 2 * support_.noise() && upper + support_.noise() < s_max_ &&
+                      (upper - lower) * speed <= tolerated_;
+    if (!sure) return false;
+    at_ = portal;
+    out_.lambda = lambda;
+    out_.outcome = Outcome::hit;
+    out_.lower = lower;
+    out_.upper = upper;
+    out_.n = n;
+    out_.size = 3;
+    return true;
+  }
+
   PairSupport<S> support_;
   Triple r_, end_;  // end_: of the path, as far as C reaches
   Counters& counters_;
   int budget_;
   bool passed_ = false;
-  double r_sq_ = 1, s_max_ = 0, target_ = 0;
+  double r_sq_ = 1, s_max_ = 0, target_ = 0, tolerated_ = 0;
   // Three of the portal, the one that is new, the one that the last step took out.
   std::array<QuickCorner, 5> slot_;
   Portal at_{}, before_{};

@@ -99,14 +99,14 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   return out;
 }
 
-// Entry of the line into C, as a bracket of z = s |r|, closed to `gap`.
+// Entry of the line into C, as a bracket of z = s |r|, closed to `gap`; to `loose_gap` where that leaves no verdict open.
 template <Scalar S>
 PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S gap, int budget,
-                           Counters& counters) {
+                           Counters& counters, S loose_gap = 0) {
   const detail::PortalView<S> view{cso, frame, S(1), counters};
   PortalSearch<S> search = find_portal(view, budget);
   if (search.state == PortalSearch<S>::State::entered) {
-    refine_portal(view, search, PortalLimits<S>{-kInfinity<S>, z_max, gap}, budget);
+    refine_portal(view, search, PortalLimits<S>{-kInfinity<S>, z_max, gap, loose_gap, S(0)}, budget);
   }
   return search;
 }

@@ -18,10 +18,8 @@ template <Scalar S>
                                   DistanceResult<S>& out) {
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
-  const double gap = options.tolerance > 0
-                         ? std::max(support.noise(), pair.tolerated(double(options.tolerance)))
-                         : support.fine();
-  const QuickState state = gjk.run(options.start, gap, false, options.max_iterations);
+  const QuickState state =
+      gjk.run(options.start, pair.tolerated(double(options.tolerance)), false, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
   if (state == QuickState::open) return false;
   const int k = pair.length_exponent();
@@ -63,10 +61,11 @@ DistanceResult<S>& careful_distance(const Body<S>& a, const Body<S>& b, const Di
   const Vec3<S> begin =
       options.start.has_axis() ? Vec3<S>(options.start.axis.template cast<S>()) : Vec3<S>(-cso.middle());
   Distance<S> d = gjk_distance([&cso](const Vec3<S>& n) { return cso.support(n); }, Vec3<S>(Vec3<S>::Zero()),
-                               begin, simplex, options.tolerance > 0 ? limits.target : limits.fine(),
-                               R + limits.fine(), options.max_iterations, out.counters);
+                               begin, simplex, limits.fine(), R + limits.fine(), options.max_iterations,
+                               out.counters, options.tolerance > 0 ? limits.target : S(0));
   out.counters.iterations = out.counters.gjk_iterations;
-  if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
+  const S enough = d.lower > R + limits.fine() ? limits.target : limits.noise;
+  if (d.stalled && d.upper - d.lower > enough) steady_axis(d, cso, simplex, limits, out.counters);
   const S apart = d.upper - R;
   // Nearer than rounding can tell is contact.
   if (apart <= limits.fine() || (apart <= limits.noise && !(d.lower - R > limits.fine()))) {
@@ -82,7 +81,7 @@ DistanceResult<S>& careful_distance(const Body<S>& a, const Body<S>& b, const Di
   out.upper = cso.to_length(apart);
   // A lower bound above the upper one is rounding.
   out.lower = std::min(std::max(cso.to_length(d.lower - R), S(0)), out.upper);
-  out.stalled = d.stalled && !(apart - (d.lower - R) <= limits.noise);
+  out.stalled = d.stalled && !(apart - (d.lower - R) <= limits.target);
   if (!(out.lower > 0)) return out;
   out.warm.axis = d.n.template cast<double>();
   if (asks_for(options.request, Request::normal)) out.normal = d.n;

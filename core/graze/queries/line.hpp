@@ -17,16 +17,16 @@ struct LineEnd {
   Simplex<S> contact;  // where upper is finite: points of C and their weights, the combination at upper
 };
 
-// mirror 1: where the line enters; -1: where it leaves.
+// mirror 1: where the line enters; -1: where it leaves. decided_at: a z that no tolerance leaves inside of the bracket.
 template <Scalar S>
 LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const SweepLimits<S>& limits,
-                    Counters& counters) {
+                    Counters& counters, S decided_at = -kInfinity<S>) {
   using State = typename PortalSearch<S>::State;
   const detail::PortalView<S> view{cso, frame, mirror, counters};
   PortalSearch<S> search = find_portal(view, limits.budget);
   if (search.state == State::entered) {
-    refine_portal(view, search, PortalLimits<S>{-kInfinity<S>, kInfinity<S>, limits.target / 2},
-                  limits.budget);
+    const PortalLimits<S> stop{-kInfinity<S>, kInfinity<S>, limits.noise / 2, limits.target / 2, decided_at};
+    refine_portal(view, search, stop, limits.budget);
   }
   LineEnd<S> out;
   out.state = search.state;
@@ -42,7 +42,9 @@ LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const Sw
   out.contact = contact_of(search);
   // A portal whose plane lies almost along the line: where exactly the plane meets it is the plane's rounding
   // over n_z, while the portal's own point is no deeper in C than the gap (mpr.hpp).
-  if (out.upper - out.lower > limits.target) {
+  const S width = out.upper - out.lower;
+  const bool beside = out.lower > decided_at + 2 * limits.noise || out.upper + 2 * limits.noise < decided_at;
+  if (width > limits.target || (width > limits.noise && !beside)) {
     out.lower = out.upper;
     out.n = search.facing;
   }

@@ -31,7 +31,7 @@ template <Scalar S>
                                      OverlapResult<S>& out) {
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
-  const QuickState state = gjk.run(start, support.fine(), true, CastOptions<S>{}.max_iterations);
+  const QuickState state = gjk.run(start, 0, true, CastOptions<S>{}.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
   // Of bodies that nearly touch the bracket decides, which is not asked for here.
   if (state == QuickState::open || (state == QuickState::apart && !gjk.separated())) return false;

@@ -5,6 +5,7 @@
 #include <graze/gjk/epa.hpp>
 #include <graze/gjk/quick_epa.hpp>
 #include <graze/gjk/quick_gjk.hpp>
+#include <graze/gjk/round_depth.hpp>
 #include <graze/penetration.hpp>
 #include <graze/portal/mpr.hpp>
 #include <graze/queries/line.hpp>
@@ -25,20 +26,26 @@ CastOptions<S> checked(const PenetrationOptions<S>& options) {
   return out;
 }
 
-// radial: unit, where the points of the radii lie.
-template <Scalar S>
-void fill_penetration(PenetrationResult<S>& out, const Body<S>& a, const Body<S>& b,
-                      const PenetrationOptions<S>& options, const Cso<S>& cso, S lower, S upper,
-                      const Vec3<S>& n, const Simplex<S>& contact, const Vec3<S>& radial) {
+// The bracket and the normal; S: in which the search ran.
+template <Scalar Given, Scalar S>
+void fill_depth(PenetrationResult<Given>& out, const PenetrationOptions<Given>& options, const Cso<S>& cso,
+                S lower, S upper, const Vec3<S>& n) {
   out.outcome = Outcome::initially_overlapping;
   // A depth below zero, or a bound above the other, is rounding.
   upper = std::max(upper, S(0));
-  out.upper = cso.to_length(upper);
-  out.lower = cso.to_length(std::min(std::max(lower, S(0)), upper));
-  if (asks_for(options.request, Request::normal)) out.normal = n;
+  out.upper = static_cast<Given>(cso.to_length(upper));
+  out.lower = static_cast<Given>(cso.to_length(std::min(std::max(lower, S(0)), upper)));
+  if (asks_for(options.request, Request::normal)) out.normal = n.template cast<Given>();
+}
+// radial: unit, where the points of the radii lie.
+template <Scalar Given, Scalar S>
+void fill_penetration(PenetrationResult<Given>& out, const Body<Given>& a, const Body<Given>& b,
+                      const PenetrationOptions<Given>& options, const Cso<S>& cso, S lower, S upper,
+                      const Vec3<S>& n, const Simplex<S>& contact, const Vec3<S>& radial) {
+  fill_depth(out, options, cso, lower, upper, n);
   if (asks_for(options.request, Request::witnesses)) {
-    out.point_a = witness(a, cso.side_a(), cso, contact, radial, true, S(0));
-    out.point_b = witness(b, cso.side_b(), cso, contact, radial, false, S(0));
+    out.point_a = witness(a, cso.side_a(), cso, contact, radial, true, S(0)).template cast<Given>();
+    out.point_b = witness(b, cso.side_b(), cso, contact, radial, false, S(0)).template cast<Given>();
   }
 }
 
@@ -71,10 +78,10 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
 }
 
 template <Scalar S>
-PenetrationResult<S>& no_contact(PenetrationResult<S>& out, const Vec3<S>& n) {
+PenetrationResult<S>& no_contact(PenetrationResult<S>& out, const Vec3<double>& n) {
   out.outcome = Outcome::miss;
   out.upper = 0;
-  out.normal = n;
+  out.normal = n.template cast<S>();
   return out;
 }
 
@@ -84,13 +91,10 @@ template <Scalar S>
                                      PenetrationResult<S>& out) {
   PairSupport<S> support(pair, out.counters);
   QuickGjk<S> gjk(support, out.counters);
-  const double gap = options.tolerance > 0
-                         ? std::max(support.noise(), pair.tolerated(double(options.tolerance)))
-                         : support.fine();
-  const QuickState state = gjk.run({}, gap, true, options.max_iterations);
+  const QuickState state = gjk.run({}, 0, true, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
   if (state == QuickState::apart && gjk.separated()) {
-    no_contact(out, Vec3<S>(unit(gjk.axis().vector()).template cast<S>()));
+    no_contact(out, unit(gjk.axis().vector()));
     return true;
   }
   const int k = pair.length_exponent();
@@ -112,7 +116,9 @@ template <Scalar S>
   QuickEpa<S> epa(support, out.counters);
   std::array<PairVertex, 4> corner;
   const auto expand = [&] {
-    if (!epa.run(corner, gap, options.max_iterations - out.counters.supports)) return false;
+    if (!epa.run(corner, support.fine(), pair.tolerated(double(options.tolerance)),
+                 options.max_iterations - out.counters.supports))
+      return false;
     const PairVertex &a = epa.point(0), &b = epa.point(1), &c = epa.point(2);
     return fill(epa.lower(), epa.upper(), epa.normal(), {a.vertex_a, b.vertex_a, c.vertex_a},
                 {a.vertex_b, b.vertex_b, c.vertex_b}, {epa.lambda()[0], epa.lambda()[1], epa.lambda()[2]}, 3);
@@ -128,7 +134,7 @@ template <Scalar S>
     if (gjk.upper() <= support.noise() && !(gjk.lower() > support.fine()))
       return touches(-gjk.lower(), gjk.axis());
     if (!(gjk.lower() > 0)) return false;
-    no_contact(out, Vec3<S>(gjk.axis().vector().template cast<S>()));
+    no_contact(out, gjk.axis().vector());
     return true;
   }
   if (state != QuickState::touching) return false;
@@ -167,19 +173,23 @@ template <Scalar S>
   return expand();
 }
 
-// For every pair of shapes, validated.
+// For every pair of shapes, validated. In double whatever S is, as widening is exact: what a float would round at every
+// step is more than the depth of a crumb in a wall. What counts as contact is S's, as in the other queries.
 template <Scalar S>
 PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
-                                          const PenetrationOptions<S>& options, const CastOptions<S>& checked,
-                                          PenetrationResult<S>& out) {
-  const Cso<S> cso(a, b);
-  const SweepLimits<S> limits = sweep_limits(cso, checked);
-  const S R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
-  Simplex<S> simplex;
-  Distance<S> d =
-      gjk_distance(cso, Vec3<S>(Vec3<S>::Zero()), simplex, gap, fine, options.max_iterations, out.counters);
+                                          const PenetrationOptions<S>& options, PenetrationResult<S>& out) {
+  using Vec = Vec3<double>;
+  const Cso<double> cso(a, b);
+  SweepLimits<double> limits;
+  limits.noise = kContact * double(kUnitRoundoff<S>) * cso.scale();
+  limits.target = std::max(limits.noise, double(options.tolerance) * cso.scale());
+  limits.budget = options.max_iterations;
+  const double R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
+  Simplex<double> simplex;
+  Distance<double> d =
+      gjk_distance(cso, Vec(Vec::Zero()), simplex, fine, fine, options.max_iterations, out.counters);
   if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
-  const S apart = d.upper - R;
+  const double apart = d.upper - R;
   const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
   if (!contact && d.lower - R > 0) return no_contact(out, d.n);
   if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
@@ -191,24 +201,43 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
     out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
     // The axis is known to the root of the rounding only: off by an angle, it carries radii along it off by the
     // cores' distance times that, and radii along what joins the cores' points by the depth times that.
-    const Vec3<S> joining = combination(simplex);
-    const bool shallow = R - d.upper < d.upper && joining != Vec3<S>::Zero();
+    const Vec joining = combination(simplex);
+    const bool shallow = R - d.upper < d.upper && joining != Vec::Zero();
     fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex,
-                     shallow ? unit(Vec3<S>(-joining)) : d.n);
+                     shallow ? unit(Vec(-joining)) : d.n);
     return out;
+  }
+  RoundDepth round;
+  if (round.set(cso, a.shape, b.shape)) {
+    // Nearly all that it takes is to show that no other minimum is lower, which a tolerance makes no shorter.
+    round.run(fine, std::min(options.max_iterations - out.counters.supports, kMostRoundDepthSupports),
+              out.counters);
+    if (round.upper() - round.lower() <= std::max(gap, limits.noise) &&
+        (contact || round.upper() + R > limits.noise)) {
+      fill_depth(out, options, cso, round.lower() + R, round.upper() + R, round.normal());
+      if (asks_for(options.request, Request::witnesses)) {
+        const std::array<Vec, 2> x = round.points();
+        const Vec ball_a = cso.side_a().radius * round.normal(),
+                  ball_b = cso.side_b().radius * round.normal();
+        out.point_a = world_point(a, cso.side_a(), cso, Vec(x[0] + ball_a), 0.0).template cast<S>();
+        out.point_b = world_point(b, cso.side_b(), cso, Vec(x[1] - ball_b), 0.0).template cast<S>();
+      }
+      return out;
+    }
   }
   // That search ends with a bracket of twice its gap where the depth is another face's than the contact. On a curved C
   // there is always a point a little farther out: near the noise it adds rounding, not room, to its faces as to their
   // neighbours.
-  const S half = options.tolerance > 0 ? std::max(gap / 2, fine) : fine,
-          epa_gap = cso.curved() ? std::max(half, 2 * limits.noise) : half;
-  const Epa<S> least =
-      epa<S>([&cso](const Vec3<S>& n) { return cso.support(n); }, simplex, d.upper, epa_gap, limits.noise,
-             cso.scale(), options.max_iterations - out.counters.supports, out.counters);
+  const double epa_gap = cso.curved() ? 2 * limits.noise : fine;
+  const Epa<double> least =
+      epa<double>([&cso](const Vec& n) { return cso.support(n); }, simplex, d.upper, epa_gap,
+                  options.tolerance > 0 ? gap : 0.0, limits.noise, cso.scale(),
+                  options.max_iterations - out.counters.supports,
+                  cso.curved() ? kMostCurvedVertices : std::numeric_limits<std::size_t>::max(), out.counters);
   if (!contact && !least.enclosed) {
     // GJK could not tell, and this search neither, unless it met an axis that separates: MPR may.
     if (least.upper + R < -limits.noise) return no_contact(out, least.n);
-    const Sweep<S> overlap = mpr_overlap(cso, limits, out.counters);
+    const Sweep<double> overlap = mpr_overlap(cso, limits, out.counters);
     if (overlap.outcome == Outcome::miss) return no_contact(out, overlap.n);
     if (overlap.outcome != Outcome::initially_overlapping) {
       out.outcome = Outcome::not_converged;
@@ -217,10 +246,10 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
     }
   }
   // In contact no depth is below zero.
-  out.stalled = !(least.upper - std::max(least.lower, S(-R)) <= std::max(2 * epa_gap, limits.noise));
+  out.stalled = !(least.upper - std::max(least.lower, -R) <= std::max({gap, 2 * epa_gap, limits.noise}));
   // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
   const bool touching = least.contact.size == 0 ||
-                        !(combination(least.contact).norm() <= std::max(least.upper, S(0)) + limits.noise);
+                        !(combination(least.contact).norm() <= std::max(least.upper, 0.0) + limits.noise);
   fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
                    touching ? simplex : least.contact, least.n);
   return out;
@@ -237,7 +266,7 @@ PenetrationResult<S> penetration(const Body<S>& a, const Body<S>& b, const Penet
   if (detail::is_quick(a.shape) && detail::is_quick(b.shape) &&
       detail::quick_penetration(GuidedPair<S>(a, b), options, out))
     return out;
-  return detail::careful_penetration(a, b, options, checked, out);
+  return detail::careful_penetration(a, b, options, out);
 }
 
 template <Scalar S>
@@ -250,7 +279,7 @@ PenetrationResult<S> penetration(const Prepared<S>& a, const Prepared<S>& b,
   if (detail::both_guided(a, b) &&
       detail::quick_penetration(GuidedPair<S>(*a.inner().guide, *b.inner().guide), options, out))
     return out;
-  return detail::careful_penetration(a.body(), b.body(), options, checked, out);
+  return detail::careful_penetration(a.body(), b.body(), options, out);
 }
 
 template <Scalar S>
@@ -266,16 +295,11 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   const Cso<S> cso(a, b);
   const SweepLimits<S> limits = sweep_limits(cso, checked);
   const Frame<S> frame(unit(direction));
-  // Is the origin on the part of the line that is in C? First its end, which is the answer. A bracket of it
-  // that a tolerance leaves wide may have the origin in it, and say nothing of contact.
-  LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters);
-  if (limits.target > limits.noise && end.lower <= limits.noise && end.upper > limits.noise) {
-    SweepLimits<S> narrow = limits;
-    narrow.target = limits.noise;
-    end = line_end(cso, frame, S(-1), narrow, out.counters);
-  }
+  // Is the origin on the part of the line that is in C? First its end, which is the answer.
+  const LineEnd<S> end = line_end(cso, frame, S(-1), limits, out.counters, limits.noise);
   out.counters.iterations = out.counters.portal_steps;
-  if (end.state == State::missed || end.lower > limits.noise) return detail::no_contact(out, end.n);
+  if (end.state == State::missed || end.lower > limits.noise)
+    return detail::no_contact(out, detail::wide(end.n));
   const detail::PortalView<S> view{cso, frame, S(1), out.counters};
   PortalSearch<S> begin = find_portal(view, limits.budget);
   if (begin.state == State::entered) {
@@ -284,13 +308,14 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
   out.counters.iterations = out.counters.portal_steps;
   const bool undecided =
       begin.state == State::entered && begin.lower <= limits.noise && begin.upper > limits.noise;
-  if (undecided && !holds_origin(begin, limits.noise)) return detail::no_contact(out, begin.facing);
+  if (undecided && !holds_origin(begin, limits.noise))
+    return detail::no_contact(out, detail::wide(begin.facing));
   const bool in_contact =
       begin.state == State::accepted ||
       (begin.state == State::entered && std::min(begin.lower, begin.upper) <= limits.noise);
   if (begin.state == State::rejected || begin.state == State::missed ||
       (begin.state == State::entered && !in_contact)) {
-    return detail::no_contact(out, begin.n);
+    return detail::no_contact(out, detail::wide(begin.n));
   }
   // Of an end that the budget left open, only its point in C is known.
   if (!in_contact || (end.state != State::entered && end.upper > limits.noise)) {

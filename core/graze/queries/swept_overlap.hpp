@@ -107,7 +107,7 @@ template <Scalar S, bool kBoth>
   QuickGjk<S, SweptSupport<S, kBoth>> gjk(support, out.counters);
   WarmStart start;
   start.axis = near_one(quick_first_direction(pair)).vector();
-  const QuickState state = gjk.run(start, support.fine(), true, options.max_iterations);
+  const QuickState state = gjk.run(start, 0, true, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
   // Where the path nearly touches the bracket decides, which is the careful search's.
   if (state == QuickState::open || (state == QuickState::apart && !gjk.separated())) return false;

@@ -5,6 +5,7 @@
 #include <graze/cast.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/rotating/bilateral_published.hpp>
+#include <graze/rotating/follow_contact.hpp>
 #include <graze/rotating/make_plan.hpp>
 #include <graze/rotating/steps.hpp>
 #include <graze/rotating/touching.hpp>
@@ -17,9 +18,21 @@ namespace detail {
 
 // kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
 inline constexpr double kRotatingStop = 4;
-// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, and
-// the part of it that either end may take.
-inline constexpr double kCertifiedTurningWidth = 1e-9, kWidthPart = 1.0 / 16;
+// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, of bodies
+// that rotate and of others, and the part of it that either end may take.
+inline constexpr double kCertifiedTurningWidth = 1e-9, kCertifiedWidth = 1e-12, kWidthPart = 1.0 / 16;
+// Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u. Tier
+// certified proves what it says of it in double. Where the rounding of a gap is more, as with a target distance far
+// above the scale, so many times that.
+template <Scalar S>
+constexpr double kFollowedDepth(Tier tier) {
+  return tier == Tier::standard && sizeof(S) == 4 ? 64 * double(kUnitRoundoff<S>)
+                                                  : 4096 * kUnitRoundoff<double>;
+}
+inline constexpr double kFollowedErrors = 16;
+// Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
+// thousand. What takes more would take slices as short as the rounding.
+inline constexpr int kMostFollowedSupports = 4096;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
@@ -98,17 +111,30 @@ class RotatingCast {
   }
 
  private:
+  [[nodiscard]] bool passes_over() const { return options_.start_policy == StartPolicy::pass_over; }
+  // Of the methods, those that never pass a contact follow one.
+  static bool follows(RotatingMethod method) {
+    return method == RotatingMethod::conservative_advancement ||
+           method == RotatingMethod::bilateral_advancement;
+  }
   [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
   [[nodiscard]] double scale() const { return pair_->scale(); }
   [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
-  // Internal length: what the tier's answer may leave open at either end.
-  [[nodiscard]] double stop() const {
-    const double rounding = kRotatingStop * pair_->error();
+  // Internal lengths: as near as axes lead, and what the caller leaves open at either end of the bracket.
+  [[nodiscard]] double stop() const { return kRotatingStop * pair_->error(); }
+  [[nodiscard]] double width() const {
     double width = static_cast<double>(options_.tolerance);
-    if (options_.tier == Tier::certified)
-      width = width > 0 ? std::min(width, kCertifiedTurningWidth) : kCertifiedTurningWidth;
-    return std::max(rounding, kWidthPart * width * scale());
+    if (options_.tier == Tier::certified) {
+      const bool turns = out_.plan.effects == Effects::rotating &&
+                         (pair_->mobility_a().turns() || pair_->mobility_b().turns());
+      const double most = turns ? kCertifiedTurningWidth : kCertifiedWidth;
+      width = width > 0 ? std::min(width, most) : most;
+    }
+    return kWidthPart * width * scale();
   }
+  // Bodies as near are in contact, in tier standard. A gap of `stop`, which its rounding and the end of the search
+  // make half as much again, is within.
+  [[nodiscard]] double touching() const { return std::max(noise(), 2 * stop()); }
   [[nodiscard]] double noise() const {
     return options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) * scale() : 0.0;
   }
@@ -138,17 +164,15 @@ class RotatingCast {
       if (pair_->mobility_a().turns()) out_.plan.add(PlanReason::rotation_a);
       if (pair_->mobility_b().turns()) out_.plan.add(PlanReason::rotation_b);
     } else {
-      const double asked =
-          options_.tier == Tier::certified ? stop() : static_cast<double>(options_.tolerance) * scale();
-      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise(), asked});
-      out_.plan.added = pair_->cso().to_length(out_.plan.added);
+      out_.plan = plan_of(*pair_, a_, b_, options_.economies, {t_end(), noise()});
     }
-    if (out_.plan.effects != Effects::rotating && !(out_.plan.added > 0) && !sees_turn_unended()) return true;
-    if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) {
-      refuse_as_turning();
+    if (is_linear() && !sees_turn_unended()) return true;
+    if (!(options_.t_max < kInfinity<S>)) {
+      refuse(Invalid::not_linear, InvalidField::t_max);
+    } else if (passes_over() && options_.method && !follows(*options_.method)) {
+      refuse(Invalid::not_followed, InvalidField::start_policy);
     } else if (options_.tier == Tier::exact) {
-      out_.invalid = Invalid::not_exact;
-      out_.invalid_at = {.why = Invalid::not_exact, .field = InvalidField::tier};
+      refuse(Invalid::not_exact, InvalidField::tier);
     }
     return out_.invalid == Invalid::none;
   }
@@ -156,29 +180,37 @@ class RotatingCast {
   // Seen without preparing anything, where the plan would find it.
   [[nodiscard]] bool passes_by() const {
     if (options_.method || !options_.economies.bounds) return false;
-    if (!(options_.t_max < kInfinity<S>) || options_.start_policy != StartPolicy::report) return false;
+    if (!(options_.t_max < kInfinity<S>)) return false;
     const double more =
         options_.tier == Tier::standard ? kContact * double(kUnitRoundoff<S>) / kUnitRoundoff<double> : 0.0;
     return outer_spheres_never_meet(a_, b_, static_cast<double>(options_.target_distance), t_end(), more);
   }
 
-  // Without an end, or with a policy of linear motions, a turn that is seen has no meaning even where the
-  // bounds never meet.
+  // Without an end, a turn that is seen has no meaning even where the bounds never meet.
   [[nodiscard]] bool sees_turn_unended() const {
     if (out_.plan.effects != Effects::nothing) return false;
-    if (options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report) return false;
+    if (options_.t_max < kInfinity<S>) return false;
     Economies without = options_.economies;
     without.bounds = false;
-    return plan_of(*pair_, a_, b_, without, {t_end(), noise(), 0}).effects == Effects::rotating;
+    return plan_of(*pair_, a_, b_, without, {t_end(), noise()}).effects == Effects::rotating;
   }
 
   void follow_plan() {
-    const bool provable = options_.t_max < kInfinity<S> && options_.start_policy == StartPolicy::report;
-    if (wants_proof() && provable && options_.tier != Tier::exact) {
-      // A chain says what was proved of the whole motion, whatever the plan spares.
+    if (wants_proof() && options_.t_max < kInfinity<S> && options_.tier != Tier::exact) {
+      // A chain says what was proved of the whole motion, whatever the plan spares. A linear motion's start in contact
+      // that is passed over, or reported, has none.
+      if (passes_over() && is_linear()) {
+        follow_effects();
+        if (!(out_.toi_lower > 0) || out_.passed_over) return;
+        out_.toi_lower = out_.toi_upper = std::numeric_limits<S>::quiet_NaN();
+      }
       if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
       return run(RotatingMethod::bilateral_advancement);
     }
+    follow_effects();
+  }
+  [[nodiscard]] bool is_linear() const { return out_.plan.effects != Effects::rotating; }
+  void follow_effects() {
     switch (out_.plan.effects) {
       case Effects::nothing:
         out_.outcome = Outcome::miss;
@@ -187,7 +219,6 @@ class RotatingCast {
       case Effects::at_rest:
         return run_at_rest();
       case Effects::linear:
-        if (out_.plan.added > 0) return run_slow();
         return take(graze::cast(a_.body, b_.body, linear_options(options_)));
       case Effects::rotating:
         return run(RotatingMethod::bilateral_advancement);
@@ -215,22 +246,8 @@ class RotatingCast {
     take(graze::cast(a_.body, b_.body, options));
   }
 
-  // A linear cast with the sway added: a miss stays one, and a hit is not before it.
-  void run_slow() {
-    CastOptions<S> options = linear_options(options_);
-    options.request = Request::verdict;
-    options.target_distance =
-        exact::round_up<S>((static_cast<double>(options_.target_distance) + out_.plan.added) * (1 + 0x1p-50));
-    const CastResult<S> linear = graze::cast(a_.body, b_.body, options);
-    if (linear.outcome == Outcome::miss) return take(linear);
-    out_.counters += linear.counters;
-    out_.plan.add(PlanReason::linear_left_open);
-    const bool known = linear.outcome == Outcome::hit || linear.outcome == Outcome::not_converged;
-    run_march(Advance::bilateral, known ? static_cast<double>(linear.toi_lower) * (1 - 0x1p-20) : 0.0);
-  }
-
   void run(RotatingMethod method) {
-    if (!(options_.t_max < kInfinity<S>)) return refuse_as_turning();
+    if (!(options_.t_max < kInfinity<S>)) return refuse(Invalid::not_linear, InvalidField::t_max);
     switch (method) {
       case RotatingMethod::time_steps:
         return run_steps(0);
@@ -242,9 +259,9 @@ class RotatingCast {
         return;
       }
       case RotatingMethod::conservative_advancement:
-        return run_march(Advance::conservative, 0);
+        return run_march(Advance::conservative);
       case RotatingMethod::bilateral_advancement:
-        return run_march(Advance::bilateral, 0);
+        return run_march(Advance::bilateral);
       case RotatingMethod::bilateral_published: {
         const double slop = options_.tolerance > 0 ? static_cast<double>(options_.tolerance) : kPublishedSlop;
         const PublishedLimits limits{t_end(), slop * scale(), slop * scale() / 4, options_.max_iterations};
@@ -252,11 +269,9 @@ class RotatingCast {
       }
     }
   }
-  void refuse_as_turning() {
-    const bool endless = !(options_.t_max < kInfinity<S>);
-    out_.invalid = Invalid::not_linear;
-    out_.invalid_at = {.why = Invalid::not_linear,
-                       .field = endless ? InvalidField::t_max : InvalidField::start_policy};
+  void refuse(Invalid why, InvalidField field) {
+    out_.invalid = why;
+    out_.invalid_at = {.why = why, .field = field};
   }
 
   void run_steps(double begin) {
@@ -265,24 +280,27 @@ class RotatingCast {
     limits.end = t_end();
     limits.steps = options_.time_steps;
     limits.touching = stop();
+    limits.width = width();
     limits.budget = options_.max_iterations;
     out_.hidden_motion =
         exact::round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
     fill(step_through(*pair_, limits, out_.counters));
   }
 
-  void run_march(Advance advance, double begin) {
+  void run_march(Advance advance) {
     MarchLimits limits;
     limits.advance = advance;
-    limits.begin = wants_proof() ? 0.0 : begin;
     limits.end = t_end();
     limits.stop = stop();
-    limits.touching = options_.tier == Tier::standard ? std::max(noise(), limits.stop) : -1.0;
+    limits.width = width();
+    limits.touching = options_.tier == Tier::standard ? touching() : -1.0;
+    limits.proves_later = wants_proof();
     limits.budget = options_.max_iterations;
     limits.record = wants_proof();
-    limits.normal = asks_for(options_.request, Request::normal);
-    limits.may_sweep = {has_plain_ball(a_.body.shape), has_plain_ball(b_.body.shape)};
+    limits.may_sweep = {!limits.record || has_plain_ball(a_.body.shape),
+                        !limits.record || has_plain_ball(b_.body.shape)};
     limits.asks_start = options_.tier == Tier::certified;
+    if (passes_over() && !leaves_start(limits)) return;
     March found = march(*pair_, limits, out_.counters);
     if (is_open_at_start(found)) {
       if (touches_at_start()) return;
@@ -291,6 +309,51 @@ class RotatingCast {
     }
     if (limits.record) out_.proof = proof_of(found);
     fill(found);
+    if (out_.outcome != Outcome::miss) out_.passed_over = false;
+  }
+
+  // By the policy pass_over: a contact at the start is followed. False: that is the answer, in out_. Else the march
+  // begins where the bodies are apart; what it finds is the answer, passed over if it is a miss.
+  bool leaves_start(MarchLimits& march_limits) {
+    const double allowed =
+        std::max(kFollowedDepth<S>(options_.tier) * scale(), kFollowedErrors * pair_->error());
+    const FollowLimits limits{.end = t_end(),
+                              .allowed = allowed,
+                              .apart = std::max(allowed / 4, 2 * touching()),
+                              .touching = touching(),
+                              .width = march_limits.width,
+                              .stop = march_limits.stop,
+                              .budget = std::min(march_limits.budget, kMostFollowedSupports)};
+    Followed start = ContactFollower(*pair_, limits, out_.counters)();
+    using State = Followed::State;
+    const bool certified = options_.tier == Tier::certified;
+    switch (start.state) {
+      case State::none:
+        return true;
+      case State::separated:
+        march_limits.begin = start.found.lower;
+        march_limits.record = false;  // no chain of axes shows a contact that is followed
+        out_.passed_over = true;
+        return true;
+      case State::ended:
+        out_.passed_over = true;
+        start.found.outcome = Outcome::miss;
+        break;
+      case State::deeper:
+        start.found.outcome = Outcome::hit;
+        break;
+      case State::deep:
+        if (certified && !start.proved)
+          return refuse(Invalid::not_followed, InvalidField::start_policy), false;
+        start.found.outcome = Outcome::initially_overlapping;
+        break;
+      case State::open:
+        if (certified && out_.counters.supports < march_limits.budget)
+          return refuse(Invalid::not_followed, InvalidField::start_policy), false;
+        break;
+    }
+    fill(start.found);
+    return false;
   }
 
   // A contact at t = 0 that no ball about the origin proves: the origin is on C's boundary, or nearer to the
@@ -318,11 +381,12 @@ class RotatingCast {
   bool touches_by_linear_tier(RotatingProof& proof) {
     CastOptions<S> options = linear_options(options_);
     options.t_max = 0;
-    options.request = Request::proof;
+    options.request = wants_proof() ? Request::proof : Request::verdict;
     const CastResult<S> start = graze::cast(a_.body, b_.body, options);
     out_.counters += start.counters;
-    if (start.outcome != Outcome::initially_overlapping || !start.proof || !(start.proof->toi_upper == 0))
-      return false;
+    if (start.outcome != Outcome::initially_overlapping) return false;
+    if (!wants_proof()) return true;
+    if (!start.proof || !(start.proof->toi_upper == 0)) return false;
     proof.toi_upper = 0;
     proof.contact_size = start.proof->portal_size;
     std::copy(start.proof->portal.begin(), start.proof->portal.end(), proof.contact.begin());
@@ -354,9 +418,9 @@ class RotatingCast {
     // Of a way that outgrew the doubles nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
-    if (found.outcome != Outcome::hit) return;
-    if (asks_for(options_.request, Request::normal))
-      out_.normal = (found.normal != Vec3<double>::Zero() ? found.normal : found.n).template cast<S>();
+    // Of a search that its budget ended before it saw an axis there is no place.
+    if (found.n == Vec3<double>::Zero()) return;
+    if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
   }
 

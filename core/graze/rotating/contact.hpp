@@ -268,12 +268,14 @@ inline Vec3<double> away_from_middle(const MovingPair& pair) {
 }
 
 // n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about. `known`: where a search
-// at this very time ended, or empty; four points that hold the origin are made deeper before any search.
+// at this very time ended, or empty; four points that hold the origin are made deeper before any search. least: the
+// pairs hold a ball about the origin of this radius besides.
 inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth,
-                              const Simplex<double>& known, int budget, Counters& counters) {
+                              const Simplex<double>& known, int budget, Counters& counters,
+                              double least = 0) {
   Contact out;
   const Cso<double>& cso = pair.cso();
-  const double e = contact_error(pair), R = pair.radius();
+  const double e = contact_error(pair) + least, R = pair.radius();
   const Vec3<double> zero = Vec3<double>::Zero();
   if (known.size == 4) {
     out.pairs = known;

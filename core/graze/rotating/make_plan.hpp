@@ -2,9 +2,7 @@
 //
 // Internal lengths. A turn counts as unseen where no point of the body, as a set, gets farther than `noise`
 // from where the linear motion has it: C is then the linear cast's C' within the tier's kappa u scale. In
-// tier certified nothing is below noise but 0. A slow turn gets no farther than the tolerance: a linear cast
-// with that much added to the target distance bounds the answer from below, and a rotating cast goes on from
-// there.
+// tier certified nothing is below noise but 0. No plan depends on the tolerance.
 #pragma once
 
 #include <graze/numeric/vectors.hpp>
@@ -14,9 +12,8 @@
 namespace graze::inline GRAZE_LINKAGE::detail {
 
 struct PlanLimits {
-  double t_end = 1;      // may be infinite
-  double noise = 0;      // internal length
-  double tolerance = 0;  // internal length
+  double t_end = 1;  // may be infinite
+  double noise = 0;  // internal length
 };
 
 // Neither body turns: no bounds of turning points are needed.
@@ -95,14 +92,6 @@ Plan plan_of(const MovingPair& pair, const RotatingBody<S>& a_given, const Rotat
     const bool still = pair.velocity() == Vec3<double>::Zero();
     out.effects = still && economies.at_rest ? Effects::at_rest : Effects::linear;
     if (out.effects == Effects::at_rest) out.add(PlanReason::nothing_moves);
-    return out;
-  }
-  const double sway = (seen_a ? sway_a : 0.0) + (seen_b ? sway_b : 0.0);
-  if (economies.slow_spin && sway <= limits.tolerance) {
-    if (seen_a) out.add(PlanReason::slow_spin_a);
-    if (seen_b) out.add(PlanReason::slow_spin_b);
-    out.effects = Effects::linear;
-    out.added = sway;
     return out;
   }
   out.effects = Effects::rotating;

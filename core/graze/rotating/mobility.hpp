@@ -80,12 +80,14 @@ struct Mobility {
     return revolves ? std::min(plain, sine * center_rho + tilt_rate * revolved_reach) : plain;
   }
   [[nodiscard]] double acceleration(const Vec3<double>& n) const { return acceleration_for(across(n)); }
-  // The same, of an n for which |n x w| is known.
-  [[nodiscard]] double acceleration_for(double across) const {
+  // The same, of an n for which |n x w| is known. Of an n that moves evenly, by axis_rate in a unit of t, the second
+  // derivative of n.x has 2 n'.x' more: twice axis_rate times the speed.
+  [[nodiscard]] double acceleration_for(double across, double axis_rate = 0) const {
     if (!turns()) return 0;
-    const double sine = rate * across, plain = sine * rho;
+    const double sine = rate * (across + 2 * axis_rate), plain = sine * rho;
     if (!revolves) return plain;
-    return std::min(plain, sine * center_rho + tilt_rate * (tilt_rate + own_rate) * revolved_reach);
+    return std::min(plain,
+                    sine * center_rho + tilt_rate * (tilt_rate + own_rate + 2 * axis_rate) * revolved_reach);
   }
   // How far the body as a set gets from where it was, at most, within time t.
   [[nodiscard]] double sway(double t) const {

@@ -198,6 +198,17 @@ class MovingPair {
     return {bend_of_world(across_a, across_b), bend_of(AxisFrame::a, across_a, t_end),
             bend_of(AxisFrame::b, across_b, t_end)};
   }
+  // As bend(), for an axis that moves evenly in the frame's axes from n_0 to n_1, by axis_rate in a unit of t. In
+  // between it is no longer than 1, and |n x w| no more than at an end. The second derivative of n.x has 2 n'.x' more.
+  [[nodiscard]] double bend_between(AxisFrame frame, const Vec3<double>& n_0, const Vec3<double>& n_1,
+                                    double axis_rate, double t_end) const {
+    const auto across = [&](const Mobility& m) { return std::max(m.across(n_0), m.across(n_1)); };
+    if (frame == AxisFrame::world)
+      return bend_of_world(across(a_.mobility), across(b_.mobility), axis_rate) +
+             2 * axis_rate * velocity().norm();
+    return bend_of(frame, across((frame == AxisFrame::a ? a_ : b_).mobility), t_end) +
+           2 * axis_rate * relative_speed(frame, t_end);
+  }
   // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
   // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance
   // of the bodies is the same in all axes, so it changes no faster, however fast both turn as one.
@@ -281,9 +292,11 @@ class MovingPair {
             across * (2 * velocity().norm() + swing_until(frame, t_end))) *
            (1 + 64 * kUnitRoundoff<double>);
   }
-  [[nodiscard]] double bend_of_world(double across_a, double across_b) const {
-    const double each = a_.mobility.acceleration_for(across_a) + b_.mobility.acceleration_for(across_b);
-    return turns_in_common() ? std::min(each, a_.mobility.rate * across_a * common_rho_) : each;
+  [[nodiscard]] double bend_of_world(double across_a, double across_b, double axis_rate = 0) const {
+    const double each =
+        a_.mobility.acceleration_for(across_a, axis_rate) + b_.mobility.acceleration_for(across_b, axis_rate);
+    return turns_in_common() ? std::min(each, a_.mobility.rate * (across_a + 2 * axis_rate) * common_rho_)
+                             : each;
   }
   [[nodiscard]] bool turns_in_common() const { return common_rho_ < kInfinity<double>; }
   // See above; raised by what it is rounded by, and by what points are off.

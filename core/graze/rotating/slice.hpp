@@ -9,6 +9,10 @@
 //                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
 //                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2).
 // [Mirtich 1996; Catto, Continuous Collision, GDC 2013, whose bilateral advancement asks for s_1 > 0 only.]
+//   along an axis that moves: evenly from n_0 at t_0 to n_1 at t_1. It is no longer than 1 in between, and n(t).x(t)
+//                  bends by 2 |n'| times the speed more. So the gap at either end is that of its own best axis: it is
+//                  the distance itself where line meets line, or a rim a face, and no one axis serves both ends. A
+//                  proof has no name for such an axis.
 //
 // Where the bilateral t_1 is looked for, in this order: a little before the root of the distance itself, by
 // the secant of its last two values, with the axis found there (where a face turns, an old axis is good for a
@@ -18,6 +22,7 @@
 // conservative slice. No root finder can stall, and none is believed.
 #pragma once
 
+#include <graze/rotating/arc.hpp>
 #include <graze/rotating/nearest.hpp>
 #include <graze/rotating/whole_turns.hpp>
 #include <optional>
@@ -28,13 +33,14 @@ enum class Advance { conservative, bilateral };
 
 struct MarchLimits {
   Advance advance = Advance::bilateral;
-  double begin = 0, end = 1;  // no contact before `begin` is known
+  double begin = 0, end = 1;  // a contact that is passed over has ended at `begin`
   double stop = 0;            // a gap that axes cannot close
-  double touching = -1;       // a start with no more distance is in contact; below 0: only what is proved
+  double width = 0;           // how far from contact either end of the bracket may be, where that is more
+  double touching = -1;       // bodies with no more distance are in contact; below 0: only what is proved
+  bool proves_later = false;  // `touching` is about the start alone
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain
   bool asks_start = false;    // a start that stays open ends the march, for its caller to decide
-  bool normal = false;        // of a hit: as good as rounding lets it be, however wide the bracket may be
   WholeTurns may_sweep{true, true};  // whole_turns.hpp
 };
 
@@ -59,6 +65,17 @@ inline double not_after(double t, double h) {
   return end - t > h ? std::nextafter(end, t) : end;
 }
 
+// What failed is tried ever more seldom: the next try waits for about as many turns as there were failures.
+class Patience {
+ public:
+  [[nodiscard]] bool waits() { return --wait_ > 0; }
+  void fail() { wait_ = failures_ = std::min(2 * failures_ + 1, 64); }
+  void succeed() { failures_ = 0; }
+
+ private:
+  int wait_ = 0, failures_ = 0;
+};
+
 class SliceSearch {
  public:
   SliceSearch(MovingPair& pair, const MarchLimits& limits, Counters& counters)
@@ -71,6 +88,7 @@ class SliceSearch {
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
     GRAZE_ASSERT(now.near.gap > 0 && now.t >= 0 && now.t <= limits_.end);
+    ++slices_;
     Slice out;
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
@@ -84,8 +102,50 @@ class SliceSearch {
       const Vec3<double> own = pair_.to_own(frame.of, now.near.n);
       along_axis(Along{now.t, own, now.near.gap - pair_.frame_error(frame.of), frame, {}}, longest, out);
     }
+    by_two_axes(now, out);
+    by_arc(now, out);
     by_whole_turns(now, out);
     return out;
+  }
+
+  // Is the gap along n, in the frame that lets points bend least or with a spinning body as what it sweeps, above
+  // `least` from t to the end?
+  bool keeps_above(double t, const Vec3<double>& n, double least) {
+    const double rest = limits_.end - t;
+    const auto above = [&](const Along& along) {
+      const auto gap = [&](double at) {
+        pair_.place(at);
+        const Vec3<double> axis = pair_.to_world(along.frame.of, along.own);
+        return along.whole.any() ? swept_gap(pair_, along.whole, axis, counters_)
+                                 : pair_.gap(axis, counters_) - pair_.frame_error(along.frame.of);
+      };
+      return proves(rest, gap(t) - least, gap(limits_.end) - least, along.frame.bend_root);
+    };
+    const Frame steadiest = frames(n)[0];
+    place(t);
+    if (above({t, pair_.to_own(steadiest.of, n), 0, steadiest, {}})) return true;
+    const WholeTurns whole = swept_in(rest, 0);
+    return whole.any() && above({t, n, 0, still(whole, n), whole});
+  }
+
+  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
+  double approach(const Seen& now) {
+    place(now.t);
+    const Cso<double>& cso = pair_.cso();
+    const auto& side_b = cso.side_b();
+    const Simplex<double>& closest = now.near.simplex;
+    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
+      const CsoPoint<double>& p = closest.point[i];
+      const Vec3<double> d_b = -p.n;
+      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
+      apart += closest.lambda[i] * p.w;
+    }
+    b = side_b.to_world(b) + pair_.center_b();
+    const Vec3<double> a = b + apart;  // from A's pivot
+    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
+                                pair_.mobility_a().w.cross(a);
+    return -now.near.n.dot(faster);
   }
 
  private:
@@ -154,25 +214,6 @@ class SliceSearch {
     return std::max(gap * std::min(1.0 / 64, gap * known), limits_.stop / 2);
   }
 
-  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
-  double approach(const Seen& now) {
-    place(now.t);
-    const Cso<double>& cso = pair_.cso();
-    const auto& side_b = cso.side_b();
-    const Simplex<double>& closest = now.near.simplex;
-    Vec3<double> b = Vec3<double>::Zero(), apart = Vec3<double>::Zero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(closest.size); ++i) {
-      const CsoPoint<double>& p = closest.point[i];
-      const Vec3<double> d_b = -p.n;
-      b += closest.lambda[i] * side_b.support(side_b, side_b.to_own(d_b), &p.vertex_b).x;
-      apart += closest.lambda[i] * p.w;
-    }
-    b = side_b.to_world(b) + pair_.center_b();
-    const Vec3<double> a = b + apart;  // from A's pivot
-    const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
-                                pair_.mobility_a().w.cross(a);
-    return -now.near.n.dot(faster);
-  }
   // When the gap is due to be `left`, from now: of the polynomial of second degree in the gap through the time before,
   // where there is one, and now, with what the gap changes by now; infinite where none is due.
   struct Due {
@@ -210,6 +251,7 @@ class SliceSearch {
       pair_.place(end);
       Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
       if (!(there.gap > 0)) continue;
+      if (between_axes(now, end, there, out)) return true;
       const std::array<Frame, 3> all = frames(there.n);
       std::array<Vec3<double>, 3> owns;
       for (std::size_t i = 0; i < 3; ++i) owns[i] = pair_.to_own(all[i].of, there.n);
@@ -229,6 +271,73 @@ class SliceSearch {
       longest = h / 2;
     }
     return false;
+  }
+
+  // By the axes at both ends. It takes no support.
+  bool between_axes(const Seen& now, double end, const Nearest& there, Slice& out) {
+    if (limits_.record) return false;
+    const double h = end - now.t;
+    for (const Frame& frame : std::array<Frame, 3>(frames(there.n))) {
+      const double error = pair_.frame_error(frame.of), s_0 = now.near.gap - error, s_1 = there.gap - error;
+      if (!proves(h, s_0, s_1, frame.bend_root)) continue;  // no more than the axis that stands still allows
+      Vec3<double> n_0 = now.near.n, n_1 = there.n;
+      if (frame.of != AxisFrame::world) {
+        place(now.t);
+        n_0 = pair_.to_own(frame.of, n_0);
+        place(end);
+        n_1 = pair_.to_own(frame.of, n_1);
+      }
+      const double rate = (n_1 - n_0).norm() / h;
+      const double bend = pair_.bend_between(frame.of, n_0, n_1, rate, limits_.end);
+      if (!proves(h, s_0, s_1, std::sqrt(bend / 2 * (1 + 0x1p-40)))) continue;
+      out.end = end;
+      out.there = there;
+      return true;
+    }
+    return false;
+  }
+
+  // Where the bodies do not near each other, but their axis moves on: as far as the gap allows if it stays, or a part
+  // of that.
+  void by_two_axes(const Seen& now, Slice& out) {
+    if (limits_.record) return;
+    const double rest = limits_.end - now.t;
+    double h = std::min(rest, kTowards * 2 * std::sqrt(now.near.gap) / frames(now.near.n)[0].bend_root);
+    constexpr int kTries = 3;
+    for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 4) {
+      const double end = h >= rest ? limits_.end : not_after(now.t, h);
+      pair_.place(end);
+      const Nearest there = nearest(pair_, now.near.simplex, 0, limits_.stop, limits_.budget, counters_);
+      if (there.gap > 0 && between_axes(now, end, there, out)) return;
+    }
+  }
+
+  // After many slices: a body that tips about its lowest point has far points that bend, and yet keeps its distance. A
+  // proof has no name for this bound.
+  void by_arc(const Seen& now, Slice& out) {
+    if (limits_.record || slices_ <= kManySlices || arcs_.waits()) return;
+    const double rest = limits_.end - now.t;
+    constexpr int kTries = 3;
+    double h = rest;
+    for (int i = 0; i < kTries && h > kWorthTrying * (out.end - now.t); ++i, h /= 8) {
+      const double end = h >= rest ? limits_.end : not_after(now.t, h);
+      for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
+        place(now.t);
+        const Vec3<double> own = pair_.to_own(frame, now.near.n);
+        const double k = bend_of_arc(pair_, frame, own, now.t, end, counters_);
+        if (!(k < kInfinity<double>)) continue;
+        pair_.place(end);
+        const double error = pair_.frame_error(frame), s_0 = now.near.gap - error,
+                     s_1 = pair_.gap(pair_.to_world(frame, own), counters_) - error;
+        if (!proves(1, s_0, s_1, 2 * std::sqrt(k))) continue;
+        out = {};
+        out.end = end;
+        out.expected = s_1;
+        arcs_.succeed();
+        return;
+      }
+    }
+    arcs_.fail();
   }
 
   // What a search along one axis is about: the gap at t, the frame in which the axis stands still, and whose
@@ -277,21 +386,29 @@ class SliceSearch {
     out.expected = good_gap;
   }
 
+  static constexpr int kManySlices = 12;
   // Has a body more than a turn to go?
   static constexpr double kTurn = 6.3;
   [[nodiscard]] bool spins(double rest) const {
     return std::max(pair_.mobility_a().rate, pair_.mobility_b().rate) * rest > kTurn;
   }
-  // A body with more than a turn to go, in a slice of less than a radian of it. The cylinder is seldom clear
-  // where it was not a moment ago: after a failure the next tries wait for as many slices as there were
-  // failures.
+  // The bodies that spin in what is left: by more than a turn, or after many slices, of a wheel whose every corner
+  // passes near by, by more than a corner; and of which a slice sees a small part.
+  [[nodiscard]] WholeTurns swept_in(double rest, double slice) const {
+    constexpr double kCorner = 0.5, kLittle = 2;
+    const double much = slices_ > kManySlices ? kCorner : kTurn;
+    const auto spins = [&](const Mobility& m) { return m.rate * rest > much && m.rate * slice < kLittle; };
+    return {limits_.may_sweep.a && spins(pair_.mobility_a()),
+            limits_.may_sweep.b && spins(pair_.mobility_b())};
+  }
+  [[nodiscard]] Frame still(const WholeTurns& whole, const Vec3<double>& n) const {
+    return {AxisFrame::world, std::sqrt(swept_bend(pair_, whole, n) / 2 * (1 + 0x1p-40))};
+  }
+  // The cylinder is seldom clear where it was not a moment ago.
   void by_whole_turns(const Seen& now, Slice& out) {
-    constexpr double kLittle = 1;
-    const double rest = limits_.end - now.t, h = out.end - now.t;
-    const auto fast = [&](const Mobility& m) { return m.rate * rest > kTurn && m.rate * h < kLittle * 2; };
-    const WholeTurns whole{limits_.may_sweep.a && fast(pair_.mobility_a()),
-                           limits_.may_sweep.b && fast(pair_.mobility_b())};
-    if (!whole.any() || --wait_ > 0) return;
+    const double h = out.end - now.t;
+    const WholeTurns whole = swept_in(limits_.end - now.t, h);
+    if (!whole.any() || turns_.waits()) return;
     pair_.place(now.t);
     Simplex<double> simplex;
     const auto support = [&](const Vec3<double>& n) { return swept_support(pair_, whole, n); };
@@ -300,16 +417,14 @@ class SliceSearch {
     const double gap = d.n == Vec3<double>::Zero() ? 0.0 : swept_gap(pair_, whole, d.n, counters_);
     Slice swept;
     swept.end = now.t;
-    const Frame still{AxisFrame::world, std::sqrt(swept_bend(pair_, whole, d.n) / 2 * (1 + 0x1p-40))};
-    if (gap > 0) along_axis(Along{now.t, d.n, gap, still, whole}, h, swept);
+    if (gap > 0) along_axis(Along{now.t, d.n, gap, still(whole, d.n), whole}, h, swept);
     if (swept.end > out.end) {
       swept.expected = 0;  // of the cylinder, not of the body in it
       out = swept;
-      failures_ = 0;
+      turns_.succeed();
       return;
     }
-    failures_ = std::min(2 * failures_ + 1, 64);
-    wait_ = failures_;
+    turns_.fail();
   }
 
   MovingPair& pair_;
@@ -318,7 +433,8 @@ class SliceSearch {
   double speed_in_a_, speed_in_b_;
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
-  int wait_ = 0, failures_ = 0;  // of whole turns
+  int slices_ = 0;
+  Patience arcs_, turns_;  // of by_arc(), by_whole_turns()
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -14,6 +14,7 @@ struct StepLimits {
   double begin = 0, end = 1;  // tests at begin, and at every later multiple of end / steps
   int steps = 64;
   double touching = 0;  // internal length
+  double width = 0;     // and as far from contact the bracket's beginning may be, where that is more
   int budget = 0;
 };
 
@@ -67,8 +68,8 @@ inline March step_through(MovingPair& pair, const StepLimits& limits, Counters& 
     out.n = axis != Vec3<double>::Zero() ? axis : away_from_middle(pair);
     return out;
   }
-  // Until the bodies are apart by no more than the noise, or no double is between.
-  while (out.apart > 2 * limits.touching && counters.supports < limits.budget) {
+  // Until the bodies are apart by no more than the noise or the width, or no double is between.
+  while (out.apart > std::max(2 * limits.touching, limits.width) && counters.supports < limits.budget) {
     const double middle = out.lower + (out.upper - out.lower) / 2;
     if (!(middle > out.lower && middle < out.upper)) break;
     if (touches(middle)) out.upper = middle;

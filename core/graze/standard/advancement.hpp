@@ -2,9 +2,8 @@
 //
 // Both walk along the path s r by axes: a unit n with h(n) + R < n.(s r) proves that no contact is before
 //   s' = s + (n.(s r) - h(n) - R) / -(n.r)      when n.r < 0,     and none at all when n.r >= 0.
-// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise. Where the
-// caller lets them stop earlier they do if the simplex in hand closes the bracket from above: what a tolerance
-// asks for is never searched for. A portal closes it where the search has nothing more to tell.
+// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise. Within the caller's
+// tolerance they stop if the simplex in hand closes the bracket from above. A portal closes it after a stall.
 #pragma once
 
 #include <graze/portal/mpr.hpp>
@@ -44,9 +43,10 @@ void point_at(Simplex<S>& contact, const Vec3<S>& x) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(contact.size); ++i) contact.point[i].e = e;
 }
 
-// Near contact, as near as was asked: what the simplex, which is in C, tells of the path ahead of x = lower r. On a
-// rounded C its point nearest to x is the centre of a ball of radius R, else a triangle may lie across the path.
-// The bracket closed so far as was asked is the answer; nothing is searched for.
+// Within the caller's tolerance of contact: does the path ahead of x = lower r meet the simplex, which is in C? On a rounded C
+// the simplex's point nearest to x is the centre of a ball of radius R. Else a triangle may lie across the path. The path must
+// pass inside by more than the noise, so that no axis can separate them: the verdict is the one without a tolerance. This
+// takes no support.
 template <Scalar S>
 bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart) {
   if (!(limits.target > limits.noise) || !(out.lower > 0) || !(apart <= limits.target)) return false;
@@ -61,8 +61,9 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i)
       v += simplex.lambda[i] * simplex.point[i].w;
     // |ahead r - v| = R, by twice the areas that v spans with r: nothing cancels at a graze.
-    const S along = v.dot(r), room = speed * speed * R * R - v.cross(r).squaredNorm();
-    if (room > 0 && along > 0) ahead = (along - std::sqrt(room)) / (speed * speed);
+    const S along = v.dot(r), off = v.cross(r).squaredNorm(), inner = R - limits.noise;
+    if (along > 0 && inner > 0 && off < speed * speed * inner * inner)
+      ahead = (along - std::sqrt(speed * speed * R * R - off)) / (speed * speed);
   } else if (simplex.size == 3) {
     S sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -73,14 +74,20 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
     if (!(std::abs(sum) > 0)) return false;
     Vec3<S> v = Vec3<S>::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
+      // Seen along r, a corner's weight is the path's distance from the other edge over the corner's height above it.
+      const S edge = (simplex.point[(i + 1) % 3].w - simplex.point[(i + 2) % 3].w).norm();
+      const S inside = std::copysign(weights[i], weights[i] * sum);
+      if (!(inside > limits.noise * speed * edge)) return false;
       weights[i] /= sum;
-      if (!(weights[i] >= 0)) return false;
       v += weights[i] * (simplex.point[i].w - x);
     }
     ahead = v.dot(r) / (speed * speed);
     if (!((v - ahead * r).norm() <= limits.noise / 4)) return false;
   }
-  if (!(ahead >= 0 && ahead * speed <= limits.target && out.lower + ahead <= limits.s_max)) return false;
+  if (!(ahead >= 0 && ahead * speed <= limits.target)) return false;
+  // Neither the start nor the end of the path is within rounding.
+  if (!(out.lower * speed > 2 * limits.noise)) return false;
+  if (!((out.lower + ahead) * speed + limits.noise < limits.s_max * speed)) return false;
   out.outcome = Outcome::hit;
   out.upper = out.lower + ahead;
   out.apart = apart;
@@ -92,8 +99,7 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
   return true;
 }
 
-// Contact, as near as was asked. At the noise the simplex itself is the contact; farther off, or after a
-// stall, only a portal can tell whether the path goes on to hit.
+// At the noise the simplex itself is the contact. After a stall only a portal can tell whether the path goes on to hit.
 template <Scalar S>
 void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart,
                       Counters& counters) {
@@ -131,10 +137,6 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
   out.n = n_begin;
   const Vec3<S>& r = cso.direction();
   const S R = cso.radius();
-  // On a core that is no point or segment a distance takes as many supports as a portal, and the next six digits as
-  // many distances: there the bracket is closed by a portal, and the search spared.
-  constexpr S kDigits = S(0x1p20);
-  const bool portal_pays = !(R > 0) && limits.target > kDigits * limits.noise;
   S apart = kInfinity<S>;
   while (counters.supports < limits.budget) {
     ++counters.iterations;
@@ -146,7 +148,6 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
     const S least = apart <= limits.noise ? limits.fine() : S(0);
     if (apart <= limits.fine() || !(d.lower - R > least)) break;
     if (detail::closes_in_hand(out, cso, limits, apart)) return out;
-    if (portal_pays && out.lower > 0 && apart <= limits.target) break;
     if (!detail::advance(out, r, d.n, S(d.lower - R), limits.s_max)) return out;
     apart = kInfinity<S>;  // not known there
   }
@@ -170,7 +171,8 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
   simplex.add(cso.support(x - cso.middle()));
   ++counters.supports;
   S nearest = kInfinity<S>, apart = kInfinity<S>;
-  while (counters.supports < limits.budget) {
+  // What rounding or a smooth surface keeps from converging is left to a portal, with the rest of the budget.
+  while (counters.supports < limits.budget - limits.budget / 4) {
     ++counters.iterations;
     const Closest<S> closest = closest_to_origin(simplex, x);
     ++counters.gjk_iterations;

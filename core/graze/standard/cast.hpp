@@ -69,30 +69,26 @@ template <Scalar S, class Search>
     sweep.outcome = Outcome::miss;
     sweep.n = clip.n;
   } else {
-    sweep = search(cso, limits, clip, out.counters);
+    SweepLimits<S> most = limits;
+    most.budget -= limits.budget / 4;  // the rest is kept for the start
+    sweep = search(cso, most, clip, out.counters);
   }
   // The search did not get beyond the start. Seen along the path C may be too thin for a portal, and yet hold
   // the origin: the overlap test, which starts from a point inside C, can tell.
   if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
-    Counters again;  // its budget is its own
-    const Sweep<S> start = mpr_overlap(cso, limits, again);
+    Counters again;
+    SweepLimits<S> rest = limits;
+    rest.budget = limits.budget / 4;
+    const Sweep<S> start = mpr_overlap(cso, rest, again);
     out.counters += again;
     if (start.outcome == Outcome::initially_overlapping) sweep = start;
   }
   // A hit within the noise of the start is a start in contact, too.
-  const auto at_start = [&] {
-    return sweep.outcome == Outcome::initially_overlapping ||
-           (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
-  };
-  if (options.start_policy == StartPolicy::pass_over && at_start()) {
-    if (sweep.outcome == Outcome::hit && limits.target > limits.noise) {
-      // Whether the start is in contact was decided up to the caller's tolerance: search again up to the noise.
-      limits.target = limits.noise;
-      Counters again;
-      sweep = search(cso, limits, clip, again);
-      out.counters += again;
-    }
-    const Start start = at_start() ? start_of(Cso<S>(a, b), limits, out.counters) : Start::enters;
+  const bool at_start =
+      sweep.outcome == Outcome::initially_overlapping ||
+      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  if (options.start_policy == StartPolicy::pass_over && at_start) {
+    const Start start = start_of(Cso<S>(a, b), limits, out.counters);
     if (start == Start::leaves) {
       out.outcome = Outcome::miss;
       out.toi_lower = out.toi_upper = kInfinity<S>;
@@ -146,11 +142,14 @@ void careful_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
   search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
-        Sweep<S> sweep = mpr_sweep(cso, limits, counters);
+        SweepLimits<S> part = limits;
+        part.budget -= limits.budget / 4;
+        Sweep<S> sweep = mpr_sweep(cso, part, counters);
         if (sweep.outcome == Outcome::not_converged) {
-          // MPR cycles at the level of rounding: GJK is tried instead, with a budget of its own.
+          // MPR cycles at the level of rounding: GJK is tried instead, with the rest of the budget.
           Counters again;
-          sweep = gjk_ray_cast(cso, limits, clip.enter, clip.n, again);
+          part.budget = limits.budget / 4;
+          sweep = gjk_ray_cast(cso, part, clip.enter, clip.n, again);
           counters += again;
         }
         return sweep;

@@ -261,8 +261,10 @@ class CurvedWalk {
       return true;
     }
     if (side_ < 0) return true;
-    const double lower = std::min(h / dot(n, r_), s);
-    if (!((s - lower) * length_ <= target_)) return false;
+    const double lower = std::min(h / dot(n, r_), s), width = (s - lower) * length_;
+    if (!(width <= target_)) return false;
+    // What only the caller's tolerance closes is a hit that leaves no doubt; else the walk goes on as it does without one.
+    if (width > noise_ && !(lower > 2 * noise_ && s + noise_ < s_max_)) return false;
     if (!(lower > 0 && s < s_max_ && s > 2 * noise_)) return true;
     out_.outcome = Outcome::hit;
     out_.lower = lower;
@@ -271,11 +273,20 @@ class CurvedWalk {
     out_.reach = h;
     return true;
   }
+  // The weights of the line's point in a triangle, as it is seen along the path, of either orientation. They are not
+  // negative and their sum is 1, whatever rounding does: so the points that they make are on the bodies. Of needles that
+  // rounding turns inside out they miss the line, which the callers see. NaN of a triangle without area.
+  static void weigh_by_areas(const CurvedCorner& c0, const CurvedCorner& c1, const CurvedCorner& c2,
+                             std::array<double, 3>& lambda) {
+    const double area0 = det(c1, c2), area1 = det(c2, c0), area2 = det(c0, c1),
+                 sign = area0 + area1 + area2 < 0 ? -1 : 1;
+    const double l0 = std::max(sign * area0, 0.0), l1 = std::max(sign * area1, 0.0),
+                 l2 = std::max(sign * area2, 0.0), one = 1 / (l0 + l1 + l2);
+    lambda = {l0 * one, l1 * one, l2 * one};
+  }
   // Where the line passes a portal; NaN if it does not within the noise.
   [[nodiscard]] double pass(const std::array<CurvedCorner, 3>& c, std::array<double, 3>& lambda) const {
-    const double l0 = std::max(det(c[1], c[2]), 0.0), l1 = std::max(det(c[2], c[0]), 0.0),
-                 l2 = std::max(det(c[0], c[1]), 0.0), one = 1 / (l0 + l1 + l2);
-    lambda = {l0 * one, l1 * one, l2 * one};
+    weigh_by_areas(c[0], c[1], c[2], lambda);
     const Triple p = lambda[0] * c[0].w + lambda[1] * c[1].w + lambda[2] * c[2].w;
     const double s = dot(p, r_) / r_sq_;
     return largest(p - s * r_) <= noise_ / 4 ? s : std::numeric_limits<double>::quiet_NaN();
@@ -460,8 +471,7 @@ class CurvedWalk {
       l[1] = std::min(std::max(along, 0.0), 1.0);
       l[0] = 1 - l[1];
     } else if (size == 3) {
-      const double l0 = det(c1, c2), l1 = det(c2, c0), l2 = det(c0, c1), all = 1 / (l0 + l1 + l2);
-      l = {std::max(l0 * all, 0.0), std::max(l1 * all, 0.0), std::max(l2 * all, 0.0)};
+      weigh_by_areas(c0, c1, c2, l);
     }
     const Triple p = l[0] * c0.w + l[1] * c1.w + l[2] * c2.w;
     const double s = dot(p, r_) / r_sq_;

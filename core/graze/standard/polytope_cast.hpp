@@ -1,9 +1,10 @@
 // A quick search's answer as a cast's: times, normal, witnesses, in the caller's units.
 //
-// Point, segment, triangle, box and hull, without a target distance; the careful search answers the rest, and
-// whatever the search gives up on.
+// Point, segment, triangle, box and hull, without a target distance. What a quick search gives up on the exact walk
+// decides. The careful search answers the rest.
 #pragma once
 
+#include <graze/exact/answer_cast.hpp>
 #include <graze/gjk/quick_ray.hpp>
 #include <graze/portal/quick_walk.hpp>
 #include <graze/result.hpp>
@@ -37,19 +38,20 @@ template <Scalar S, class Search>
   return (guide.placed_center() + (t * triple(body.displacement) + turned)).vector().template cast<S>();
 }
 
-// By `Search`, one of QuickWalk and QuickRay. False: nothing is claimed, and of `out` only the counters have changed.
+// By `Search`, one of QuickWalk and QuickRay. Where it gives up, or there is no path to search, otherwise(pair, search)
+// answers, search being null in the latter case. False: nothing is claimed, and of `out` only the counters have changed.
 // The bodies have passed validate().
-template <template <Scalar> class Search, Scalar S>
+template <template <Scalar> class Search, Scalar S, class Otherwise>
 [[nodiscard]] bool quick_cast_by(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                                 CastResult<S>& out) {
+                                 CastResult<S>& out, const Otherwise& otherwise) {
   if (options.target_distance > 0 || !is_quick(a.shape) || !is_quick(b.shape)) return false;
   const GuidedPair<S> pair(a, b);
-  if (!pair.moves() || !(options.t_max > 0)) return false;
+  if (!pair.moves() || !(options.t_max > 0)) return otherwise(pair, static_cast<const Search<S>*>(nullptr));
   const int k = pair.length_exponent(), j = pair.speed_exponent();
   Search<S> search(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),
                    options.max_iterations, out.counters);
   const QuickSweep& found = search.run();
-  if (found.outcome == Outcome::not_converged) return false;
+  if (found.outcome == Outcome::not_converged) return otherwise(pair, &search);
   if (found.outcome == Outcome::initially_overlapping && options.start_policy == StartPolicy::pass_over)
     return false;
 
@@ -57,7 +59,7 @@ template <template <Scalar> class Search, Scalar S>
   if (found.outcome == Outcome::hit) {
     lower = rounded_toward<S>(found.lower * power_of_two(k - j), false);
     upper = std::min(rounded_toward<S>(found.upper * power_of_two(k - j), true), options.t_max);
-    if (!(lower > 0 && lower <= upper)) return false;
+    if (!(lower > 0 && lower <= upper)) return otherwise(pair, &search);
   } else if (found.outcome == Outcome::miss) {
     lower = upper = kInfinity<S>;
   }
@@ -85,20 +87,44 @@ template <template <Scalar> class Search, Scalar S>
   return true;
 }
 
+// A quick search gives up where rounding decides: near the start, near the end of the path and where it grazes. The exact
+// walk goes on from the walk's portal in hand. Whether a start in contact leaves
+// is a matter of the noise, though (leaving.hpp); and a budget that the caller made smaller than a quick walk may take
+// ends the search.
+template <Scalar S>
+[[nodiscard, gnu::noinline]] bool cast_exactly_from(const GuidedPair<S>& pair, const QuickWalk<S>* walk,
+                                                    const CastOptions<S>& options, CastResult<S>& out) {
+  if (options.start_policy != StartPolicy::report || options.max_iterations < kQuickSteps) return false;
+  exact::PassageSearch<S> search(pair, out.counters);
+  const exact::Answer answer = search.pass(walk ? exact::seeds_of(*walk) : exact::Seeds{});
+  const Method method = out.method;
+  exact::answer_cast(search, answer, options, out);
+  if (search.scene().valid()) return true;
+  out = {};
+  out.method = method;
+  return false;
+}
+
 template <Scalar S>
 using AnsweringWalk = QuickWalk<S>;
 
 template <Scalar S>
 [[nodiscard]] bool quick_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                               CastResult<S>& out) {
-  const bool answered = quick_cast_by<AnsweringWalk>(a, b, options, out);
+  const bool answered = quick_cast_by<AnsweringWalk>(
+      a, b, options, out, [&](const GuidedPair<S>& pair, const QuickWalk<S>* walk) {
+        return cast_exactly_from(pair, walk, options, out);
+      });
   out.counters.iterations = out.counters.portal_steps;
   return answered;
 }
 template <Scalar S>
 [[nodiscard]] bool quick_ray_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                   CastResult<S>& out) {
-  const bool answered = quick_cast_by<QuickRay>(a, b, options, out);
+  const bool answered =
+      quick_cast_by<QuickRay>(a, b, options, out, [&](const GuidedPair<S>& pair, const QuickRay<S>*) {
+        return cast_exactly_from(pair, static_cast<const QuickWalk<S>*>(nullptr), options, out);
+      });
   out.counters.iterations = out.counters.gjk_iterations;
   return answered;
 }

@@ -302,7 +302,9 @@ class RoundWalk {
     // The path comes in: where R is below the noise, the side of a flat C that x lies on is rounding, and C has both for
     // its border.
     const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_ && rate < 0;
-    const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_;
+    // What only the caller's tolerance closes is a hit that leaves no doubt.
+    const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_ &&
+                         s_low_ > 2 * noise_ && s + noise_ < s_end_;
     if (met && (h - at <= noise_ / 2 * length || is_near)) {
       if (size_ == 3) correct(x - n, lambda);
       out_.outcome = Outcome::hit;

@@ -28,6 +28,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <graze/numeric/machine.hpp>
 #include <graze/scalar.hpp>
 #include <vector>
 
@@ -143,7 +144,7 @@ inline bool DirectionMap::find(float x, float y, float z, List& out) const {
                  axis = second + 2 * last;
   const float scaled = inner_ * reciprocal(most);
   const auto at = [&](float t) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(t * scaled + half_));
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(detail::rounded_product(t, scaled) + half_));
   };
   const std::uint32_t face = 2 * axis + (std::bit_cast<std::uint32_t>(d[axis]) >> 31);
   const Slot& slot = slots_[(face * k_ + at(d[axis + 1])) * k_ + at(d[axis + 2])];

@@ -19,8 +19,9 @@ template <std::size_t kBlocks>
 #pragma GCC unroll 16
   for (std::size_t i = 0; i < 2 * kBlocks; ++i) {
     const float* p = x + 4 * i;
-    value[i] = _mm_add_ps(_mm_add_ps(_mm_mul_ps(_mm_loadu_ps(p), dx), _mm_mul_ps(_mm_loadu_ps(p + n), dy)),
-                          _mm_mul_ps(_mm_loadu_ps(p + 2 * n), dz));
+    using P = Pack<float>;
+    value[i] = _mm_add_ps(_mm_add_ps(P::mul(_mm_loadu_ps(p), dx), P::mul(_mm_loadu_ps(p + n), dy)),
+                          P::mul(_mm_loadu_ps(p + 2 * n), dz));
   }
   __m128 most = _mm_max_ps(value[0], value[1]);
 #pragma GCC unroll 16

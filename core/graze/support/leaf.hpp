@@ -23,13 +23,32 @@ std::uint32_t box_support(const Vec3<S>& d) {
   return (d[0] >= 0 ? 1u : 0u) | (d[1] >= 0 ? 2u : 0u) | (d[2] >= 0 ? 4u : 0u);
 }
 
+// d.x, its products rounded (machine.hpp).
+template <Scalar S>
+[[nodiscard, gnu::always_inline]] inline S height_along(const Vec3<S>& d, S x, S y, S z) {
+  return rounded_product(x, d[0]) + rounded_product(y, d[1]) + rounded_product(z, d[2]);
+}
+
+// R x and R^T n, likewise.
+template <Scalar S>
+[[nodiscard]] Vec3<S> turned_by(const Mat3<S>& r, const Vec3<S>& x) {
+  const auto row = [&](int i) { return height_along<S>(x, r(i, 0), r(i, 1), r(i, 2)); };
+  return {row(0), row(1), row(2)};
+}
+template <Scalar S>
+[[nodiscard]] Vec3<S> turned_back_by(const Mat3<S>& r, const Vec3<S>& n) {
+  const auto column = [&](int i) { return height_along<S>(n, r(0, i), r(1, i), r(2, i)); };
+  return {column(0), column(1), column(2)};
+}
+
 // The first of a few points that is greatest along d.
 template <Scalar S>
 std::uint32_t first_greatest(std::span<const Vec3<S>> points, const Vec3<S>& d) {
   GRAZE_ASSERT(!points.empty());
   std::uint32_t best = 0;
   for (std::uint32_t k = 1; k < points.size(); ++k) {
-    if (d.dot(points[k] - points[best]) > 0) best = k;
+    const Vec3<S> step = points[k] - points[best];
+    if (height_along<S>(d, step[0], step[1], step[2]) > 0) best = k;
   }
   return best;
 }
@@ -80,7 +99,7 @@ std::uint32_t scan_hull(const Hull<Given>& hull, const Vec3<S>& d) {
     for (std::size_t i = 0; i < hull.padded_size(); i += kBlock) {
       S value[kBlock];
       for (std::size_t l = 0; l < kBlock; ++l)
-        value[l] = S(x[i + l]) * d[0] + S(y[i + l]) * d[1] + S(z[i + l]) * d[2];
+        value[l] = height_along<S>(d, S(x[i + l]), S(y[i + l]), S(z[i + l]));
       S most = value[0];
       for (std::size_t l = 1; l < kBlock; ++l) most = value[l] > most ? value[l] : most;
       if (!(most > top)) continue;
@@ -107,7 +126,7 @@ std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
     const float *x = list.xyz, *y = x + list.size, *z = y + list.size;
     const float size = std::abs(guess[0]) * map.reach()[0] + std::abs(guess[1]) * map.reach()[1] +
                        std::abs(guess[2]) * map.reach()[2];
-    const float top = x[k] * guess[0] + y[k] * guess[1] + z[k] * guess[2];
+    const float top = height_along<float>(guess, x[k], y[k], z[k]);
     constexpr bool kWider = sizeof(S) > sizeof(Given);
     const auto axis = [&](int i) { return kWider ? hull.scan(i) : hull.choice_scan(i); };
     const Given *a = axis(0), *b = axis(1), *c = axis(2);
@@ -115,7 +134,7 @@ std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
     S most = -kInfinity<S>;
     for_each_above(x, y, z, list.size, guess, top - 12 * kUnitRoundoff<float> * size, [&](std::size_t one) {
       const std::uint32_t v = list.vertex[one];
-      const S value = S(a[v]) * d[0] + S(b[v]) * d[1] + S(c[v]) * d[2];
+      const S value = height_along<S>(d, S(a[v]), S(b[v]), S(c[v]));
       if (!(value > most)) return;
       most = value;
       best = v;

@@ -30,15 +30,23 @@ struct Triple {
   friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Triple operator-(const Triple& a) { return {-a.x, -a.y, -a.z}; }
-  friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Triple operator*(double s, const Triple& a) {
+    return {detail::rounded_product(s, a.x), detail::rounded_product(s, a.y),
+            detail::rounded_product(s, a.z)};
+  }
 };
 template <Scalar S>
 Triple triple(const Vec3<S>& v) {
   return {double(v[0]), double(v[1]), double(v[2])};
 }
-inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double dot(const Triple& a, const Triple& b) {
+  return detail::rounded_product(a.x, b.x) + detail::rounded_product(a.y, b.y) +
+         detail::rounded_product(a.z, b.z);
+}
 inline Triple cross(const Triple& a, const Triple& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {detail::rounded_product(a.y, b.z) - detail::rounded_product(a.z, b.y),
+          detail::rounded_product(a.z, b.x) - detail::rounded_product(a.x, b.z),
+          detail::rounded_product(a.x, b.y) - detail::rounded_product(a.y, b.x)};
 }
 inline Triple magnitude(const Triple& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
 inline double sum(const Triple& a) { return a.x + a.y + a.z; }
@@ -134,18 +142,18 @@ class Guide {
   [[nodiscard]] const Triple& center() const { return center_; }  // caller's unit, own axes
   // Rounding of a vertex in world axes about the centre, per component.
   [[nodiscard]] double error() const {
-    return (turned_ ? kGuideTurn * kUnitRoundoff<double> * reach_ : 0.0) + blur_;
+    return (turned_ ? detail::rounded_product(kGuideTurn * kUnitRoundoff<double>, reach_) : 0.0) + blur_;
   }
   // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of
   // floats (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n|
   // reach for each of two vertices, u of float), and n was turned.
   [[nodiscard]] double slip() const {
     constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
-    const double turn = turned_ ? 2 * kGuideTurn * u * reach_ : 0.0;
+    const double turn = turned_ ? detail::rounded_product(2 * kGuideTurn * u, reach_) : 0.0;
     switch (kind_) {
       case Kind::hull:
       case Kind::mapped:
-        return turn + 20 * u_float * reach_;
+        return turn + detail::rounded_product(20.0 * u_float, reach_);
       case Kind::side:
         return turn + side_->slip;
       default:
@@ -156,9 +164,12 @@ class Guide {
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     double x = n.x, y = n.y, z = n.z;
     if (turned_) {
-      x = n.x * row_[0].x + n.y * row_[1].x + n.z * row_[2].x;
-      y = n.x * row_[0].y + n.y * row_[1].y + n.z * row_[2].y;
-      z = n.x * row_[0].z + n.y * row_[1].z + n.z * row_[2].z;
+      x = detail::rounded_product(n.x, row_[0].x) + detail::rounded_product(n.y, row_[1].x) +
+          detail::rounded_product(n.z, row_[2].x);
+      y = detail::rounded_product(n.x, row_[0].y) + detail::rounded_product(n.y, row_[1].y) +
+          detail::rounded_product(n.z, row_[2].y);
+      z = detail::rounded_product(n.x, row_[0].z) + detail::rounded_product(n.y, row_[1].z) +
+          detail::rounded_product(n.z, row_[2].z);
     }
     return {x, y, z};
   }
@@ -350,10 +361,14 @@ class Guide {
   void set_rotation() {
     const double w = body_.orientation.w, x = body_.orientation.x, y = body_.orientation.y,
                  z = body_.orientation.z;
-    const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, s = 1 / (ww + xx + yy + zz);
-    row_[0] = {s * (ww + xx - yy - zz), s * 2 * (x * y - w * z), s * 2 * (x * z + w * y)};
-    row_[1] = {s * 2 * (x * y + w * z), s * (ww - xx + yy - zz), s * 2 * (y * z - w * x)};
-    row_[2] = {s * 2 * (x * z - w * y), s * 2 * (y * z + w * x), s * (ww - xx - yy + zz)};
+    using detail::rounded_product;
+    const double ww = rounded_product(w, w), xx = rounded_product(x, x), yy = rounded_product(y, y),
+                 zz = rounded_product(z, z), xy = rounded_product(x, y), xz = rounded_product(x, z),
+                 yz = rounded_product(y, z), wx = rounded_product(w, x), wy = rounded_product(w, y),
+                 wz = rounded_product(w, z), s = 1 / (ww + xx + yy + zz);
+    row_[0] = {s * (ww + xx - yy - zz), s * 2 * (xy - wz), s * 2 * (xz + wy)};
+    row_[1] = {s * 2 * (xy + wz), s * (ww - xx + yy - zz), s * 2 * (yz - wx)};
+    row_[2] = {s * 2 * (xz - wy), s * 2 * (yz + wx), s * (ww - xx - yy + zz)};
   }
 
   const Body<S>& body_;
@@ -443,7 +458,8 @@ class GuidedPair {
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;
     a_.prepare(k_);
     b_.prepare(k_);
-    extent_ = a_.reach() + b_.reach() + std::sqrt(dot(offset_, offset_)) * (1 + 0x1p-50);
+    extent_ =
+        a_.reach() + b_.reach() + detail::rounded_product(std::sqrt(dot(offset_, offset_)), 1 + 0x1p-50);
     const Triple v = triple(b.displacement) - triple(a.displacement);
     const double speed = largest(v);
     j_ = speed > 0 ? exponent_of(speed) : 0;

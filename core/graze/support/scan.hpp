@@ -1,6 +1,6 @@
 // The first of many points that is greatest along a direction, its coordinates stored by axis.
 //
-//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left);  the least k of
+//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused);  the least k of
 //   the greatest value. NaN loses against everything.
 //
 // A chunk at a time: its values and their greatest, without a branch; then, only if that is a new greatest,
@@ -9,6 +9,7 @@
 // Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/costs.md.
 #pragma once
 
+#include <graze/numeric/machine.hpp>
 #include <graze/scalar.hpp>
 
 #if defined(__SSE2__)
@@ -30,7 +31,7 @@ struct Pack<float> {
   static Type load(const float* p) { return _mm_loadu_ps(p); }
   static void store(float* p, Type v) { _mm_storeu_ps(p, v); }
   static Type add(Type a, Type b) { return _mm_add_ps(a, b); }
-  static Type mul(Type a, Type b) { return _mm_mul_ps(a, b); }
+  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_ps(a, b)); }
   // b where a is NaN
   static Type max(Type a, Type b) { return _mm_max_ps(a, b); }
   static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_ps(_mm_cmpeq_ps(a, b))); }
@@ -47,7 +48,7 @@ struct Pack<double> {
   static Type load(const double* p) { return _mm_loadu_pd(p); }
   static void store(double* p, Type v) { _mm_storeu_pd(p, v); }
   static Type add(Type a, Type b) { return _mm_add_pd(a, b); }
-  static Type mul(Type a, Type b) { return _mm_mul_pd(a, b); }
+  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_pd(a, b)); }
   static Type max(Type a, Type b) { return _mm_max_pd(a, b); }
   static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_pd(_mm_cmpeq_pd(a, b))); }
   static double greatest(Type v) { return _mm_cvtsd_f64(_mm_max_sd(v, _mm_unpackhi_pd(v, v))); }
@@ -118,7 +119,10 @@ inline std::uint64_t above_in_chunk(const float* x, const float* y, const float*
                                     const Vec3<float>& d, float least) {
   std::uint64_t out = 0;
   for (std::size_t k = 0; k < n; ++k)
-    out |= std::uint64_t{!(x[k] * d[0] + y[k] * d[1] + z[k] * d[2] < least)} << k;
+    out |=
+        std::uint64_t{!(
+            rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]) < least)}
+        << k;
   return out;
 }
 template <Scalar S>
@@ -135,7 +139,7 @@ std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S
     for (std::size_t i = 0; i < size; i += kLanes) {
       for (std::size_t l = 0; l < kLanes; ++l) {
         const std::size_t k = begin + i + l;
-        const S v = x[k] * d[0] + y[k] * d[1] + z[k] * d[2];
+        const S v = rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]);
         value[i + l] = v;
         most[l] = v > most[l] ? v : most[l];
       }

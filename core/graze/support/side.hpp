@@ -177,7 +177,11 @@ SidePoint<S> hull_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
 // The direction in which a combinator's parts are asked.
 template <Scalar S>
 Vec3<double> walked_along(const Vec3<S>& d) {
-  return unit(wide(d));
+  const Vec3<double> x = wide(d);
+  const double most = x.cwiseAbs().maxCoeff();
+  if (!(most > 0)) return Vec3<double>::Zero();
+  const Vec3<double> near_one = x / most;
+  return near_one / std::sqrt(height_along<double>(near_one, near_one[0], near_one[1], near_one[2]));
 }
 template <Scalar S, Scalar Given>
 SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint32_t* chosen) {

@@ -270,7 +270,7 @@ struct Placement {
   TwoDoubles3 offset = {};
 
   [[nodiscard]] Vec3<double> to_own(const Vec3<double>& n) const {
-    return rotated ? Vec3<double>(rotation.transpose() * n) : n;
+    return rotated ? turned_back_by(rotation, n) : n;
   }
   [[nodiscard]] TwoDoubles3 turn(const Vec3<double>& x) const {
     if (rotated && turning == Turning::accurate) {
@@ -282,7 +282,7 @@ struct Placement {
       }
       return out;
     }
-    const Vec3<double> y = rotated ? Vec3<double>(rotation * x) : x;
+    const Vec3<double> y = rotated ? turned_by(rotation, x) : x;
     return {TwoDoubles{y[0], 0}, TwoDoubles{y[1], 0}, TwoDoubles{y[2], 0}};
   }
   // The part's point x.
@@ -308,7 +308,12 @@ struct Placement {
     if (q.is_identity()) return out;
     out.rotated = true;
     if (turning == Turning::quick) {
-      out.rotation = rotated ? Mat3<double>(rotation * rotation_matrix(q)) : rotation_matrix(q);
+      const Mat3<double> own = rotation_matrix(q);
+      if (!rotated) {
+        out.rotation = own;
+      } else {
+        for (int i = 0; i < 3; ++i) out.rotation.col(i) = turned_by<double>(rotation, own.col(i));
+      }
       return out;
     }
     const std::array<TwoDoubles3, 3> own = rotation_rows(q);

@@ -8,6 +8,7 @@
 #include "properties/laws/ask_twice.hpp"
 #include "properties/laws/linear/proof.hpp"
 #include "properties/laws/tables.hpp"
+#include "properties/laws/work.hpp"
 
 namespace graze::law {
 
@@ -52,10 +53,11 @@ LawResult interrupting(const Case& problem, const Method& method) {
   const Answer full = method.ask(seen, {});
   LawResult result = holds({label_of(full.outcome)});
   if (full.outcome == Outcome::not_converged) return result;
-  // The default, which the full answer may have used up at one stage of the search.
-  constexpr int kDefault = 256;
+  // The least part of the default, 256, that one stage of a search has: three quarters twice (standard/cast.hpp). The full
+  // answer may have used it up.
+  constexpr int kLeastPart = 144;
   if (const Answer more = method.ask(seen, {.max_iterations = 4096});
-      full.counters.supports < kDefault && !is_same_answer(full, more)) {
+      full.counters.supports < kLeastPart && !is_same_answer(full, more)) {
     return broken(fmt::format("a budget larger than needed changes the answer: {}; against {}",
                               describe(full), describe(more)));
   }
@@ -83,7 +85,7 @@ LawResult interrupting(const Case& problem, const Method& method) {
         before.toi_lower = proved;
         if (const std::string late = late_fault(truth_of(seen), before, proved_bound_of(method, seen));
             !late.empty()) {
-          return broken(fmt::format("the lower bound goes back from {} {}", hex(proved), with_budget()));
+          return broken(fmt::format("the lower bound goes back from {} {}", decimal(proved), with_budget()));
         }
         result.labels.push_back("goes back");
       }
@@ -119,6 +121,7 @@ LawResult tightening(const Case& problem, const Method& method) {
   best.toi_upper = kInfinity<double>;
   for (const double tolerance : {1.0, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0.0}) {
     const Answer answer = tolerance > 0 ? method.ask(seen, {.tolerance = tolerance}) : full;
+    if (const std::string why = moved_by_tolerance(full, answer, tolerance); !why.empty()) return broken(why);
     if (answer.outcome != Outcome::hit) continue;
     if (answer.toi_lower < best.toi_lower * (1 - 16 * u) ||
         answer.toi_upper > best.toi_upper * (1 + 16 * u)) {
@@ -129,8 +132,9 @@ LawResult tightening(const Case& problem, const Method& method) {
         for (const auto fault : {&late_fault, &early_fault}) {
           if (const std::string why = fault(truth_of(seen), *said, bound); !why.empty()) {
             return broken(fmt::format("the tolerance {} leaves [{}, {}], a looser one [{}, {}]: {}",
-                                      hex(tolerance), hex(answer.toi_lower), hex(answer.toi_upper),
-                                      hex(best.toi_lower), hex(best.toi_upper), why));
+                                      decimal(tolerance), decimal(answer.toi_lower),
+                                      decimal(answer.toi_upper), decimal(best.toi_lower),
+                                      decimal(best.toi_upper), why));
           }
         }
       }
@@ -198,7 +202,8 @@ LawResult tolerance_bounds_the_error(const Case& problem, const Method& method) 
     if (fault.empty() && answer.outcome == Outcome::hit && truth.outcome() == Outcome::hit)
       fault = normal_fault(seen, answer, answer.normal, contact_bound_of(method, seen) + slack);
     if (!fault.empty())
-      return broken(fmt::format("{}; with the tolerance {}: {}", fault, hex(tolerance), describe(answer)));
+      return broken(
+          fmt::format("{}; with the tolerance {}: {}", fault, decimal(tolerance), describe(answer)));
     if (answer.outcome == Outcome::hit && answer.toi_lower < answer.toi_upper)
       result.labels.push_back("wide");
   }
@@ -292,6 +297,11 @@ LawResult asking_again(const Case& problem, const Method& method) {
   return result;
 }
 
+LawResult work(const Case& problem, const Method& method) {
+  const Case seen = method.seen(problem);
+  return is_question_for(method, seen) ? within_its_work(seen, method) : outside();
+}
+
 }  // namespace
 
 std::vector<Law> linear_advancement_laws() {
@@ -300,7 +310,9 @@ std::vector<Law> linear_advancement_laws() {
        "A budget too small leaves a bracket that meets the answer's; a lower end that decreases with "
        "the budget was right all the same (of ca, an advance cut short may lead farther).",
        Needs::metamorphic, &interrupting},
-      {"tightening", "A tighter tolerance never lowers toi_lower and never raises toi_upper.",
+      {"tightening",
+       "A tighter tolerance never lowers toi_lower and never raises toi_upper; none moves the verdict or "
+       "costs supports.",
        Needs::metamorphic, &tightening},
       {"asking_again",
        "The same question gets the same bits, whatever was asked between, and with adjacency of its hulls or "
@@ -309,6 +321,8 @@ std::vector<Law> linear_advancement_laws() {
       {"scalars_meet", "The brackets of a method in float and in double meet, each within its row.",
        Needs::metamorphic, &scalars_meet},
       {"tiers_nest", "The exact bracket lies within the certified one.", Needs::metamorphic, &tiers_nest},
+      {"work", "A cast takes no more support evaluations than its guarantee's most_supports.",
+       Needs::metamorphic, &work},
       {"every_iterate_is_proved",
        "Every proof of an answer cut short by its budget is accepted by the checker.", Needs::proof,
        &every_iterate_is_proved},

@@ -56,9 +56,9 @@ class Overclaims {
  private:
   void try_claim(const char* what, const Case& problem, const Proof& claim) {
     if (!fault_.empty() || !oracle::check_proof(problem, claim).accepted()) return;
-    fault_ =
-        fmt::format("the checker believes {}, lower {} upper {}, though it accepted lower {} upper {}", what,
-                    hex(claim.toi_lower), hex(claim.toi_upper), hex(proof_.toi_lower), hex(proof_.toi_upper));
+    fault_ = fmt::format("the checker believes {}, lower {} upper {}, though it accepted lower {} upper {}",
+                         what, decimal(claim.toi_lower), decimal(claim.toi_upper), decimal(proof_.toi_lower),
+                         decimal(proof_.toi_upper));
   }
 
   // A miss has no portal, whichever points are named.

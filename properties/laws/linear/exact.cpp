@@ -43,12 +43,12 @@ std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
            bracket.upper == detail::outward_up(end.high, in_float);
   };
   if (!is(*line.t_in, interval->in)) {
-    return fmt::format("t_in is [{}, {}], not [{}, {}]", hex(line.t_in->lower), hex(line.t_in->upper),
-                       hex(interval->in.low), hex(interval->in.high));
+    return fmt::format("t_in is [{}, {}], not [{}, {}]", decimal(line.t_in->lower), decimal(line.t_in->upper),
+                       decimal(interval->in.low), decimal(interval->in.high));
   }
   if (!is(*line.t_out, interval->out)) {
-    return fmt::format("t_out is [{}, {}], not [{}, {}]", hex(line.t_out->lower), hex(line.t_out->upper),
-                       hex(interval->out.low), hex(interval->out.high));
+    return fmt::format("t_out is [{}, {}], not [{}, {}]", decimal(line.t_out->lower),
+                       decimal(line.t_out->upper), decimal(interval->out.low), decimal(interval->out.high));
   }
   return {};
 }
@@ -118,7 +118,7 @@ ExactJudgement judge_exact(const Case& seen, const Method& method, bool ask_orac
   judgement.fault = exact_fault_by_truth(truth_of(seen), judgement.answer, in_float);
   if (!judgement.fault.empty()) {
     judgement.fault +=
-        fmt::format(": [{}, {}]", hex(truth_of(seen).toi_lower()), hex(truth_of(seen).toi_upper()));
+        fmt::format(": [{}, {}]", decimal(truth_of(seen).toi_lower()), decimal(truth_of(seen).toi_upper()));
   }
   return judgement;
 }

@@ -217,8 +217,9 @@ LawResult requesting(const Case& problem, const Method& method) {
   if (least.outcome != all.outcome || least.toi_lower != all.toi_lower || least.toi_upper != all.toi_upper) {
     return broken("asking for more changes the verdict: " + pair_of(least, all));
   }
-  if (least.counters.supports > all.counters.supports ||
-      least.counters.iterations > all.counters.iterations) {
+  // Tier certified decides near ties in exact arithmetic first where no proof is asked for: another search, of another cost.
+  if (!method.is_certified() && (least.counters.supports > all.counters.supports ||
+                                 least.counters.iterations > all.counters.iterations)) {
     return broken("asking for less costs more: " + pair_of(least, all));
   }
   if (!least.normal.isZero(0) || !least.point_a.isZero(0) || !least.point_b.isZero(0) || least.proof) {

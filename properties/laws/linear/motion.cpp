@@ -218,9 +218,9 @@ LawResult reversing(const Case& problem, const Method& method) {
     return result;
   }
   // The line answers for some set near C about the start; the cast of this law is judged at its own.
-  return arbitrate(
-      method, {{"the path reversed", *back, two}},
-      fmt::format("the line leaves contact at [{}, {}]", hex(ends.t_out->lower), hex(ends.t_out->upper)));
+  return arbitrate(method, {{"the path reversed", *back, two}},
+                   fmt::format("the line leaves contact at [{}, {}]", decimal(ends.t_out->lower),
+                               decimal(ends.t_out->upper)));
 }
 
 LawResult extending(const Case& problem, const Method& method) {
@@ -246,7 +246,7 @@ LawResult extending(const Case& problem, const Method& method) {
     LawResult result =
         consistent ? holds()
                    : arbitrate(method, {{"the path", seen, one}, {"the extended", before->longer, two}},
-                               fmt::format("starting {} earlier changes the answer", hex(s)));
+                               fmt::format("starting {} earlier changes the answer", decimal(s)));
     if (result.holding != Holding::holds) return result;
     result.labels.push_back(label_of(one.outcome));
     result.labels.push_back(s >= 8 * (std::isinf(seen.t_max) ? 1 : seen.t_max) ? "far start" : "near start");
@@ -293,7 +293,7 @@ LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) 
     if (const auto open = without_truth(until)) return *open;
     const std::string text =
         fmt::format("swept overlap by {} over [0, {}] says {}; the cast: {}", swept->full_name(),
-                    hex(until.t_max), label_of(said.outcome), describe(one));
+                    decimal(until.t_max), label_of(said.outcome), describe(one));
     if (const auto open = without_truth(seen)) return *open;
     if (const std::string fault = any_fault(method, seen, one); !fault.empty())
       return broken(text + "; at fault is the cast: " + fault);

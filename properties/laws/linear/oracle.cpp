@@ -60,6 +60,37 @@ LawResult certified_decides(const Case& problem, const Method& method) {
   return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
+// The width, and what rounding toi_lower to the scalar costs: an open answer may have no upper end.
+double width_at_lower(const Method& method, const Case& seen, const Answer& answer) {
+  return limits_of(method, seen, truth_of(seen).scale().high).wide_at(answer.toi_lower);
+}
+
+// Ties are open to the oracle as well, and its distances hold all the same.
+LawResult certified_lower_is_near(const Case& problem, const Method& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
+  if (!has_truth(seen)) return not_applicable("no oracle takes the case");
+  const Answer answer = method.ask(seen, {});
+  const std::string fault =
+      lower_fault(truth_of(seen), answer, seen.t_max, width_at_lower(method, seen, answer));
+  if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
+LawResult open_answer_is_near_contact(const Case& problem, const Method& method) {
+  if (!method.is_certified()) return not_applicable("not a method of tier certified");
+  const Case seen = method.seen(problem);
+  if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
+  const Answer answer = method.ask(seen, {.request = Request::normal | Request::witnesses});
+  if (answer.outcome != Outcome::not_converged) return holds({label_of(answer.outcome)});
+  if (!has_truth(seen)) return not_applicable("no oracle takes the case");
+  const std::string fault =
+      open_answer_fault(truth_of(seen), method, seen, answer, width_at_lower(method, seen, answer));
+  if (!fault.empty()) return broken(fault + "; answered: " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
 LawResult normal_supports(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_question_for(method, seen)) return not_applicable("not a cast that the method answers");
@@ -126,7 +157,7 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
     result.labels.push_back("miss unproved");
     if (truth.clearance().low > bound) {
       return broken(fmt::format("a miss of clearance {} is not proved, only TOI >= {}", truth.clearance().low,
-                                hex(proof.toi_lower)));
+                                decimal(proof.toi_lower)));
     }
     return result;
   }
@@ -140,12 +171,12 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
   const double short_of = proof.has_axis ? truth.distance_at(proof.toi_lower).low : 0;
   if (short_of > bound) {
     return broken(fmt::format("the axis proves only toi_lower {}, {} short of contact: {}",
-                              hex(proof.toi_lower), short_of, describe(answer)));
+                              decimal(proof.toi_lower), short_of, describe(answer)));
   }
   const bool upper = std::isfinite(proof.toi_upper);
   const double beyond = upper ? truth.depth_before(proof.toi_upper).low : 0;
   if (beyond > bound) {
-    return broken(fmt::format("the portal proves only toi_upper {}, {} deep: {}", hex(proof.toi_upper),
+    return broken(fmt::format("the portal proves only toi_upper {}, {} deep: {}", decimal(proof.toi_upper),
                               beyond, describe(answer)));
   }
   if (!proof.has_axis) result.labels.push_back("no axis");
@@ -173,6 +204,14 @@ std::vector<Law> linear_oracle_laws() {
       {"certified_decides",
        "Tier certified leaves a verdict open only where clearance or depth is below the width of its row.",
        Needs::oracle, &certified_decides},
+      {"certified_lower_is_near",
+       "At toi_lower of a certified answer the bodies are within the width of contact, or the motion ends "
+       "there.",
+       Needs::oracle, &certified_lower_is_near},
+      {"open_answer_is_near_contact",
+       "An open answer of tier certified has a unit normal, witnesses on their bodies, and a distance within "
+       "the width.",
+       Needs::oracle, &open_answer_is_near_contact},
   };
 }
 

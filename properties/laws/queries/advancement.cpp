@@ -14,6 +14,7 @@
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
 #include "properties/laws/tables.hpp"
+#include "properties/laws/work.hpp"
 
 namespace graze::law {
 
@@ -45,7 +46,7 @@ Ask tolerance_of(double tolerance) { return {.request = engine::kPlain, .toleran
 
 std::string told(const Ask& ask) {
   return ask.max_iterations != 0 ? fmt::format("with a budget of {}", ask.max_iterations)
-                                 : fmt::format("with the tolerance {}", hex(ask.tolerance));
+                                 : fmt::format("with the tolerance {}", decimal(ask.tolerance));
 }
 
 // What the search in full knows of the question: its own answer, and of bodies at rest how far apart and how deep they
@@ -142,6 +143,8 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
     const Answer loose = method.ask(question->seen, ask);
     if (const std::string fault = fault_of(method, *question, known, ask, loose, result); !fault.empty())
       return broken(fault);
+    if (const std::string why = moved_by_tolerance(known.answer, loose, tolerance); !why.empty())
+      return broken(why);
     const bool may_be_wide = loose.stalled || method.query == Query::penetration_along;
     for (const std::optional<Interval>* x : {&loose.separation, &loose.depth}) {
       if (!*x || may_be_wide) continue;
@@ -221,6 +224,11 @@ LawResult query_tolerance_is_kept(const Case& problem, const Method& method) {
   return judged_with(problem, method, asks);
 }
 
+LawResult query_work(const Case& problem, const Method& method) {
+  const auto question = question_of(problem, method);
+  return question ? within_its_work(question->seen, method) : no_question();
+}
+
 }  // namespace
 
 std::vector<Law> query_advancement_laws() {
@@ -232,8 +240,10 @@ std::vector<Law> query_advancement_laws() {
        Needs::metamorphic, &query_interrupting},
       {"query_tolerance_widens",
        "A tolerance widens the bracket of a distance or a depth by no more than itself, off the whole one "
-       "nowhere, and changes no verdict.",
+       "nowhere, changes no verdict and costs no support.",
        Needs::metamorphic, &query_tolerance_widens},
+      {"query_work", "A query takes no more support evaluations than its guarantee's most_supports.",
+       Needs::metamorphic, &query_work},
       {"points_are_of_the_bodies",
        "However wide the bracket that a budget or a tolerance leaves, the points are points of the bodies.",
        Needs::proof, &points_are_of_the_bodies},

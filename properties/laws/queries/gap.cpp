@@ -135,7 +135,7 @@ LawResult rounding_takes_its_radius(const Case& problem, const Method& method) {
   const Interval expected{one.bracket.lower - r, one.bracket.upper - r};
   const double off = apart(expected, two.bracket);
   if (off > one.limit + two.limit) {
-    return broken(fmt::format("rounded by {} the gap is off by {}, the rows allow {}: {}", hex(r), off,
+    return broken(fmt::format("rounded by {} the gap is off by {}, the rows allow {}: {}", decimal(r), off,
                               one.limit + two.limit, pair_of(one, two)));
   }
   return held(two.answer);
@@ -169,12 +169,12 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   // n keeps them apart by as much more; the witnesses, one of them moved, are no nearer than the bodies.
   const Interval expected{one.bracket.lower + s, (a - b - s * n).norm()};
   if (two.bracket.upper < expected.lower - allowed) {
-    return broken(fmt::format("B moved by {} along the normal is nearer than {}: {}", hex(s),
-                              hex(expected.lower), pair_of(one, two)));
+    return broken(fmt::format("B moved by {} along the normal is nearer than {}: {}", decimal(s),
+                              decimal(expected.lower), pair_of(one, two)));
   }
   if (two.bracket.lower > expected.upper + allowed) {
-    return broken(fmt::format("B moved by {} along the normal is farther than {}: {}", hex(s),
-                              hex(expected.upper), pair_of(one, two)));
+    return broken(fmt::format("B moved by {} along the normal is farther than {}: {}", decimal(s),
+                              decimal(expected.upper), pair_of(one, two)));
   }
   return held(one.answer);
 }
@@ -207,11 +207,11 @@ LawResult no_way_is_shorter(const Case& problem, const Method& method) {
     if (!answer.depth || answer.stalled) continue;
     const std::string both = fmt::format("{}; least: {}", describe(answer), describe(least));
     if (answer.depth->upper < least.depth->lower - allowed)
-      return broken(fmt::format("the way out along {} is shorter than the least: {}", hex(d), both));
+      return broken(fmt::format("the way out along {} is shorter than the least: {}", decimal(d), both));
     // Beyond the plane that the least normal supports there is nothing of C.
     const double along_normal = answer.depth->lower * n.dot(d.stableNormalized());
     if (along_normal > least.depth->upper + allowed)
-      return broken(fmt::format("the way out along {} ends outside of C: {}", hex(d), both));
+      return broken(fmt::format("the way out along {} ends outside of C: {}", decimal(d), both));
   }
   return holds({label_of(least.outcome)});
 }

@@ -10,6 +10,7 @@
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
+#include "properties/laws/work.hpp"
 
 namespace graze::law {
 
@@ -79,13 +80,18 @@ LawResult tolerance_is_kept(const Case& problem, const Method& method) {
     if (found.holding == Holding::broken) return found;
     const Limits row = limits_of(method, seen, scale_of(seen), method.is_certified() ? 0 : tolerance);
     // Of a linear cast a tolerance means the backward error, and its distance may be the larger.
-    const bool marched = loose.plan.effects == Effects::rotating || loose.plan.added > 0;
+    const bool marched = loose.plan.effects == Effects::rotating;
     if (marched && claims_contact(loose) && loose.distance > row.wide + row.rounding_at(loose.toi_lower)) {
       return broken(fmt::format("asked for a width of {} of the scale, {} is given: {}", tolerance,
                                 loose.distance, describe(loose)));
     }
-    if (loose.outcome == Outcome::not_converged && tight.outcome != Outcome::not_converged)
-      result.labels.push_back("loose stalls");
+    // It ends the same search earlier.
+    if (loose.outcome != tight.outcome && tight.outcome != Outcome::not_converged)
+      return broken("a tolerance changes the verdict: " + pair_of(tight, loose));
+    if (loose.counters.supports > tight.counters.supports) {
+      return broken(fmt::format("a tolerance of {} costs {} supports, none costs {}: {}", tolerance,
+                                loose.counters.supports, tight.counters.supports, describe(loose)));
+    }
   }
   return result;
 }
@@ -196,10 +202,18 @@ LawResult turning_scalars_meet(const Case& problem, const Method& method) {
   return result;
 }
 
+LawResult rotating_work(const Case& problem, const Method& method) {
+  const Case seen = method.seen(problem);
+  return is_rotating_question(seen) ? within_its_work(seen, method) : no_rotating_question();
+}
+
 }  // namespace
 
 std::vector<Law> rotating_answer_laws() {
   return {
+      {"rotating_work",
+       "A rotating cast takes no more support evaluations than its guarantee's most_supports.",
+       Needs::metamorphic, &rotating_work},
       {"turning_superset", "A superset, or a larger target distance, is never hit later.", Needs::metamorphic,
        &turning_superset},
       {"turning_methods_meet", "The brackets of the methods of one scalar meet, each within its row.",
@@ -208,7 +222,8 @@ std::vector<Law> rotating_answer_laws() {
        Needs::metamorphic, &turning_scalars_meet},
       {"turning_budget", "With a larger budget a bracket is within the one before, and the whole one in it.",
        Needs::metamorphic, &turning_budget},
-      {"tolerance_is_kept", "A tolerance widens a bracket by no more than itself, and makes no time late.",
+      {"tolerance_is_kept",
+       "A tolerance widens a bracket by no more than itself, changes no verdict and costs no more supports.",
        Needs::metamorphic, &tolerance_is_kept},
       {"turning_requesting",
        "Asking for less changes no verdict, costs no more and computes nothing unasked.", Needs::metamorphic,

@@ -82,6 +82,19 @@ LawResult turning_contact_is_right(const Case& problem, const Method& method) {
   return holds({label_of(answer.outcome)});
 }
 
+LawResult turning_open_answer_is_near(const Case& problem, const Method& method) {
+  if (!method.is_certified()) return not_applicable("not of tier certified");
+  const Case seen = method.seen(problem);
+  if (!is_rotating_question(seen)) return no_rotating_question();
+  const Answer answer = method.ask(seen, {.request = Request::normal | Request::witnesses});
+  if (answer.outcome != Outcome::not_converged) return holds({label_of(answer.outcome)});
+  const RotatingTruth* truth = rotating_truth_of(seen);
+  if (truth == nullptr) return not_applicable("no oracle decides the case");
+  const RotatingError found = open_error(*truth, seen, answer, limits_of(method, seen, scale_of(seen)));
+  if (!found.fault.empty()) return broken(found.fault + ": " + describe(answer));
+  return holds({label_of(answer.outcome)});
+}
+
 }  // namespace
 
 std::vector<Law> rotating_oracle_laws() {
@@ -101,6 +114,11 @@ std::vector<Law> rotating_oracle_laws() {
        Needs::oracle, &turning_certified_decides},
       {"turning_contact_is_right", "A hit's normal separates the bodies, and its witnesses lie in them.",
        Needs::oracle, &turning_contact_is_right},
+      {"turning_open_answer_is_near",
+       "Where tier certified leaves a verdict open, the bodies are within the width of contact at toi_lower; "
+       "the answer has a "
+       "distance of no more, a unit normal and points on the bodies.",
+       Needs::oracle, &turning_open_answer_is_near},
   };
 }
 

@@ -17,7 +17,6 @@ using corpus::Case;
 using engine::Answer;
 using engine::Ask;
 using engine::Method;
-using oracle::RotatingTruth;
 
 namespace {
 
@@ -25,28 +24,19 @@ struct Asking {
   std::string_view name;
   Economies economies;
 };
-constexpr std::array<Asking, 11> kEconomies = {{
+constexpr std::array<Asking, 9> kEconomies = {{
     {"every economy", {}},
     {"all but a static query", {.at_rest = false}},
     {"all but unseen turns", {.unseen_spin = false}},
     {"all but turning as one", {.as_one = false}},
-    {"all but slow turns", {.slow_spin = false}},
     {"all but bounds", {.bounds = false}},
-    {"a static query only", {true, false, false, false, false}},
-    {"unseen turns only", {false, true, false, false, false}},
-    {"turning as one only", {false, false, true, false, false}},
-    {"slow turns only", {false, false, false, true, false}},
-    {"bounds only", {false, false, false, false, true}},
+    {"a static query only", {true, false, false, false}},
+    {"unseen turns only", {false, true, false, false}},
+    {"turning as one only", {false, false, true, false}},
+    {"bounds only", {false, false, false, true}},
 }};
-// Over scale: half of the slow turns drawn sway by less.
+// Over scale.
 constexpr double kAskedTolerance = 0x1p-10;
-
-// The scale leaves the target distance out. Where it is 1e9 lengths and more, its rounding is what a turn
-// drowns in: a search stops within 4 roundings of a gap, each 8 u of the target distance. Such a pair is in
-// contact from the start, or the distance of the boxes is as large and the row grants as much.
-double rounding_of_target(const Case& seen) {
-  return 32 * kUnitRoundoff<double> * seen.target_distance * (1 + 0x1p-40);
-}
 
 LawResult plan_changes_nothing(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
@@ -62,17 +52,7 @@ LawResult plan_changes_nothing(const Case& problem, const Method& method) {
                                 {one.name, seen, spared, tolerance}, "economies change the answer");
       if (found.holding == Holding::broken) return found;
       result.labels = std::move(found.labels);
-      // Brackets as wide as the tolerance meet, late or not.
-      if (spared.plan.added > 0) {
-        const RotatingTruth* truth = rotating_truth_of(seen);
-        const std::string fault =
-            truth == nullptr
-                ? ""
-                : late_error(*truth, spared, limits_of(method, seen, scale_of(seen), tolerance)).fault;
-        if (!fault.empty()) return broken(fmt::format("with {}: {}: {}", one.name, fault, describe(spared)));
-      }
       if (spared.plan.effects != Effects::rotating) result.labels.push_back(to_text(spared.plan.effects));
-      if (spared.plan.added > 0) result.labels.push_back("slow");
     }
   }
   return result;
@@ -86,24 +66,18 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
     const Answer answer = method.ask(seen, {.tolerance = tolerance});
     const Plan& plan = answer.plan;
     const Plan said = method.plan(seen, {.tolerance = tolerance});
-    Plan without = plan;
-    without.reasons &=
-        static_cast<std::uint16_t>(~(1u << static_cast<unsigned>(PlanReason::linear_left_open)));
     std::string fault;
-    if (said.effects != plan.effects || said.reasons != without.reasons || said.added != plan.added) {
+    if (said.effects != plan.effects || said.reasons != plan.reasons) {
       fault = "plan() says otherwise than what is simulated";
     } else if (plan.effects == Effects::rotating && !engine::turns(seen)) {
       fault = "a rotating cast where neither body turns";
-    } else if (plan.effects != Effects::rotating && !(plan.added > 0) && answer.counters.poses != 0) {
+    } else if (plan.effects != Effects::rotating && answer.counters.poses != 0) {
       fault = "turning bodies are placed where no turn is to be simulated";
     } else if (plan.effects == Effects::nothing &&
                (answer.counters.supports != 0 || answer.outcome != Outcome::miss)) {
       fault = "bounds that never meet are searched";
     } else if (plan.effects == Effects::at_rest && answer.outcome == Outcome::hit) {
       fault = "a static query that finds a later contact";
-    } else if (plan.added >
-               limits_of(method, seen, scale_of(seen), tolerance).wide + rounding_of_target(seen)) {
-      fault = "more is added than was asked for";
     } else if (plan.reasons == 0) {
       fault = "a plan without a reason";
     }
@@ -112,7 +86,6 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
       fault = "without economies a turn is not simulated";
     if (!fault.empty()) return broken(fault + ": " + describe(answer));
     result = holds({label_of(answer.outcome), to_text(plan.effects)});
-    if (plan.added > 0) result.labels.push_back("slow");
   }
   return result;
 }
@@ -120,9 +93,9 @@ LawResult plan_spares_the_work(const Case& problem, const Method& method) {
 LawResult plan_is_monotone(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!follows_plan(method) || !is_rotating_question(seen)) return no_rotating_question();
-  constexpr unsigned kSubsets = 1u << 5;
+  constexpr unsigned kSubsets = 1u << 4;
   const auto economies = [](unsigned set) {
-    return Economies{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0, (set & 8) != 0, (set & 16) != 0};
+    return Economies{(set & 1) != 0, (set & 2) != 0, (set & 4) != 0, (set & 8) != 0};
   };
   LawResult result = holds();
   for (const double tolerance : {0.0, kAskedTolerance, 64 * kAskedTolerance}) {
@@ -132,20 +105,14 @@ LawResult plan_is_monotone(const Case& problem, const Method& method) {
     for (unsigned set = 0; set < kSubsets; ++set) {
       for (unsigned one = 1; one < kSubsets; one <<= 1) {
         const Plan &less = plans[set & ~one], &more = plans[set | one];
-        // A static query is spared by the bounds alone, a linear cast by either, and so on; what is linear
-        // with a length added may have to be marched after all.
-        const auto work = [](const Plan& plan) {
-          return std::pair(plan.effects, plan.added > 0 ? plan.added : 0.0);
-        };
-        if (work(more) <= work(less)) continue;
-        return broken(fmt::format("with the economies {:05b} it is {} ({} added), with {:05b} it is {} ({})",
-                                  set & ~one, to_text(less.effects), less.added, set | one,
-                                  to_text(more.effects), more.added));
+        // A static query is spared by the bounds alone, a linear cast by either, and so on.
+        if (more.effects <= less.effects) continue;
+        return broken(fmt::format("with the economies {:04b} it is {}, with {:04b} it is {}", set & ~one,
+                                  to_text(less.effects), set | one, to_text(more.effects)));
       }
     }
     const Plan& all = plans[kSubsets - 1];
     result.labels.push_back(to_text(all.effects));
-    if (all.added > 0) result.labels.push_back("slow");
   }
   return labelled(std::move(result), {label_of(plain_answer(method, seen).outcome)});
 }
@@ -223,7 +190,7 @@ LawResult unseen_turn_is_none(const Case& problem, const Method& method) {
   if (one.plan.effects == Effects::rotating)
     return broken("a turn that cannot be seen is simulated: " + describe(one));
   // By the same query, to the bit.
-  if (one.plan.effects == two.plan.effects && !(one.plan.added > 0) && !same_times(one, two))
+  if (one.plan.effects == two.plan.effects && !same_times(one, two))
     return broken("a turn that cannot be seen changes the answer: " + pair_of(one, two));
   if (!is_rotating_question(*spun)) return holds({label_of(one.outcome), "ray"});
   return labelled(compare(method, {"with the turn", *spun, one}, {"without", still, two},

@@ -60,8 +60,8 @@ LawResult turning_proof_is_accepted(const Case& problem, const Method& method) {
   const bool near = (answer.outcome == Outcome::initially_overlapping && !method.is_certified()) ||
                     std::max(curved_points(seen.a.shape), curved_points(seen.b.shape)) > kCurvedParts;
   if (!(proof.toi_lower >= answer.toi_lower) || !(near || proof.toi_upper <= answer.toi_upper)) {
-    return broken(fmt::format("the proof says [{}, {}] only; answered: {}", hex(proof.toi_lower),
-                              hex(proof.toi_upper), describe(answer)));
+    return broken(fmt::format("the proof says [{}, {}] only; answered: {}", decimal(proof.toi_lower),
+                              decimal(proof.toi_upper), describe(answer)));
   }
   return holds({label_of(answer.outcome)});
 }

@@ -69,7 +69,7 @@ LawResult turning_stands_as_said(const Case& problem, const Method& method) {
     if (!(t < answer.toi_lower)) continue;
     const std::optional<Gap> gap = gap_at(seen, t);
     if (gap && gap->high < -row.limit) {
-      return broken(fmt::format("at {} the bodies are {} deep in each other: {}", hex(t), -gap->high,
+      return broken(fmt::format("at {} the bodies are {} deep in each other: {}", decimal(t), -gap->high,
                                 describe(answer)));
     }
   }

@@ -140,8 +140,8 @@ LawResult turning_drifting(const Case& problem, const Method& method) {
     const double granted =
         2 * limits_of(method, seen, scale_of(seen)).contact + 8 * u * (x.norm() + y.norm() + way.norm());
     if (off > granted) {
-      return broken(fmt::format("carried along by {}, witness {} is {} off: {}", hex(way), first ? 'a' : 'b',
-                                off, pair_of(one, two)));
+      return broken(fmt::format("carried along by {}, witness {} is {} off: {}", decimal(way),
+                                first ? 'a' : 'b', off, pair_of(one, two)));
     }
   }
   return labelled(std::move(result), {"witnesses"});

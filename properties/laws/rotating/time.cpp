@@ -111,7 +111,7 @@ LawResult turning_splitting(const Case& problem, const Method& method) {
   std::string fault = any_fault(*truth, whole, limits_of(method, seen, scale_of(seen)));
   if (fault.empty()) fault = any_fault(*truth, joined, row);
   if (!fault.empty()) {
-    return broken(fmt::format("from {} on the answer is another: {}; {}", hex(restart->at),
+    return broken(fmt::format("from {} on the answer is another: {}; {}", decimal(restart->at),
                               pair_of(whole, joined), fault));
   }
   return result;

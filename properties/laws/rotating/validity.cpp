@@ -53,7 +53,7 @@ LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   for (const double tolerance : {kNan, kInf, -1.0}) {
     expect_refusal(seen, {.tolerance = tolerance}, fmt::format("a tolerance of {}", tolerance));
   }
-  // A turn that is seen, as a ray or by the policy.
+  // A turn that is seen, as a ray.
   Case rod = seen;
   rod.a.shape = Segment<double>{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0)};
   rod.a.orientation = {};
@@ -64,9 +64,6 @@ LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   rod.b.displacement = rod.a.displacement;
   rod.t_max = kInf;
   expect_refusal(rod, {}, "a seen turn without an end");
-  rod.t_max = 1;
-  rod.start_policy = StartPolicy::pass_over;
-  if (follows_plan(method)) expect_refusal(rod, {}, "a seen turn by the policy pass_over");
   if (!fault.empty()) return broken(fault);
   return holds({label_of(plain_answer(method, seen).outcome)});
 }

@@ -11,15 +11,14 @@ enum class Economy : std::uint8_t {
   still,        // bodies that do not move to each other: one static overlap
   unseen_spin,  // a turn that leaves the shape as it is: linear
   as_one,       // bodies that turn and move as one: a static overlap
-  slow_spin,    // a turn whose whole effect is below the tolerance: linear, with the bound added
   spheres,      // turning bodies whose bounding spheres never meet: nothing
   horizon,      // what an earlier event makes moot is not started; it bounds the others' horizons
   asked,        // a normal, witnesses, a proof: only where they are asked for
 };
-inline constexpr int kEconomies = 9;
+inline constexpr int kEconomies = 8;
 [[nodiscard]] constexpr std::string_view to_text(Economy economy) {
-  constexpr std::string_view kNames[kEconomies] = {"rest",      "bounds",  "still",   "unseen_spin", "as_one",
-                                                   "slow_spin", "spheres", "horizon", "asked"};
+  constexpr std::string_view kNames[kEconomies] = {"rest",   "bounds",  "still",   "unseen_spin",
+                                                   "as_one", "spheres", "horizon", "asked"};
   return static_cast<int>(economy) < kEconomies ? kNames[static_cast<int>(economy)] : std::string_view{};
 }
 
@@ -49,7 +48,6 @@ class Economies {
     return {.at_rest = has(Economy::still),
             .unseen_spin = has(Economy::unseen_spin),
             .as_one = has(Economy::as_one),
-            .slow_spin = has(Economy::slow_spin),
             .bounds = has(Economy::spheres)};
   }
   friend constexpr bool operator==(const Economies&, const Economies&) = default;

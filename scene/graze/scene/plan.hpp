@@ -14,7 +14,7 @@ struct PairPlan {
 
   friend bool operator==(const PairPlan& l, const PairPlan& r) {
     return l.a == r.a && l.b == r.b && l.begin == r.begin && l.plan.effects == r.plan.effects &&
-           l.plan.reasons == r.plan.reasons && l.plan.added == r.plan.added;
+           l.plan.reasons == r.plan.reasons;
   }
 };
 

@@ -1,5 +1,5 @@
-// Prints a hash of the exact tier's verdicts and bounds, one line for each kind of case: the same lines with
-// every compiler and every flag. usage: exact_tier_bits [flush]   (flush: subnormals are flushed)
+// Prints a hash of the exact tier's verdicts, bounds, normals and contact points, one line for each kind of case: the
+// same lines with every compiler and every flag. usage: exact_tier_bits [flush]   (flush: subnormals are flushed)
 //
 // The cases must not depend on the flags either: every number of them is an integer times a power of two, and
 // whatever is added stays within 53 bits, before it is rounded once.
@@ -48,11 +48,13 @@ struct Kind {
   int reach;     // coordinates are integers up to this
   int exponent;  // times 2^exponent
   bool turned;
-  int scatter;  // the exponents of a case's lengths and speed vary by so many
+  int scatter;          // the exponents of a case's lengths and speed vary by so many
+  bool summed = false;  // combinators
 };
 constexpr Kind kKinds[] = {
     {"lattice", 2, 0, false, 0},        {"lattice_turned", 2, 0, true, 0},
     {"floats", 1 << 23, -21, false, 0}, {"floats_turned", 1 << 23, -21, true, 0},
+    {"summed", 3, 0, false, 0, true},   {"summed_turned", 1 << 23, -21, true, 0, true},
     {"magnitudes", 100, 0, false, 90},  {"magnitudes_turned", 1 << 20, -18, true, 90},
 };
 
@@ -70,6 +72,14 @@ struct Draw {
     return {x, y, z};
   }
   Shape<S> shape() {
+    if (!kind.summed) return leaf();
+    const Vec3<S> by = vector(kind.reach);
+    const Quaternion<S> inner = kind.turned ? turn() : Quaternion<S>{};
+    Shape<S> first = leaf();
+    Shape<S> second = graze::posed<S>(leaf(), by, inner);
+    return graze::sum<S>(std::move(first), std::move(second));
+  }
+  Shape<S> leaf() {
     const int reach = kind.reach;
     switch (bits.below(6)) {
       case 0: {
@@ -148,7 +158,7 @@ void cast_pair(const Body<S>& a, const Body<S>& b, S t_max, Hash& hash, Count& c
   CastOptions<S> options;
   options.tier = graze::Tier::exact;
   options.t_max = t_max;
-  options.request = graze::Request::verdict;
+  options.request = graze::Request::normal | graze::Request::witnesses;
   for (const graze::StartPolicy policy : {graze::StartPolicy::report, graze::StartPolicy::pass_over}) {
     options.start_policy = policy;
     const auto result = graze::cast_exact(a, b, options);
@@ -157,6 +167,10 @@ void cast_pair(const Body<S>& a, const Body<S>& b, S t_max, Hash& hash, Count& c
     if (result.outcome == Outcome::invalid_input) continue;  // a NaN has many bits
     hash.add(result.toi_lower);
     hash.add(result.toi_upper);
+    for (const Vec3<S>* const x : {&result.normal, &result.point_a, &result.point_b}) {
+      if (result.outcome != Outcome::hit) break;
+      for (int i = 0; i < 3; ++i) hash.add((*x)[i]);
+    }
     if (policy == graze::StartPolicy::report) ++count.outcomes[static_cast<int>(result.outcome)];
   }
   const auto line = graze::line_exact(a, b);
@@ -219,7 +233,7 @@ int main(int argc, char** argv) {
     return 77;
 #endif
   }
-  constexpr int kCases = 1000;
+  constexpr int kCases = 4000;
   for (const Kind& kind : kKinds) {
     run<double>(kind, kCases, "double");
     run<float>(kind, kCases, "float");

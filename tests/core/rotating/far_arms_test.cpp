@@ -41,7 +41,9 @@ TEST(FarArms, PivotsAnUlpOffTheAxisAreNotAsOne) {
       EXPECT_FALSE(r.plan.has(PlanReason::as_one)) << scene.name;
       ASSERT_EQ(r.outcome, Outcome::hit) << scene.name;
       EXPECT_LE(r.toi_lower, scene.toi) << scene.name;
-      EXPECT_GE(r.toi_upper, scene.toi) << scene.name;
+      // Of the standard tier bodies within 4,096 u of their scale, here the arm, are in contact.
+      const double early = tier == Tier::certified ? 0 : 1e-3;
+      EXPECT_GE(r.toi_upper, scene.toi - early) << scene.name;
       EXPECT_LT(r.counters.supports, 200) << scene.name;
     }
   }

@@ -252,8 +252,6 @@ TYPED_TEST(QuickCast, WhatItDoesNotAnswerChangesOnlyCounters) {
   options.target_distance = S(0.5);
   EXPECT_FALSE(TypeParam::quick(a, b, options, out)) << "a target distance";
   options.target_distance = 0;
-  b.displacement = Vec3<S>::Zero();
-  EXPECT_FALSE(TypeParam::quick(a, b, options, out)) << "no motion";
   b.displacement = {0, -1, 0};
   b.position = {S(0.5), 0, 0};
   options.start_policy = StartPolicy::pass_over;
@@ -316,6 +314,50 @@ TEST(QuickWalk, NeedlesThatCrossAreNotMissed) {
   const bool answers = detail::quick_cast(a, b, CastOptions<double>{}, quick);
   EXPECT_FALSE(answers && quick.outcome == Outcome::miss);
   EXPECT_EQ(cast_mpr_sweep(a, b).outcome, Outcome::hit);
+}
+
+template <class S>
+class SweptPolytopes : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(SweptPolytopes, Scalars);
+
+// Report: the standard tier's only wrong verdicts of linear casts were starts that touch, 2 to 8 of 840, and it took longer
+// there than the exact tier. Mechanism: the quick walk gave up, and the portal search began anew and called what lies
+// within its noise contact. On a lattice bodies touch or are well apart: every verdict is the exact one.
+TYPED_TEST(SweptPolytopes, StartsThatTouchAreRight) {
+  using S = TypeParam;
+  Draw draw{75};
+  const auto number = [&](int reach) { return S(int(draw.bits() % unsigned(2 * reach + 1)) - reach) / 64; };
+  const auto vector = [&](int reach) { return Vec3<S>(number(reach), number(reach), number(reach)); };
+  int touching = 0, apart = 0;
+  long supports = 0, exact_supports = 0;
+  for (int round = 0; round < 8000; ++round) {
+    const auto shape = [&]() -> Shape<S> {
+      if (draw.bits() % 3 == 0) return Box<S>{vector(40).cwiseAbs()};
+      std::vector<Vec3<S>> list;
+      for (std::uint64_t n = 4 + draw.bits() % 30; n > 0; --n) list.push_back(vector(60));
+      return Hull<S>(std::span<const Vec3<S>>(list));
+    };
+    Body<S> a{.shape = shape()}, b{.shape = shape()};
+    // Vertex on vertex, along the axes or askew; or one unit of the lattice apart.
+    const Cso<double> cso(a, b);
+    const Vec3<double> n =
+        round % 2 == 0 ? Vec3<double>(Vec3<double>::Unit(round / 2 % 3)) : draw.vector<double>(1);
+    const Vec3<double> w = std::ldexp(1.0, cso.length_exponent()) * cso.support(n).w;
+    b.position = w.cast<S>();
+    if (round % 5 == 0) b.position += vector(1);
+    if (round % 7 != 0) b.displacement = vector(100);
+    const CastResult<S> standard = cast_mpr_sweep(a, b), exact = cast_exact(a, b);
+    EXPECT_EQ(standard.method, Method::mpr_sweep);
+    EXPECT_EQ(standard.outcome, exact.outcome) << "round " << round;
+    if (this->HasFailure()) return;
+    ++(exact.outcome == Outcome::initially_overlapping ? touching : apart);
+    supports += standard.counters.supports;
+    exact_supports += exact.counters.supports;
+  }
+  EXPECT_GT(touching, 4000);
+  EXPECT_GT(apart, 200);
+  EXPECT_LT(supports, 2 * exact_supports);
 }
 
 }  // namespace

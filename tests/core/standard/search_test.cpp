@@ -112,7 +112,7 @@ TEST(SearchParts, FacesOfEpaKeepTheirNeighbours) {
     auto p = std::make_unique<EpaPolytope<double>>();
     ASSERT_TRUE(
         p->start({corner(V(1, 1, 1)), corner(V(1, -1, -1)), corner(V(-1, 1, -1)), corner(V(-1, -1, 1))}));
-    for (int step = 0; step < 40 && !p->full(); ++step) {
+    for (int step = 0; step < 40; ++step) {
       const V n = unit(draw.vector<double>(1));
       // Beyond the face that looks along n most, so far out that it sees others.
       std::size_t seen = 0;
@@ -129,10 +129,11 @@ TEST(SearchParts, FacesOfEpaKeepTheirNeighbours) {
       removed += p->faces() <= before ? 1 : 0;
       for (std::size_t f = 0; f < p->faces(); ++f) {
         const auto& face = p->face(f);
-        ASSERT_TRUE(face.alive);
+        if (!face.alive) continue;  // its slot waits for another face
         for (std::size_t k = 0; k < 3; ++k) {
           ASSERT_LT(face.across[k], p->faces());
           const auto& beyond = p->face(face.across[k]);
+          ASSERT_TRUE(beyond.alive);
           bool shared = false;
           for (std::size_t m = 0; m < 3; ++m) {
             shared = shared || (beyond.across[m] == f && beyond.v[m] == face.v[(k + 1) % 3] &&

@@ -108,10 +108,9 @@ TEST(CheckRecord, EveryOutcomeAgainstEveryProof) {
 TEST(CheckRecord, SaysWhatIsClaimedAndWhatIsProved) {
   ProofRecord record = hit(0.625, 0.625);
   record.outcome = Outcome::miss;
-  EXPECT_EQ(check_record(record).detail,
-            "claims miss, proves first contact from 0x1.4p-1 (0.625) to 0x1.4p-1 (0.625)");
+  EXPECT_EQ(check_record(record).detail, "claims miss, proves first contact from 0.625 to 0.625");
   record = hit(0.5, kInf);
-  EXPECT_EQ(check_record(record).detail, "claims hit, proves only no contact before 0x1p-1 (0.5)");
+  EXPECT_EQ(check_record(record).detail, "claims hit, proves only no contact before 0.5");
   record = hit(0, kInf);
   record.outcome = Outcome::miss;
   EXPECT_EQ(check_record(record).detail, "claims miss, proves nothing");
@@ -170,22 +169,48 @@ TEST(CheckRecord, BracketsThatShareNoTimeContradict) {
           << row.stated.lower << " " << row.stated.upper;
     }
   }
-  // A proof that brackets it less closely: tier standard alone may state more than a proof of C can say.
+  // A proof that brackets it less closely proves less, in every tier.
   ProofRecord loose = hit(0.5, 0.75);
   for (const corpus::StatedBracket stated :
        {corpus::StatedBracket{0.625, 0.625}, {0.5, 0.625}, {0.625, 0.75}, {0.75, 0.75}}) {
     loose.toi = stated;
-    for (const std::optional<Tier> tier : {std::optional<Tier>{}, {Tier::certified}, {Tier::exact}}) {
+    for (const std::optional<Tier> tier :
+         {std::optional<Tier>{}, {Tier::certified}, {Tier::exact}, {Tier::standard}}) {
       loose.tier = tier;
       EXPECT_EQ(found(loose), "in_part");
     }
-    loose.tier = Tier::standard;
-    EXPECT_EQ(found(loose), "accepted");
   }
   loose.toi = {0.75 + 0x1p-40, 0.8};
   EXPECT_EQ(found(loose), "contradicted");
   loose.tier = {};
   EXPECT_EQ(found(loose), "contradicted");
+}
+
+// The cube goes 4 in a unit of t: a length that is granted moves the times that the same axis and portal prove.
+TEST(CheckRecord, ABracketOfTierStandardIsGrantedALength) {
+  constexpr double kGranted = 0x1p-20, kTime = kGranted / 4;
+  ProofRecord loose = hit(0.5, 0.75);
+  struct Row {
+    corpus::StatedBracket stated;
+    const char* finding;
+  };
+  for (const Row& row :
+       {Row{{0.625, 0.625}, "accepted"}, Row{{0.625 + 0.9 * kTime, 0.625 + 0.9 * kTime}, "accepted"},
+        Row{{0.625 - 0.9 * kTime, 0.625 - 0.9 * kTime}, "accepted"},
+        Row{{0.625 + 1.1 * kTime, 0.75}, "in_part"}, Row{{0.5, 0.625 - 1.1 * kTime}, "in_part"},
+        Row{{0.7, 0.7}, "in_part"}, Row{{0.5, 0.55}, "in_part"}}) {
+    loose.toi = row.stated;
+    const auto finding = [&](Tier tier) {
+      loose.tier = tier;
+      const RecordVerdict verdict = check_record(loose, kGranted);
+      return verdict.finding == accepted ? "accepted" : verdict.reason;
+    };
+    EXPECT_EQ(finding(Tier::standard), row.finding) << row.stated.lower << " " << row.stated.upper;
+    EXPECT_EQ(finding(Tier::certified), "in_part");
+    loose.outcome = Outcome::not_converged;
+    EXPECT_EQ(finding(Tier::standard), row.finding);
+    loose.outcome = Outcome::hit;
+  }
 }
 
 TEST(CheckRecord, BracketsBesideOtherOutcomes) {

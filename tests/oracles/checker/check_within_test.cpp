@@ -42,24 +42,26 @@ ProofRecord ball_and_point() {
 }
 
 bool holds(const ProofRecord& record, double kappa) {
-  return check_record_within(record, kappa).finding == RecordFinding::accepted;
+  return check_record_within(record, {.of_proof = kappa}).finding == RecordFinding::accepted;
 }
 // By kappa u of scale, but not by half of that, nor exactly.
 void expect_needs(const ProofRecord& record, double kappa, const char* what) {
   EXPECT_FALSE(holds(record, 0)) << what;
   EXPECT_FALSE(holds(record, kappa / 2)) << what;
-  EXPECT_TRUE(holds(record, kappa)) << what << ": " << check_record_within(record, kappa).detail;
+  EXPECT_TRUE(holds(record, kappa)) << what << ": "
+                                    << check_record_within(record, {.of_proof = kappa}).detail;
 }
 
 TEST(CheckWithin, grants_nothing_that_is_not_needed) {
   bool exactly = false;
-  EXPECT_EQ(check_record_within(triangle_and_point(), 16, &exactly).finding, RecordFinding::accepted);
+  EXPECT_EQ(check_record_within(triangle_and_point(), {.of_proof = 16}, &exactly).finding,
+            RecordFinding::accepted);
   EXPECT_TRUE(exactly);
   ProofRecord late = triangle_and_point();
   late.proof.toi_lower = late.proof.toi_upper = std::nextafter(0.75, 1);
-  EXPECT_EQ(check_record_within(late, 16, &exactly).finding, RecordFinding::accepted);
+  EXPECT_EQ(check_record_within(late, {.of_proof = 16}, &exactly).finding, RecordFinding::accepted);
   EXPECT_FALSE(exactly);
-  EXPECT_EQ(check_record_within(late, 0, &exactly).finding, RecordFinding::refused);
+  EXPECT_EQ(check_record_within(late, {.of_proof = 0}, &exactly).finding, RecordFinding::refused);
   EXPECT_TRUE(exactly);
 }
 
@@ -169,10 +171,10 @@ TEST(CheckWithin, grants_no_form_and_no_contradiction) {
   record = triangle_and_point();
   record.proof.toi_lower = record.proof.toi_upper = std::nextafter(0.75, 1);
   record.outcome = Outcome::miss;
-  EXPECT_EQ(check_record_within(record, 16).reason, "contradicted");
+  EXPECT_EQ(check_record_within(record, {.of_proof = 16}).reason, "contradicted");
   record.outcome = Outcome::hit;
   record.toi = {0.25, 0.5};
-  EXPECT_EQ(check_record_within(record, 16).reason, "contradicted");
+  EXPECT_EQ(check_record_within(record, {.of_proof = 16}).reason, "contradicted");
 }
 
 }  // namespace

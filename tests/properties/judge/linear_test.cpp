@@ -374,7 +374,8 @@ bool fails_as_linear(const corpus::Case& problem) {
 }
 bool breaks_a_turning_law(const corpus::Case& problem) {
   const auto breaks = [&](const Law& law) {
-    return law.needs == Needs::oracle && std::ranges::any_of(law.methods(), [&](const Method& method) {
+    return (law.needs == Needs::oracle || law.name == "rotating_work") &&
+           std::ranges::any_of(law.methods(), [&](const Method& method) {
              return law.check(problem, method).holding == Holding::broken;
            });
   };

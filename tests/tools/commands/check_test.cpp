@@ -79,6 +79,38 @@ TEST_F(CheckRecords, accepts_within_kappa_what_is_false_by_rounding) {
   EXPECT_EQ(folder.graze("check made.jsonl --kappa -1").exit_code, 2);
 }
 
+// First contact is at 0.625: a true proof that brackets it from 0.25 to 0.75 says nothing of 0.7, in no tier.
+TEST_F(CheckRecords, accepts_a_bracket_only_as_near_as_the_proof_proves_it) {
+  for (const std::string tier : {"standard", "certified", "exact"}) {
+    Json weak = cast("--tier " + tier);
+    weak["proof"]["toi_lower"] = 0.25;
+    weak["proof"]["toi_upper"] = 0.75;
+    weak["toi"] = {{"lower", 0.25}, {"upper", 0.75}};
+    EXPECT_EQ(check({weak}).exit_code, 0) << tier;
+    for (const auto& [lower, upper] : {std::pair{0.7, 0.7}, {0.3, 0.3}, {0.7, 0.75}, {0.25, 0.3}}) {
+      weak["toi"] = {{"lower", lower}, {"upper", upper}};
+      const CommandRun run = check({weak});
+      EXPECT_EQ(run.exit_code, 3) << tier << run.out;
+      EXPECT_NE(run.out.find("proves only first contact from 0.25 to 0.75"), std::string::npos) << run.out;
+    }
+  }
+  // In the standard tier within kappa u scale: the cube goes 4 in a unit of t, and the scale is 4.
+  Json record = cast("--tier standard");
+  const double time = record["toi"]["lower"];
+  record["proof"]["toi_lower"] = 0.25;
+  record["toi"]["lower"] = record["toi"]["upper"] = time + 32 * 0x1p-53;
+  EXPECT_EQ(check({record}).exit_code, record["proof"]["toi_upper"] < record["toi"]["lower"] ? 1 : 0);
+  record["proof"]["toi_upper"] = 0.75;
+  EXPECT_EQ(check({record}).exit_code, 0);
+  record["toi"]["lower"] = record["toi"]["upper"] = time + 128 * 0x1p-53;
+  EXPECT_EQ(check({record}).exit_code, 3);
+  // Whoever has no guarantee is granted nothing, unless it is given.
+  record["toi"]["lower"] = record["toi"]["upper"] = time + 32 * 0x1p-53;
+  record["method"] = "mine";
+  EXPECT_EQ(check({record}).exit_code, 3);
+  EXPECT_EQ(folder.graze("check made.jsonl --kappa 64").exit_code, 0);
+}
+
 TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
   const Json sound = cast("--tier exact");
   Json miss = sound, start = sound, late = sound;
@@ -91,12 +123,11 @@ TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(
       run.out,
-      "refused  test/hit  exact/double  contradicted: claims miss, proves first contact from 0x1.4p-1 "
-      "(0.625) to 0x1.4p-1 (0.625)\n"
+      "refused  test/hit  exact/double  contradicted: claims miss, proves first contact from 0.625 to 0.625\n"
       "refused  test/hit  exact/double  contradicted: claims initially_overlapping, proves first contact "
-      "from 0x1.4p-1 (0.625) to 0x1.4p-1 (0.625)\n"
-      "refused  test/hit  exact/double  contradicted: claims hit from 0x1.8p-1 (0.75) to 0x1.8p-1 "
-      "(0.75), proves first contact from 0x1.4p-1 (0.625) to 0x1.4p-1 (0.625)\n"
+      "from 0.625 to 0.625\n"
+      "refused  test/hit  exact/double  contradicted: claims hit from 0.75 to 0.75, proves first contact "
+      "from 0.625 to 0.625\n"
       "1 accepted, 3 refused\n");
 }
 
@@ -125,8 +156,8 @@ TEST_F(CheckRecords, half_of_a_hit_is_neither_accepted_nor_refused) {
   const CommandRun run = check({lower, sound, upper});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(run.out,
-            "in part  test/hit  exact/double  claims hit, proves only no contact before 0x1.4p-1 (0.625)\n"
-            "in part  test/hit  exact/double  claims hit, proves only contact by 0x1.4p-1 (0.625)\n"
+            "in part  test/hit  exact/double  claims hit, proves only no contact before 0.625\n"
+            "in part  test/hit  exact/double  claims hit, proves only contact by 0.625\n"
             "1 accepted, 2 proved in part, 0 refused\n");
   // A refusal is graver, and what cannot be read graver still.
   false_half["proof"]["toi_lower"] = 0.75;

@@ -154,11 +154,10 @@ TEST(CastPlan, says_what_must_be_simulated_and_why_and_casts_nothing) {
                                             "neither body turns", "nothing moves"};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Json json = Json::parse(lines[i]);
-    EXPECT_EQ(json.size(), 4U);
+    EXPECT_EQ(json.size(), 3U);
     EXPECT_EQ(json["plan"], effects[i]);
     EXPECT_NE(std::find(json["reasons"].begin(), json["reasons"].end(), reasons[i]), json["reasons"].end())
         << lines[i];
-    EXPECT_EQ(json["added"], 0.0);
   }
 }
 
@@ -196,8 +195,7 @@ TEST(CertifyRotating, exits_with_1_and_names_row_and_case_if_a_method_breaks_its
   const CommandRun run =
       scene.graze("certify bar.json --method bilateral/double --guarantees strict.json --save saved.jsonl");
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
-  EXPECT_NE(run.out.find("broken: rotating bilateral/double standard, bar.json: 1 "), std::string::npos)
-      << run.out;
+  EXPECT_NE(run.out.find(" by rotating bilateral/double: "), std::string::npos) << run.out;
   EXPECT_NE(scene.read("saved.jsonl").find("test/turning-bar"), std::string::npos);
 }
 
