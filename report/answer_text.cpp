@@ -60,12 +60,12 @@ std::string work_text(const Counters& counters) {
                      counted(counters.supports, "support evaluation"));
 }
 
-// Of an open answer: what a caller needs who takes the bodies for being in contact.
-bool has_contact(const engine::Answer& answer) {
-  return answer.outcome == Outcome::hit || (answer.outcome == Outcome::not_converged && answer.has_normal());
-}
+// An open answer that has a place. A caller may treat the bodies as in contact there.
 bool is_open_contact(const engine::Answer& answer) {
-  return has_contact(answer) && answer.outcome == Outcome::not_converged;
+  return answer.outcome == Outcome::not_converged && answer.has_normal();
+}
+bool has_contact(const engine::Answer& answer) {
+  return answer.outcome == Outcome::hit || is_open_contact(answer);
 }
 
 // What the answers of linear and rotating casts have in common, in JSON without braces.

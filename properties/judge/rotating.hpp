@@ -53,8 +53,8 @@ struct RotatingError {
 [[nodiscard]] RotatingError witness_error(const oracle::RotatingTruth& truth, const engine::Answer& answer,
                                           const Limits& limits);
 
-// Of tier certified, a tie that is left open before the motion ends: the distance at toi_lower. It must be within the width,
-// and the answer have what a caller needs who takes it for contact: a distance, a normal, points.
+// The distance of the bodies at toi_lower, if the certified tier leaves the verdict open before the motion ends. It must be
+// within the width. The answer must also have a distance, a normal and points, so that a caller can treat it as contact.
 [[nodiscard]] RotatingError open_error(const oracle::RotatingTruth& truth, const corpus::Case& problem,
                                        const engine::Answer& answer, const Limits& limits);
 

@@ -9,8 +9,8 @@ Request request_of(const Options& options) {
   return options.economies.has(Economy::asked) ? options.request : Request::everything;
 }
 
-// Where a proof is requested, bodies that turn are in contact only from when that is proved, which may be later. So no proof is
-// computed that nobody asked for.
+// A request for a proof changes the bracket of rotating bodies: they then count as in contact only from the time at which that
+// is proved. So a proof is computed only if the caller requests it.
 Request request_of_turning(const Options& options) {
   const bool proves = asks_for(options.request, Request::proof) || options.economies.has(Economy::asked);
   return proves ? request_of(options) : Request::normal | Request::witnesses;

@@ -41,8 +41,8 @@ struct AxisArc {
   }
 };
 
-// k of the arc, infinite where there is none. What it rounds: three supports of either body, an arm, and the middle of
-// the slice, t within u of itself.
+// Returns k of the arc, or infinity if the axis does not move on one. k includes its rounding errors: those of three support
+// points of each body, of an arm, and of the time in the middle of the slice, which is known within u.
 inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>& own, double t_0, double t_1,
                           Counters& counters) {
   constexpr double kMostAngle = 0.5, u = kUnitRoundoff<double>;
@@ -74,7 +74,8 @@ inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>&
                                 32 * u *
                                     (pair.center_a().norm() + pair.center_b().norm() +
                                      pair.pivot_b_now().norm() + way.norm()));
-    // n.(that pivot - the turning body's), the way along an axis that turns: 2 |n'| |v| + |n''| |v| h / 2 at most.
+    // Along an axis that turns, the pivots do not move apart evenly. The second derivative of n.(difference of the pivots) is
+    // at most 2 |n'| |v| + |n''| |v| h / 2.
     if (frame != AxisFrame::world) {
       const Mobility& m = frame == AxisFrame::a ? m_a : m_b;
       sway = std::max(sway, m.across(n) * (2 + m.rate * h / 2) * pair.velocity().norm() * (1 + 64 * u));
