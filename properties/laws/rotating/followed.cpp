@@ -12,6 +12,7 @@
 #include "properties/edit/turning.hpp"
 #include "properties/judge/followed.hpp"
 #include "properties/judge/judge.hpp"
+#include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 
