@@ -105,7 +105,7 @@ law::Judgement CaseJudge::judge(const Method& method, const corpus::Case& questi
   if (hides_its_proof) refused = refusal_of_proof(truth, method, question);
   law::Judgement judgement = law::judge(truth, method, answer, request, drawn_.sampled);
   law::convict(judgement.false_proof, std::move(refused));
-  if (judgement.by_oracle && judgement.open) undecided = truth.bracket().reason();
+  if (judgement.by_oracle && judgement.open) undecided = judgement.why_open;
   return judgement;
 }
 

@@ -57,8 +57,7 @@ bool is_asked_of(const Method& method, const corpus::Case& problem) {
     case Kind::query:
       return law::in_domain(problem) && is_small(problem);
     case Kind::rotating:
-      return engine::unsupported(Kind::rotating, problem).empty() && problem.t_max < kInfinity<double> &&
-             problem.start_policy == StartPolicy::report;
+      return engine::unsupported(Kind::rotating, problem).empty() && problem.t_max < kInfinity<double>;
   }
   return false;
 }

@@ -76,9 +76,9 @@ enum class Tier : std::uint8_t { standard, certified, exact };
 
 // What a start in contact means. pass_over, linear motions: where the motion leaves or slides as it begins, n.v >= 0
 // for some n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
-// other start in contact is reported. With a visible rotation: contact at the start is followed while it is no deeper
-// than kappa u scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more
-// than rounding; without either it is a miss. A start that is deeper is reported (docs/rotating.md).
+// other start in contact is reported. Rotating casts instead follow such a start while it is no deeper than kappa u
+// scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more than rounding;
+// without either it is a miss. A start that is deeper is reported (docs/rotating.md).
 enum class StartPolicy : std::uint8_t { report, pass_over };
 [[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
   switch (policy) {

@@ -70,15 +70,12 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
   switch (answer.outcome) {
     case Outcome::miss:
       deeper_before(problem.t_max, judgement.wrong, "says miss");
-      if (!answer.passed_over && truth.depth_at(0).low > 0)
+      // In the standard tier a start within the limit may count as apart, too.
+      if (!answer.passed_over && truth.depth_at(0).low > (limits.strict ? 0 : limits.limit))
         convict(judgement.wrong, "says miss, and not that it passed over the start in contact");
       return;
     case Outcome::initially_overlapping:
-      // What moves linearly, or the plan takes to, is reported where it goes in at once; and by a strict method where the
-      // start is not shown to have no depth at all: of linear motion depth is contact, however small.
-      if (truth.depth_at(0).high <=
-              (answer.plan.effects != Effects::rotating && limits.strict ? 0.0 : least) &&
-          (answer.plan.effects == Effects::rotating || truth.depth_before(problem.t_max).high <= least))
+      if (truth.depth_at(0).high <= least)
         convict(judgement.wrong,
                 fmt::format("reports a start that is {} deep", over_scale(truth.depth_at(0).high)));
       return;

@@ -85,6 +85,7 @@ class RotatingJudge {
     const RotatingTruth& truth = truth_.bracket();
     limits_ = limits_of(method_, problem, truth.scale().high);
     judgement_.open = truth.outcome() == Outcome::not_converged;
+    if (judgement_.open) judgement_.why_open = truth.reason();
     switch (answer_.outcome) {
       case Outcome::miss:
         miss(truth);

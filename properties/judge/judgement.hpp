@@ -51,6 +51,7 @@ struct Judgement {
   bool excused = false;    // the question is decided by less than the limit
   bool hidden = false;     // a contact missed or passed that the guarantee says may be
   bool open = false;       // the oracle cannot tell whether the answer stands
+  std::string why_open;    // and why
   bool by_oracle = false;  // it was asked
   bool not_asked = false;  // no question for the method, or none that the oracle has an answer to
   bool declined = false;   // then: an engine answered that it does not support the question

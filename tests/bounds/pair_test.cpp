@@ -282,6 +282,57 @@ TEST(PairBounds, NoGapAlongATurnedAxisBendsMore) {
   if (says_speed) speeds.finish(300);
 }
 
+// The second difference of n(t).(x_B - x_A) for points of both bodies, n moving evenly in the axes of the world or of a
+// body from one direction to another.
+TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
+  Tally world("MovingPair::bend_between, of the world"), turned("MovingPair::bend_between, of a body"),
+      change("MovingPair::axis_change");
+  for_each_pair(
+      18, rounds(600),
+      [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
+        const double t_0 = draw.time(scene), t_1 = draw.time(scene);
+        if (!(t_0 < t_1)) return;
+        const Vec3<double> n_0 = draw.direction(scene), n_1 = draw.direction(scene);
+        const Ball h = Ball(t_1) - Ball(t_0), d = h * two_to(-100);
+        const Ball t = Ball(t_0) + h * Ball(draw.plain().between(0.01, 0.99));
+        for (const AxisFrame of : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
+          const bool in_world = of == AxisFrame::world, with_a = of == AxisFrame::a;
+          const TrueBody &with = with_a ? seen.a : seen.b, &other = with_a ? seen.b : seen.a;
+          // The pivot that stands for a B at rest is not to be had.
+          if (in_world ? revolves(scene.a.body.shape) || revolves(scene.b.body.shape)
+                       : !with.turns || (with_a && !seen.b.turns))
+            continue;
+          const auto inputs = [&] { return describe(scene, n_0, t_0) + describe(scene, n_1, t_1); };
+          const auto in_frame = [&](const Vec3<double>& n, double at) {
+            return in_world ? BallVec(n) : with.turn(Ball(at)).apply_inverse(BallVec(n));
+          };
+          const BallVec m_0 = in_frame(n_0, t_0), m_1 = in_frame(n_1, t_1);
+          const double changed = seen.pair.axis_change(of, n_0, t_0, n_1, t_1);
+          change.add(changed, norm(m_1 - m_0), inputs);
+          const BallVec& x = seen.a.arms[draw.below(seen.a.arms.size())];
+          const BallVec& y = seen.b.arms[draw.below(seen.b.arms.size())];
+          const BallVec c = with_a ? seen.pivots() : -seen.pivots(),
+                        v = with_a ? seen.velocity() : -seen.velocity();
+          const auto height = [&](const Ball& at) {
+            const BallVec m = m_0 + ((at - Ball(t_0)) / h) * (m_1 - m_0);
+            if (in_world)
+              return dot(m, seen.unit * (seen.b.turn(at).apply(y) - seen.a.turn(at).apply(x)) +
+                                seen.pivots() + at * seen.velocity());
+            // A point of the frame's own body adds what is linear in t.
+            return dot(m, with.turn(at).apply_inverse(seen.unit * other.turn(at).apply(with_a ? y : x) + c +
+                                                      at * v));
+          };
+          const Ball bent = height(t + d) - Ball(2) * height(t) + height(t - d);
+          (in_world ? world : turned)
+              .add(seen.pair.bend_between(of, n_0, t_0, n_1, t_1, scene.t_end), abs(bent) / (d * d), inputs);
+        }
+      },
+      kDifferenceBits);
+  world.finish(50);
+  turned.finish(200);
+  change.finish(300);
+}
+
 // --- the plan
 
 // Bodies that turn and move alike stand still to each other, but for how far the pivots' difference swings.

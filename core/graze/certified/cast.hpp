@@ -78,12 +78,13 @@ class CertifiedCast {
     if (outcome == Outcome::hit || outcome == Outcome::not_converged) settle_start();
     if (outcome == Outcome::not_converged) fill_open();
   }
-  // The same where a quicker search has left the verdict open: if the bodies touch at t = 0 up to rounding, that is
-  // decided first. A proof may come of the wider search alone.
+  // The same where a quicker search has left the verdict open: if the axis at t = 0 proves a miss, or the bodies touch
+  // then up to rounding, that is decided first. A proof of contact may come of the wider search alone.
   void run_open() {
     Simplex<double> simplex;
     const Distance<double> d =
         gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
+    if (is_miss(d.n)) return;
     if (std::abs(d.upper - cso_.radius()) <= width_allowed_ && !wants_proof_) {
       if (is_shown_at_start() || settle_start()) return;
     }

@@ -173,6 +173,10 @@ template <Scalar S>
   return expand();
 }
 
+// GJK's support evaluations before Newton's method is tried, and the least budget with which it is: it looks at all seams and
+// poles of a pair.
+inline constexpr int kFirstSteps = 6, kNewtonSupports = 128;
+
 // For every pair of shapes, validated. In double whatever S is, as widening is exact: what a float would round at every
 // step is more than the depth of a crumb in a wall. What counts as contact is S's, as in the other queries.
 template <Scalar S>
@@ -186,14 +190,45 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
   limits.budget = options.max_iterations;
   const double R = cso.radius(), fine = limits.fine(), gap = options.tolerance > 0 ? limits.target : fine;
   Simplex<double> simplex;
-  Distance<double> d =
-      gjk_distance(cso, Vec(Vec::Zero()), simplex, fine, fine, options.max_iterations, out.counters);
+  const auto search = [&](int budget) {
+    return gjk_distance(cso, Vec(Vec::Zero()), simplex, fine, fine, budget, out.counters);
+  };
+  // GJK's steps towards a smooth core get ever shorter: soon Newton's method takes over.
+  RoundDepth round;
+  const bool is_smooth = options.max_iterations >= kNewtonSupports && round.set(cso, a.shape, b.shape);
+  Distance<double> d = search(is_smooth ? kFirstSteps : options.max_iterations);
+  bool is_near = false;
+  if (is_smooth && d.stalled) {
+    is_near = d.lower > fine && round.approach(d.n, gap, out.counters);
+    if (is_near) {
+      d.lower = -round.upper();
+      d.upper = std::max(-round.lower(), d.lower);
+      d.n = round.normal();
+      d.stalled = false;
+    } else {
+      d = search(options.max_iterations);
+    }
+  }
   if (d.stalled && d.upper - d.lower > limits.noise) steady_axis(d, cso, simplex, limits, out.counters);
   const double apart = d.upper - R;
   const bool contact = apart <= fine || (apart <= limits.noise && !(d.lower - R > fine));
   if (!contact && d.lower - R > 0) return no_contact(out, d.n);
+  // radial: unit, where the points of the radii lie.
+  const auto fill_round = [&](double lower, double upper, const Vec& radial) {
+    fill_depth(out, options, cso, lower, upper, round.normal());
+    if (!asks_for(options.request, Request::witnesses)) return;
+    const std::array<Vec, 2> x = round.points();
+    const Vec ball_a = cso.side_a().radius * radial, ball_b = cso.side_b().radius * radial;
+    out.point_a = world_point(a, cso.side_a(), cso, Vec(x[0] + ball_a), 0.0).template cast<S>();
+    out.point_b = world_point(b, cso.side_b(), cso, Vec(x[1] - ball_b), 0.0).template cast<S>();
+  };
   if (contact && d.lower > 0 && (d.upper > fine || d.upper - d.lower <= fine)) {
     // The origin outside the core: its distance, seen from inside.
+    if (is_near) {
+      const bool is_shallow = R - d.upper < d.upper;
+      fill_round(R - d.upper, R - d.lower, is_shallow ? unit(Vec(-round.difference())) : d.n);
+      return out;
+    }
     refine_axis(cso, simplex, d, gap, out.counters);
     if (d.upper - d.lower > std::max(gap, limits.noise)) {
       steady_axis(d, cso, simplex, limits, out.counters);
@@ -207,21 +242,14 @@ PenetrationResult<S>& careful_penetration(const Body<S>& a, const Body<S>& b,
                      shallow ? unit(Vec(-joining)) : d.n);
     return out;
   }
-  RoundDepth round;
-  if (round.set(cso, a.shape, b.shape)) {
+  if (is_smooth) {
     // Nearly all that it takes is to show that no other minimum is lower, which a tolerance makes no shorter.
-    round.run(fine, std::min(options.max_iterations - out.counters.supports, kMostRoundDepthSupports),
+    round.run(fine, std::max(gap, limits.noise),
+              std::min(options.max_iterations - out.counters.supports, kMostRoundDepthSupports),
               out.counters);
     if (round.upper() - round.lower() <= std::max(gap, limits.noise) &&
         (contact || round.upper() + R > limits.noise)) {
-      fill_depth(out, options, cso, round.lower() + R, round.upper() + R, round.normal());
-      if (asks_for(options.request, Request::witnesses)) {
-        const std::array<Vec, 2> x = round.points();
-        const Vec ball_a = cso.side_a().radius * round.normal(),
-                  ball_b = cso.side_b().radius * round.normal();
-        out.point_a = world_point(a, cso.side_a(), cso, Vec(x[0] + ball_a), 0.0).template cast<S>();
-        out.point_b = world_point(b, cso.side_b(), cso, Vec(x[1] - ball_b), 0.0).template cast<S>();
-      }
+      fill_round(round.lower() + R, round.upper() + R, round.normal());
       return out;
     }
   }

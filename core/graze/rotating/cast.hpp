@@ -217,12 +217,26 @@ class RotatingCast {
         out_.toi_lower = out_.toi_upper = kInfinity<S>;
         return;
       case Effects::at_rest:
-        return run_at_rest();
+        run_at_rest();
+        return follow_linear_start();
       case Effects::linear:
-        return take(graze::cast(a_.body, b_.body, linear_options(options_)));
+        take(graze::cast(a_.body, b_.body, linear_options(options_)));
+        return follow_linear_start();
       case Effects::rotating:
         return run(RotatingMethod::bilateral_advancement);
     }
+  }
+  // A linear cast reports a start whose depth is rounding's, where the motion neither leaves nor slides to the last bit: a
+  // ball that rolls along the floor. As of all contacts of rotating casts, what counts is whether it gets deeper.
+  void follow_linear_start() {
+    if (!passes_over() || out_.outcome != Outcome::initially_overlapping) return;
+    if (options_.tier == Tier::exact || !(options_.t_max < kInfinity<S>)) return;
+    RotatingResult<S> followed;
+    followed.plan = out_.plan;
+    followed.counters = out_.counters;
+    out_ = std::move(followed);
+    if (!pair_) pair_.emplace(a_, b_, static_cast<double>(options_.target_distance));
+    run(RotatingMethod::bilateral_advancement);
   }
 
   void take(const CastResult<S>& linear) {

@@ -116,7 +116,7 @@ class ContactFollower {
     };
     const Vec3<double> given = n;
     improve(given);
-    if (best < -followed() / 2) improve(Vec3<double>(-pair_.cso().middle()));
+    if (best < -followed()) improve(Vec3<double>(-pair_.cso().middle()));
     if (n == Vec3<double>::Zero()) {
       n = away_from_middle(pair_);
       best = pair_.gap(n, counters_);
@@ -218,8 +218,11 @@ class ContactFollower {
   std::optional<double> hops(const At& there) {
     const double middle = now_.t + (there.t - now_.t) / 2;
     if (!(now_.t < middle && middle < there.t)) return {};
-    const At between = at(middle);
+    place(middle);
+    At between{middle, look(now_.near.simplex), {}, 0};
     if (!(between.near.gap > limits_.apart)) return {};
+    between.n = between.near.n;
+    between.s = between.near.gap;
     if (!(steepest(between).low >= -followed())) return 0;
     const double h = middle - now_.t;
     now_ = between;
@@ -243,12 +246,34 @@ class ContactFollower {
     if (std::abs(fall) >= 4 * k) return {std::min(s_0, s_1), k};
     return {(s_0 + s_1) / 2 - k - fall * fall / (16 * k), k};
   }
-  // By the axis of either end.
+  // By the axis of either end, or one that moves from the first to the other.
   Slope steepest(const At& there) {
     Slope best;
+    between(there, best);
+    if (best.low >= -followed()) return best;
     along(there.n, there.t, there, best);
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
+  }
+  // An axis that moves evenly in the axes of the world or of a body, by what is known at both ends. It takes no support. In
+  // between it is shorter than 1, and the bodies are as much deeper along its unit vector.
+  void between(const At& there, Slope& best) {
+    const double h = there.t - now_.t;
+    for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
+      if (stands_still(frame)) continue;
+      const double change = pair_.axis_change(frame, now_.n, now_.t, there.n, there.t);
+      const double shortest_sq = 1 - change * change / 4, error = pair_.frame_error(frame);
+      if (!(shortest_sq > 0.25)) continue;
+      const double bend = pair_.bend_between(frame, now_.n, now_.t, there.n, there.t, limits_.end);
+      Slope one = least_of(now_.s - error, there.s - error, bend * h * h / 8 * (1 + 0x1p-40));
+      if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / std::sqrt(shortest_sq);
+      take(one, best);
+      if (best.low >= -followed()) return;
+    }
+  }
+  [[nodiscard]] bool stands_still(AxisFrame frame) const {
+    return (frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
+           (frame == AxisFrame::b && !pair_.mobility_b().turns());
   }
   // n as it stands at `stands`, one of the two ends; in the world, or turning with a body: a face that turns about a point
   // of the contact keeps its normal.
@@ -257,9 +282,7 @@ class ContactFollower {
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto frame = static_cast<AxisFrame>(i);
-      if ((frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
-          (frame == AxisFrame::b && !pair_.mobility_b().turns()))
-        continue;
+      if (stands_still(frame)) continue;
       place(stands);
       const Vec3<double> own = pair_.to_own(frame, n);
       const auto gap_at = [&](double t) {

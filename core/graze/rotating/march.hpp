@@ -61,6 +61,7 @@ class Marcher {
       }
       if (!open_) tie_budget_ = counters_.supports + kMostTieSupports;
       open_ = true;  // too near for axes, or for the next double of t
+      search_.stop_recording();
       place(now_.t);
       if (contact_here()) return;
       left_to_caller_ = limits_.asks_start && now_.t == 0;

@@ -151,7 +151,11 @@ class MovingPair {
   // min over B of n.b - max over A of n.a, less the target distance: not above the true one, n unit.
   [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
     ++counters.supports;
-    return -n.dot(cso_.support(n).w) - radius_ - error();
+    return gap_of(cso_.support(n).w, n);
+  }
+  // Of one point of C.
+  [[nodiscard]] double gap_of(const Vec3<double>& w, const Vec3<double>& n) const {
+    return -n.dot(w) - radius_ - error();
   }
   // The gap along a fixed n shrinks by no more than this in one unit of t.
   [[nodiscard]] double closing(const Vec3<double>& n) const {
@@ -198,16 +202,30 @@ class MovingPair {
     return {bend_of_world(across_a, across_b), bend_of(AxisFrame::a, across_a, t_end),
             bend_of(AxisFrame::b, across_b, t_end)};
   }
-  // As bend(), for an axis that moves evenly in the frame's axes from n_0 to n_1, by axis_rate in a unit of t. In
-  // between it is no longer than 1, and |n x w| no more than at an end. The second derivative of n.x has 2 n'.x' more.
-  [[nodiscard]] double bend_between(AxisFrame frame, const Vec3<double>& n_0, const Vec3<double>& n_1,
-                                    double axis_rate, double t_end) const {
+  // As bend(), for an axis that moves evenly in the frame's axes, from n_0 as it stands in the world at t_0 to n_1 at t_1.
+  // In between it is no longer than 1, and |n x w| no more than at an end. The second derivative of n.x has 2 n'.x' more.
+  // Leaves the bodies at t_1.
+  [[nodiscard]] double bend_between(AxisFrame frame, const Vec3<double>& n_0, double t_0,
+                                    const Vec3<double>& n_1, double t_1, double t_end) {
     const auto across = [&](const Mobility& m) { return std::max(m.across(n_0), m.across(n_1)); };
+    const double axis_rate = axis_change(frame, n_0, t_0, n_1, t_1) / (t_1 - t_0);
+    const double raise = 1 + 64 * kUnitRoundoff<double>;
     if (frame == AxisFrame::world)
-      return bend_of_world(across(a_.mobility), across(b_.mobility), axis_rate) +
-             2 * axis_rate * velocity().norm();
-    return bend_of(frame, across((frame == AxisFrame::a ? a_ : b_).mobility), t_end) +
-           2 * axis_rate * relative_speed(frame, t_end);
+      return (bend_of_world(across(a_.mobility), across(b_.mobility), axis_rate) +
+              2 * axis_rate * velocity().norm()) *
+             raise;
+    return (bend_of(frame, across((frame == AxisFrame::a ? a_ : b_).mobility), t_end) +
+            2 * axis_rate * relative_speed(frame, t_end)) *
+           raise;
+  }
+  // |m_1 - m_0|: m_i = n_i as above in the frame's axes. Leaves the bodies at t_1.
+  [[nodiscard]] double axis_change(AxisFrame frame, const Vec3<double>& n_0, double t_0,
+                                   const Vec3<double>& n_1, double t_1) {
+    if (frame == AxisFrame::world) return (n_1 - n_0).norm() * (1 + 8 * kUnitRoundoff<double>);
+    place(t_0);
+    const Vec3<double> m_0 = to_own(frame, n_0);
+    place(t_1);
+    return (to_own(frame, n_1) - m_0).norm() + 64 * kUnitRoundoff<double>;
   }
   // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
   // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance

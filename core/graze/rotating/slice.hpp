@@ -82,8 +82,12 @@ class SliceSearch {
       : pair_(pair),
         limits_(limits),
         counters_(counters),
+        records_(limits.record),
         speed_in_a_(pair.relative_speed(AxisFrame::a, limits.end)),
         speed_in_b_(pair.relative_speed(AxisFrame::b, limits.end)) {}
+
+  // What follows is part of no proof, so that bounds that a proof has no name for serve as well.
+  void stop_recording() { records_ = false; }
 
   // now.near.gap > 0. Leaves the pair placed anywhere.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
@@ -275,20 +279,12 @@ class SliceSearch {
 
   // By the axes at both ends. It takes no support.
   bool between_axes(const Seen& now, double end, const Nearest& there, Slice& out) {
-    if (limits_.record) return false;
+    if (records_) return false;
     const double h = end - now.t;
     for (const Frame& frame : std::array<Frame, 3>(frames(there.n))) {
       const double error = pair_.frame_error(frame.of), s_0 = now.near.gap - error, s_1 = there.gap - error;
       if (!proves(h, s_0, s_1, frame.bend_root)) continue;  // no more than the axis that stands still allows
-      Vec3<double> n_0 = now.near.n, n_1 = there.n;
-      if (frame.of != AxisFrame::world) {
-        place(now.t);
-        n_0 = pair_.to_own(frame.of, n_0);
-        place(end);
-        n_1 = pair_.to_own(frame.of, n_1);
-      }
-      const double rate = (n_1 - n_0).norm() / h;
-      const double bend = pair_.bend_between(frame.of, n_0, n_1, rate, limits_.end);
+      const double bend = pair_.bend_between(frame.of, now.near.n, now.t, there.n, end, limits_.end);
       if (!proves(h, s_0, s_1, std::sqrt(bend / 2 * (1 + 0x1p-40)))) continue;
       out.end = end;
       out.there = there;
@@ -300,7 +296,7 @@ class SliceSearch {
   // Where the bodies do not near each other, but their axis moves on: as far as the gap allows if it stays, or a part
   // of that.
   void by_two_axes(const Seen& now, Slice& out) {
-    if (limits_.record) return;
+    if (records_) return;
     const double rest = limits_.end - now.t;
     double h = std::min(rest, kTowards * 2 * std::sqrt(now.near.gap) / frames(now.near.n)[0].bend_root);
     constexpr int kTries = 3;
@@ -315,7 +311,7 @@ class SliceSearch {
   // After many slices: a body that tips about its lowest point has far points that bend, and yet keeps its distance. A
   // proof has no name for this bound.
   void by_arc(const Seen& now, Slice& out) {
-    if (limits_.record || slices_ <= kManySlices || arcs_.waits()) return;
+    if (records_ || slices_ <= kManySlices || arcs_.waits()) return;
     const double rest = limits_.end - now.t;
     constexpr int kTries = 3;
     double h = rest;
@@ -350,6 +346,13 @@ class SliceSearch {
     WholeTurns whole;
   };
 
+  // Of a pair of points, at the beginning.
+  double gap_at(const Along& from, const Simplex<double>& pair_of_points) {
+    place(from.t);
+    return pair_.gap_of(carried_over(pair_, pair_of_points).point[0].w,
+                        pair_.to_world(from.frame.of, from.own));
+  }
+
   void along_axis(const Along& from, double safe, Slice& out) {
     const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
@@ -361,8 +364,15 @@ class SliceSearch {
       h = h >= rest ? rest : not_after(from.t, h) - from.t;
       pair_.place(h >= rest ? limits_.end : from.t + h);
       const Vec3<double> n = pair_.to_world(from.frame.of, from.own);
-      const double s = from.whole.any() ? swept_gap(pair_, from.whole, n, counters_)
-                                        : pair_.gap(n, counters_) - pair_.frame_error(from.frame.of);
+      Simplex<double> nearest_pair;
+      double s;
+      if (from.whole.any()) {
+        s = swept_gap(pair_, from.whole, n, counters_);
+      } else {
+        ++counters_.supports;
+        nearest_pair.add(pair_.cso().support(n));
+        s = pair_.gap_of(nearest_pair.point[0].w, n) - pair_.frame_error(from.frame.of);
+      }
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
@@ -374,8 +384,10 @@ class SliceSearch {
         h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
         if (!(h < bad)) h = bad / 2;
       } else {
-        // The secant between the beginning and what failed, towards the gap wished for.
-        h = bad * (gap - left) / (gap - bad_gap);
+        // The secant between the beginning and what failed, towards the gap wished for: of the points that are in contact
+        // there, which may have been farther apart than the nearest at the beginning.
+        const double begin = from.whole.any() ? gap : std::max(gap, gap_at(from, nearest_pair));
+        h = bad * (begin - left) / (begin - bad_gap);
         if (!(h > 0 && h < bad)) h = bad / 2;
       }
     }
@@ -430,6 +442,7 @@ class SliceSearch {
   MovingPair& pair_;
   const MarchLimits& limits_;
   Counters& counters_;
+  bool records_;
   double speed_in_a_, speed_in_b_;
   Vec3<double> frames_of_ = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<Frame, 3> frames_;
