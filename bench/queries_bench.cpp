@@ -2,12 +2,14 @@
 //
 //   penetration   "EPA is the expensive way": the least depth by EPA, the depth along a direction by MPR, and
 //                 the distance by GJK, all of the same two hulls (in contact for the first two, apart for GJK)
+//                 and the least depth of all pairs of primitives but boxes with boxes
 //   swept         the sum with a segment beside the points before and after
 //   ray           every face beside GJK and MPR, on a globe of 8 to 1,024 vertices
 // 64 pairs a row, each asked once an iteration; the time is that of one query, in nanoseconds. `supports`:
 // support evaluations a query. Built with -DGRAZE_BENCH=ON, run by hand.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <graze/cast.hpp>
 #include <graze/distance.hpp>
@@ -83,6 +85,83 @@ void penetration_mpr_along(benchmark::State& state) {
     return r.counters.supports;
   });
 }
+// Two of each of sphere, capsule, box, ellipsoid, cylinder and cone, boxes with boxes aside.
+enum Fit { kRotatedShallow, kCoaxial, kRotatedDeep };
+std::vector<Pair> smooth_pairs(Fit fit) {
+  Draw draw{8};
+  const auto size = [&] { return draw.between(0.3, 1); };
+  const auto shape = [&](int kind) -> Shape<double> {
+    switch (kind) {
+      case 0:
+        return Sphere<double>{size()};
+      case 1:
+        return Capsule<double>{draw.between(0.2, 0.6), size()};
+      case 2:
+        return Box<double>{{size(), size(), size()}};
+      case 3:
+        return Ellipsoid<double>{{size(), size(), size()}};
+      case 4:
+        return Cylinder<double>{size(), size()};
+      default:
+        return Cone<double>{size(), size()};
+    }
+  };
+  std::vector<Pair> out;
+  constexpr int kKinds = 6, kBox = 2, kEach = 16;
+  for (int i = 0; i < kKinds; ++i) {
+    for (int j = i; j < kKinds; ++j) {
+      if (i == kBox && j == kBox) continue;
+      for (int k = 0; k < kEach;) {
+        Pair pair{{.shape = shape(i)}, {.shape = shape(j)}};
+        if (fit != kCoaxial) {
+          pair.a.orientation = draw.turn<double>();
+          pair.b.orientation = draw.turn<double>();
+        }
+        const Vec3<double> towards =
+            fit == kCoaxial ? Vec3<double>(Vec3<double>::UnitZ()) : unit(draw.vector<double>(1));
+        double away = draw.between(0, 1.2);
+        if (fit == kRotatedShallow) {
+          pair.b.position = 4 * towards;
+          pair.b.displacement = -4 * towards;
+          away = 4 * (1 - cast(pair.a, pair.b).toi_upper) - draw.between(0.01, 0.15);
+        }
+        pair.b.position = away * towards;
+        pair.b.displacement = Vec3<double>::Zero();
+        if (penetration(pair.a, pair.b).outcome != Outcome::initially_overlapping) continue;
+        out.push_back(pair);
+        ++k;
+      }
+    }
+  }
+  return out;
+}
+// `median`, `p99`: seconds, of the least of five times of each pair.
+void penetration_smooth(benchmark::State& state) {
+  const std::vector<Pair> all = smooth_pairs(static_cast<Fit>(state.range(0)));
+  const auto ask = [](const Pair& p) {
+    const auto r = penetration(p.a, p.b);
+    benchmark::DoNotOptimize(r.upper);
+    return r.counters.supports;
+  };
+  run(state, all, ask);
+  std::vector<double> seconds;
+  for (const Pair& p : all) {
+    double least = 1;
+    for (int i = 0; i < 5; ++i) {
+      const auto begin = std::chrono::steady_clock::now();
+      ask(p);
+      least =
+          std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    seconds.push_back(least);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  state.counters["median"] = seconds[seconds.size() / 2];
+  state.counters["p99"] = seconds[seconds.size() * 99 / 100];
+}
+// fit: 0 rotated and shallow, 1 coaxial, 2 rotated and deep.
+BENCHMARK(penetration_smooth)->ArgName("fit")->DenseRange(0, 2);
+
 void distance_gjk(benchmark::State& state) {
   run(state, pairs(static_cast<int>(state.range(0)), kApart), [](const Pair& p) {
     const auto r = distance(p.a, p.b);

@@ -101,6 +101,8 @@ function(graze_precompiled name)
   add_library(${name} OBJECT ${nothing})
   target_link_libraries(${name} PRIVATE graze_own ${arg_LIBRARIES})
   target_compile_options(${name} PRIVATE ${arg_OPTIMIZED})
+  # Not from ccache: it knows files by what is in them, and a precompiled header by when they were written.
+  set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER "")
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${name} PRIVATE -fpch-preprocess)  # for ccache

@@ -7,6 +7,7 @@
 
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
+#include "properties/judge/followed.hpp"
 #include "properties/judge/linear.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
@@ -146,6 +147,15 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
           (answer.outcome == Outcome::invalid_input ||
            (answer.toi_lower == its.toi_lower && answer.toi_upper == its.toi_upper)))
         return result;
+      // A rotating cast follows the start that a linear one reports: judged by what happens to that contact.
+      if (still.start_policy == StartPolicy::pass_over && its.outcome == Outcome::initially_overlapping) {
+        const RotatingTruth start = truth_from_start(still);
+        Judgement followed;
+        judge_followed(followed, start, still, answer, limits_of(method, still, start.scale().high),
+                       Request::verdict);
+        if (followed.faulty()) return broken("without turns: " + followed.fault());
+        return labelled(std::move(result), {"followed"});
+      }
       said += "; " + linear->full_name() + " says " + describe(its);
     }
     return broken("without turns the plan says " + describe(answer) + said);
@@ -217,8 +227,9 @@ LawResult as_one_stands_still(const Case& problem, const Method& method) {
 
 std::vector<Law> rotating_plan_laws() {
   return {
-      {"unturned_is_linear", "Without turns the answer is the linear cast's.", Needs::metamorphic,
-       &unturned_is_linear},
+      {"unturned_is_linear",
+       "Without turns the answer is the linear cast's, but for a start in contact that is followed.",
+       Needs::metamorphic, &unturned_is_linear},
       {"unseen_turn_is_none", "A ball's turn about its centre, or a solid's about its axis, changes nothing.",
        Needs::metamorphic, &unseen_turn_is_none},
       {"as_one_stands_still", "Bodies that turn and move as one meet at t = 0 or never.", Needs::metamorphic,
