@@ -292,7 +292,7 @@ TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
       [&](Pair& seen, const HostileScene& scene, HostileDraw& draw) {
         const double t_0 = draw.time(scene), t_1 = draw.time(scene);
         if (!(t_0 < t_1)) return;
-        const Vec3<double> n_0 = draw.direction(scene), n_1 = draw.direction(scene);
+        const Vec3<double> n_0 = draw.direction(scene), elsewhere = draw.direction(scene);
         const Ball h = Ball(t_1) - Ball(t_0), d = h * two_to(-100);
         const Ball t = Ball(t_0) + h * Ball(draw.plain().between(0.01, 0.99));
         for (const AxisFrame of : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
@@ -302,6 +302,14 @@ TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
           if (in_world ? revolves(scene.a.body.shape) || revolves(scene.b.body.shape)
                        : !with.turns || (with_a && !seen.b.turns))
             continue;
+          // Half of them turn with the body, so that little but the turn bends.
+          Vec3<double> n_1 = elsewhere;
+          if (!in_world && draw.chance(0.5)) {
+            seen.pair.place(t_0);
+            const Vec3<double> own = seen.pair.to_own(of, n_0);
+            seen.pair.place(t_1);
+            n_1 = seen.pair.to_world(of, own);
+          }
           const auto inputs = [&] { return describe(scene, n_0, t_0) + describe(scene, n_1, t_1); };
           const auto in_frame = [&](const Vec3<double>& n, double at) {
             return in_world ? BallVec(n) : with.turn(Ball(at)).apply_inverse(BallVec(n));

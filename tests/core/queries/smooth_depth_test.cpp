@@ -1,0 +1,97 @@
+// Depths of smooth bodies against their support functions: no direction of many is less deep, and the points are as far apart
+// as the depth. Shallow, deep, concentric and coaxial.
+#include <graze/penetration.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/shared/generate.hpp"
+
+namespace graze::test {
+namespace {
+
+constexpr int kKinds = 6, kBox = 2;
+
+Shape<double> shape(int kind, Draw& draw) {
+  const auto size = [&] { return draw.between(0.3, 1); };
+  switch (kind) {
+    case 0:
+      return Sphere<double>{size()};
+    case 1:
+      return Capsule<double>{draw.between(0.2, 0.6), size()};
+    case kBox:
+      return Box<double>{{size(), size(), size()}};
+    case 3:
+      return Ellipsoid<double>{{size(), size(), size()}};
+    case 4:
+      return Cylinder<double>{size(), size()};
+    default:
+      return Cone<double>{size(), size()};
+  }
+}
+
+// The reach of the shape along n, about its centre.
+double reach(const Body<double>& body, const Vec3<double>& n) {
+  const Vec3<double> m = detail::rotation_matrix(detail::as_double(body.orientation)).transpose() * n;
+  const double flat = std::hypot(m[0], m[1]);
+  const Shape<double>& s = body.shape;
+  if (const auto* one = std::get_if<Sphere<double>>(&s)) return one->radius;
+  if (const auto* one = std::get_if<Capsule<double>>(&s))
+    return one->radius + one->half_height * std::abs(m[2]);
+  if (const auto* one = std::get_if<Box<double>>(&s)) return one->half_extents.dot(m.cwiseAbs());
+  if (const auto* one = std::get_if<Ellipsoid<double>>(&s)) return one->radii.cwiseProduct(m).norm();
+  if (const auto* one = std::get_if<Cylinder<double>>(&s))
+    return one->radius * flat + one->half_height * std::abs(m[2]);
+  const auto& cone = std::get<Cone<double>>(s);
+  return std::max(cone.half_height * m[2], cone.radius * flat - cone.half_height * m[2]);
+}
+
+TEST(SmoothDepth, IsTheLeastAndItsPointsAreAsFarApart) {
+  Draw draw{81};
+  int contacts = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const int i = round % kKinds, j = round / kKinds % kKinds;
+    if (i == kBox && j == kBox) continue;
+    Body<double> a{.shape = shape(i, draw)}, b{.shape = shape(j, draw)};
+    const bool is_coaxial = round % 4 == 1;
+    if (!is_coaxial) {
+      a.orientation = draw.turn<double>();
+      b.orientation = draw.turn<double>();
+    }
+    const Vec3<double> towards = is_coaxial ? Vec3<double>(0, 0, 1) : unit(draw.vector<double>(1));
+    b.position = (round % 64 == 2 ? 0.0 : draw.between(0, 1.6)) * towards;
+    const auto r = penetration(a, b);
+    if (r.outcome != Outcome::initially_overlapping) continue;
+    ++contacts;
+    const auto depth_along = [&](const Vec3<double>& n) {
+      return reach(a, n) + reach(b, Vec3<double>(-n)) - n.dot(b.position);
+    };
+    constexpr double kSlack = 0x1p-44;
+    ASSERT_NEAR(r.normal.norm(), 1, 1e-14) << round;
+    ASSERT_NEAR(depth_along(r.normal), r.upper, kSlack) << round;
+    ASSERT_NEAR((r.point_a - r.point_b).norm(), r.upper, r.stalled ? 1e-3 : 1e-12) << round;
+    if (!r.stalled) {
+      ASSERT_LE(r.upper - r.lower, kSlack) << round;
+    }
+    // Near the best of many directions as well.
+    Vec3<double> best = r.normal;
+    double least = r.upper;
+    for (int k = 0; k < 600; ++k) {
+      const double size = k < 300 ? 0 : std::pow(10.0, -(k - 300) / 75.0);
+      const Vec3<double> about = draw.vector<double>(1);
+      const Vec3<double> n = unit(Vec3<double>(k < 300 ? about : Vec3<double>(best + size * about)));
+      const double depth = depth_along(n);
+      ASSERT_GE(depth, r.lower - kSlack) << round;
+      if (depth < least || k == 0) {
+        least = depth;
+        best = n;
+      }
+    }
+  }
+  EXPECT_GT(contacts, 3000);
+}
+
+}  // namespace
+}  // namespace graze::test
