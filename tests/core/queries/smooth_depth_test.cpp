@@ -1,5 +1,6 @@
 // Depths of smooth bodies against their support functions: no direction of many is less deep, and the points are as far apart
 // as the depth. Shallow, deep, concentric and coaxial.
+#include <graze/numeric/offset.hpp>
 #include <graze/penetration.hpp>
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ Shape<double> shape(int kind, Draw& draw) {
 
 // The reach of the shape along n, about its centre.
 double reach(const Body<double>& body, const Vec3<double>& n) {
-  const Vec3<double> m = detail::rotation_matrix(detail::as_double(body.orientation)).transpose() * n;
+  const Vec3<double> m = detail::rotation_matrix(body.orientation).transpose() * n;
   const double flat = std::hypot(m[0], m[1]);
   const Shape<double>& s = body.shape;
   if (const auto* one = std::get_if<Sphere<double>>(&s)) return one->radius;
