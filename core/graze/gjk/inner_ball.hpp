@@ -19,7 +19,8 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-// What of a shape its inner balls depend on. Others than these have no inside: a core that is a point or a segment.
+// What the inner balls of a shape depend on. `flat`: it has no inside, as a point, a segment or a disc. The others have extents
+// above 0 in every direction.
 struct SolidCore {
   enum class Kind { flat, box, ellipsoid, cylinder, cone } kind = Kind::flat;
   Vec3<double> half = Vec3<double>::Zero();  // half extents; radii; radius, radius, half height
@@ -30,7 +31,7 @@ inline constexpr double kInnerBallRounding = 16 * kUnitRoundoff<double>;
 
 // r <= distance / (1 - e.n). A distance below -noise is that of a point that is not in the shape: no ball at all.
 inline double below_plane(double distance, double facing, double noise) {
-  if (distance < -noise) return -kInfinity<double>;
+  if (!(distance >= -noise)) return -kInfinity<double>;  // NaN as well
   const double closing = 1 - facing;
   return closing > kInnerBallRounding ? std::max(distance, 0.0) / closing : kInfinity<double>;
 }
@@ -38,7 +39,7 @@ inline double below_plane(double distance, double facing, double noise) {
 // The least r > 0 where a r^2 - 2 b r + c falls below 0. Within `noise` of 0 b is 0; c, a square of `size`, as much below is that
 // of a point that is not in the shape.
 inline double falls_below(double a, double b, double c, double noise, double size) {
-  if (c < -noise * size) return -kInfinity<double>;
+  if (!(c >= -noise * size)) return -kInfinity<double>;  // NaN as well
   if (b <= noise && a >= -kInnerBallRounding) return kInfinity<double>;
   const double under = b * b - a * c;
   if (under < 0) return kInfinity<double>;
@@ -47,7 +48,7 @@ inline double falls_below(double a, double b, double c, double noise, double siz
 }
 
 // n: unit, the outward normal at x on the boundary. 0 where no ball touches there, as at an edge; -infinity where x is not in the
-// shape. The ball may be out of the shape by kInnerBallRounding of its size. Of a flat core and an ellipsoid x is not looked at.
+// shape. The ball may be out of the shape by kInnerBallRounding of its size. A flat core and an ellipsoid do not need x.
 inline double inner_ball(const SolidCore& core, const Vec3<double>& x, const Vec3<double>& n) {
   using Kind = SolidCore::Kind;
   const Vec3<double>& h = core.half;

@@ -2,8 +2,8 @@
 // points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-// h (round_sum.hpp) is smooth but on the seams, where two pieces of it meet: the great circles n.a_i = 0, and the circle of latitude where
-// a cone's apex and base are equally far. So the least h is one of
+// h (round_sum.hpp) is smooth but on the seams, where two pieces of it meet: the great circles n.a_i = 0, and the circle of
+// latitude where a cone's apex and base are equally far. So the least h is one of
 //   a corner   where two seams cross, or at the pole of a disc;
 //   a circle   least along a seam;
 //   a sphere   least of a smooth piece, which takes curvature in both directions.
@@ -13,8 +13,8 @@
 //   second derivatives bound the piece from below by upper - gap, about a point that Newton finds.
 // The cells are not needed if the balls that touch the two bodies at the contact from inside are together as large as the
 // contact is deep (inner_ball.hpp). This is asked of each new least h, and settles most contacts after a few steps of Newton's
-// method. Directions that are equally near along a whole circle are no trouble: the azimuth of the cells is about the axis that the pair is nearest
-// to symmetric about, and derivatives by it are formed from the differences that break the symmetry, so they vanish with it.
+// method. Directions that are equally near along a whole circle are no trouble: the azimuth of the cells is about the axis
+// that the pair is nearest to symmetric about, and derivatives by it vanish with what breaks the symmetry (round_slopes.hpp).
 //
 // Guarantee: lower <= min h <= upper = h(n), up to `Cso::rounding` and the slacks below; upper - lower <= gap, or `close` by
 // the balls, unless the budget ends.   Intervals are not rounded outwards: each is compared with a slack above its rounding.
@@ -244,7 +244,7 @@ class RoundDepth : public RoundSlopes {
       Interval value{at - far, at + far};
       Slopes<Interval>& s = norm[std::size_t(i)];
       if (f.axial) {
-        s = slopes_of<Interval>(f, z, value, 1);
+        s = slopes_of<Interval>(f, z, 1);
         continue;
       }
       // by the form
@@ -257,7 +257,7 @@ class RoundDepth : public RoundSlopes {
       const double top = f.most, c_top = std::max(std::abs(z.c.lo), std::abs(z.c.hi));
       if (value.lo > 64 * kU * top) {
         const Interval inverse{1 / value.hi, 1 / value.lo};
-        s = slopes_of<Interval>(f, z, value, inverse);
+        s = slopes_of<Interval>(f, z, inverse);
         const double more = doubt / value.lo;
         const double twice = (doubt + 3 * top * more) / value.lo;
         s.t = s.t + Interval{-more, more};

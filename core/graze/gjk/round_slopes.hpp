@@ -98,9 +98,9 @@ class RoundSlopes : public RoundSum {
     return z.c * (b[0] * z.x + b[1] * z.y) + b[2] * z.s;
   }
 
-  // value: of the norm, > 0.
+  // inverse: of the norm's value, which is above 0.
   template <class T>
-  static Slopes<T> slopes_of(const Form& f, const Place<T>& z, const T& value, const T& inverse) {
+  static Slopes<T> slopes_of(const Form& f, const Place<T>& z, const T& inverse) {
     Slopes<T> out;
     if (f.axial) {
       out.t = -(f.most * z.s);
@@ -112,7 +112,6 @@ class RoundSlopes : public RoundSum {
     const T L = f.p13 * z.x + f.p23 * z.y, L_p = f.p23 * z.x - f.p13 * z.y;
     const T sin2 = 2 * (z.s * z.c), cos2 = T(1) - 2 * square(z.s), cc = square(z.c);
     const T rest = T(f.p33 - f.m) - B;
-    (void)value;
     const T half = 0.5 * inverse;
     out.t = half * (sin2 * rest + 2 * (cos2 * L));
     out.p = half * (cc * B_p + sin2 * L_p);
@@ -148,7 +147,7 @@ class RoundSlopes : public RoundSum {
       if (!has_norm(i, piece)) continue;
       const double f = (norms_[std::size_t(i)].m * n).norm();
       h += f;
-      if (f > 0) slopes += slopes_of<double>(c.form[std::size_t(i)], z, f, 1 / f);
+      if (f > 0) slopes += slopes_of<double>(c.form[std::size_t(i)], z, 1 / f);
     }
     return h;
   }

@@ -235,7 +235,9 @@ class RoundSum {
     using Kind = SolidCore::Kind;
     const std::size_t which = sign > 0 ? 0 : 1;
     if (side.rotated) axes_[which] = side.rotation;
-    core_[which] = {std::holds_alternative<Box<Given>>(shape)         ? Kind::box
+    // Without extent in some direction a shape has no inside, whatever its name.
+    core_[which] = {!(h.minCoeff() > 0)                               ? Kind::flat
+                    : std::holds_alternative<Box<Given>>(shape)       ? Kind::box
                     : std::holds_alternative<Ellipsoid<Given>>(shape) ? Kind::ellipsoid
                     : std::holds_alternative<Cylinder<Given>>(shape)  ? Kind::cylinder
                     : std::holds_alternative<Cone<Given>>(shape)      ? Kind::cone

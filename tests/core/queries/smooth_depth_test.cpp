@@ -94,5 +94,28 @@ TEST(SmoothDepth, IsTheLeastAndItsPointsAreAsFarApart) {
   EXPECT_GT(contacts, 3000);
 }
 
+// It holds no ball, as a cylinder of no height does not, and is as deep.
+TEST(SmoothDepth, OfAConeWithoutHeightIsThatOfADisc) {
+  Draw draw{82};
+  const auto size = [&] { return draw.between(0.2, 1); };
+  int contacts = 0;
+  for (int round = 0; round < 4000; ++round) {
+    Body<double> a{.orientation = draw.turn<double>()};
+    a.shape = round % 2 ? Shape<double>(Ellipsoid<double>{{size(), size(), size()}})
+                        : Shape<double>(Cylinder<double>{size(), size()});
+    const double radius = size();
+    Body<double> cone{.shape = Cone<double>{radius, 0}, .orientation = draw.turn<double>()};
+    cone.position = draw.vector<double>(0.6);
+    Body<double> disc = cone;
+    disc.shape = Cylinder<double>{radius, 0};
+    const auto r = penetration(a, cone);
+    ASSERT_EQ(r.outcome, penetration(a, disc).outcome) << round;
+    if (r.outcome != Outcome::initially_overlapping) continue;
+    ++contacts;
+    ASSERT_NEAR(r.upper, penetration(a, disc).upper, 0x1p-44) << round;
+  }
+  EXPECT_GT(contacts, 2000);
+}
+
 }  // namespace
 }  // namespace graze::test
