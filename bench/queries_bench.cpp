@@ -19,6 +19,7 @@
 #include "tests/core/queries/brute_force_ray.hpp"
 #include "tests/shared/generate.hpp"
 #include "tests/shared/globe.hpp"
+#include "tests/shared/primitives.hpp"
 
 namespace graze::test {
 namespace {
@@ -89,30 +90,13 @@ void penetration_mpr_along(benchmark::State& state) {
 enum Fit { kRotatedShallow, kCoaxial, kRotatedDeep };
 std::vector<Pair> smooth_pairs(Fit fit) {
   Draw draw{8};
-  const auto size = [&] { return draw.between(0.3, 1); };
-  const auto shape = [&](int kind) -> Shape<double> {
-    switch (kind) {
-      case 0:
-        return Sphere<double>{size()};
-      case 1:
-        return Capsule<double>{draw.between(0.2, 0.6), size()};
-      case 2:
-        return Box<double>{{size(), size(), size()}};
-      case 3:
-        return Ellipsoid<double>{{size(), size(), size()}};
-      case 4:
-        return Cylinder<double>{size(), size()};
-      default:
-        return Cone<double>{size(), size()};
-    }
-  };
   std::vector<Pair> out;
-  constexpr int kKinds = 6, kBox = 2, kEach = 16;
-  for (int i = 0; i < kKinds; ++i) {
-    for (int j = i; j < kKinds; ++j) {
-      if (i == kBox && j == kBox) continue;
+  constexpr int kEach = 16;
+  for (int i = 0; i < kPrimitives; ++i) {
+    for (int j = i; j < kPrimitives; ++j) {
+      if (i == kBoxPrimitive && j == kBoxPrimitive) continue;
       for (int k = 0; k < kEach;) {
-        Pair pair{{.shape = shape(i)}, {.shape = shape(j)}};
+        Pair pair{{.shape = primitive(i, draw)}, {.shape = primitive(j, draw)}};
         if (fit != kCoaxial) {
           pair.a.orientation = draw.turn<double>();
           pair.b.orientation = draw.turn<double>();

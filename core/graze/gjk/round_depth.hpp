@@ -475,11 +475,7 @@ class RoundDepth : public RoundSlopes {
   void polish() {
     if (best_.seams[1] >= 0 || best_.disc >= 0 || best_.h == polished_) return;
     const bool line = best_.seams[0] >= 0;
-    const Vec m = best_.n.cwiseAbs();
-    Chart c = chart(line ? seams_[std::size_t(best_.seams[0])].a
-                         : unit(Vec(best_.n.cross(m[0] <= m[1] && m[0] <= m[2] ? Vec(Vec::UnitX())
-                                                  : m[1] <= m[2]               ? Vec(Vec::UnitY())
-                                                                               : Vec(Vec::UnitZ())))));
+    Chart c = chart(line ? seams_[std::size_t(best_.seams[0])].a : across(best_.n));
     if (line) c.owner = best_.seams[0];
     const Vec own = c.own(best_.n);
     Place<double> z{std::hypot(own[0], own[1]), own[2], 1, 0};

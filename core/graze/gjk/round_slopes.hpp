@@ -46,14 +46,18 @@ class RoundSlopes : public RoundSum {
     [[nodiscard]] Vec at(const Place<double>& z) const { return z.c * (z.x * e1 + z.y * e2) + z.s * a; }
   };
 
-  [[nodiscard]] Chart chart(const Vec& axis) const {
-    Chart out;
-    out.a = axis;
+  // A unit vector at a right angle.
+  static Vec across(const Vec& axis) {
     const Vec m = axis.cwiseAbs();
     const Vec other = m[0] <= m[1] && m[0] <= m[2] ? Vec(Vec::UnitX())
                       : m[1] <= m[2]               ? Vec(Vec::UnitY())
                                                    : Vec(Vec::UnitZ());
-    out.e1 = unit(Vec(axis.cross(other)));
+    return unit(Vec(axis.cross(other)));
+  }
+  [[nodiscard]] Chart chart(const Vec& axis) const {
+    Chart out;
+    out.a = axis;
+    out.e1 = across(axis);
     out.e2 = axis.cross(out.e1);
     for (int i = 0; i < norm_count_; ++i) {
       const Norm& o = norms_[std::size_t(i)];
@@ -167,11 +171,13 @@ class RoundSlopes : public RoundSum {
     }
     return piece_value(c, piece, linear_part(c, piece), z, slopes);
   }
+  // Of a Hessian's determinant over the product of its diagonal: below it a step along each direction alone is safer.
+  static constexpr double kSingular = 1e-9;
   // Towards where the slopes vanish, along what bends up. False: nothing does.
   static bool newton_step(const Slopes<double>& g, bool line, double slack, double& dt, double& dp) {
     const double det = g.tt * g.pp - g.tp * g.tp;
     const bool t_up = g.tt > slack && !line, p_up = g.pp > slack;
-    if (t_up && p_up && det > 1e-9 * g.tt * g.pp) {
+    if (t_up && p_up && det > kSingular * g.tt * g.pp) {
       dt = (g.tp * g.p - g.pp * g.t) / det;
       dp = (g.tp * g.t - g.tt * g.p) / det;
     } else if (t_up) {

@@ -151,7 +151,9 @@ class RoundSum {
         move(free[1], other);
       }
     }
-    for (int round = 0; round < 64; ++round) {
+    constexpr int kMostRounds = 64;
+    constexpr double kStill = 1e-16;  // of a part's length: less than its rounding
+    for (int round = 0; round < kMostRounds; ++round) {
       double moved = 0;
       for (std::size_t i = 0; i < free_count; ++i) {
         const std::size_t which = free[i];
@@ -159,7 +161,7 @@ class RoundSum {
         move(which, std::clamp(before - rest.dot(across[which]) / across[which].squaredNorm(), 0.0, 1.0));
         moved = std::max(moved, std::abs(k[which] - before));
       }
-      if (moved <= 1e-16) break;
+      if (moved <= kStill) break;
     }
     for (std::size_t i = 0; i < count; ++i) part[i].x += k[i] * part[i].along;
     if (at.disc >= 0) {

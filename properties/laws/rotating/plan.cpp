@@ -228,7 +228,7 @@ LawResult as_one_stands_still(const Case& problem, const Method& method) {
 std::vector<Law> rotating_plan_laws() {
   return {
       {"unturned_is_linear",
-       "Without turns the answer is the linear cast's, but for a start in contact that is followed.",
+       "Without rotation the answer is the linear cast's. A start in contact may be followed instead.",
        Needs::metamorphic, &unturned_is_linear},
       {"unseen_turn_is_none", "A ball's turn about its centre, or a solid's about its axis, changes nothing.",
        Needs::metamorphic, &unseen_turn_is_none},

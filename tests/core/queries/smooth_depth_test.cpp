@@ -9,29 +9,10 @@
 #include <cmath>
 
 #include "tests/shared/generate.hpp"
+#include "tests/shared/primitives.hpp"
 
 namespace graze::test {
 namespace {
-
-constexpr int kKinds = 6, kBox = 2;
-
-Shape<double> shape(int kind, Draw& draw) {
-  const auto size = [&] { return draw.between(0.3, 1); };
-  switch (kind) {
-    case 0:
-      return Sphere<double>{size()};
-    case 1:
-      return Capsule<double>{draw.between(0.2, 0.6), size()};
-    case kBox:
-      return Box<double>{{size(), size(), size()}};
-    case 3:
-      return Ellipsoid<double>{{size(), size(), size()}};
-    case 4:
-      return Cylinder<double>{size(), size()};
-    default:
-      return Cone<double>{size(), size()};
-  }
-}
 
 // The reach of the shape along n, about its centre.
 double reach(const Body<double>& body, const Vec3<double>& n) {
@@ -53,9 +34,9 @@ TEST(SmoothDepth, IsTheLeastAndItsPointsAreAsFarApart) {
   Draw draw{81};
   int contacts = 0;
   for (int round = 0; round < 6000; ++round) {
-    const int i = round % kKinds, j = round / kKinds % kKinds;
-    if (i == kBox && j == kBox) continue;
-    Body<double> a{.shape = shape(i, draw)}, b{.shape = shape(j, draw)};
+    const int i = round % kPrimitives, j = round / kPrimitives % kPrimitives;
+    if (i == kBoxPrimitive && j == kBoxPrimitive) continue;
+    Body<double> a{.shape = primitive(i, draw)}, b{.shape = primitive(j, draw)};
     const bool is_coaxial = round % 4 == 1;
     if (!is_coaxial) {
       a.orientation = draw.turn<double>();
