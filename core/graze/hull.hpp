@@ -19,10 +19,12 @@
 #include <span>
 #include <vector>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
+namespace detail {
 template <Scalar S>
-struct HullGraph;  // support/hull_graph.hpp
+struct HullGraph;  // detail/shapes/hull_graph.hpp
+}
 
 // Points one after the other in memory: a vector, an array or a span of Vec3<float> or Vec3<double>, which
 // are Eigen::Vector3f and Eigen::Vector3d.
@@ -53,11 +55,11 @@ class Hull {
 
   // The boundary's edges and the map of directions, where it was derived or verified: see with_adjacency, with_faces.
   [[nodiscard]] bool has_adjacency() const { return graph_ != nullptr; }
-  [[nodiscard]] const HullGraph<S>& graph() const { return *graph_; }
+  [[nodiscard]] const detail::HullGraph<S>& graph() const { return *graph_; }
   // Is there such a map? Known without reading the graph, which may be in no cache.
   [[nodiscard]] bool has_map() const { return has_map_; }
   // `graph` must be this hull's.
-  [[nodiscard]] Hull with_graph(std::shared_ptr<const HullGraph<S>> graph, bool has_map) const {
+  [[nodiscard]] Hull with_graph(std::shared_ptr<const detail::HullGraph<S>> graph, bool has_map) const {
     Hull out = *this;
     out.graph_ = std::move(graph);
     out.has_map_ = has_map;
@@ -75,7 +77,7 @@ class Hull {
     return from.data() + static_cast<std::size_t>(axis) * data_->padded;
   }
   // The same in float, for a first guess.
-  [[nodiscard]] const float* guess_scan(int axis) const {
+  [[nodiscard]] const float* approximate_scan(int axis) const {
     if constexpr (std::same_as<S, float>) {
       return choice_scan(axis);
     } else {
@@ -125,7 +127,7 @@ class Hull {
     int exponent = 0;
   };
   std::shared_ptr<const Data> data_;
-  std::shared_ptr<const HullGraph<S>> graph_;
+  std::shared_ptr<const detail::HullGraph<S>> graph_;
   bool has_map_ = false;
 };
 
@@ -155,9 +157,9 @@ auto with_faces(const Points& vertices, std::span<const std::vector<std::uint32_
   return with_faces<S>(std::span<const Vec3<S>>(vertices), faces);
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/hull_data.hpp>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_data.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #endif

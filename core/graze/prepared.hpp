@@ -10,10 +10,12 @@
 #include <graze/result.hpp>
 #include <memory>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
+namespace detail {
 template <Scalar S>
-struct PreparedBody;  // support/prepared_body.hpp
+struct PreparedBody;  // detail/pairs/prepared_body.hpp
+}
 
 template <Scalar S>
 class Prepared {
@@ -24,14 +26,14 @@ class Prepared {
   // Invalid::none, or why the body is refused.
   [[nodiscard]] Invalid invalid() const;
   // For the queries.
-  [[nodiscard]] const PreparedBody<S>& inner() const { return *inner_; }
+  [[nodiscard]] const detail::PreparedBody<S>& inner() const { return *inner_; }
 
  private:
-  std::shared_ptr<const PreparedBody<S>> inner_;
+  std::shared_ptr<const detail::PreparedBody<S>> inner_;
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/prepared_body.hpp>
+#include <graze/detail/pairs/prepared_body.hpp>
 #endif

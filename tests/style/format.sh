@@ -11,7 +11,7 @@ mapfile -t files < <(find core scene adapter corpus oracles engines external pro
 # and would write the same; a process a file takes twenty times as long.
 copies=$(mktemp -d)
 trap 'rm -rf "$copies"' EXIT
-cp --parents .clang-format "${files[@]}" "$copies"
+cp --parents .clang-format core/.clang-format "${files[@]}" "$copies"
 (cd "$copies" && printf '%s\0' "${files[@]}" | xargs -0 -n 200 -P "$(nproc)" clang-format-14 -i)
 failed=0
 for file in "${files[@]}"; do
