@@ -79,14 +79,14 @@ int sign_of(const Triangle3& t) {
   return value.sign();
 }
 template <>
-int sign_of<exact::Expansion>(const Triangle3& t) {
-  std::array<exact::Expansion3, 3> c;
+int sign_of<detail::exact::Expansion>(const Triangle3& t) {
+  std::array<detail::exact::Expansion3, 3> c;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const double x : t[i][k]) c[i][k].grow(x);
     }
   }
-  return exact::determinant(c[0], c[1], c[2]).sign();
+  return detail::exact::determinant(c[0], c[1], c[2]).sign();
 }
 
 // bits: of each number; spread: of the exponents.
@@ -130,8 +130,8 @@ void kinds(benchmark::internal::Benchmark* b) {
 void kinds_in_range(benchmark::internal::Benchmark* b) {
   b->ArgNames({"bits", "spread"})->Args({24, 0})->Args({53, 0})->Args({53, 30});
 }
-BENCHMARK(determinant<exact::Dyadic>)->Name("dyadic")->Apply(kinds);
-BENCHMARK(determinant<exact::Expansion>)->Name("expansion")->Apply(kinds_in_range);
+BENCHMARK(determinant<detail::exact::Dyadic>)->Name("dyadic")->Apply(kinds);
+BENCHMARK(determinant<detail::exact::Expansion>)->Name("expansion")->Apply(kinds_in_range);
 BENCHMARK(determinant<BoostDyadic>)->Name("boost")->Apply(kinds);
 
 }  // namespace

@@ -62,13 +62,13 @@ void guessed_by_map(benchmark::State& state, Family family) {
   if (map.empty()) return state.SkipWithError("no map");
   double vertices = 0;
   run<S>(state, scene, [&](const Vec3<S>& n) {
-    DirectionMap::List list{};
+    detail::DirectionMap::List list{};
     const float x = float(n[0]), y = float(n[1]), z = float(n[2]);
     if (!map.find(x, y, z, list)) return 0u;
     return list.vertex[detail::approximate_scan(list.xyz, list.size, x, y, z)];
   });
   for (const Vec3<S>& n : scene.directions) {
-    DirectionMap::List list{};
+    detail::DirectionMap::List list{};
     if (map.find(float(n[0]), float(n[1]), float(n[2]), list)) vertices += static_cast<double>(list.size);
   }
   state.counters["vertices"] = vertices / kDirections;

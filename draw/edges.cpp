@@ -27,7 +27,7 @@ std::vector<Vec3<double>> prepared(const std::vector<Vec>& vertices) {
   for (const Vec& x : vertices) {
     Vec3<double> p = ((x - middle) / reach).cast<double>();
     for (int i = 0; i < 3; ++i) {
-      if (std::abs(p[i]) < exact::kLeastCoordinate) p[i] = 0;
+      if (std::abs(p[i]) < detail::exact::kLeastCoordinate) p[i] = 0;
     }
     out.push_back(p);
   }
@@ -48,7 +48,7 @@ Lines polytope_edges(const std::vector<Vec>& vertices, const Pose& pose, const V
   std::sort(distinct.begin(), distinct.end(), less);
   const auto equal = [&](std::uint32_t i, std::uint32_t j) { return points[i] == points[j]; };
   distinct.erase(std::unique(distinct.begin(), distinct.end(), equal), distinct.end());
-  const exact::PointSet set(points);
+  const detail::exact::PointSet set(points);
   if (!set.valid()) return {};
 
   struct Face {

@@ -63,7 +63,7 @@ class HullCheck {
     }
   }
 
-  [[nodiscard]] std::string graph_fault(const HullGraph<S>& graph) const {
+  [[nodiscard]] std::string graph_fault(const detail::HullGraph<S>& graph) const {
     const std::set<std::uint32_t> vertices(graph.vertex.begin(), graph.vertex.end());
     if (vertices != extreme_ || graph.vertex.size() != extreme_.size()) {
       return fmt::format("{} vertices in the graph, {} extreme points", graph.vertex.size(), extreme_.size());

@@ -45,5 +45,5 @@ inline constexpr double kLinearCertifiedWidth = 1e-12;
 }}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 #endif

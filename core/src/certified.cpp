@@ -1,5 +1,5 @@
 // Tier certified.
-#include <graze/detail/casts/certified_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 #include <graze/detail/numeric/flags.hpp>
 
 #include "elsewhere.hpp"

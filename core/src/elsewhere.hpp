@@ -4,11 +4,12 @@
 // once more in certified.cpp, and both of them in standard.cpp.
 #pragma once
 
-#include <graze/cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_ELSEWHERE(S)                                                                         \
+  extern template bool detail::exact_walk(const Body<S>&, const Body<S>&, const CastOptions<S>&, CastResult<S>&); \
   extern template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
   extern template CastResult<S> cast_certified(const Body<S>&, const Body<S>&, const CastOptions<S>&);
 

@@ -1,11 +1,13 @@
 // Tier exact: casts, and the queries that it answers.
-#include <graze/detail/casts/exact_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 #include <graze/detail/numeric/flags.hpp>
 #include <graze/detail/queries/exact_queries.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-#define GRAZE_INSTANCES(S)                                                                  \
+#define GRAZE_INSTANCES(S) \
+  template bool detail::exact_walk(const Body<S>&, const Body<S>&, const CastOptions<S>&, CastResult<S>&); \
+                                                                 \
   template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
   template OverlapResult<S> overlap_exact(const Body<S>&, const Body<S>&);                  \
   template LineResult<S> line_exact(const Body<S>&, const Body<S>&, const LineOptions<S>&); \

@@ -1,5 +1,5 @@
 // Tier standard, and the choice of a tier.
-#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 #include <graze/detail/numeric/flags.hpp>
 
 #include "elsewhere.hpp"

@@ -12,7 +12,7 @@ ADDED_BY = {"linear": "add_linear_methods", "query": "add_query_methods", "rotat
 ENTRIES = {
     "graze/detail/casts/exact_cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
     "graze/detail/casts/certified_cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
-    "graze/detail/casts/standard_cast.hpp": ("CastResult", "cast", "CastOptions"),
+    "graze/detail/casts/ladder.hpp": ("CastResult", "cast", "CastOptions"),
     "graze/detail/queries/distance_query.hpp": ("DistanceResult", "distance", "DistanceOptions"),
     "graze/detail/queries/line_query.hpp": ("LineResult", "line", "LineOptions"),
     "graze/detail/queries/penetration_query.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),

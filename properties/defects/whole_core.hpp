@@ -2,7 +2,7 @@
 // alone, and comes before the library where the two are linked: so a defect in the headers is in the program.
 #pragma once
 
-#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 #include <graze/detail/queries/distance_query.hpp>
 #include <graze/detail/queries/exact_queries.hpp>
 #include <graze/detail/queries/line_query.hpp>

@@ -165,7 +165,7 @@ std::optional<Shape<double>> with_other_adjacency(const Shape<double>& shape) {
   const auto* hull = std::get_if<Hull<double>>(&shape);
   if (hull == nullptr) return with_one_part(shape, &with_other_adjacency);
   if (hull->has_adjacency()) return Hull<double>(hull->vertices());
-  if (hull->size() < kMapFrom) return std::nullopt;
+  if (hull->size() < graze::detail::kMapFrom) return std::nullopt;
   Hull<double> derived = with_adjacency(hull->vertices());
   if (!derived.has_adjacency()) return std::nullopt;
   return derived;

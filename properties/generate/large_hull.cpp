@@ -129,7 +129,7 @@ struct Large {
 Large draw_hull(Random& random) {
   constexpr std::size_t kMore = 64;
   const Sort sort = kSorts[random.below(kSorts.size())];
-  Dense dense = draw_points(random, sort, kMapFrom + random.below(kMore));
+  Dense dense = draw_points(random, sort, graze::detail::kMapFrom + random.below(kMore));
   Points& all = dense.points;
   Vec3<double> extent(1, 1, 1);
   if (!random.once_in(3)) {

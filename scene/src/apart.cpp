@@ -148,7 +148,7 @@ Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
   const auto farther = [&](const Vec3<double>& n) {
     const Ends ends = support(n, true);
     const bool is_end = n.dot(ends.w[1]) > n.dot(ends.w[0]);
-    CsoPoint<double> p;
+    detail::CsoPoint<double> p;
     p.w = ends.w[is_end ? 1 : 0];
     p.vertex_a = ends.vertex_a;
     p.vertex_b = ends.vertex_b;
@@ -156,9 +156,9 @@ Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
     p.n = n;
     return p;
   };
-  Simplex<double> simplex;
+  detail::Simplex<double> simplex;
   const Vec3<double> start = hint != zero() ? hint : Vec3<double>((apart_[0] + apart_[1]) / 2);
-  const Vec3<double> n = gjk_distance(farther, zero(), start, simplex, 0x1p-10 * (a_.size + b_.size),
+  const Vec3<double> n = detail::gjk_distance(farther, zero(), start, simplex, 0x1p-10 * (a_.size + b_.size),
                                       swept_ + margin_, kBudget, counters_)
                              .n;
   return n != zero() && is_parted_by(n) ? n : zero();
@@ -166,16 +166,16 @@ Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
 
 bool StepPair::holds_origin(const std::array<Vec3<double>, 4>& w, int size) const {
   const double most = 2 * error_ + margin_;  // what a point may be off, and the depth
-  Simplex<double> simplex;
+  detail::Simplex<double> simplex;
   double longest = 0;
   for (int i = 0; i < size; ++i) {
-    CsoPoint<double> p;
+    detail::CsoPoint<double> p;
     p.w = w[static_cast<std::size_t>(i)];
     simplex.add(p);
     longest = std::max(longest, p.w.cwiseAbs().sum());
   }
   if (radius_ > 0) {
-    const Closest<double> closest = closest_to_origin(simplex, zero());
+    const detail::Closest<double> closest = detail::closest_to_origin(simplex, zero());
     if (closest.v.norm() * kUp + 16 * u * longest + most <= radius_ * (1 - 0x1p-38)) return true;
   }
   if (size != 4) return false;
@@ -202,15 +202,15 @@ bool StepPair::is_held_by(const Touching& features) {
 std::optional<Touching> StepPair::find_touching() {
   const auto at_start = [&](const Vec3<double>& n) {
     const Ends ends = support(n, false);
-    CsoPoint<double> p;
+    detail::CsoPoint<double> p;
     p.w = ends.w[0];
     p.n = n;
     p.vertex_a = ends.vertex_a;
     p.vertex_b = ends.vertex_b;
     return p;
   };
-  Simplex<double> simplex;
-  gjk_distance(at_start, zero(), start_, simplex, 0.0, radius_ / 2, kBudget, counters_);
+  detail::Simplex<double> simplex;
+  detail::gjk_distance(at_start, zero(), start_, simplex, 0.0, radius_ / 2, kBudget, counters_);
   Touching out;
   out.size = simplex.size;
   std::array<Vec3<double>, 4> w;

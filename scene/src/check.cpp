@@ -36,7 +36,7 @@ std::string why_invalid_body(const RotatingBody<double>& moving, double t_max) {
 // The body has passed why_invalid_body().
 std::string why_not_exact(const RotatingBody<double>& moving) {
   if (moving.rotation != Vec3<double>::Zero()) return "rotates, which the exact tier does not support";
-  if (exact::is_exact(moving.body.shape)) return {};
+  if (detail::exact::is_exact(moving.body.shape)) return {};
   return to_text(InvalidAt{
       .why = Invalid::not_exact, .body = InvalidBody::none, .field = InvalidField::shape, .part = 0});
 }

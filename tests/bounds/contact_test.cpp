@@ -50,7 +50,7 @@ TEST(ContactBounds, ASupportPointIsWhereItsFeatureSays) {
       const Vec3<double> n = draw.direction(scene);
       const auto with = [&] { return describe(scene, n, t); };
       pair.place(t);
-      const CsoPoint<double> p = pair.cso().support(n);
+      const detail::CsoPoint<double> p = pair.cso().support(n);
       const double e = detail::contact_error(pair);
       const BallVec w(p.w), m(draw.direction(scene));
       inside.add(e, positive_part((dot(m, w) - truth.height(m, t)) / norm(m)), with);
@@ -160,9 +160,9 @@ TEST(ContactBounds, APassageIsOne) {
                  t_2 = then + dt * draw.plain().between(-0.05, 0.2);
     if (!(t_1 < t_2)) continue;
     MovingPair pair(scene.a, scene.b, 0.0);
-    Simplex<double> triangle;
+    detail::Simplex<double> triangle;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      CsoPoint<double> p;
+      detail::CsoPoint<double> p;
       p.vertex_a = k;
       triangle.add(p);
     }

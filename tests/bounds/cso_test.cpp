@@ -48,7 +48,7 @@ void check_cso(const std::string& name, detail::Turning turning, std::uint64_t s
     // Beyond the range of floats; there the bounds are double's.
     if (sizeof(S) == 4 && scene.is(Hostile::mixed_magnitudes)) continue;
     const Body<double>&a = scene.a.body, &b = scene.b.body;
-    const Cso<S> cso(a, b, 0.0, turning);
+    const detail::Cso<S> cso(a, b, 0.0, turning);
     const Ball unit = two_to(-cso.length_exponent());
     const Standing of_a(a, a.position), of_b(b, a.position);
     for (int k = 0; k < 3; ++k) {
@@ -64,7 +64,7 @@ void check_cso(const std::string& name, detail::Turning turning, std::uint64_t s
       const Vec3<S> n = chosen.template cast<S>();
       const BallVec along(n.template cast<double>());
       const auto with = [&] { return describe(scene, n.template cast<double>(), 0); };
-      const CsoPoint<S> found = cso.support(n);
+      const detail::CsoPoint<S> found = cso.support(n);
       const BallVec w(found.w.template cast<double>());
       const Ball length = norm(along), highest = unit * (of_a.height(along) + of_b.height(-along));
       reach.add(cso.reach_error(), abs(dot(along, w) - highest) / length, with);

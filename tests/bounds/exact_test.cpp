@@ -13,12 +13,12 @@
 namespace graze::test {
 namespace {
 
-using exact::Dyadic;
-using exact::Fine;
-using exact::Pair;
-using exact::Scene;
-using exact::Term;
-using exact::Vertex;
+using detail::exact::Dyadic;
+using detail::exact::Fine;
+using detail::exact::Pair;
+using detail::exact::Scene;
+using detail::exact::Term;
+using detail::exact::Vertex;
 using oracle::WorkingPrecision;
 
 constexpr long kExactBits = 40000;  // more than a Dyadic holds
@@ -141,7 +141,7 @@ void compare_terms(const Scene<double>& scene, const std::vector<Term>& terms, T
                    const std::function<std::string()>& with) {
   for (const Term& term : terms) {
     const Fine fine = scene.fine(term);
-    const exact::Exact truth = scene.exact(term);
+    const detail::exact::Exact truth = scene.exact(term);
     ASSERT_TRUE(scene.valid());
     if (!(fine.size > 0)) continue;
     Ball most;
@@ -261,7 +261,7 @@ TEST(ExactBounds, DirectionsOfTwoTerms) {
     const Term f = Term::difference(vertex_of(draw, a, b), vertex_of(draw, a, b)),
                g = draw.chance(0.5) ? Term::given(draw.plain().vector<double>(1))
                                     : Term::point(vertex_of(draw, a, b));
-    const exact::Direction seen = exact::direction_of(scene, f, g, 1);
+    const detail::exact::Direction seen = detail::exact::direction_of(scene, f, g, 1);
     many += !scene.has_fine();
     if (!(seen.error.maxCoeff() < kInfinity<double>) || !seen.approx.allFinite()) {
       // Whoever compares with it is never sure: no component may look known.
@@ -271,9 +271,9 @@ TEST(ExactBounds, DirectionsOfTwoTerms) {
       ++unknown;
       continue;
     }
-    const exact::Exact x = scene.exact(f), y = scene.exact(g);
+    const detail::exact::Exact x = scene.exact(f), y = scene.exact(g);
     if (!scene.valid()) continue;  // beyond what exact numbers hold: no sign is trusted
-    const exact::Dyadic3 n = exact::cross(x.x, y.x);
+    const detail::exact::Dyadic3 n = detail::exact::cross(x.x, y.x);
     if (!n[0].valid() || !n[1].valid() || !n[2].valid()) continue;
     // The factor that pairs of doubles were scaled by: the same weights stand in both.
     const auto scale = [&](const Term& term) {
@@ -311,13 +311,13 @@ TEST(ExactBounds, WhatIsBeyondIsFound) {
     const Body<double> a{.shape = all}, b{.shape = Box<double>{{1, 1, 1}}, .position = {3, 0, 0}};
     ASSERT_EQ(validate(a), Invalid::none);
     const Scene<double> scene(a, b, 0, 0);
-    const PreparedPair<double> pair(a, b);
-    const exact::BeyondSearch<double> search(scene, pair);
+    const detail::PreparedPair<double> pair(a, b);
+    const detail::exact::BeyondSearch<double> search(scene, pair);
     Vertex from = vertex_of(draw, a, b);
     const Term f = Term::given(Vec3<double>(draw.chance(0.5) ? 1 : -1, 0.5, 0.25)), g = Term::point(from);
-    const exact::Direction n = exact::direction_of(scene, f, g, 1);
+    const detail::exact::Direction n = detail::exact::direction_of(scene, f, g, 1);
     overflowed += !(scene.fine(g).size < kInfinity<double>);
-    const exact::Dyadic3 along = exact::cross(scene.exact(f).x, scene.exact(g).x);
+    const detail::exact::Dyadic3 along = detail::exact::cross(scene.exact(f).x, scene.exact(g).x);
     // From vertex to vertex, until nothing is beyond.
     for (int step = 0; step < 40; ++step) {
       Vertex beyond{};
@@ -327,7 +327,7 @@ TEST(ExactBounds, WhatIsBeyondIsFound) {
         const auto& leaf = scene.leaves()[l];
         for (std::uint32_t k = 0; k < leaf.count; ++k) {
           if (k == leaf.vertex(from)) continue;
-          const exact::Dyadic height = exact::dot(scene.exact(Term::step(l, leaf.vertex(from), k)).x, along);
+          const detail::exact::Dyadic height = detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(from), k)).x, along);
           known = known && height.valid();
           truth = truth || height.sign() > 0;
         }

@@ -13,14 +13,14 @@
 namespace graze::test {
 namespace {
 
-using exact::Dyadic;
-using exact::Facet;
-using exact::Meeting;
-using exact::Pair;
-using exact::Scene;
-using exact::Steps;
-using exact::Term;
-using exact::Vertex;
+using detail::exact::Dyadic;
+using detail::exact::Facet;
+using detail::exact::Meeting;
+using detail::exact::Pair;
+using detail::exact::Scene;
+using detail::exact::Steps;
+using detail::exact::Term;
+using detail::exact::Vertex;
 using oracle::WorkingPrecision;
 
 constexpr long kExactBits = 16000;
@@ -35,7 +35,7 @@ Ball exactly(Dyadic x) {
   }
   return out;
 }
-BallVec exactly(const exact::Exact& x) {
+BallVec exactly(const detail::exact::Exact& x) {
   const Ball weight = exactly(x.weight);
   return {exactly(x.x[0]) / weight, exactly(x.x[1]) / weight, exactly(x.x[2]) / weight};
 }
@@ -66,7 +66,7 @@ TEST(MeetingBounds, ProductsAndQuotientsOfPairs) {
           << "\n";
       return out.str();
     };
-    const Pair product = exact::times(x, s), quotient = exact::over(x, w, 1 / rounded(w));
+    const Pair product = detail::exact::times(x, s), quotient = detail::exact::over(x, w, 1 / rounded(w));
     products.add(0x1p-97,
                  abs(Ball(product.hi) + Ball(product.lo) - true_x * Ball(s)) / Ball(2 * size * std::abs(s)),
                  with);
@@ -88,7 +88,7 @@ class Numbers {
     seen_.push_back(draw_.chance(0.2) ? std::round(x) : x);
     return seen_.back();
   }
-  Triple triple() {
+  detail::Triple triple() {
     const double x = next(), y = next();
     return {x, y, next()};
   }
@@ -106,13 +106,13 @@ TEST(MeetingBounds, NormalsOfEdgesInDoubles) {
   for (int i = 0; i < rounds(3000); ++i) {
     Numbers numbers(draw);
     const bool of_b = draw.chance(0.7), of_a = !of_b || draw.chance(0.7);
-    std::array<Triple, 3> a, b;
+    std::array<detail::Triple, 3> a, b;
     for (std::size_t k = 0; k < 3; ++k) {
       a[k] = of_a || k == 0 ? numbers.triple() : a[0];
       b[k] = of_b || k == 0 ? numbers.triple() : b[0];
     }
     const Steps e{a[1] - a[0], b[1] - b[0]}, f{a[2] - a[0], b[2] - b[0]};
-    const Vec3<double> error = exact::normal_error(e, f), n = cross(e.edge(), f.edge()).vector();
+    const Vec3<double> error = detail::exact::normal_error(e, f), n = cross(e.edge(), f.edge()).vector();
     const auto edge = [&](std::size_t k) {
       return (exactly(a[k]) - exactly(a[0])) - (exactly(b[k]) - exactly(b[0]));
     };
@@ -270,7 +270,7 @@ TEST(MeetingBounds, TimesOfAnyFacets) {
   int decided = 0, looked_at = 0;
   for (int i = 0; i < rounds(1200); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const PreparedPair<double> pair(s.a, s.b);
+    const detail::PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     Facet facet;
     if (!any_facet(draw, s, scene, facet)) continue;
@@ -280,7 +280,7 @@ TEST(MeetingBounds, TimesOfAnyFacets) {
     if (q == nullptr) continue;
     ++looked_at;
     const auto with = [&] { return s.text(); };
-    const exact::ExactTime time = exact::exact_time(scene, facet, v);
+    const detail::exact::ExactTime time = detail::exact::exact_time(scene, facet, v);
     const std::array<BallVec, 3> c = corners(scene, facet);
     ASSERT_TRUE(scene.valid());
     const Ball t = exactly(time.numerator) / exactly(time.denominator) *
@@ -289,7 +289,7 @@ TEST(MeetingBounds, TimesOfAnyFacets) {
     const BallVec n = unit_of(cross(c[1] - c[0], c[2] - c[0]));
     normals.add(2 * kUnitRoundoff<double>, largest_of(BallVec(meeting.normal()) - n), with);
     const int before = scene.exact_decisions();
-    const exact::TimeBracket found = meeting.time(), truth = exact::bracket_of(time);
+    const detail::exact::TimeBracket found = meeting.time(), truth = detail::exact::bracket_of(time);
     decided += scene.exact_decisions() == before;
     EXPECT_TRUE(found.lower == truth.lower && found.upper == truth.upper) << s.text();
   }
@@ -313,9 +313,9 @@ TEST(MeetingBounds, WitnessesOfFacetsThatAreMet) {
     s.b.displacement = 2 * (s.a.position - s.b.position);
     s.a.displacement.setZero();
     Counters counters;
-    exact::PassageSearch<double> search(s.a, s.b, counters);
-    const exact::Answer answer = search.pass();
-    if (answer.passage != exact::Passage::ahead || answer.facet.size != 3) continue;
+    detail::exact::PassageSearch<double> search(s.a, s.b, counters);
+    const detail::exact::Answer answer = search.pass();
+    if (answer.passage != detail::exact::Passage::ahead || answer.facet.size != 3) continue;
     Meeting<double> meeting(search.pair(), search.scene(), answer.facet, search.v());
     const double t = meeting.time().lower;
     const auto [p, q] = meeting.witnesses(t);
@@ -350,9 +350,9 @@ TEST(MeetingBounds, WhatIsBeyondAFaceInItsOwnAxes) {
   for (int i = 0; i < rounds(400); ++i) {
     const bool alike = i % 2 == 0;
     const Scenery s = sceneries.next(alike ? Turns::alike : Turns::both);
-    const PreparedPair<double> pair(s.a, s.b);
+    const detail::PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
-    const exact::BeyondSearch<double> search(scene, pair);
+    const detail::exact::BeyondSearch<double> search(scene, pair);
     std::array<Vertex, 3> c;
     for (Vertex& v : c) v = vertex_of(draw, s);
     const bool of_a = draw.chance(0.5);
@@ -361,14 +361,14 @@ TEST(MeetingBounds, WhatIsBeyondAFaceInItsOwnAxes) {
       return {pair.a().own(c[k].a) - pair.a().own(c[0].a), pair.b().own(c[k].b) - pair.b().own(c[0].b)};
     };
     const Steps e = step(1), f = step(2);
-    const Triple own = cross(e.edge(), f.edge());
-    exact::Direction n{Term::difference(c[0], c[1]), Term::difference(c[0], c[2]), 1, own.vector()};
+    const detail::Triple own = cross(e.edge(), f.edge());
+    detail::exact::Direction n{Term::difference(c[0], c[1]), Term::difference(c[0], c[2]), 1, own.vector()};
     // In the world's axes nothing is known.
     n.error.setConstant(0x1p600);
     n.of_body = {alike || of_a, alike || !of_a};
     n.own = own.vector();
-    n.own_error = exact::normal_error(e, f);
-    const exact::Dyadic3 along = exact::cross(scene.exact(n.f1).x, scene.exact(n.f2).x);
+    n.own_error = detail::exact::normal_error(e, f);
+    const detail::exact::Dyadic3 along = detail::exact::cross(scene.exact(n.f1).x, scene.exact(n.f2).x);
     const int before = scene.exact_decisions();
     Vertex beyond{};
     const bool seen = search.find(n, c[0], std::array{c[1], c[2]}, beyond);
@@ -378,7 +378,7 @@ TEST(MeetingBounds, WhatIsBeyondAFaceInItsOwnAxes) {
       const auto& leaf = scene.leaves()[l];
       for (std::uint32_t k = 0; k < leaf.count; ++k) {
         if (k == leaf.vertex(c[0])) continue;
-        const exact::Dyadic height = exact::dot(scene.exact(Term::step(l, leaf.vertex(c[0]), k)).x, along);
+        const detail::exact::Dyadic height = detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(c[0]), k)).x, along);
         truth = truth || height.sign() > 0;
       }
     }
@@ -400,12 +400,12 @@ TEST(MeetingBounds, SidesOfTheMiddle) {
   Tally sides("side_of_middle, over its error");
   for (int i = 0; i < rounds(800); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const PreparedPair<double> pair(s.a, s.b);
+    const detail::PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
-    const exact::Line line(Term::motion(), pair.direction());
-    const exact::Bounds bounds(pair);
+    const detail::exact::Line line(Term::motion(), pair.direction());
+    const detail::exact::Bounds bounds(pair);
     const auto corner = [&](const Vertex& v) {
-      exact::Corner out;
+      detail::exact::Corner out;
       out.id = v;
       out.w = pair.a().at(v.a) - (pair.b().at(v.b) + pair.offset());
       out.qx = dot(line.across_x, out.w);
@@ -421,7 +421,7 @@ TEST(MeetingBounds, SidesOfTheMiddle) {
     }
     const Vertex c = vertex_of(draw, s), d = vertex_of(draw, s);
     if (c == d) continue;
-    const exact::Measured found = exact::side_of_middle(corner(c), corner(d), x, y, bounds.seen);
+    const detail::exact::Measured found = detail::exact::side_of_middle(corner(c), corner(d), x, y, bounds.seen);
     const BallVec v = exactly(scene.exact(Term::motion()));
     const std::array<Ball, 3> along = {v.x, v.y, v.z};
     const Ball truth = dot(exactly(scene.exact(Term::difference(c, d))),
@@ -442,22 +442,22 @@ TEST(MeetingBounds, HeightsAlongAnAxisOfTheQuickWalk) {
       motions("n.r of the path, over 16 u |n|_1");
   for (int i = 0; i < rounds(300); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const PreparedPair<double> pair(s.a, s.b);
+    const detail::PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const double horizon = pair.extent() * draw.plain().between(0, 2);
     Counters counters;
-    const FastWalk<double, true> walk(pair, horizon, 0, kFastSteps, counters);
-    Triple n = triple(draw.plain().vector<double>(1));
+    const detail::FastWalk<double, true> walk(pair, horizon, 0, detail::kFastSteps, counters);
+    detail::Triple n = detail::triple(draw.plain().vector<double>(1));
     // Often nearly the normal of a face, along which several vertices are nearly as far.
     if (draw.chance(0.5)) {
       const Vertex x = vertex_of(draw, s), y = vertex_of(draw, s), z = vertex_of(draw, s);
       const auto at = [&](const Vertex& v) { return pair.a().at(v.a) - pair.b().at(v.b); };
-      const Triple face = cross(at(y) - at(x), at(z) - at(x));
+      const detail::Triple face = cross(at(y) - at(x), at(z) - at(x));
       if (sum(magnitude(face)) > 0x1p-60) n = face;
     }
     Vertex w{};
-    const Triple a = pair.a().farthest(n, w.a), b = pair.b().farthest(-n, w.b), d = pair.offset();
-    const Triple far{a.x - (b.x + d.x), a.y - (b.y + d.y), a.z - (b.z + d.z)};
+    const detail::Triple a = pair.a().farthest(n, w.a), b = pair.b().farthest(-n, w.b), d = pair.offset();
+    const detail::Triple far{a.x - (b.x + d.x), a.y - (b.y + d.y), a.z - (b.z + d.z)};
     const BallVec true_n = exactly(n), v = exactly(scene.exact(Term::motion()));
     const auto height = [&](const Vertex& at) { return dot(true_n, exactly(scene.exact(Term::point(at)))); };
     Vertex best = w;
@@ -489,16 +489,16 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
   int moved = 0;
   for (int i = 0; i < rounds(600); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const PreparedPair<double> pair(s.a, s.b);
+    const detail::PreparedPair<double> pair(s.a, s.b);
     if (!pair.moves()) continue;
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const double end =
-        swept_reach(pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 2));
+        detail::swept_reach(pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 2));
     Counters counters;
-    SweptSupport<double> support(pair, end, counters);
-    const Triple n = triple(draw.plain().vector<double>(1));
-    if (is_small_direction(n)) continue;
-    PairVertex found;
+    detail::SweptSupport<double> support(pair, end, counters);
+    const detail::Triple n = detail::triple(draw.plain().vector<double>(1));
+    if (detail::is_small_direction(n)) continue;
+    detail::PairVertex found;
     draw.chance(0.5) ? support.guess(n, found) : support.sure(n, found);
     const bool is_moved = dot(n, pair.direction()) < 0;
     moved += is_moved ? 1 : 0;

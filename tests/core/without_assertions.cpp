@@ -6,4 +6,4 @@
 #error "this file is compiled without assertions, whatever the build has"
 #endif
 
-float round_down_without_assertions(double x) { return graze::detail::exact::round_down<float>(x); }
+float round_down_without_assertions(double x) { return graze::detail::round_down<float>(x); }

@@ -260,13 +260,13 @@ TEST(CertifiedOpen, ATieOnTheWayIsNearContactAtItsLowerEnd) {
 TEST(ExactStart, RootsAreRoundedUpAndExactOnSquares) {
   Draw draw{5};
   for (int i = 0; i < 2000; ++i) {
-    exact::Dyadic root(draw.between(0.5, 1) * std::ldexp(1.0, static_cast<int>(draw.bits() % 200) - 100));
+    detail::exact::Dyadic root(draw.between(0.5, 1) * std::ldexp(1.0, static_cast<int>(draw.bits() % 200) - 100));
     for (int k = static_cast<int>(draw.bits() % 4); k > 0; --k)
-      root = root * exact::Dyadic(draw.between(0.5, 1));
-    const exact::Dyadic square = root * root;
+      root = root * detail::exact::Dyadic(draw.between(0.5, 1));
+    const detail::exact::Dyadic square = root * root;
     EXPECT_EQ((detail::root_up(square) - root).sign(), 0) << i;
-    const exact::Dyadic other = square + exact::Dyadic(1).times_power_of_two(square.order() - 150);
-    const exact::Dyadic above = detail::root_up(other), less = above - above.times_power_of_two(-249);
+    const detail::exact::Dyadic other = square + detail::exact::Dyadic(1).times_power_of_two(square.order() - 150);
+    const detail::exact::Dyadic above = detail::root_up(other), less = above - above.times_power_of_two(-249);
     EXPECT_GE((above * above - other).sign(), 0) << i;
     EXPECT_LT((less * less - other).sign(), 0) << i;
   }
@@ -279,17 +279,17 @@ TEST(ExactStart, TheSignOfASumOfRootsIsExact) {
   for (int i = 0; i < 4000; ++i) {
     const auto any = [&] { return static_cast<double>(draw.bits() % 8); };
     const double x = any(), y = any(), z = any(), whole = -any() - any() - any();
-    const auto square = [](double root) { return exact::Dyadic(root) * exact::Dyadic(root); };
+    const auto square = [](double root) { return detail::exact::Dyadic(root) * detail::exact::Dyadic(root); };
     bool valid = true;
     const double sum = x + y + z + whole;
     zeros += sum == 0;
-    EXPECT_EQ(detail::sign_of_root_sum(exact::Dyadic(whole), square(x), square(y), square(z), valid),
+    EXPECT_EQ(detail::sign_of_root_sum(detail::exact::Dyadic(whole), square(x), square(y), square(z), valid),
               (sum > 0) - (sum < 0));
     // sqrt(2) x + sqrt(8) y against sqrt(2) z: by a root of one square more.
-    const auto twice = [&](double root) { return exact::Dyadic(2) * square(root); };
+    const auto twice = [&](double root) { return detail::exact::Dyadic(2) * square(root); };
     const double irrational = std::sqrt(2.0) * (x + 2 * y) + whole;
     if (std::abs(irrational) > 1e-9) {
-      EXPECT_EQ(detail::sign_of_root_sum(exact::Dyadic(whole), twice(x), twice(2 * y), valid),
+      EXPECT_EQ(detail::sign_of_root_sum(detail::exact::Dyadic(whole), twice(x), twice(2 * y), valid),
                 irrational > 0 ? 1 : -1);
     }
     EXPECT_TRUE(valid);

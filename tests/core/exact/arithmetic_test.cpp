@@ -5,7 +5,7 @@
 
 #include "tests/shared/generate.hpp"
 
-namespace graze::exact {
+namespace graze::detail::exact {
 namespace {
 
 using test::Draw;
@@ -141,4 +141,4 @@ TEST(Pierce, WhatItDoesNotDecideItDoesNotClaim) {
 }
 
 }  // namespace
-}  // namespace graze::exact
+}  // namespace graze::detail::exact

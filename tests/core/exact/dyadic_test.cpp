@@ -9,7 +9,7 @@
 
 #include "corpus/random.hpp"
 
-namespace graze::exact {
+namespace graze::detail::exact {
 namespace {
 
 struct Both {
@@ -122,4 +122,4 @@ TEST(Limbs, ProductInHalvesIsExact) {
 }
 
 }  // namespace
-}  // namespace graze::exact
+}  // namespace graze::detail::exact

@@ -231,16 +231,16 @@ TEST(ExactRare, ADirectionBeyondDoublesIsUnknown) {
     turned.shapes.push_back(share(nested));
   }
   const Body<double> a{.shape = turned}, b;
-  const exact::Scene<double> scene(a, b, 0, 0);
+  const detail::exact::Scene<double> scene(a, b, 0, 0);
   const auto vertex = [](std::uint32_t k) {
-    exact::Vertex v{};
+    detail::exact::Vertex v{};
     v.a = k;
     return v;
   };
   constexpr std::uint32_t kLast = 3486784400;  // 3^20 - 1: the last vertex of every part
-  const auto first = exact::Term::difference(vertex(0), vertex(kLast)),
-             second = exact::Term::difference(vertex(0), vertex(kLast / 2));
-  const exact::Direction n = exact::direction_of(scene, first, second, 1);
+  const auto first = detail::exact::Term::difference(vertex(0), vertex(kLast)),
+             second = detail::exact::Term::difference(vertex(0), vertex(kLast / 2));
+  const detail::exact::Direction n = detail::exact::direction_of(scene, first, second, 1);
   EXPECT_EQ(n.approx, V::Zero());
   EXPECT_GT(n.error.minCoeff(), 1e100);
   EXPECT_LT(n.error.maxCoeff(), kInfinity<double>);
@@ -253,15 +253,15 @@ TEST(ExactRare, ADirectionBeyondDoublesIsUnknown) {
 TEST(ExactRare, APointOfTheInsideIsOfItsOwnVertices) {
   const Body<double> a{.shape = Hull<double>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0x1p-200, 5, 5}}};
   const Body<double> b;
-  const exact::Scene<double> scene(a, b, 0, 0);
+  const detail::exact::Scene<double> scene(a, b, 0, 0);
   const auto vertex = [](std::uint32_t k) {
-    exact::Vertex v{};
+    detail::exact::Vertex v{};
     v.a = k;
     return v;
   };
-  exact::Term inside = exact::Term::inside({vertex(0), vertex(1), vertex(2)}, vertex(3));
+  detail::exact::Term inside = detail::exact::Term::inside({vertex(0), vertex(1), vertex(2)}, vertex(3));
   inside.to = vertex(4);
-  EXPECT_EQ(scene.determinant_sign(inside, inside, exact::Term::point(vertex(1))), 0);
+  EXPECT_EQ(scene.determinant_sign(inside, inside, detail::exact::Term::point(vertex(1))), 0);
   EXPECT_EQ(scene.exact_decisions(), 0);
 }
 

@@ -7,7 +7,7 @@
 
 #include "tests/shared/generate.hpp"
 
-namespace graze::exact {
+namespace graze::detail::exact {
 namespace {
 
 using test::Draw;
@@ -185,4 +185,4 @@ TEST(Heights, NearlyParallelCapsTakeFewDecisions) {
 }
 
 }  // namespace
-}  // namespace graze::exact
+}  // namespace graze::detail::exact

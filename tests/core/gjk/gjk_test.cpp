@@ -10,15 +10,15 @@ namespace {
 using test::Draw;
 
 struct Measured {
-  Distance<double> d;
+  detail::Distance<double> d;
   Counters counters;
 };
 
 Measured distance(const Body<double>& a, const Body<double>& b, int budget = 256) {
-  const Cso<double> cso(a, b);
-  Simplex<double> simplex;
+  const detail::Cso<double> cso(a, b);
+  detail::Simplex<double> simplex;
   Measured out;
-  out.d = gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, budget, out.counters);
+  out.d = detail::gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, budget, out.counters);
   out.d.lower = cso.to_length(out.d.lower);
   out.d.upper = cso.to_length(out.d.upper);
   return out;
@@ -47,7 +47,7 @@ TEST(GjkDistance, AxisProvesTheLowerBound) {
     Body<double> a{.shape = draw.hull<double>(12, 1)}, b{.shape = draw.hull<double>(20, 1)};
     b.position = draw.vector<double>(3);
     a.orientation = draw.turn<double>();
-    const Cso<double> cso(a, b);
+    const detail::Cso<double> cso(a, b);
     const Measured m = distance(a, b);
     if (m.d.n == Vec3<double>::Zero()) continue;
     EXPECT_NEAR(m.d.n.norm(), 1, 4 * kUnitRoundoff<double>);
@@ -72,11 +72,11 @@ TEST(GjkDistance, SpentBudgetIsAStallWithAnHonestBracket) {
 
 TEST(GjkDistance, NotANumberEndsTheSearch) {
   Body<double> a{.shape = Box<double>{{1, 1, 1}}}, b{.shape = Box<double>{{1, 1, 1}}};
-  const Cso<double> cso(a, b);
-  Simplex<double> simplex;
+  const detail::Cso<double> cso(a, b);
+  detail::Simplex<double> simplex;
   Counters counters;
   const Vec3<double> x = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
-  const Distance<double> d = gjk_distance(cso, x, simplex, 0.0, 0.0, 256, counters);
+  const detail::Distance<double> d = detail::gjk_distance(cso, x, simplex, 0.0, 0.0, 256, counters);
   EXPECT_FALSE(d.lower > 0);
   EXPECT_TRUE(d.stalled);
   EXPECT_LT(counters.supports, 5);

@@ -11,8 +11,8 @@ using test::Draw;
 // v is closest to the origin among the hull of y_i iff v.y_i >= v.v for all i (Wolfe 1976); here with n = -v
 // / |v|, which is found from the feature and is good where v is small.
 template <class S>
-void expect_closest(const Simplex<S>& simplex, const char* what, int round) {
-  const Closest<S> closest = closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));
+void expect_closest(const detail::Simplex<S>& simplex, const char* what, int round) {
+  const detail::Closest<S> closest = detail::closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));
   Vec3<S> v = Vec3<S>::Zero();
   S sum = 0, longest = 0;
   for (int i = 0; i < closest.size; ++i) {
@@ -36,10 +36,10 @@ void expect_closest(const Simplex<S>& simplex, const char* what, int round) {
 }
 
 template <class S>
-Simplex<S> random_simplex(Draw& draw, int size, double spread, const Vec3<S>& at) {
-  Simplex<S> out;
+detail::Simplex<S> random_simplex(Draw& draw, int size, double spread, const Vec3<S>& at) {
+  detail::Simplex<S> out;
   for (int i = 0; i < size; ++i) {
-    CsoPoint<S> p;
+    detail::CsoPoint<S> p;
     p.w = at + draw.vector<S>(spread);
     p.vertex_a = static_cast<std::uint32_t>(i);
     out.add(p);
@@ -55,7 +55,7 @@ TEST(Simplex, ClosestPointIsOptimal) {
     const auto simplex =
         random_simplex<double>(draw, size, 1, draw.vector<double>(round % 8 < 4 ? 0.7 : 0.2));
     expect_closest(simplex, "double ", round);
-    ++reached[static_cast<std::size_t>(closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).size)];
+    ++reached[static_cast<std::size_t>(detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).size)];
     expect_closest(random_simplex<float>(draw, size, 1, draw.vector<float>(0.7)), "float ", round);
   }
   for (std::size_t k = 1; k <= 4; ++k) EXPECT_GT(reached[k], 50) << "features of " << k << " points";
@@ -85,18 +85,18 @@ TEST(Simplex, FlatAndRepeatedCornersAreHarmless) {
 // Two corners 1e-7 apart and a third far off: the normal by the two long edges would round along them.
 TEST(Simplex, SliverNormalIsRelativeToItsArea) {
   const Vec3<double> a(0.3, 0.4, 1), b(0.3 + 1e-7, 0.4, 1), c(0.7, -0.9, 1);
-  for (const auto& n : {face_normal(a, b, c), face_normal(b, c, a), face_normal(c, a, b)}) {
+  for (const auto& n : {detail::face_normal(a, b, c), detail::face_normal(b, c, a), detail::face_normal(c, a, b)}) {
     const Vec3<double> m = n / n.norm();
     EXPECT_LT(std::hypot(m[0], m[1]), 4 * kUnitRoundoff<double>);
   }
 }
 
 TEST(Simplex, NotANumberHasNoClosestPoint) {
-  Simplex<double> simplex;
-  CsoPoint<double> p;
+  detail::Simplex<double> simplex;
+  detail::CsoPoint<double> p;
   p.w = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   simplex.add(p);
-  EXPECT_FALSE(closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).dist_sq < kInfinity<double>);
+  EXPECT_FALSE(detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).dist_sq < kInfinity<double>);
 }
 
 }  // namespace

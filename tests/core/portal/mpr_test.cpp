@@ -11,10 +11,10 @@ using test::Draw;
 
 template <Scalar S>
 Outcome overlap(const Body<S>& a, const Body<S>& b) {
-  const Cso<S> cso(a, b);
+  const detail::Cso<S> cso(a, b);
   Counters counters;
   CastOptions<S> options;
-  return mpr_overlap(cso, sweep_limits(cso, options), counters).outcome;
+  return detail::mpr_overlap(cso, detail::sweep_limits(cso, options), counters).outcome;
 }
 
 TEST(MprOverlap, BoxesTouchingAtAFaceAnEdgeAndACornerOverlap) {
@@ -36,11 +36,11 @@ TEST(MprOverlap, AgreesWithGjkOnHulls) {
         b{.shape = draw.hull<double>(4 + round % 9, 1)};
     b.position = draw.vector<double>(1.6);
     b.orientation = draw.turn<double>();
-    const Cso<double> cso(a, b);
-    Simplex<double> simplex;
+    const detail::Cso<double> cso(a, b);
+    detail::Simplex<double> simplex;
     Counters counters;
-    const Distance<double> d =
-        gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, 256, counters);
+    const detail::Distance<double> d =
+        detail::gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, 256, counters);
     if (d.upper > 1e-13 && !(d.lower > 1e-13)) continue;  // between: either answer is right
     (d.lower > 1e-13 ? apart : together)++;
     EXPECT_EQ(overlap(a, b), d.lower > 1e-13 ? Outcome::miss : Outcome::initially_overlapping) << round;
@@ -114,19 +114,19 @@ TEST(Portal, LineIntoABox) {
       enter = std::max(enter, std::min(near, far));
       leave = std::min(leave, std::max(near, far));
     }
-    const Cso<double> cso(a, b);
-    const Frame<double> frame(cso.direction());
+    const detail::Cso<double> cso(a, b);
+    const detail::Frame<double> frame(cso.direction());
     Counters counters;
-    const auto search = enter_line(cso, frame, kInfinity<double>, 1e-15, 256, counters);
+    const auto search = detail::enter_line(cso, frame, kInfinity<double>, 1e-15, 256, counters);
     if (std::abs(leave - enter) < 1e-9) continue;
     if (enter > leave) {
       ++missed;
-      EXPECT_EQ(search.state, PortalSearch<double>::State::missed) << round;
+      EXPECT_EQ(search.state, detail::PortalSearch<double>::State::missed) << round;
       EXPECT_LT(search.n.dot(cso.support(search.n).w), 0);
       EXPECT_NEAR(search.n.dot(frame.e3), 0, 4 * kUnitRoundoff<double>);
     } else {
       ++entered;
-      ASSERT_EQ(search.state, PortalSearch<double>::State::entered) << round;
+      ASSERT_EQ(search.state, detail::PortalSearch<double>::State::entered) << round;
       EXPECT_NEAR(cso.to_time(search.upper / frame.length), enter, 1e-12 * (1 + std::abs(enter))) << round;
       EXPECT_NEAR(cso.to_time(search.lower / frame.length), enter, 1e-12 * (1 + std::abs(enter))) << round;
     }
@@ -141,11 +141,11 @@ TEST(Portal, LinesOnTheSilhouetteTouch) {
   for (const Vec3<double>& from :
        {Vec3<double>(-3, 1, 0), Vec3<double>(-3, 1, 1), Vec3<double>(-3, 0.25, -1)}) {
     const Body<double> ray{.shape = Point<double>{}, .position = from, .displacement = {4, 0, 0}};
-    const Cso<double> cso(box, ray);
+    const detail::Cso<double> cso(box, ray);
     Counters counters;
     const auto search =
-        enter_line(cso, Frame<double>(cso.direction()), kInfinity<double>, 1e-15, 256, counters);
-    ASSERT_EQ(search.state, PortalSearch<double>::State::entered) << from.transpose();
+        detail::enter_line(cso, detail::Frame<double>(cso.direction()), kInfinity<double>, 1e-15, 256, counters);
+    ASSERT_EQ(search.state, detail::PortalSearch<double>::State::entered) << from.transpose();
     EXPECT_EQ(cso.to_time(search.upper / cso.direction().norm()), 0.5) << from.transpose();
   }
 }

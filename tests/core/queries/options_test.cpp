@@ -174,14 +174,14 @@ TEST(QueryOptions, BoundsOfThePathAskSixSupports) {
   const Body<double> b{
       .shape = Sphere<double>{0.5}, .position = {-4, 0.5, 0.25}, .displacement = {8, 1, 0.5}};
   Counters counters;
-  const auto clip = clip_to_bounds(Cso<double>(kBox, b), 1.0, counters);
+  const auto clip = detail::clip_to_bounds(detail::Cso<double>(kBox, b), 1.0, counters);
   EXPECT_FALSE(clip.missed);
   EXPECT_EQ(counters.supports, 6);
 }
 
 TEST(QueryOptions, APointOfAProofIsASupport) {
   const Body<double> b{.shape = Sphere<double>{0.5}, .position = {4, 0, 0}};
-  const Cso<double> cso(kBox, b);
+  const detail::Cso<double> cso(kBox, b);
   Counters counters;
   const auto context = detail::proof_context(kBox, b, cso, 1.0, 0.0);
   const detail::NamedPoints<double> points(context, counters);
@@ -215,7 +215,7 @@ TEST(QueryOptions, APointOfATargetDistanceIsWithinIt) {
   Draw draw{76};
   const Body<double> b{.shape = Box<double>{{1, 1, 1}}, .position = {4, 0, 0}};
   const double m = 0.3;
-  const Cso<double> cso(kBox, b, m);
+  const detail::Cso<double> cso(kBox, b, m);
   Counters counters;
   const auto context = detail::proof_context(kBox, b, cso, 1.0, m);
   const detail::NamedPoints<double> points(context, counters);

@@ -48,7 +48,7 @@ TYPED_TEST(SweptOverlap, TheVerdictIsTheExactOne) {
             << name(pairs) << ' ' << round << ' ' << static_cast<int>(method);
         if (contact) continue;
         // The axis separates: C at t = 0 and at the end of the path lies on the far side of 0.
-        const Cso<S> cso(a, b);
+        const detail::Cso<S> cso(a, b);
         const Vec3<S> n = r.normal;
         EXPECT_NEAR(n.norm(), 1, 8 * kUnitRoundoff<S>);
         const double slack = 64 * double(kUnitRoundoff<S>) * double(cso.scale());

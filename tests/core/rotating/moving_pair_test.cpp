@@ -77,7 +77,7 @@ TEST(MovingPair, PlacesThePointsWhereTheyAre) {
     for (int k = 0; k < 4; ++k) {
       const double t = draw.between(0, 1);
       pair.place(t);
-      const CsoPoint<double> p = pair.cso().support(draw.vector<double>(1));
+      const detail::CsoPoint<double> p = pair.cso().support(draw.vector<double>(1));
       const Real3 truth =
           world(a, detail::box_vertex(std::get<Box<double>>(a.body.shape).half_extents, p.vertex_a), t) -
           world(b, detail::box_vertex(std::get<Box<double>>(b.body.shape).half_extents, p.vertex_b), t);

@@ -14,10 +14,10 @@ using test::Draw;
 TEST(RotatingParts, TheWeightsOfATetrahedronMeetAtTheOrigin) {
   Draw draw{91};
   for (int round = 0; round < 100; ++round) {
-    Simplex<double> four;
+    detail::Simplex<double> four;
     Vec3<double> last = Vec3<double>::Zero();
     for (int i = 0; i < 4; ++i) {
-      CsoPoint<double> p;
+      detail::CsoPoint<double> p;
       p.w = i < 3 ? draw.vector<double>(1) : Vec3<double>(-(last * draw.between(0.5, 2)));
       last += p.w;
       four.add(p);
@@ -40,9 +40,9 @@ TEST(RotatingParts, APointThatPassesThroughATriangleCrosses) {
   const auto crosses_between = [&](double t_1, double t_2) {
     detail::MovingPair pair(a, b, 0.0);
     pair.place(t_1);
-    Simplex<double> triangle;
+    detail::Simplex<double> triangle;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      CsoPoint<double> p;
+      detail::CsoPoint<double> p;
       p.vertex_a = i;
       triangle.add(p);
     }
@@ -61,9 +61,9 @@ TEST(RotatingParts, TheCornersOfATriangleAreWhereTheBodiesHaveThem) {
   const RotatingBody<double> b{.body = {.shape = Point<double>{}, .position = {0.25, 0.5, 1}}};
   detail::MovingPair pair(a, b, 0.0);
   pair.place(0);
-  Simplex<double> triangle;
+  detail::Simplex<double> triangle;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    CsoPoint<double> p;
+    detail::CsoPoint<double> p;
     p.vertex_a = i;
     triangle.add(p);
   }

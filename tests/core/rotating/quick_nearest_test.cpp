@@ -44,7 +44,7 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     const double unit = power_of_two(-boxes.pair.cso().length_exponent());
     // Of boxes along the axes the distance is that of the gaps along each.
     const double truth = unit * (d.cwiseAbs() - h_a - h_b).cwiseMax(0).norm();
-    Simplex<double> simplex;
+    detail::Simplex<double> simplex;
     Distance<double> found;
     Counters counters;
     const double gap = 0x1p-40, noise = boxes.pair.error();
@@ -91,9 +91,9 @@ TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
     const detail::Nearest before = detail::nearest(pair, {}, 0, stop, 256, counters);
     pair.place(draw.between(0, 1));
     const detail::Nearest warm = detail::nearest(pair, before.simplex, 0, stop, 256, counters);
-    Simplex<double> simplex;
+    detail::Simplex<double> simplex;
     const Distance<double> robust =
-        gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
+        detail::gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
     EXPECT_LE(warm.gap, robust.upper) << round;
     EXPECT_GE(warm.apart, robust.lower) << round;
     if (robust.lower > stop) {
@@ -110,13 +110,13 @@ TEST(FastNearest, ATetrahedronWithoutWeightsIsGivenUp) {
   const Boxes boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0});
   int inside = 0, given_up = 0;
   for (int round = 0; round < 4000; ++round) {
-    Simplex<double> simplex;
+    detail::Simplex<double> simplex;
     for (int i = 0; i < 3; ++i) {
-      CsoPoint<double> near;
+      detail::CsoPoint<double> near;
       near.w = 1e-8 * draw.vector<double>(1);
       simplex.add(near);
     }
-    CsoPoint<double> far;
+    detail::CsoPoint<double> far;
     far.w = draw.vector<double>(0.5);
     simplex.add(far);
     Distance<double> found;

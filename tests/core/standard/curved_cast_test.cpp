@@ -101,7 +101,7 @@ TYPED_TEST(CurvedWitnesses, LieOnTheirBodies) {
     const CastResult<S> result = cast(a, b);
     if (result.outcome != Outcome::hit) continue;
     ++hits;
-    const Cso<double> cso(a, b);
+    const detail::Cso<double> cso(a, b);
     const double scale = std::ldexp(double(cso.scale()), cso.length_exponent());
     for (const auto& [body, point] : {std::pair(&a, &result.point_a), std::pair(&b, &result.point_b)}) {
       // Half of what the guarantee leaves; and the rounding of the point's coordinates.

@@ -24,9 +24,9 @@ TEST(Misses, AClipThatMissesHasAnAxis) {
       b.position[i] = side;
       b.position[(i + 1) % 3] = 5;
       b.displacement[(i + 1) % 3] = -10;
-      const Cso<double> cso(a, b);
+      const detail::Cso<double> cso(a, b);
       Counters counters;
-      const auto clip = clip_to_bounds(cso, cso.to_parameter(1.0), counters);
+      const auto clip = detail::clip_to_bounds(cso, cso.to_parameter(1.0), counters);
       ASSERT_TRUE(clip.missed);
       EXPECT_GE(clip.n.dot(cso.direction()), 0);
       EXPECT_LT(clip.n.dot(cso.support(clip.n).w) + cso.radius() * clip.n.norm(), 0);
@@ -80,10 +80,10 @@ TEST_F(ThinPlate, AMissHasAnAxis) {
     Plate p = plate(draw);
     p.b.position =
         p.turn * V(draw.between(-1, 1), draw.between(-0.5, 0.5), p.top + std::exp2(draw.between(-54, -40)));
-    const Cso<double> cso(p.a, p.b);
-    const auto limits = sweep_limits(cso, CastOptions<double>{});
+    const detail::Cso<double> cso(p.a, p.b);
+    const auto limits = detail::sweep_limits(cso, CastOptions<double>{});
     Counters counters;
-    const auto r = mpr_overlap(cso, limits, counters);
+    const auto r = detail::mpr_overlap(cso, limits, counters);
     if (r.outcome != Outcome::miss) continue;
     ++misses;
     ASSERT_NEAR(r.n.norm(), 1, 8 * kU) << round;
@@ -102,11 +102,11 @@ TEST_F(ThinPlate, AHitIsNotBeyondTheEndOfThePath) {
     const double drop = (1 - std::exp2(draw.between(-30, -1))) * length * slope;
     p.b.position = p.turn * V(draw.between(-1, 0), draw.between(-0.25, 0.25), p.top + length * slope);
     p.b.displacement = p.turn * V(length, 0, -drop);
-    const Cso<double> cso(p.a, p.b);
+    const detail::Cso<double> cso(p.a, p.b);
     if (!cso.moves()) continue;
-    const auto limits = sweep_limits(cso, CastOptions<double>{});
+    const auto limits = detail::sweep_limits(cso, CastOptions<double>{});
     Counters counters;
-    const auto r = mpr_sweep(cso, limits, counters);
+    const auto r = detail::mpr_sweep(cso, limits, counters);
     hits += r.outcome == Outcome::hit;
     misses += r.outcome == Outcome::miss;
     if (r.outcome != Outcome::hit) continue;

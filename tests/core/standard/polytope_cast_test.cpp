@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <graze/cast.hpp>
-#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/casts/ladder.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -46,7 +46,7 @@ struct Tally {
 
 template <class S>
 double scale_of(const Body<S>& a, const Body<S>& b) {
-  const Cso<S> cso(a, b);
+  const detail::Cso<S> cso(a, b);
   return std::ldexp(double(cso.scale()), cso.length_exponent());
 }
 
@@ -68,7 +68,7 @@ void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally&
   ASSERT_EQ(exact.invalid, Invalid::none);
   const double speed =
       (b.displacement.template cast<double>() - a.displacement.template cast<double>()).norm();
-  const double noise = 2 * kContact * double(kUnitRoundoff<S>) * scale_of(a, b);
+  const double noise = 2 * detail::kContact * double(kUnitRoundoff<S>) * scale_of(a, b);
   switch (quick.outcome) {
     case Outcome::miss:
       ++tally.misses;
@@ -231,7 +231,7 @@ TYPED_TEST(FastCast, GrazesAreRightOrGivenUp) {
     n /= n.norm();
     const double by = std::pow(2.0, -draw.between(10, 63)) * (draw.bits() % 2 ? 1 : -1);
     // Halfway, B's vertex farthest against n is beside A's farthest along n.
-    const Cso<double> cso(a, b);
+    const detail::Cso<double> cso(a, b);
     const Vec3<double> w = std::ldexp(1.0, cso.length_exponent()) * cso.support(n).w;
     b.position = (w + by * n - 0.5 * v).template cast<S>();
     expect_right<TypeParam>(a, b, S(1), true, tally);
@@ -340,7 +340,7 @@ TYPED_TEST(SweptPolytopes, StartsThatTouchAreRight) {
     };
     Body<S> a{.shape = shape()}, b{.shape = shape()};
     // Vertex on vertex, along the axes or askew; or one unit of the lattice apart.
-    const Cso<double> cso(a, b);
+    const detail::Cso<double> cso(a, b);
     const Vec3<double> n =
         round % 2 == 0 ? Vec3<double>(Vec3<double>::Unit(round / 2 % 3)) : draw.vector<double>(1);
     const Vec3<double> w = std::ldexp(1.0, cso.length_exponent()) * cso.support(n).w;

@@ -43,7 +43,7 @@ TEST(RoundingBounds, ATurnCountsForTheErrorOfPoints) {
   const auto error = [](const Quaternion<double>& q) {
     const Body<double> a{.shape = Box<double>{{1, 0.5, 0.25}}, .orientation = q};
     const Body<double> b{.shape = Point<double>{}, .position = {3, 0, 0}};
-    return Cso<double>(a, b).point_error();
+    return detail::Cso<double>(a, b).point_error();
   };
   const double plain = error({1, 0, 0, 0});
   EXPECT_EQ(error({1, 1, 0, 0}), plain);
@@ -57,7 +57,7 @@ TEST(RoundingBounds, WhatCancelsIsNoBetterThanSumsOfTwoDoubles) {
   const V far(0x1p80, 0, 0);
   const Body<double> origin{.shape = Point<double>{}, .position = {1, 0, 0}};
   const auto error = [&](const Shape<double>& shape, const V& place, const Quaternion<double>& turn) {
-    const Cso<double> cso({.shape = shape, .position = place, .orientation = turn}, origin, 0.0,
+    const detail::Cso<double> cso({.shape = shape, .position = place, .orientation = turn}, origin, 0.0,
                           detail::Turning::accurate);
     return cso.to_length(cso.point_error());
   };
@@ -113,7 +113,7 @@ struct Named {
   Named(Body<double> of_a, Body<double> of_b) : a(std::move(of_a)), b(std::move(of_b)) {}
 
   Body<double> a, b;
-  Cso<double> cso{a, b, 0.0, detail::Turning::accurate};
+  detail::Cso<double> cso{a, b, 0.0, detail::Turning::accurate};
   detail::ProofContext<double> context = detail::proof_context(a, b, cso, 1.0, 0.0);
   Counters counters;
   detail::NamedPoints<double> points{context, counters};
@@ -148,9 +148,9 @@ TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
                 {.shape = draw.hull<double>(8, 1), .position = draw.vector<double>(4)}};
     const detail::NamedPoint p = named.points.along(unit(draw.vector<double>(1)));
     ASSERT_TRUE(p.named);
-    const exact::Dyadic3 w = named.points.exactly(p);
+    const detail::exact::Dyadic3 w = named.points.exactly(p);
     int order = -10000;
-    for (const exact::Dyadic& x : w) {
+    for (const detail::exact::Dyadic& x : w) {
       ASSERT_TRUE(x.valid());
       if (x.sign() != 0) order = std::max(order, x.order());
     }
@@ -182,7 +182,7 @@ TEST(RoundingBounds, ANameIsOfThePointThatWasFound) {
     const V own = is_cone ? over_slant : from_side;
     const V n = at(V::Zero(), turn, lone ? own : at(V::Zero(), inner, own));
     SupportPair pair;
-    const CsoPoint<double> found = named.cso.rounded_support(unit(n));
+    const detail::CsoPoint<double> found = named.cso.rounded_support(unit(n));
     ASSERT_TRUE(detail::name_pair(named.context, found, pair));
     const V x = pair.a.curved[0], said = at(place, turn, lone ? x : at(within, inner, x));
     EXPECT_LE((said - named.cso.to_length(1) * found.w).norm(), 1e-12) << round;

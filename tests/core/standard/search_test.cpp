@@ -71,11 +71,11 @@ TEST(SearchParts, AQuaternionOfZeroIsRefusedWhateverTheShape) {
 TEST(SearchParts, ARayCastThatEndsWhereItBeginsKeepsItsAxis) {
   const Body<double> a{.shape = Box<double>{{1, 1, 1}}};
   const Body<double> b{.shape = Box<double>{{1, 1, 1}}, .position = {4, 0, 0}, .displacement = {-4, 0, 0}};
-  const Cso<double> cso(a, b);
-  const auto limits = sweep_limits(cso, CastOptions<double>{});
+  const detail::Cso<double> cso(a, b);
+  const auto limits = detail::sweep_limits(cso, CastOptions<double>{});
   Counters counters;
   const V axis(1, 0, 0);
-  const auto sweep = gjk_ray_cast(cso, limits, cso.to_parameter(0.5), axis, counters);
+  const auto sweep = detail::gjk_ray_cast(cso, limits, cso.to_parameter(0.5), axis, counters);
   EXPECT_EQ(sweep.outcome, Outcome::hit);
   EXPECT_EQ(sweep.n, axis);
 }
@@ -105,11 +105,11 @@ TEST(SearchParts, FacesOfEpaKeepTheirNeighbours) {
   int removed = 0;
   for (int round = 0; round < 20; ++round) {
     const auto corner = [](const V& w) {
-      CsoPoint<double> p;
+      detail::CsoPoint<double> p;
       p.w = w;
       return p;
     };
-    auto p = std::make_unique<EpaPolytope<double>>();
+    auto p = std::make_unique<detail::EpaPolytope<double>>();
     ASSERT_TRUE(
         p->start({corner(V(1, 1, 1)), corner(V(1, -1, -1)), corner(V(-1, 1, -1)), corner(V(-1, -1, 1))}));
     for (int step = 0; step < 40; ++step) {
@@ -150,8 +150,8 @@ TEST(SearchParts, FacesOfEpaKeepTheirNeighbours) {
 TEST(SearchParts, RefiningAnAxisCountsItsSupports) {
   const Body<double> a{.shape = Ellipsoid<double>{{1, 0.5, 0.25}}};
   const Body<double> b{.shape = Ellipsoid<double>{{0.5, 1, 0.75}}, .position = {3, 1, 0.5}};
-  const Cso<double> cso(a, b);
-  Simplex<double> simplex;
+  const detail::Cso<double> cso(a, b);
+  detail::Simplex<double> simplex;
   simplex.add(cso.support(V(-1, 0, 0)));
   Distance<double> d;
   d.upper = 4;
@@ -202,7 +202,7 @@ TEST(SearchParts, ASilhouetteIsFoundFromEverySide) {
       const Body<double> b{.shape = Point<double>{},
                            .position = {from_middle * std::cos(angle), from_middle * std::sin(angle), 0},
                            .displacement = {0, 0, 1}};
-      const Cso<double> cso(a, b);
+      const detail::Cso<double> cso(a, b);
       Counters counters;
       const Frame<double> frame(cso.direction());
       const detail::PortalView<double> view{cso, frame, 1.0, counters};
@@ -221,10 +221,10 @@ TEST(SearchParts, ASpentBudgetLeavesAStartOpen) {
     const Body<double> b{.shape = draw.hull<double>(30, 1),
                          .position = draw.vector<double>(2),
                          .displacement = draw.vector<double>(1)};
-    const Cso<double> cso(a, b);
-    auto limits = sweep_limits(cso, CastOptions<double>{});
+    const detail::Cso<double> cso(a, b);
+    auto limits = detail::sweep_limits(cso, CastOptions<double>{});
     Counters counters;
-    if (mpr_overlap(cso, limits, counters).outcome != Outcome::initially_overlapping) continue;
+    if (detail::mpr_overlap(cso, limits, counters).outcome != Outcome::initially_overlapping) continue;
     if (detail::start_of(cso, limits, counters) != detail::Start::enters) continue;
     for (limits.budget = 1; limits.budget < 6; ++limits.budget) {
       Counters spent;
@@ -233,7 +233,7 @@ TEST(SearchParts, ASpentBudgetLeavesAStartOpen) {
       // Open for certain where not even a portal is found, seen from behind.
       const Frame<double> frame(cso.direction());
       const detail::PortalView<double> view{cso, frame, -1.0, spent};
-      if (find_portal(view, limits.budget).state != PortalSearch<double>::State::exhausted) continue;
+      if (detail::find_portal(view, limits.budget).state != detail::PortalSearch<double>::State::exhausted) continue;
       EXPECT_EQ(start, detail::Start::open) << round << ' ' << limits.budget;
       ++open;
     }

@@ -38,13 +38,13 @@ TEST(Cso, SupportIsTheGreatestVertexDifference) {
     b.position = draw.vector<double>(5);
     a.orientation = draw.turn<double>();
     if (round % 2) b.orientation = draw.turn<double>();
-    const Cso<double> cso(a, b);
+    const detail::Cso<double> cso(a, b);
     const Vec3<double> n = draw.vector<double>(1);
     double brute = -kInfinity<double>;
     for (const auto& x : posed(a)) {
       for (const auto& y : posed(b)) brute = std::max(brute, n.dot(x - y));
     }
-    const CsoPoint<double> p = cso.support(n);
+    const detail::CsoPoint<double> p = cso.support(n);
     // reach_error() bounds the support's error; the brute force has as much of its own.
     const double slack = 2 * cso.to_length(cso.reach_error()) * n.norm();
     EXPECT_NEAR(cso.to_length(n.dot(p.w)), brute, slack) << round;
@@ -72,7 +72,7 @@ TEST(Cso, CommonOffsetOfVerticesCostsNothing) {
     }
     far_a.shape = Hull<double>(std::span<const Vec3<double>>(va));
     far_b.shape = Hull<double>(std::span<const Vec3<double>>(vb));
-    const Cso<double> near(a, b), far(far_a, far_b);
+    const detail::Cso<double> near(a, b), far(far_a, far_b);
     for (int round = 0; round < 20; ++round) {
       const Vec3<double> n = draw.vector<double>(1);
       const double h_near = near.to_length(n.dot(near.support(n).w)),
@@ -88,7 +88,7 @@ TEST(Cso, RotatedLargeOffsetIsRemovedInDoubledPrecision) {
   a.shape = Hull<double>{{0x1p40, 0, 0}, {0x1p40 + 1, 0, 0}, {0x1p40, 1, 0}, {0x1p40, 0, 1}};
   b.shape = Hull<double>{{0x1p40 + 3, 0, 0}, {0x1p40 + 4, 0, 0}, {0x1p40 + 3, 1, 0}, {0x1p40 + 3, 0, 1}};
   a.orientation = b.orientation = {3, 1, 2, 5};  // no exact matrix: 39 is no square of a double
-  const Cso<double> cso(a, b);
+  const detail::Cso<double> cso(a, b);
   const Vec3<double> n = detail::rotation_matrix(a.orientation) * Vec3<double>(1, 0, 0);
   // max over A of x minus min over B of x, in the common body frame: 1 - 3.
   EXPECT_NEAR(cso.to_length(n.dot(cso.support(n).w)), -2, 64 * kUnitRoundoff<double> * 4);
@@ -110,7 +110,7 @@ TEST(Cso, PowersOfTwoChangeNoBit) {
   small_b.shape = Sphere<double>{0.3 * factor};
   small_b.position *= factor;
   small_b.displacement *= factor;
-  const Cso<double> big(a, b), small(small_a, small_b);
+  const detail::Cso<double> big(a, b), small(small_a, small_b);
   EXPECT_EQ(big.scale(), small.scale());
   EXPECT_EQ(big.direction(), small.direction());
   EXPECT_EQ(big.radius(), small.radius());

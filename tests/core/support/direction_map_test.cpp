@@ -29,7 +29,7 @@ std::vector<Vec3<S>> directions(const Hull<Given>& hull, Draw& draw, int count) 
     out.push_back(Vec3<S>::Unit(i));
     out.push_back(-Vec3<S>::Unit(i));
   }
-  const HullGraph<Given>& graph = hull.graph();
+  const detail::HullGraph<Given>& graph = hull.graph();
   const std::array<float, 3>& reach = graph.map.reach();
   for (int i = 0; i < count; ++i) {
     Vec3<S> n = draw.vector<S>(1);
@@ -76,7 +76,7 @@ long compare_with_scan(const Hull<Given>& hull, int count, const char* what) {
   for (const Vec3<S>& d : directions<S>(hull, draw, count)) {
     EXPECT_EQ(detail::hull_support(hull, d), detail::scan_hull(hull, d)) << what << " " << d.transpose();
     const Vec3<float> f = d.template cast<float>();
-    DirectionMap::List list;
+    detail::DirectionMap::List list;
     if (!map.find(f[0], f[1], f[2], list)) continue;
     ++listed;
     EXPECT_EQ(list.vertex[detail::approximate_scan(list.xyz, list.size, f[0], f[1], f[2])],
@@ -138,7 +138,7 @@ TEST(DirectionMap, TheSameJustBesideTheBordersOfSquares) {
       const std::size_t turn = draw.bits() % 3;
       float d[3];
       for (std::size_t i = 0; i < 3; ++i) d[i] = float(on[(i + turn) % 3] / double(map.reach()[i]));
-      DirectionMap::List list;
+      detail::DirectionMap::List list;
       ASSERT_TRUE(map.find(d[0], d[1], d[2], list));
       wrong += list.vertex[detail::approximate_scan(list.xyz, list.size, d[0], d[1], d[2])] !=
                detail::approximate_scan(hull.approximate_scan(0), hull.padded_size(), d[0], d[1], d[2]);
@@ -170,7 +170,7 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
     const DirectionMap& map = hull.graph().map;
     Draw draw{23};
     for (const Vec3<float>& d : directions<float>(hull, draw, 300)) {
-      DirectionMap::List list;
+      detail::DirectionMap::List list;
       if (!map.find(d[0], d[1], d[2], list)) continue;
       std::vector<bool> kept(hull.size(), false);
       for (std::size_t i = 0; i < list.size; ++i) kept[list.vertex[i]] = true;
@@ -209,7 +209,7 @@ TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
     constexpr int kRounds = 1000;
     for (int round = 0; round < kRounds; ++round) {
       const Vec3<float> d = draw.vector<float>(1);
-      DirectionMap::List list;
+      detail::DirectionMap::List list;
       ASSERT_TRUE(map.find(d[0], d[1], d[2], list));
       sum += static_cast<double>(list.size);
     }
@@ -223,8 +223,8 @@ TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
 }
 
 TEST(DirectionMap, NoneWhereItWouldNotPay) {
-  EXPECT_TRUE(mapped<double>(Family::sphere, kMapFrom - 1).graph().map.empty());
-  EXPECT_FALSE(mapped<double>(Family::sphere, kMapFrom).graph().map.empty());
+  EXPECT_TRUE(mapped<double>(Family::sphere, detail::kMapFrom - 1).graph().map.empty());
+  EXPECT_FALSE(mapped<double>(Family::sphere, detail::kMapFrom).graph().map.empty());
   // All but two vertices are clouds about two opposite corners: half of them can be the farthest along anything.
   std::vector<Vec3<double>> clouds = {{1, -1, 1}, {-1, 1, -1}};
   Draw draw{31};
@@ -248,7 +248,7 @@ TEST(DirectionMap, DirectionsOfNoUseFindNothing) {
   const DirectionMap& map = hull.graph().map;
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
                   kHuge = std::numeric_limits<float>::infinity();
-  DirectionMap::List list;
+  detail::DirectionMap::List list;
   EXPECT_TRUE(map.find(1, 2, 3, list));
   for (const float odd : {kNan, kHuge, -kHuge, 0x1p100F}) {
     EXPECT_FALSE(map.find(odd, 0, 1, list)) << odd;

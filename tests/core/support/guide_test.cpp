@@ -34,7 +34,7 @@ TEST(PreparedCore, FewPointsAreWhereTheyAre) {
     const double out = round % 2 == 0 ? 0.0 : std::ldexp(1.0, int(draw.bits() % 60) - 4);
     const Shape<double> shape = few(draw, round, V(out * draw.vector<double>(1)), 1);
     const Body<double> body{.shape = shape, .orientation = draw.turn<double>()};
-    const PreparedCore<double> core(body);
+    const detail::PreparedCore<double> core(body);
     const V center = core.center().vector();
     (center == V::Zero() ? kept : centered) += 1;
     const std::vector<V> points = points_of(shape);
@@ -58,7 +58,7 @@ TEST(PreparedCore, FewPointsAreWhereTheyAre) {
 // Of a triangle that is thin along one axis, and lies aside along it, there is no centre to turn.
 TEST(PreparedCore, AThinTriangleNearTheOriginHasNoCentre) {
   const Body<double> body{.shape = Triangle<double>{{0.3, 1, 0}, {0.31, -1, 0.5}, {0.3, 0, -0.5}}};
-  EXPECT_EQ(PreparedCore<double>(body).center().vector(), V::Zero());
+  EXPECT_EQ(detail::PreparedCore<double>(body).center().vector(), V::Zero());
 }
 
 // support() finds a point that is farthest within 16 u, ties or not.
@@ -75,7 +75,7 @@ TEST(PreparedCore, OfFewPointsTheFarthestIsFound) {
     }
     if (n == V::Zero()) continue;
     const Body<double> body{.shape = shape};
-    const PreparedCore<double> core(body);
+    const detail::PreparedCore<double> core(body);
     const std::vector<V> points = points_of(shape);
     std::uint32_t vertex = 99;
     const V found = core.support(triple(n), vertex).vector();

@@ -97,7 +97,7 @@ TEST(PointSet, OrientationNearAPlaneIsExact) {
     }
     fourth = fourth.cwiseMax(-1.9).cwiseMin(1.9);
     p.push_back(fourth);
-    const exact::PointSet set(p);
+    const detail::exact::PointSet set(p);
     ASSERT_TRUE(set.valid());
     cpp_rational m[3][3];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -115,24 +115,24 @@ TEST(PointSet, OrientationNearAPlaneIsExact) {
 }
 
 TEST(PointSet, CoordinatesWhoseProductsUnderflowAreRefused) {
-  EXPECT_TRUE(exact::PointSet({{1, 0x1p-280, 0}}).valid());
-  EXPECT_FALSE(exact::PointSet({{1, 0x1p-281, 0}}).valid());
-  EXPECT_FALSE(exact::PointSet({{2, 0, 0}}).valid());
-  EXPECT_FALSE(exact::PointSet({{std::numeric_limits<double>::quiet_NaN(), 0, 0}}).valid());
+  EXPECT_TRUE(detail::exact::PointSet({{1, 0x1p-280, 0}}).valid());
+  EXPECT_FALSE(detail::exact::PointSet({{1, 0x1p-281, 0}}).valid());
+  EXPECT_FALSE(detail::exact::PointSet({{2, 0, 0}}).valid());
+  EXPECT_FALSE(detail::exact::PointSet({{std::numeric_limits<double>::quiet_NaN(), 0, 0}}).valid());
   // At the end of the range: det = -(2^-280)^3, beside a tie.
   const double e = 0x1p-280;
-  const exact::PointSet set({{0, 0, 0}, {e, 0, 0}, {0, e, 0}, {0, 0, -e}, {e, e, 0}});
+  const detail::exact::PointSet set({{0, 0, 0}, {e, 0, 0}, {0, e, 0}, {0, 0, -e}, {e, e, 0}});
   EXPECT_EQ(set.orientation(0, 1, 2, 3), -1);
   EXPECT_EQ(set.orientation(0, 1, 2, 4), 0);
 }
 
 TEST(HeightSign, WidelySpreadTermsAreSummedExactly) {
   // The first components tie; the second decides, 2^-900 as large.
-  EXPECT_EQ(exact::height_sign({1, 0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), 1);
-  EXPECT_EQ(exact::height_sign({1, -0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), -1);
-  EXPECT_EQ(exact::height_sign({0x1p-1000, 0x1p-1000, 0}, {1, -1, 3}, {-1, 1, 0}), 0);
-  EXPECT_EQ(exact::height_sign({1, 1, 1}, {1, 0x1p-53, 0x1p-106}, {1 + 0x1p-52, -0x1p-53, 0}), 1);
-  EXPECT_EQ(exact::height_sign({1, 1, 1}, {1, 0x1p-53, 0}, {1 + 0x1p-52, -0x1p-53, 0}), 0);
+  EXPECT_EQ(detail::exact::height_sign({1, 0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), 1);
+  EXPECT_EQ(detail::exact::height_sign({1, -0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), -1);
+  EXPECT_EQ(detail::exact::height_sign({0x1p-1000, 0x1p-1000, 0}, {1, -1, 3}, {-1, 1, 0}), 0);
+  EXPECT_EQ(detail::exact::height_sign({1, 1, 1}, {1, 0x1p-53, 0x1p-106}, {1 + 0x1p-52, -0x1p-53, 0}), 1);
+  EXPECT_EQ(detail::exact::height_sign({1, 1, 1}, {1, 0x1p-53, 0}, {1 + 0x1p-52, -0x1p-53, 0}), 0);
 }
 
 TEST(HullGraph, DuplicatesAndPointsInsideFacesAndEdgesAreNoVertices) {
@@ -145,7 +145,7 @@ TEST(HullGraph, DuplicatesAndPointsInsideFacesAndEdgesAreNoVertices) {
   EXPECT_EQ(vertices_of(hull), (std::set<std::uint32_t>{0, 2, 6, 8, 18, 20, 24, 26}));
   EXPECT_EQ(hull.size(), 54u);  // and nothing is dropped from the hull itself
   EXPECT_EQ(hull.graph().rank[27], hull.graph().rank[0]);
-  EXPECT_EQ(hull.graph().rank[13], HullGraph<double>::kNone);
+  EXPECT_EQ(hull.graph().rank[13], detail::HullGraph<double>::kNone);
 }
 
 // On grids of 2 to 5 steps most draws are degenerate one way or another.
@@ -186,7 +186,7 @@ TEST(HullGraph, NeighboursAreATriangulation) {
   for (const test::Family family : test::kFamilies) {
     for (const int count : {12, 60, 400}) {
       const Hull<double> hull = derived(test::large_hull<double>(family, count, 63));
-      const HullGraph<double>& graph = hull.graph();
+      const detail::HullGraph<double>& graph = hull.graph();
       EXPECT_EQ(graph.neighbours.entries.size(), 6 * graph.vertex.size() - 12);
       for (std::uint32_t r = 0; r < graph.vertex.size(); ++r) {
         for (const std::uint32_t* s = graph.neighbours.list(r); s != graph.neighbours.list(r + 1); ++s) {

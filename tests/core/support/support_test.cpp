@@ -133,13 +133,13 @@ TYPED_TEST(Support, IsInTheShapeAndGreatest) {
     for (const bool rotated : {false, true}) {
       Body<S> a{.shape = shape}, b;
       if (rotated) a.orientation = draw.turn<S>();
-      const Cso<S> cso(a, b);
+      const detail::Cso<S> cso(a, b);
       // The ball's part rounds four times.
       const long double bound = cso.to_length(S(2) * cso.reach_error() + 4 * kUnitRoundoff<S> * cso.radius());
       EXPECT_LT(bound, 1500 * kUnitRoundoff<S> * 16);
       for (const Vec3<S>& n : directions) {
         const Vec3<S> e = unit(n);
-        const CsoPoint<S> p = cso.rounded_support(e);
+        const detail::CsoPoint<S> p = cso.rounded_support(e);
         const Wide x = wide(Vec3<S>(p.w)) * std::ldexp(1.0L, cso.length_exponent());
         const auto h = [&](const Wide& m) { return reach<S>(shape, turn(a.orientation, m, true)); };
         EXPECT_LE(std::abs(x.dot(wide(e)) - h(wide(e))), bound) << e.transpose();
@@ -172,7 +172,7 @@ TEST(Combinators, OffsetsThatCancelCostNothing) {
   const Body<double> carried{.shape = translated<double>(cone, {far, -far, far}),
                              .position = {-far, far, -far}};
   const Body<double> point{};
-  const Cso<double> near(plain, point), back(carried, point);
+  const detail::Cso<double> near(plain, point), back(carried, point);
   Draw draw{72};
   for (int round = 0; round < 100; ++round) {
     const Vec3<double> n = unit(draw.vector<double>(1));

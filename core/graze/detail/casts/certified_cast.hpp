@@ -33,7 +33,6 @@
 //                                  lies beneath the path.
 #pragma once
 
-#include <graze/cast.hpp>
 #include <graze/detail/casts/curved_bracket.hpp>
 #include <graze/detail/casts/degenerate_round.hpp>
 #include <graze/detail/casts/exact_cast.hpp>
@@ -45,9 +44,7 @@
 #include <optional>
 #include <utility>
 
-namespace graze { inline namespace GRAZE_LINKAGE {
-
-namespace detail {
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 template <Scalar S>
 class CertifiedCast {
@@ -577,49 +574,27 @@ void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
   cast.leave_open();
 }
 
-}  // namespace detail
-
+// Everything about the answer of the certified search, in the caller's scalar.
 template <Scalar S>
-CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  CastResult<S> out;
-  out.method = Method::certified_portal;
-  out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options)) return out;
-  if (!(options.target_distance > 0)) {
-    if (detail::exact::is_exact(a.shape) && detail::exact::is_exact(b.shape))
-      return cast_exact(a, b, options);
-    if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
-  }
-  const bool proof = asks_for(options.request, Request::proof);
-  const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
-  const bool quick = round    ? detail::round_certified(a, b, options, out)
-                     : curved ? detail::curved_certified(a, b, options, out)
-                              : false;
-  if (quick && !proof) return out;
-  detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
-                                static_cast<double>(options.target_distance), out.counters);
-  quick || !(round || curved) ? cast.run() : cast.run_open();
-  if (quick) {
-    if (cast.outcome == out.outcome) out.proof = cast.proof;
-    return out;
-  }
+void fill_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CertifiedCast<S>& cast,
+                    CastResult<S>& out) {
   if (options.start_policy == StartPolicy::pass_over) {
-    detail::pass_over_start(a, b, options, cast, out);
+    pass_over_start(a, b, options, cast, out);
   }
   out.outcome = cast.outcome;
-  out.toi_lower = cast.lower < kInfinity<double> ? detail::time_down<S>(cast.lower) : kInfinity<S>;
+  out.toi_lower = cast.lower < kInfinity<double> ? time_down<S>(cast.lower) : kInfinity<S>;
   out.toi_upper = cast.outcome == Outcome::miss || !(cast.upper < kInfinity<double>)
                       ? kInfinity<S>
-                      : std::min(detail::time_up<S>(cast.upper), options.t_max);
+                      : std::min(time_up<S>(cast.upper), options.t_max);
   if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
     // At the time as rounded down, v within 8 u of itself.
-    const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+    const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
     const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
-    out.distance = detail::exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
+    out.distance = round_up<S>((cast.apart + way) * (1 + 0x1p-48));
     if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
     if (asks_for(options.request, Request::witnesses)) {
       const auto at_lower = [&](const Body<S>& body, const Vec3<double>& x) -> Vec3<S> {
-        return (x + double(out.toi_lower) * detail::wide(body.displacement)).template cast<S>();
+        return (x + double(out.toi_lower) * wide(body.displacement)).template cast<S>();
       };
       const auto contact = cast.contact();
       out.point_a = at_lower(a, contact.on_a);
@@ -628,9 +603,41 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
   }
   out.counters.iterations = out.counters.portal_steps + out.counters.gjk_iterations;
   if (asks_for(options.request, Request::proof) && !out.passed_over) {
-    out.proof = detail::under_policy(cast.proof, options.start_policy);
+    out.proof = under_policy(cast.proof, options.start_policy);
   }
-  return out;
 }
 
-}}  // namespace graze::GRAZE_LINKAGE
+// The certified search as a rung. It always answers. `open`: a fast search has not found a bracket that is proved, so
+// contact is unlikely to be decided by its portals.
+template <bool open, Scalar S>
+bool certified_search(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
+                        static_cast<double>(options.target_distance), out.counters);
+  open ? cast.run_open() : cast.run();
+  fill_certified(a, b, options, cast, out);
+  return true;
+}
+
+// The rungs of a fast search with a proved bracket. A proof is that of the certified search.
+template <Scalar S>
+void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  if (!asks_for(options.request, Request::proof)) return;
+  CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
+                        static_cast<double>(options.target_distance), out.counters);
+  cast.run();
+  if (cast.outcome == out.outcome) out.proof = cast.proof;
+}
+template <Scalar S>
+bool round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  if (!round_certified(a, b, options, out)) return false;
+  add_certified_proof(a, b, options, out);
+  return true;
+}
+template <Scalar S>
+bool curved_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  if (!curved_certified(a, b, options, out)) return false;
+  add_certified_proof(a, b, options, out);
+  return true;
+}
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

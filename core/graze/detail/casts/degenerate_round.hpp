@@ -5,7 +5,7 @@
 // Their casts are the exact tier's; a vertex of the polytope is then named as the given shape names it.
 #pragma once
 
-#include <graze/cast.hpp>
+#include <graze/detail/casts/exact_cast.hpp>
 #include <graze/detail/search/exact/term.hpp>
 #include <graze/detail/shapes/shape_tree.hpp>
 
@@ -61,17 +61,20 @@ void rename(const Shape<S>& given, Feature& feature) {
              given);
 }
 
-// The exact cast of two shapes, one of which at least is such a polytope; nothing if either has roundness.
+// The exact walk as a rung of tier certified, for polytopes, combined ones and such round shapes. False if either shape
+// has roundness, or keeps a target distance.
 template <Scalar S>
-std::optional<CastResult<S>> cast_flat(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+bool exact_walk_if_flat(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  if (options.target_distance > 0) return false;
   const bool known_a = exact::is_exact(a.shape), known_b = exact::is_exact(b.shape);
+  if (known_a && known_b) return exact_walk(a, b, options, out);
   const std::optional<Shape<S>> flat_a = known_a ? a.shape : as_polytope(a.shape);
   const std::optional<Shape<S>> flat_b = known_b ? b.shape : as_polytope(b.shape);
-  if (!flat_a || !flat_b) return {};
+  if (!flat_a || !flat_b) return false;
   const Body<S> as_a{*flat_a, a.position, a.orientation, a.displacement};
   const Body<S> as_b{*flat_b, b.position, b.orientation, b.displacement};
-  CastResult<S> out = cast_exact(as_a, as_b, options);
-  if (!out.proof) return out;
+  exact_walk(as_a, as_b, options, out);
+  if (!out.proof) return true;
   const auto pair = [&](SupportPair& p) {
     if (!known_a) rename(a.shape, p.a);
     if (!known_b) rename(b.shape, p.b);
@@ -82,7 +85,7 @@ std::optional<CastResult<S>> cast_flat(const Body<S>& a, const Body<S>& b, const
     pair(factor.from);
     pair(factor.to);
   }
-  return out;
+  return true;
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

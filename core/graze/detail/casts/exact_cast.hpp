@@ -8,21 +8,24 @@
 // bracket (for S = float the closer one). queries/exact_queries.hpp has the other questions.
 #pragma once
 
-#include <graze/cast.hpp>
 #include <graze/detail/casts/exact_answer_cast.hpp>
 
-namespace graze { inline namespace GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
+// The exact walk as a rung, for shapes that exact::is_exact() takes. It always answers, or refuses what outgrows its room.
 template <Scalar S>
-CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  CastResult<S> out;
+bool exact_walk(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   out.method = Method::exact_portal;
-  out.invalid = detail::exact::refusal(a, b, options);
-  if (detail::exact::refused(out, a, b, options)) return out;
-  detail::exact::PassageSearch<S> cast(a, b, out.counters);
-  const detail::exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
-  detail::exact::answer_cast(cast, answer, options, out);
-  return out;
+  exact::PassageSearch<S> cast(a, b, out.counters);
+  const exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
+  exact::answer_cast(cast, answer, options, out);
+  return true;
 }
 
-}}  // namespace graze::GRAZE_LINKAGE
+// The same for pairs of any kind: those that are not polytopes, or keep a target distance, are refused.
+template <Scalar S>
+bool exact_walk_or_refuse(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  return exact::refused(out, a, b, options) || exact_walk(a, b, options, out);
+}
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -4,25 +4,17 @@
 
 #include <graze/detail/pairs/prepared_pair.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
-#include <graze/detail/shapes/validation.hpp>
+#include <graze/result.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// What tier exact refuses beyond the door.
-template <Scalar S>
-Invalid refusal(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  const Invalid invalid = validate(a, b, options);
-  if (invalid != Invalid::none) return invalid;
-  const auto takes = [](const Shape<S>& shape) { return has_fast_search(shape) || is_exact(shape); };
-  const bool known = takes(a.shape) && takes(b.shape) && !(options.target_distance > 0);
-  return known ? Invalid::none : Invalid::not_exact;
-}
-
-// Was it refused, and if so, where?
+// Does tier exact refuse this valid input? If so, `out` says where.
 template <class Result, Scalar S>
 bool refused(Result& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  if (out.invalid != Invalid::not_exact) return refused(out, a, b, options);
-  const bool of_a = !is_exact(a.shape), of_b = !of_a && !is_exact(b.shape);
+  const auto takes = [](const Shape<S>& shape) { return has_fast_search(shape) || is_exact(shape); };
+  const bool of_a = !takes(a.shape), of_b = !of_a && !takes(b.shape);
+  if (!of_a && !of_b && !(options.target_distance > 0)) return false;
+  out.invalid = Invalid::not_exact;
   out.invalid_at = {.why = Invalid::not_exact,
                     .body = of_a   ? InvalidBody::a
                             : of_b ? InvalidBody::b

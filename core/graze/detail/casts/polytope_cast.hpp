@@ -1,29 +1,15 @@
-// A quick search's answer as a cast's: times, normal, witnesses, in the caller's units.
+// The fast searches of polytopes as rungs: the fast walk (MPR) and the fast ray (GJK).
 //
-// Point, segment, triangle, box and hull, without a target distance. What a quick search gives up on the exact walk
-// decides. The robust search answers the rest.
+// When a fast search gives up, the exact walk decides. The robust search answers the rest.
 #pragma once
 
 #include <graze/detail/casts/exact_answer_cast.hpp>
-#include <graze/detail/proving/prove.hpp>
-#include <graze/detail/proving/witness.hpp>
+#include <graze/detail/casts/fast_answer.hpp>
 #include <graze/detail/search/fast/fast_ray.hpp>
 #include <graze/detail/search/fast/fast_walk.hpp>
 #include <graze/result.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
-
-// The largest S not above x > 0 (`up`: the least not below), by the next number of a positive one.
-template <Scalar S>
-[[nodiscard]] S rounded_toward(double x, bool up) {
-  const S near = static_cast<S>(x);
-  if constexpr (std::same_as<S, double>) {
-    return near;
-  } else {
-    if (up ? !(double(near) < x) : !(double(near) > x)) return near;
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + (up ? 1u : ~0u));
-  }
-}
 
 // sum lambda_i x_i of the body at time t, world coordinates.
 template <Scalar S, class Search>
@@ -44,53 +30,29 @@ template <Scalar S, class Search>
 template <template <Scalar> class Search, Scalar S, class Otherwise>
 [[nodiscard]] bool fast_cast_by(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                 CastResult<S>& out, const Otherwise& otherwise) {
-  if (options.target_distance > 0 || !has_fast_search(a.shape) || !has_fast_search(b.shape)) return false;
   const PreparedPair<S> pair(a, b);
   if (!pair.moves() || !(options.t_max > 0)) return otherwise(pair, static_cast<const Search<S>*>(nullptr));
   const int k = pair.length_exponent(), j = pair.speed_exponent();
   Search<S> search(pair, double(options.t_max) * power_of_two(j - k), double(options.tolerance),
                    options.max_iterations, out.counters);
   const FastSweep& found = search.run();
-  if (found.outcome == Outcome::not_converged) return otherwise(pair, &search);
-  if (found.outcome == Outcome::initially_overlapping && options.start_policy == StartPolicy::pass_over)
-    return false;
-
-  S lower = 0, upper = 0;
-  if (found.outcome == Outcome::hit) {
-    lower = rounded_toward<S>(found.lower * power_of_two(k - j), false);
-    upper = std::min(rounded_toward<S>(found.upper * power_of_two(k - j), true), options.t_max);
-    if (!(lower > 0 && lower <= upper)) return otherwise(pair, &search);
-  } else if (found.outcome == Outcome::miss) {
-    lower = upper = kInfinity<S>;
-  }
-  out.outcome = found.outcome;
-  out.toi_lower = lower;
-  out.toi_upper = upper;
-  const bool hit = found.outcome == Outcome::hit, proof = asks_for(options.request, Request::proof);
+  if (!fill_times(pair, found, options, out)) return otherwise(pair, &search);
+  const bool hit = found.outcome == Outcome::hit, has_axis = hit || found.outcome == Outcome::miss;
   Vec3<double> n = Vec3<double>::Zero();
-  if (hit) {
-    const Triple& r = pair.direction();
-    out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
-  }
-  if ((hit && asks_for(options.request, Request::normal)) || (proof && found.outcome == Outcome::miss) ||
-      (proof && hit)) {
+  if (has_axis && asks_for(options.request, hit ? Request::normal | Request::proof : Request::proof))
     n = unit(found.n.vector());
-  }
   if (hit && asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
   if (hit && asks_for(options.request, Request::witnesses)) {
-    out.point_a = fast_witness(a, pair.a(), search, found, true, k, double(lower));
-    out.point_b = fast_witness(b, pair.b(), search, found, false, k, double(lower));
+    out.point_a = fast_witness(a, pair.a(), search, found, true, k, double(out.toi_lower));
+    out.point_b = fast_witness(b, pair.b(), search, found, false, k, double(out.toi_lower));
   }
-  if (proof) {
-    out.proof = prove(a, b, options, out.outcome, upper, Vec3<S>(n.template cast<S>()), out.counters);
-  }
+  fill_proof(a, b, options, n, out);
   return true;
 }
 
-// A quick search gives up where rounding decides: near the start, near the end of the path and where it grazes. The exact
-// walk goes on from the walk's portal in hand. Whether a start in contact leaves
-// is a matter of the noise, though (leaving.hpp); and a budget that the caller made smaller than a quick walk may take
-// ends the search.
+// A fast search gives up where rounding decides: near the start, near the end of the path and where it grazes. The exact
+// walk continues from the portal of the fast one. Two cases are left to the robust search: whether a start in contact
+// leaves, which is a matter of the noise (leaving.hpp), and a budget smaller than a fast walk may take.
 template <Scalar S>
 [[nodiscard, gnu::noinline]] bool cast_exactly_from(const PreparedPair<S>& pair, const FastWalk<S>* walk,
                                                     const CastOptions<S>& options, CastResult<S>& out) {

@@ -22,16 +22,6 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// The largest S not above t >= 0, and the least not below: no subnormal ones, which machines may flush.
-template <Scalar S>
-S time_down(double t) {
-  return t < double(std::numeric_limits<S>::min()) ? S(0) : exact::round_down<S>(t);
-}
-template <Scalar S>
-S time_up(double t) {
-  return t > 0 ? std::max(exact::round_up<S>(t), std::numeric_limits<S>::min()) : S(0);
-}
-
 template <Scalar S>
 [[nodiscard]] double round_predicate_error(const PreparedPair<S>& pair) {
   return 2 * point_error(pair) + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
@@ -85,7 +75,7 @@ template <Scalar S>
   // At the time as rounded down, v within 8 u of itself.
   const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
   const double way = v.norm() * (lower - double(toi_lower));
-  out.distance = exact::round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
+  out.distance = round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
   return true;
 }
 

@@ -1,19 +1,10 @@
-// The round walk's answer as a cast's: times, normal, witnesses, in the caller's units.
-//
-// Spheres, capsules, and points, segments, triangles, boxes and hulls beside one of them or a target distance;
-// the robust search answers the rest, and whatever the walk gives up on.
+// The round walk as a rung, for spheres, capsules and polytopes at a distance.
 #pragma once
 
-#include <graze/detail/casts/polytope_cast.hpp>
+#include <graze/detail/casts/fast_answer.hpp>
 #include <graze/detail/search/fast/round_walk.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
-
-template <Scalar S>
-[[nodiscard]] bool is_round_pair(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  return is_round(a.shape) && is_round(b.shape) &&
-         (options.target_distance > 0 || !has_fast_search(a.shape) || !has_fast_search(b.shape));
-}
 
 // Of a hit its normal, of length 1, and witnesses at `lower`, the caller's time, with what is nearest then: its axis and
 // its feature.
@@ -51,29 +42,11 @@ template <Scalar S>
                     options.max_iterations, out.counters);
   const RoundSweep& found = walk.run();
   out.counters.gjk_iterations = out.counters.iterations;
-  if (found.outcome == Outcome::not_converged) return false;
-  if (found.outcome == Outcome::initially_overlapping && options.start_policy == StartPolicy::pass_over)
-    return false;
-  S lower = 0, upper = 0;
+  if (!fill_times(pair, found, options, out)) return false;
   const bool hit = found.outcome == Outcome::hit;
-  if (hit) {
-    lower = rounded_toward<S>(found.lower * power_of_two(k - j), false);
-    upper = std::min(rounded_toward<S>(found.upper * power_of_two(k - j), true), options.t_max);
-    if (!(lower > 0 && lower <= upper)) return false;
-    const Triple& r = pair.direction();
-    out.distance = static_cast<S>((found.upper - found.lower) * std::sqrt(dot(r, r)) * power_of_two(k));
-    fill_round_contact(a, b, options, pair, walk, found.normal, found, double(lower), out);
-  } else if (found.outcome == Outcome::miss) {
-    lower = upper = kInfinity<S>;
-  }
-  out.outcome = found.outcome;
-  out.toi_lower = lower;
-  out.toi_upper = upper;
-  if (asks_for(options.request, Request::proof)) {
-    const Triple n = hit ? found.normal : found.length > 0 ? (1 / found.length) * found.n : Triple{0, 0, 0};
-    out.proof =
-        prove(a, b, options, out.outcome, upper, Vec3<S>(n.vector().template cast<S>()), out.counters);
-  }
+  if (hit)
+    fill_round_contact(a, b, options, pair, walk, found.normal, found, double(out.toi_lower), out);
+  fill_proof(a, b, options, hit ? found.normal.vector() : unit_axis(found.n, found.length), out);
   return true;
 }
 

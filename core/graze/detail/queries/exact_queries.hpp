@@ -41,8 +41,8 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   Body<S> fixed_a = a, fixed_b = b;
   fixed_a.displacement = fixed_b.displacement = Vec3<S>::Zero();
   const CastOptions<S> options;
-  out.invalid = detail::exact::refusal(a, b, options);
-  if (detail::exact::refused(out, a, b, options)) return out;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options) || detail::exact::refused(out, a, b, options)) return out;
   detail::exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
   const detail::exact::Answer answer = cast.pass();
   out.outcome = Outcome::miss;
@@ -69,8 +69,8 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   as_cast.target_distance = options.target_distance;
   as_cast.max_iterations = options.max_iterations;
   SweptOverlapResult<S> out;
-  out.invalid = detail::exact::refusal(a, b, as_cast);
-  if (detail::exact::refused(out, a, b, as_cast)) return out;
+  out.invalid = validate(a, b, as_cast);
+  if (detail::refused(out, a, b, as_cast) || detail::exact::refused(out, a, b, as_cast)) return out;
   detail::exact::PassageSearch<S> cast(a, b, out.counters);
   const double t_max = static_cast<double>(options.t_max);
   const detail::exact::Answer answer = cast.pass(t_max);
@@ -95,8 +95,8 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   checked.tolerance = options.tolerance;
   checked.max_iterations = options.max_iterations;
   LineResult<S> out;
-  out.invalid = detail::exact::refusal(a, b, checked);
-  if (detail::exact::refused(out, a, b, checked)) return out;
+  out.invalid = validate(a, b, checked);
+  if (detail::refused(out, a, b, checked) || detail::exact::refused(out, a, b, checked)) return out;
   detail::exact::PassageSearch<S> cast(a, b, out.counters);
   const detail::exact::Scene<S>& scene = cast.scene();
   if (!cast.pair().moves()) {
@@ -121,10 +121,10 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
     out.outcome = Outcome::hit;
     const detail::exact::TimeBracket t_in = detail::exact::round_time(scene, in.facet, cast.v()),
                                      t_out = detail::exact::round_time(scene, leave.facet, cast.v());
-    out.in_lower = detail::exact::round_down<S>(t_in.lower);
-    out.in_upper = detail::exact::round_up<S>(t_in.upper);
-    out.out_lower = detail::exact::round_down<S>(t_out.lower);
-    out.out_upper = detail::exact::round_up<S>(t_out.upper);
+    out.in_lower = detail::round_down<S>(t_in.lower);
+    out.in_upper = detail::round_up<S>(t_in.upper);
+    out.out_lower = detail::round_down<S>(t_out.lower);
+    out.out_upper = detail::round_up<S>(t_out.upper);
     if (asks_for(options.request, Request::normal)) {
       out.normal_in = detail::exact::outward_normal(scene, in.facet, true);
       out.normal_out = detail::exact::outward_normal(scene, leave.facet, false);

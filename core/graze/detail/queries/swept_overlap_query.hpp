@@ -1,7 +1,7 @@
 // Declared, with what it promises, in graze/swept_overlap.hpp.
 #pragma once
 
-#include <graze/detail/casts/curved_cast.hpp>
+#include <graze/detail/casts/pair_kind.hpp>
 #include <graze/detail/search/fast/fast_gjk.hpp>
 #include <graze/detail/search/fast/fast_walk.hpp>
 #include <graze/detail/search/fast/swept_support.hpp>
@@ -117,7 +117,7 @@ template <Scalar S, bool kBoth>
   return take(out, state == FastState::apart ? Outcome::miss : Outcome::hit, n);
 }
 template <Scalar S>
-[[nodiscard]] bool quick_swept_mpr(const PreparedPair<S>& pair, double horizon,
+[[nodiscard]] bool fast_swept_mpr(const PreparedPair<S>& pair, double horizon,
                                    const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
   FastWalk<S, false, true> walk(pair, horizon, 0, options.max_iterations, out.counters);
   const FastSweep& found = walk.run();
@@ -128,12 +128,13 @@ template <Scalar S>
 }
 
 template <Scalar S>
-[[nodiscard]] bool quick_swept(const Body<S>& a, const Body<S>& b, const SweptOverlapOptions<S>& options,
+[[nodiscard]] bool fast_swept(const Body<S>& a, const Body<S>& b, const SweptOverlapOptions<S>& options,
                                SweptOverlapResult<S>& out) {
   const auto horizon = [&](const auto& pair) {
     return double(options.t_max) * power_of_two(pair.speed_exponent() - pair.length_exponent());
   };
-  if (!(options.target_distance > 0) && has_fast_search(a.shape) && has_fast_search(b.shape)) {
+  const PairKind kind = kind_of(a, b, options.target_distance);
+  if (kind == PairKind::polytopes) {
     const PreparedPair<S> pair(a, b);
     if (!pair.moves() || !(options.t_max > 0)) return false;
     switch (options.method) {
@@ -144,9 +145,9 @@ template <Scalar S>
       case SweptMethod::mpr:
         break;
     }
-    return quick_swept_mpr(pair, horizon(pair), options, out);
+    return fast_swept_mpr(pair, horizon(pair), options, out);
   }
-  if (options.method != SweptMethod::mpr || !is_curved_pair(a, b) || !(options.t_max > 0)) return false;
+  if (options.method != SweptMethod::mpr || kind != PairKind::curved || !(options.t_max > 0)) return false;
   const CurvedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves()) return false;
   CurvedWalk<S> walk(pair, horizon(pair), 0, options.max_iterations, out.counters);
@@ -168,7 +169,7 @@ SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
   checked.target_distance = options.target_distance;
   checked.max_iterations = options.max_iterations;
   out.invalid = validate(a, b, checked);
-  if (detail::refused(out, a, b, checked) || detail::quick_swept(a, b, options, out)) return out;
+  if (detail::refused(out, a, b, checked) || detail::fast_swept(a, b, options, out)) return out;
   const detail::Cso<S> cso(a, b, options.target_distance);
   const detail::SweepLimits<S> limits = detail::sweep_limits(cso, checked);
   if (options.method == SweptMethod::mpr) {

@@ -297,7 +297,7 @@ class RotatingCast {
     limits.width = width();
     limits.budget = options_.max_iterations;
     out_.hidden_motion =
-        exact::round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
+        round_up<S>(pair_->cso().to_length(pair_->top_speed()) * t_end() / options_.time_steps);
     fill(step_through(*pair_, limits, out_.counters));
   }
 
@@ -420,8 +420,8 @@ class RotatingCast {
       return;
     }
     GRAZE_ASSERT(0 <= found.lower && found.lower <= found.upper);
-    out_.toi_lower = exact::round_down<S>(found.lower);
-    out_.toi_upper = found.upper < kInfinity<double> ? exact::round_up<S>(found.upper) : kInfinity<S>;
+    out_.toi_lower = round_down<S>(found.lower);
+    out_.toi_upper = found.upper < kInfinity<double> ? round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;
     if (found.upper < kInfinity<double> && found.upper > found.lower) {
       // Contact is at upper: what is left of the way bounds the distance as well.
@@ -431,7 +431,7 @@ class RotatingCast {
         pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
     // Of a way that outgrew the doubles nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
-    out_.distance = exact::round_up<S>(pair_->cso().to_length(apart));
+    out_.distance = round_up<S>(pair_->cso().to_length(apart));
     // Of a search that its budget ended before it saw an axis there is no place.
     if (found.n == Vec3<double>::Zero()) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();

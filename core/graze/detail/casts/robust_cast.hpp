@@ -1,21 +1,15 @@
-// The casts of tier standard, and the choice of a tier. Declared, with what they promise, in graze/cast.hpp.
+// The robust searches as rungs of the standard tier: they take every shape, and always answer.
+//
+// A robust search takes a ray, or a path without end, clipped to C's bounds, and keeps a quarter of the budget for the
+// start. Its result becomes the cast's in `fill`.
 #pragma once
 
-#include <graze/cast.hpp>
-#include <graze/detail/casts/certified_cast.hpp>
-#include <graze/detail/casts/curved_cast.hpp>
-#include <graze/detail/casts/exact_cast.hpp>
-#include <graze/detail/casts/polytope_cast.hpp>
-#include <graze/detail/casts/round_cast.hpp>
 #include <graze/detail/proving/prove.hpp>
 #include <graze/detail/proving/witness.hpp>
 #include <graze/detail/search/robust/advancement.hpp>
 #include <graze/detail/search/robust/leaving.hpp>
-#include <graze/detail/shapes/validation.hpp>
 
-namespace graze { inline namespace GRAZE_LINKAGE {
-
-namespace detail {
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 template <Scalar S>
 void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
@@ -100,45 +94,30 @@ template <Scalar S, class Search>
   fill(out, a, b, options, cso, sweep);
 }
 
-template <Scalar S, class Search>
-CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                        const Search& search) {
-  CastResult<S> out;
-  out.method = method;
-  out.invalid = validate(a, b, options);
-  if (!refused(out, a, b, options)) search_with(a, b, options, search, out);
-  return out;
+template <Scalar S>
+bool robust_advancement(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  search_with(
+      a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        return conservative_advancement(cso, limits, clip.enter, clip.n, counters);
+      },
+      out);
+  return true;
 }
 
-}  // namespace detail
-
 template <Scalar S>
-CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
-                                            const CastOptions<S>& options) {
-  return detail::cast_with(Method::conservative_advancement, a, b, options,
-                           [](const detail::Cso<S>& cso, const detail::SweepLimits<S>& limits,
-                              const detail::Clip<S>& clip, Counters& counters) {
-                             return detail::conservative_advancement(cso, limits, clip.enter, clip.n,
-                                                                     counters);
-                           });
-}
-
-namespace detail {
-
-// The GJK ray cast without a quick search: what cast_gjk_ray falls back to. The bodies have passed validate().
-template <Scalar S>
-void robust_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+bool robust_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
         return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
       },
       out);
+  return true;
 }
 
-// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
 template <Scalar S>
-void robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+bool robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
@@ -155,61 +134,7 @@ void robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& 
         return sweep;
       },
       out);
-}
-}  // namespace detail
-
-// The GJK ray cast: of polytopes the quick one first, of spheres, capsules and rounded polytopes the round walk.
-template <Scalar S>
-CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  CastResult<S> out;
-  out.method = Method::gjk_ray_cast;
-  out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options)) return out;
-  const bool answered = detail::is_round_pair(a, b, options) ? detail::round_cast(a, b, options, out)
-                                                             : detail::fast_ray_cast(a, b, options, out);
-  if (!answered) detail::robust_gjk_ray(a, b, options, out);
-  return out;
+  return true;
 }
 
-template <Scalar S>
-CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  CastResult<S> out;
-  out.method = Method::mpr_sweep;
-  out.invalid = validate(a, b, options);
-  if (!detail::refused(out, a, b, options) && !detail::fast_cast(a, b, options, out) &&
-      !detail::curved_cast(a, b, options, out))
-    detail::robust_mpr_sweep(a, b, options, out);
-  return out;
-}
-
-namespace detail {
-
-// The quicker one, as CastOptions::method says.
-template <Scalar S>
-[[nodiscard]] Method default_method(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  const bool sharp = !(options.target_distance > 0) && has_fast_search(a.shape) && has_fast_search(b.shape);
-  return sharp || is_curved_pair(a, b) ? Method::mpr_sweep : Method::gjk_ray_cast;
-}
-
-}  // namespace detail
-
-template <Scalar S>
-CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  if (options.tier == Tier::exact) return cast_exact(a, b, options);
-  if (options.tier == Tier::certified) return cast_certified(a, b, options);
-  switch (options.method.value_or(detail::default_method(a, b, options))) {
-    case Method::exact_portal:
-      return cast_exact(a, b, options);
-    case Method::certified_portal:
-      return cast_certified(a, b, options);
-    case Method::conservative_advancement:
-      return cast_conservative_advancement(a, b, options);
-    case Method::gjk_ray_cast:
-      return cast_gjk_ray(a, b, options);
-    case Method::mpr_sweep:
-      break;
-  }
-  return cast_mpr_sweep(a, b, options);
-}
-
-}}  // namespace graze::GRAZE_LINKAGE
+}}}  // namespace graze::GRAZE_LINKAGE::detail
