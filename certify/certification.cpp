@@ -12,7 +12,7 @@
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
-#include "report/progress.hpp"
+#include "reports/text/progress.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {

@@ -12,8 +12,8 @@
 #include "properties/edit/solid.hpp"
 #include "properties/generate/shrink.hpp"
 #include "properties/judge/judge.hpp"
-#include "report/outputs.hpp"
-#include "report/progress.hpp"
+#include "reports/text/outputs.hpp"
+#include "reports/text/progress.hpp"
 
 namespace graze::tool {
 

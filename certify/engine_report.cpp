@@ -11,8 +11,8 @@
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/format/xml_text.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "certify/laws_of_others.hpp"
 #include "properties/generate/shrink.hpp"
-#include "report/progress.hpp"
-#include "report/table.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/table.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {

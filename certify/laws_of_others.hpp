@@ -1,7 +1,7 @@
 // Laws about engines of others: which of them such an engine can be asked at all, and how.
 //
 // A law asks a method about a case as the method sees it, and about edits of that. An engine of others sees a case in
-// its own terms (external/terms.hpp), which need not take the edit: then the law says nothing of it. Where the engine
+// its own terms (certify/external/terms.hpp), which need not take the edit: then the law says nothing of it. Where the engine
 // fails on a question of the law, crashed or hung, the law is broken by that.
 #pragma once
 

@@ -10,10 +10,10 @@
 
 #include "certify/engine_report.hpp"
 #include "corpus/format/names.hpp"
-#include "report/counted.hpp"
-#include "report/progress.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {

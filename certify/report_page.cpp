@@ -11,9 +11,9 @@
 #include "corpus/families.hpp"
 #include "corpus/format/names.hpp"
 #include "engines/guarantees.hpp"
-#include "report/statistics.hpp"
-#include "show/page.hpp"
-#include "show/scene.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/scene.hpp"
+#include "reports/text/statistics.hpp"
 
 namespace graze::tool {
 namespace {

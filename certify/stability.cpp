@@ -11,8 +11,8 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
-#include "report/progress.hpp"
-#include "report/statistics.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/statistics.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "certify/engine_report.hpp"
-#include "report/counted.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {

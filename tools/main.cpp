@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/corpus.hpp"
 #include "tools/commands/options.hpp"

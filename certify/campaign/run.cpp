@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
-#include "report/inputs.hpp"
-#include "report/progress.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/progress.hpp"
 
 namespace graze::tool {
 namespace {

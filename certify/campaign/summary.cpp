@@ -10,9 +10,9 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {

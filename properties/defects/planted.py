@@ -44,7 +44,7 @@ class Config:
         self.linker, self.nm, self.objcopy = (fields.get(tool) for tool in ("linker", "nm", "objcopy"))
         self.certify, self.certify_link = fields.get("certify"), fields.get("certify_link", "").split(";")
         self.work = pathlib.Path(work).resolve()
-        self.defects = self.source / "properties/defects"
+        self.defects = self.source / "properties/defects/patches"
         self.law_kind, self.law_needs = {}, {}
 
     def learn_laws(self):
@@ -57,7 +57,7 @@ class Config:
 
 
 class Patch:
-    FOLDER = "properties/defects"
+    FOLDER = "properties/defects/patches"
     KEYS = ("Defect", "Law", "Report", "Class", "Compile")
     NAMES = "Law"  # the header line that says who has to notice
 

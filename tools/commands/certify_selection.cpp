@@ -8,7 +8,7 @@
 
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

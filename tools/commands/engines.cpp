@@ -8,9 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "certify/external/methods.hpp"
 #include "certify/tally.hpp"
 #include "corpus/format/fields.hpp"
-#include "external/methods.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {

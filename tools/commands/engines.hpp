@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "external/engine.hpp"
+#include "certify/external/engine.hpp"
 
 namespace graze::tool {
 

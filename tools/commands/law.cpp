@@ -12,11 +12,11 @@
 #include "certify/laws_of_others.hpp"
 #include "certify/suites.hpp"
 #include "corpus/curate/location.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "report/stop.hpp"
-#include "show/page.hpp"
-#include "show/scene.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/scene.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/stop.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {

@@ -54,7 +54,7 @@ folder of a test run, else it is `findings/` of the build.
 A law that sees nothing says nothing. So a run over the families fails, too, if a law never applied, never saw a hit, a
 miss or a start in contact, or was never reached by a family of its kind, but for what is listed [below](#out-of-reach).
 
-And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/` which, applied
+And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/patches/` which, applied
 to a copy of the library, it is known to notice; `./run defects --write` tries them, and writes who notices which.
 )";
 
@@ -136,8 +136,9 @@ std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory) 
     if (entry.path().extension() == ".patch") files.push_back(entry.path());
   }
   if (files.empty()) {
-    throw std::runtime_error(directory.string() +
-                             ": holds no .patch; name the folder properties/defects of the source tree");
+    throw std::runtime_error(
+        directory.string() +
+        ": holds no .patch; name the folder properties/defects/patches of the source tree");
   }
   std::sort(files.begin(), files.end());
   std::vector<PlantedDefect> defects;

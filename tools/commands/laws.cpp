@@ -24,9 +24,9 @@ int run_laws_command(const LawsSettings& settings) {
     return 0;
   }
   // They lie beside the corpus in the source tree, and are not installed.
-  const std::filesystem::path folder =
-      settings.defects.empty() ? corpus::corpus_directory().parent_path() / "properties" / "defects"
-                               : std::filesystem::path(settings.defects);
+  const std::filesystem::path folder = settings.defects.empty() ? corpus::corpus_directory().parent_path() /
+                                                                      "properties" / "defects" / "patches"
+                                                                : std::filesystem::path(settings.defects);
   if (!std::filesystem::is_directory(folder))
     throw std::runtime_error(folder.string() + ": is no folder of planted defects; --defects names one");
   fmt::print("{}", law_page(laws, read_defects(folder.string())));

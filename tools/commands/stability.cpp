@@ -9,8 +9,8 @@
 
 #include "certify/stability_plot.hpp"
 #include "certify/stability_report.hpp"
-#include "report/inputs.hpp"
-#include "report/stop.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/stop.hpp"
 
 namespace graze::tool {
 namespace {

@@ -127,7 +127,7 @@ TEST_F(CampaignCommand, two_signals_at_once_are_one_request) {
 
 TEST_F(CampaignCommand, the_slurm_job_casts_its_shard_and_goes_on) {
   const CommandRun whole = folder.graze(kSmall);
-  const std::string job = "'" GRAZE_SOURCE_DIR "/cluster/campaign.slurm' ";
+  const std::string job = "'" GRAZE_SOURCE_DIR "/tools/cluster/campaign.slurm' ";
   const std::string options = kSmall.substr(kSmall.find(' '));
   EXPECT_EQ(shell("export SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=2\nfor i in 1 2 3; do\n"
                   "SLURM_ARRAY_TASK_ID=$i bash " +
