@@ -24,8 +24,8 @@ namespace graze::tool {
 // outlives it, and it stays where it is while laws ask it.
 [[nodiscard]] engine::Method as_laws_ask(const engine::Method& method);
 
-// What a law says of it. Not applicable, with the label kNotAsked, where the engine does not take a question of the law.
-inline constexpr std::string_view kNotAsked = "not asked";
+// What a law says of it. Not applicable, with the label kSkipped, where the engine does not take a question of the law.
+inline constexpr std::string_view kSkipped = "not asked";
 inline constexpr std::string_view kFailed = "failed";
 [[nodiscard]] law::LawResult check_other(const law::Law& law, const corpus::Case& problem,
                                          const engine::Method& as_laws_ask_it);

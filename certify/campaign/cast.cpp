@@ -104,7 +104,7 @@ law::Judgement CaseJudge::judge(const Method& method, const corpus::Case& questi
       method.is_ours() && method.kind == Kind::rotating && !asks_for(request, Request::proof);
   if (hides_its_proof) refused = refusal_of_proof(truth, method, question);
   law::Judgement judgement = law::judge(truth, method, answer, request, drawn_.sampled);
-  law::convict(judgement.false_proof, std::move(refused));
+  law::add_fault(judgement.false_proof, std::move(refused));
   if (judgement.by_oracle && judgement.open) undecided = judgement.why_open;
   return judgement;
 }
@@ -114,7 +114,7 @@ CampaignCast CaseJudge::ask_other(const Method& contender) {
   try {
     const corpus::Case question = question_of(contender, drawn_);
     if (!law::in_domain(question) || !contender.refuses(question).empty()) {
-      asked.judgement.not_asked = true;
+      asked.judgement.skipped = true;
       return asked;
     }
     const engine::Answer answer = contender.ask(question, {.request = engine::kPlain});
@@ -139,7 +139,7 @@ CampaignCast CaseJudge::ask(const Method& contender) {
     const corpus::Case question = question_of(contender, drawn_);
     // The scalar has made it another question.
     if (contender.kind == Kind::query && !law::in_domain(contender.seen(question))) {
-      asked.judgement.not_asked = true;
+      asked.judgement.skipped = true;
       return asked;
     }
     Request request = request_of(contender, drawn_);
@@ -149,8 +149,8 @@ CampaignCast CaseJudge::ask(const Method& contender) {
     if (is_query ? !drawn_.sampled || !drawn_.judged
                  : !drawn_.judged && is_answer(contender, answer, drawn_.problem.t_max)) {
       asked.judgement = unjudged(contender, question, answer);
-      asked.judgement.not_asked = is_query && answer.invalid == Invalid::not_exact;
-      if (is_query && answer.outcome == Outcome::invalid_input && !asked.judgement.not_asked)
+      asked.judgement.skipped = is_query && answer.invalid == Invalid::not_exact;
+      if (is_query && answer.outcome == Outcome::invalid_input && !asked.judgement.skipped)
         asked.judgement.wrong = "refuses a valid case";
       return asked;
     }
@@ -163,7 +163,7 @@ CampaignCast CaseJudge::ask(const Method& contender) {
     if (request != engine::kPlain)
       law::judge_work(asked.judgement, contender, question,
                       contender.ask(question, {.request = engine::kPlain}).counters);
-    asked.judgement.not_asked = asked.judgement.not_asked && asked.judgement.wrong.empty();
+    asked.judgement.skipped = asked.judgement.skipped && asked.judgement.wrong.empty();
     if (contender.is_exact() && asked.judgement.faulty()) asked.judgement.stalled = false;
   } catch (const std::exception& error) {
     asked.judgement.wrong = std::string("could not be judged: ") + error.what();

@@ -130,7 +130,7 @@ void run_block(const CampaignJob& job, const CampaignSettings& settings, std::ui
       const engine::Method& contender = *place.part->cases.contenders()[place.contender];
       tally.add(index, cell, contender, drawn, judge->ask(contender));
     } else {
-      tally.add_not_asked(cell);
+      tally.add_skipped(cell);
     }
   }
 }

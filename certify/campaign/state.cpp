@@ -261,9 +261,9 @@ CampaignState state_of(const Json& json) {
   state.tally.stalls = findings_of(all, "stalls");
   state.tally.undecided = findings_of(all, "undecided");
   const CampaignCounts total = state.tally.total();
-  if (total.casts + total.not_asked != state.casts_done()) {
+  if (total.casts + total.skipped != state.casts_done()) {
     throw std::runtime_error(fmt::format("the levels count {} casts, the blocks that are done have {}",
-                                         total.casts + total.not_asked, state.casts_done()));
+                                         total.casts + total.skipped, state.casts_done()));
   }
   return state;
 }

@@ -41,7 +41,7 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Met
                         const DrawnCase& drawn, const CampaignCast& cast) {
   CampaignCounts& count = counts[cell];
   const law::Judgement& judgement = cast.judgement;
-  if (judgement.not_asked) return add_not_asked(cell);
+  if (judgement.skipped) return add_skipped(cell);
   ++count.casts;
   if (judgement.failed.empty()) switch (cast.answer.outcome) {
       case Outcome::initially_overlapping:
@@ -65,7 +65,7 @@ void CampaignTally::add(std::uint64_t index, std::size_t cell, const engine::Met
   count.by_oracle += one_if(judgement.by_oracle);
   count.sampled += one_if(judgement.by_oracle && drawn.sampled);
   count.undecided += one_if(!cast.undecided.empty());
-  count.excused += one_if(judgement.excused);
+  count.within_tolerance += one_if(judgement.within_tolerance);
   count.widest = std::fmax(count.widest, judgement.errors.over_limit);
   count.most_supports = std::max(count.most_supports, static_cast<std::uint64_t>(judgement.supports));
   if (judgement.faulty()) {

@@ -24,14 +24,14 @@ struct CampaignCounts {
   std::uint64_t undecided = 0;  // of those, the oracle could not tell
   // By fault, the first eight: an answer counts as its worst.
   std::uint64_t wrong = 0, late = 0, off = 0, contact_off = 0, proofs_refused = 0, unproved = 0;
-  std::uint64_t work = 0;           // more support evaluations than the guarantee
-  std::uint64_t failed = 0;         // an engine of others crashed, hung, or wrote what is no answer
-  std::uint64_t faults = 0;         // answers with any of them
-  std::uint64_t stalls = 0;         // not_converged, and not excused; its frequency is capped by the row
-  std::uint64_t excused = 0;        // decided by less than the row's limit
-  std::uint64_t not_asked = 0;      // no question was found; not among the casts
-  std::uint64_t most_supports = 0;  // support evaluations of the costliest answer
-  double widest = 0;                // the largest error that the oracle measured, over what the row grants
+  std::uint64_t work = 0;    // more support evaluations than the guarantee
+  std::uint64_t failed = 0;  // an engine of others crashed, hung, or wrote what is no answer
+  std::uint64_t faults = 0;  // answers with any of them
+  std::uint64_t stalls = 0;  // not_converged, and not within tolerance; its frequency is capped by the row
+  std::uint64_t within_tolerance = 0;  // decided by less than the row's limit
+  std::uint64_t skipped = 0;           // no question was found; not among the casts
+  std::uint64_t most_supports = 0;     // support evaluations of the costliest answer
+  double widest = 0;                   // the largest error that the oracle measured, over what the row grants
 
   CampaignCounts& operator+=(const CampaignCounts& other);
   friend bool operator==(const CampaignCounts&, const CampaignCounts&) = default;
@@ -63,8 +63,8 @@ inline constexpr std::array<CountField, 22> kCountFields = {{
     {"failed", &CampaignCounts::failed},
     {"faults", &CampaignCounts::faults},
     {"stalls", &CampaignCounts::stalls},
-    {"excused", &CampaignCounts::excused},
-    {"not_asked", &CampaignCounts::not_asked},
+    {"excused", &CampaignCounts::within_tolerance},
+    {"not_asked", &CampaignCounts::skipped},
 }};
 
 // An answer that was found wanting, or that the oracle could not tell about. Its case is that of (family,
@@ -92,7 +92,7 @@ struct CampaignTally {
   explicit CampaignTally(std::size_t cells = 0) : counts(cells) {}
   void add(std::uint64_t index, std::size_t cell, const engine::Method& contender, const DrawnCase& drawn,
            const CampaignCast& cast);
-  void add_not_asked(std::size_t cell) { ++counts[cell].not_asked; }
+  void add_skipped(std::size_t cell) { ++counts[cell].skipped; }
   void merge(const CampaignTally& other);  // of the same campaign
   [[nodiscard]] CampaignCounts total() const;
   friend bool operator==(const CampaignTally&, const CampaignTally&) = default;

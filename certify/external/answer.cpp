@@ -72,8 +72,8 @@ double read_any_number(const JsonValue& value, const std::string& path) {
 }
 
 double finite(double x, const std::string& path) {
-  if (std::isnan(x)) throw Bad{Failure::no_number, path + " is NaN"};
-  if (std::isinf(x)) throw Bad{Failure::no_number, path + " is infinite"};
+  if (std::isnan(x)) throw Bad{Failure::non_finite, path + " is NaN"};
+  if (std::isinf(x)) throw Bad{Failure::non_finite, path + " is infinite"};
   return x;
 }
 
@@ -102,7 +102,7 @@ Interval read_interval(const Fields& fields, std::string_view key) {
   const Fields ends(value, path, {"lower", "upper"});
   const auto end = [&](std::string_view name) {
     const double x = read_any_number(ends.required(name, form), ends.path(name));
-    if (std::isnan(x)) throw Bad{Failure::no_number, ends.path(name) + " is NaN"};
+    if (std::isnan(x)) throw Bad{Failure::non_finite, ends.path(name) + " is NaN"};
     return x;
   };
   const Interval both{end("lower"), end("upper")};
@@ -142,7 +142,7 @@ class SaidInAFrame : public Said {
   [[nodiscard]] Interval interval(std::string_view key) const override {
     const auto [lower, upper] = ends(key);
     const std::string path(key);
-    if (std::isnan(lower)) throw Bad{Failure::no_number, path + " is NaN"};
+    if (std::isnan(lower)) throw Bad{Failure::non_finite, path + " is NaN"};
     if (std::isnan(upper)) return {finite(lower, path), lower};
     if (!(lower <= upper)) throw Bad{Failure::out_of_range, path + " is a bracket upside down"};
     return {lower, upper};
@@ -193,9 +193,8 @@ class Reading {
       throw Malformed{"schema", corpus::json_quote_short(schema) + "; it is \"graze.answer/1\""};
     const std::string its = corpus::read_string(fields.required("id", "the id of the question"), "id");
     if (its != id)
-      throw Bad{Failure::anothers_answer,
-                fmt::format("it answers {}, and was asked {}", corpus::json_quote_short(its),
-                            corpus::json_quote_short(id))};
+      throw Bad{Failure::wrong_id, fmt::format("it answers {}, and was asked {}",
+                                               corpus::json_quote_short(its), corpus::json_quote_short(id))};
     if (const JsonValue* message = fields.optional("message"))
       answer_.message = corpus::read_string(*message, "message");
     outcome(fields);
@@ -452,8 +451,7 @@ Answer read_answer_frame(std::string_view bytes, std::uint64_t id, const Offer& 
   std::memcpy(&frame, bytes.data(), sizeof frame);
   if (frame.magic != adapter::frames::kAnswer) return failed_by(Failure::garbage, "the bytes are no answer");
   if (frame.id != id)
-    return failed_by(Failure::anothers_answer,
-                     fmt::format("it answers q{}, and was asked q{}", frame.id, id));
+    return failed_by(Failure::wrong_id, fmt::format("it answers q{}, and was asked q{}", frame.id, id));
   frame.answer.message[sizeof frame.answer.message - 1] = '\0';
   try {
     return Reading(offer, terms)(frame);

@@ -35,8 +35,8 @@ bool is_dead(Failure failure) {
   switch (failure) {
     case Failure::none:
     case Failure::garbage:
-    case Failure::anothers_answer:
-    case Failure::no_number:
+    case Failure::wrong_id:
+    case Failure::non_finite:
     case Failure::out_of_range:
       return false;
     default:
@@ -170,14 +170,13 @@ Answer Engine::ask(const Offer& offer, const Terms& terms, int repeat) {
   }
   Answer answer;
   if (!first.text.empty() && first.text != said_) {
-    answer = failure(Failure::anothers_answer, "started again, it says something else of itself: " +
-                                                   corpus::json_quote_short(first.text));
+    answer = failure(Failure::wrong_id, "started again, it says something else of itself: " +
+                                            corpus::json_quote_short(first.text));
   } else {
     answer = ask(*process, offer, terms, id, repeat);
   }
   // One that answers what it was not asked, or no JSON, is out of step with its questions.
-  if (is_dead(answer.failure) || answer.failure == Failure::garbage ||
-      answer.failure == Failure::anothers_answer) {
+  if (is_dead(answer.failure) || answer.failure == Failure::garbage || answer.failure == Failure::wrong_id) {
     left_behind_ += process->stop();
   } else {
     give_back(std::move(process));

@@ -90,10 +90,10 @@ engine::Method method_of(const Declaration& engine, const Offer& offer, const en
     const Terms terms = in_terms_of(engine, offer, problem, true);
     return terms.refused.empty() ? answering(offer, terms, problem) : declined(terms);
   };
-  method.own_terms = [&engine, &offer, beyond,
-                      answering = std::move(answering)](const corpus::Case& problem) {
+  method.engine_view = [&engine, &offer, beyond,
+                        answering = std::move(answering)](const corpus::Case& problem) {
     const auto terms = std::make_shared<const Terms>(in_terms_of(engine, offer, problem, beyond));
-    engine::OwnTerms own{.refused = terms->refused, .beyond_limits = terms->beyond_limits};
+    engine::EngineView own{.refused = terms->refused, .beyond_limits = terms->beyond_limits};
     if (!own.refused.empty()) return own;
     own.seen = terms->seen;
     own.ask = [&offer, terms, answering, problem](const engine::Ask&) {

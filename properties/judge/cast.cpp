@@ -23,7 +23,7 @@ std::string fault_of(Truth& truth, const Method& method, const Answer& answer, C
                      bool ask_oracle) {
   const Judgement judgement = judge(truth, method, answer, Request::everything, ask_oracle);
   all.by_oracle = all.by_oracle || judgement.by_oracle;
-  if (judgement.not_asked || judgement.faulty()) return judgement.fault();
+  if (judgement.skipped || judgement.faulty()) return judgement.fault();
   if (method.is_certified() && judgement.stalled) return judgement.undecided;
   return answer.outcome == Outcome::invalid_input
              ? ""

@@ -49,20 +49,20 @@ void judge_contact(Judgement& judgement, const CaseTruth& exact, const Answer& a
     const double length = answer.normal.norm();
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
     if (!(std::abs(length - 1) <= std::max(16 * method.unit_roundoff, limits.contact_u))) {
-      convict(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
+      add_fault(judgement.bad_contact, fmt::format("the normal has length {:.17g}", length));
     } else if (!(answer.normal.dot(v) <= limits.contact_u * v.norm())) {
-      convict(judgement.bad_contact, "the normal points along the motion");
+      add_fault(judgement.bad_contact, "the normal points along the motion");
     } else if (const double error = normal_error(exact, answer, v); error > limit) {
-      convict(judgement.bad_contact,
-              fmt::format("the normal supports C {:.2e} of scale beyond the contact", over(error, scale)));
+      add_fault(judgement.bad_contact,
+                fmt::format("the normal supports C {:.2e} of scale beyond the contact", over(error, scale)));
     }
   }
   if (asks_for(request, Request::witnesses)) {
     if (!answer.point_a.allFinite() || !answer.point_b.allFinite()) {
-      convict(judgement.bad_contact, "a witness is not finite");
+      add_fault(judgement.bad_contact, "a witness is not finite");
     } else if (const double error = witness_error(exact, answer, method.unit_roundoff); error > limit) {
-      convict(judgement.bad_contact,
-              fmt::format("a witness is {:.2e} of scale off its body", over(error, scale)));
+      add_fault(judgement.bad_contact,
+                fmt::format("a witness is {:.2e} of scale off its body", over(error, scale)));
     }
   }
 }

@@ -62,8 +62,8 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
     const double deep = truth.depth_before(t).low;
     judgement.errors.passed = over(deep, limits.scale);
     if (deep > d)
-      convict(fault,
-              fmt::format("{}, and the contact of the start gets {} deep before", what, over_scale(deep)));
+      add_fault(fault,
+                fmt::format("{}, and the contact of the start gets {} deep before", what, over_scale(deep)));
   };
   judgement.by_oracle = true;
   judgement.errors.scale = limits.scale;
@@ -72,18 +72,18 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
       deeper_before(problem.t_max, judgement.wrong, "says miss");
       // In the standard tier a start within the limit may count as apart, too.
       if (!answer.passed_over && truth.depth_at(0).low > (limits.strict ? 0 : limits.limit))
-        convict(judgement.wrong, "says miss, and not that it passed over the start in contact");
+        add_fault(judgement.wrong, "says miss, and not that it passed over the start in contact");
       return;
     case Outcome::initially_overlapping:
       if (truth.depth_at(0).high <= least)
-        convict(judgement.wrong,
-                fmt::format("reports a start that is {} deep", over_scale(truth.depth_at(0).high)));
+        add_fault(judgement.wrong,
+                  fmt::format("reports a start that is {} deep", over_scale(truth.depth_at(0).high)));
       return;
     case Outcome::not_converged: {
       deeper_before(answer.toi_lower, judgement.late, "toi_lower is late");
       const oracle::Enclosure deep = truth.depth_before(problem.t_max);
       judgement.stalled = deep.low > std::max(d, limits.wide) || deep.high <= least;
-      judgement.excused = !judgement.stalled;
+      judgement.within_tolerance = !judgement.stalled;
       return;
     }
     case Outcome::hit:
@@ -97,19 +97,19 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
       answer.plan.effects != Effects::rotating && truth.depth_before(problem.t_max).high > least;
   const double apart = truth.distance_at(answer.toi_upper).low;
   if (apart > std::max(limits.wide, least)) {
-    convict(judgement.early, fmt::format("claims contact by {:.17g}, where the bodies are {} apart",
-                                         answer.toi_upper, over_scale(apart)));
+    add_fault(judgement.early, fmt::format("claims contact by {:.17g}, where the bodies are {} apart",
+                                           answer.toi_upper, over_scale(apart)));
   } else if (truth.depth_before(answer.toi_upper).high <= least &&
              !comes_apart(truth, answer.toi_upper, least) && !goes_in_at_once) {
-    convict(judgement.wrong,
-            fmt::format("says hit by {:.17g}; until then the contact of the start gets no deeper than "
-                        "{}, and there is no new one",
-                        answer.toi_upper, over_scale(truth.depth_before(answer.toi_upper).high)));
+    add_fault(judgement.wrong,
+              fmt::format("says hit by {:.17g}; until then the contact of the start gets no deeper than "
+                          "{}, and there is no new one",
+                          answer.toi_upper, over_scale(truth.depth_before(answer.toi_upper).high)));
   }
   for (const auto& [error, fault] :
        {std::pair(&width_error, &Judgement::off), std::pair(&distance_error, &Judgement::off)}) {
     const RotatingError found = error(truth, answer, limits);
-    if (!found.fault.empty()) convict(judgement.*fault, found.fault);
+    if (!found.fault.empty()) add_fault(judgement.*fault, found.fault);
   }
   Limits contact = limits;
   contact.contact += d;  // as deep as the contact may be that goes on
@@ -117,11 +117,11 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
                                                        std::min(answer.toi_upper, problem.t_max), kFine);
   if (asks_for(request, Request::normal)) {
     const RotatingError found = normal_error(there, answer, contact);
-    if (!found.fault.empty()) convict(judgement.bad_contact, found.fault);
+    if (!found.fault.empty()) add_fault(judgement.bad_contact, found.fault);
   }
   if (asks_for(request, Request::witnesses)) {
     const RotatingError found = witness_error(there, answer, contact);
-    if (!found.fault.empty()) convict(judgement.bad_contact, found.fault);
+    if (!found.fault.empty()) add_fault(judgement.bad_contact, found.fault);
   }
 }
 

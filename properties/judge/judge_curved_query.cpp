@@ -67,7 +67,7 @@ class CurvedJudge {
 
   Judgement operator()() {
     if (answer_.outcome == Outcome::invalid_input) {
-      convict(judgement_.wrong, "a valid case was refused");
+      add_fault(judgement_.wrong, "a valid case was refused");
       return judgement_;
     }
     switch (problem_.query) {
@@ -90,7 +90,7 @@ class CurvedJudge {
         verdict(answer_.outcome == Outcome::hit, pair_, [&] { return pair_.clearance(); });
         break;
       case Query::cast:
-        convict(judgement_.wrong, "a cast is judged elsewhere");
+        add_fault(judgement_.wrong, "a cast is judged elsewhere");
         break;
     }
     return judgement_;
@@ -108,10 +108,10 @@ class CurvedJudge {
   void verdict_errs(double error, const char* what) {
     erred(error);
     if (error <= limit_) {
-      judgement_.excused = true;
+      judgement_.within_tolerance = true;
     } else {
-      convict(judgement_.wrong, fmt::format("says {}; {} by {:.2e} of scale",
-                                            corpus::name_of(answer_.outcome), what, in_scale(error)));
+      add_fault(judgement_.wrong, fmt::format("says {}; {} by {:.2e} of scale",
+                                              corpus::name_of(answer_.outcome), what, in_scale(error)));
     }
   }
   // `apart` is the length by which a claim of contact errs where there is none.
@@ -123,7 +123,7 @@ class CurvedJudge {
     } else if (truth.contact_proved() || truth.outcome() != Outcome::not_converged) {
       if (!claims) verdict_errs(truth.depth().low, "they overlap");
     } else {
-      judgement_.excused = true;
+      judgement_.within_tolerance = true;
     }
   }
   void verdict_at_rest() {
@@ -134,19 +134,19 @@ class CurvedJudge {
     if (judgement_.stalled) return;
     erred(error);
     if (!(error <= wide_)) {
-      convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
+      add_fault(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
   }
   // A bracket that does not hold the truth is off, however wide it says it is.
   void held(const char* what, double miss) {
     if (!(miss <= limit_)) {
-      convict(judgement_.off,
-              fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
+      add_fault(judgement_.off,
+                fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
     }
   }
   void holds(const char* what, const Interval& bracket, const Enclosure& value) {
     if (!(bracket.lower <= bracket.upper))
-      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+      return add_fault(judgement_.off, fmt::format("{} has no bracket", what));
     const double miss = std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0});
     held(what, miss);
     measure(what, std::max({value.low - bracket.lower, bracket.upper - value.high, miss}));
@@ -160,15 +160,15 @@ class CurvedJudge {
     for (const char body : {'a', 'b'}) {
       const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
       if (!answer_.has_points) {
-        convict(judgement_.bad_contact, "a witness is missing");
+        add_fault(judgement_.bad_contact, "a witness is missing");
         return false;
       }
       const double error = rest_.distance_from_body(body, 0, point).low - rounding(point) -
                            (body == 'a' ? answer_.reach_a : answer_.reach_b);
       judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
-        convict(judgement_.bad_contact,
-                fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
+        add_fault(judgement_.bad_contact,
+                  fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
         return false;
       }
     }
@@ -177,7 +177,7 @@ class CurvedJudge {
 
   void distance() {
     verdict_at_rest();
-    if (!answer_.separation) return convict(judgement_.wrong, "no distance");
+    if (!answer_.separation) return add_fault(judgement_.wrong, "no distance");
     const Enclosure true_distance = rest_.distance();
     holds("the distance", *answer_.separation, true_distance);
     if (answer_.outcome != Outcome::miss || !witnesses() || judgement_.stalled) return;
@@ -187,8 +187,8 @@ class CurvedJudge {
     const double error = std::max(true_distance.low - between, between - reach - true_distance.high) -
                          rounding(answer_.point_a) - rounding(answer_.point_b);
     if (!(error <= 2 * limit_ + wide_)) {
-      convict(judgement_.bad_contact,
-              fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
+      add_fault(judgement_.bad_contact,
+                fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
     }
   }
 
@@ -196,7 +196,7 @@ class CurvedJudge {
   bool has_depth() {
     verdict_at_rest();
     if (answer_.outcome != Outcome::initially_overlapping) return false;
-    if (!answer_.depth) convict(judgement_.wrong, "no depth");
+    if (!answer_.depth) add_fault(judgement_.wrong, "no depth");
     return answer_.depth.has_value() && rest_.outcome() == Outcome::initially_overlapping;
   }
   // The depth is the least h(n) over unit n: no more than h of the answer's own normal, whose enclosure is
@@ -210,7 +210,8 @@ class CurvedJudge {
       if (!judgement_.stalled) {
         judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(beyond, 0.0)));
         if (!(beyond <= wide_)) {
-          convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(beyond)));
+          add_fault(judgement_.bad_contact,
+                    fmt::format("the normal is {:.2e} of scale off", in_scale(beyond)));
         }
       }
       proved.high = std::min(proved.high, reach.high);
@@ -242,7 +243,7 @@ class CurvedJudge {
     for (const double given : {bracket.lower, bracket.upper}) {
       const double t = std::clamp(given, -largest, largest);
       if (!(t * relative(path)).allFinite() || std::isnan(given)) {
-        return convict(judgement_.off, fmt::format("{} is not finite", what));
+        return add_fault(judgement_.off, fmt::format("{} is not finite", what));
       }
       if (!judgement_.stalled)
         measure(what, std::max(truth.distance_at(t).low, depth_beyond(path, t, onward)));
@@ -271,7 +272,7 @@ class CurvedJudge {
     const oracle::LineContact contact = pair_.contact_interval();
     const bool claims = answer_.outcome == Outcome::hit, open = answer_.outcome == Outcome::not_converged;
     if (contact.outcome == Outcome::not_converged) {
-      judgement_.excused = !open;
+      judgement_.within_tolerance = !open;
       return;
     }
     const Case path = as_cast(problem_);
@@ -285,11 +286,11 @@ class CurvedJudge {
       return verdict_errs(moves ? depth_beyond(path, contact.t_in.low, true) : pair_.depth().low,
                           "they overlap");
     }
-    if (!answer_.t_in || !answer_.t_out) return convict(judgement_.off, "an end is missing");
+    if (!answer_.t_in || !answer_.t_out) return add_fault(judgement_.off, "an end is missing");
     if (!moves) {
       const bool always =
           answer_.t_in->upper == -kInfinity<double> && answer_.t_out->lower == kInfinity<double>;
-      if (!always) convict(judgement_.off, "bodies at rest and in contact have an end");
+      if (!always) add_fault(judgement_.off, "bodies at rest and in contact have an end");
       return;
     }
     end_of_line("t_in", path, pair_, *answer_.t_in, contact.t_in, false);

@@ -42,7 +42,7 @@ class QueryJudge {
 
   Judgement operator()() {
     if (answer_.outcome == Outcome::invalid_input) {
-      convict(judgement_.wrong, "a valid case was refused");
+      add_fault(judgement_.wrong, "a valid case was refused");
       return judgement_;
     }
     switch (truth_.problem().query) {
@@ -66,7 +66,7 @@ class QueryJudge {
         swept_overlap();
         break;
       case Query::cast:
-        convict(judgement_.wrong, "a cast is judged elsewhere");
+        add_fault(judgement_.wrong, "a cast is judged elsewhere");
         break;
     }
     return judgement_;
@@ -87,11 +87,11 @@ class QueryJudge {
     const double error = (claims ? apart() : deep()).low;
     erred(error);
     if (error <= limit_) {
-      judgement_.excused = true;
+      judgement_.within_tolerance = true;
     } else {
-      convict(judgement_.wrong,
-              fmt::format("says {}; {} by {:.2e} of scale", corpus::name_of(answer_.outcome),
-                          claims ? "they are apart" : "they overlap", in_scale(error)));
+      add_fault(judgement_.wrong,
+                fmt::format("says {}; {} by {:.2e} of scale", corpus::name_of(answer_.outcome),
+                            claims ? "they are apart" : "they overlap", in_scale(error)));
     }
   }
   // Either end of a bracket; one that says of itself that it is wide may be.
@@ -99,26 +99,26 @@ class QueryJudge {
     if (judgement_.stalled) return;
     erred(error);
     if (!(error <= wide_)) {
-      convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
+      add_fault(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
     }
   }
   // A bracket that does not hold the truth is off, however wide it says it is.
   void held(const char* what, double miss) {
     if (!(miss <= limit_)) {
-      convict(judgement_.off,
-              fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
+      add_fault(judgement_.off,
+                fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
     }
   }
   void holds(const char* what, const Interval& bracket, const Enclosure& value) {
     if (!(bracket.lower <= bracket.upper))
-      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+      return add_fault(judgement_.off, fmt::format("{} has no bracket", what));
     held(what, std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0}));
     measure(what, std::max(std::abs(bracket.lower - value.low), std::abs(bracket.upper - value.high)));
   }
   void normal_off(double error, double limit) {
     judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(error, 0.0)));
     if (!(error <= limit)) {
-      convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
+      add_fault(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
     }
   }
   // The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
@@ -129,13 +129,13 @@ class QueryJudge {
     if (!has_witnesses_) return;
     for (const char body : {'a', 'b'}) {
       const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
-      if (!answer_.has_points) return convict(judgement_.bad_contact, "a witness is missing");
+      if (!answer_.has_points) return add_fault(judgement_.bad_contact, "a witness is missing");
       const double error = truth_.at_rest().distance_from_body(body, 0, point).low - rounding(point) -
                            (body == 'a' ? answer_.reach_a : answer_.reach_b);
       judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
       if (!(error <= limit_)) {
-        convict(judgement_.bad_contact,
-                fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
+        add_fault(judgement_.bad_contact,
+                  fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
       }
     }
   }
@@ -158,7 +158,7 @@ class QueryJudge {
 
   void distance() {
     verdict_at_rest();
-    if (!answer_.separation) return convict(judgement_.wrong, "no distance");
+    if (!answer_.separation) return add_fault(judgement_.wrong, "no distance");
     const Enclosure exact = truth_.at_rest().distance();
     holds("the distance", *answer_.separation, exact);
     if (answer_.outcome != Outcome::miss) return;
@@ -174,8 +174,8 @@ class QueryJudge {
     const double beyond = (answer_.point_a - answer_.point_b).norm() - exact.high,
                  error = std::max(-beyond, beyond - pair_reach()) - pair_rounding();
     if (!(error <= 2 * limit_ + wide_)) {
-      convict(judgement_.bad_contact,
-              fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
+      add_fault(judgement_.bad_contact,
+                fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
     }
   }
 
@@ -183,7 +183,7 @@ class QueryJudge {
   bool has_depth() {
     verdict_at_rest();
     if (answer_.outcome != Outcome::initially_overlapping) return false;
-    if (!answer_.depth) convict(judgement_.wrong, "no depth");
+    if (!answer_.depth) add_fault(judgement_.wrong, "no depth");
     return answer_.depth.has_value() && truth_.penetration().in_contact();
   }
   void penetration() {
@@ -196,8 +196,8 @@ class QueryJudge {
     const double error = truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low -
                          pair_rounding() - pair_reach();
     if (!(error <= 2 * limit_ + wide_)) {
-      convict(judgement_.bad_contact,
-              fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
+      add_fault(judgement_.bad_contact,
+                fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
     }
   }
   void penetration_along() {
@@ -282,7 +282,7 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   // An overlap knows no target distance.
   if (problem.query == Query::overlap) question.target_distance = 0;
   if (!engine::is_exact_question(question)) {
-    judgement.not_asked = true;
+    judgement.skipped = true;
     if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
     return judgement;
   }

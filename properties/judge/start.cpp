@@ -51,16 +51,17 @@ void judge_normal(Judgement& judgement, const corpus::Case& problem, const Answe
                   const engine::Method& method, const Limits& limits) {
   const double length = answer.normal.norm();
   if (!(std::abs(length - 1) <= std::max(16 * method.unit_roundoff, limits.contact_u)))
-    return convict(judgement.bad_contact,
-                   fmt::format("the normal of a start in contact has length {:.17g}", length));
+    return add_fault(judgement.bad_contact,
+                     fmt::format("the normal of a start in contact has length {:.17g}", length));
   if (method.guarantee == nullptr || method.guarantee->start_normal == engine::StartNormal::any) return;
   const std::optional<double> error = beyond_least_penetration(problem, answer.normal);
   if (!error) return;
   judgement.errors.normal = over(std::max(0.0, *error), limits.scale);
   if (*error > limits.contact)
-    convict(judgement.bad_contact,
-            fmt::format("B moved along the normal goes {:.2e} of scale farther than by the least penetration",
-                        over(*error, limits.scale)));
+    add_fault(
+        judgement.bad_contact,
+        fmt::format("B moved along the normal goes {:.2e} of scale farther than by the least penetration",
+                    over(*error, limits.scale)));
 }
 
 void judge_witnesses(Judgement& judgement, Truth& truth, const Answer& answer, const engine::Method& method,
@@ -68,7 +69,7 @@ void judge_witnesses(Judgement& judgement, Truth& truth, const Answer& answer, c
   double worst = 0;
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
-    if (!point.allFinite()) return convict(judgement.bad_contact, "a witness is not finite");
+    if (!point.allFinite()) return add_fault(judgement.bad_contact, "a witness is not finite");
     // Its coordinates round by 2 u of its distance from the origin (docs/guarantees.md).
     const double granted =
         2 * method.unit_roundoff * point.norm() + (body == 'a' ? answer.reach_a : answer.reach_b);
@@ -76,9 +77,9 @@ void judge_witnesses(Judgement& judgement, Truth& truth, const Answer& answer, c
   }
   judgement.errors.witness = over(worst, limits.scale);
   if (worst > limits.contact)
-    convict(judgement.bad_contact,
-            fmt::format("a witness of a start in contact is {:.2e} of scale off its body",
-                        over(worst, limits.scale)));
+    add_fault(judgement.bad_contact,
+              fmt::format("a witness of a start in contact is {:.2e} of scale off its body",
+                          over(worst, limits.scale)));
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ void judge_start(Judgement& judgement, Truth& truth, const Answer& answer, const
   if (answer.outcome != Outcome::initially_overlapping || !judgement.wrong.empty()) return;
   if (method.is_ours()) {
     if (answer.has_normal() || answer.has_points || !answer.point_a.isZero(0) || !answer.point_b.isZero(0))
-      convict(judgement.bad_contact, "hands out the contact of a start, and documents that there is none");
+      add_fault(judgement.bad_contact, "hands out the contact of a start, and documents that there is none");
     return;
   }
   if (asks_for(request, Request::normal) && answer.has_normal())

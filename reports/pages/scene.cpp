@@ -313,7 +313,7 @@ class Document {
     }
     out["promises"] = method.guarantee != nullptr && !method.guarantee->is_open;
     out["stalled"] = judgement.stalled;
-    out["excused"] = judgement.excused;
+    out["excused"] = judgement.within_tolerance;
     const law::Errors& errors = judgement.errors;
     out["errors"] = {{"forward", number(errors.forward)}, {"backward", number(errors.backward)},
                      {"normal", number(errors.normal)},   {"witness", number(errors.witness)},

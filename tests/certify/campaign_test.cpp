@@ -77,7 +77,7 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
   const CampaignCounts total = state.tally.total();
   EXPECT_EQ(total.casts, kCasts);
   EXPECT_EQ(total.hits + total.misses + total.overlapping, kCasts);
-  EXPECT_EQ(total.faults + total.stalls + total.not_asked, 0U);
+  EXPECT_EQ(total.faults + total.stalls + total.skipped, 0U);
   // Families in turn, and each one's levels: the shares differ by one at most.
   for (std::size_t cell = 0; cell < state.cells.size(); ++cell) {
     EXPECT_GT(state.tally.counts[cell].casts, 0U) << state.cells[cell].family << state.cells[cell].level;
@@ -323,7 +323,7 @@ TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
 TEST(Parts, stops_shards_and_threads_do_not_change_a_byte) {
   const Small small(7);
   const CampaignState whole = small.run(1);
-  EXPECT_EQ(whole.tally.total().casts + whole.tally.total().not_asked, whole.settings.casts());
+  EXPECT_EQ(whole.tally.total().casts + whole.tally.total().skipped, whole.settings.casts());
   CampaignState stopped = small.fresh();
   small.go_on_for(stopped, 2, 5);
   EXPECT_FALSE(stopped.is_complete());
@@ -348,7 +348,7 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
         std::uint64_t asked = 0;
         for (std::size_t i = 0; i < state.cells.size(); ++i) {
           if (state.cells[i].method == method && state.cells[i].family == family)
-            asked += state.tally.counts[i].casts + state.tally.counts[i].not_asked;
+            asked += state.tally.counts[i].casts + state.tally.counts[i].skipped;
         }
         EXPECT_EQ(asked, part.count / part.methods.size() / part.families.size()) << method << family;
       }

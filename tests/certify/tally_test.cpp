@@ -80,7 +80,7 @@ TEST(Tally, keeps_the_case_that_took_the_most_supports) {
 TEST(Tally, counts_open_answers_that_the_guarantee_grants_too) {
   Judgement tie, stall;
   tie.outcome = stall.outcome = Outcome::not_converged;
-  tie.excused = stall.stalled = true;
+  tie.within_tolerance = stall.stalled = true;
   const Tally tally = tally_of(98, {tie, stall});
   EXPECT_EQ(tally.left_open, 2U);
   EXPECT_EQ(tally.stalled, 1U);
@@ -88,11 +88,11 @@ TEST(Tally, counts_open_answers_that_the_guarantee_grants_too) {
 
 TEST(Tally, says_that_too_many_questions_are_declined) {
   Judgement declined;
-  declined.not_asked = declined.declined = true;
+  declined.skipped = declined.declined = true;
   EXPECT_EQ(declines(tally_of(9, {declined})), "");
   const Tally tally = tally_of(8, {declined});
   EXPECT_EQ(tally.cases, 8U);
-  EXPECT_EQ(tally.not_asked, 0U);
+  EXPECT_EQ(tally.skipped, 0U);
   EXPECT_EQ(declines(tally), "gjk/double declines 1 of 9 questions (11 %)");
 }
 
@@ -105,11 +105,11 @@ TEST(Breaches, stalls_break_a_row_only_above_their_cap) {
   EXPECT_NE(lines[0].find("bad/0"), std::string::npos);
 }
 
-TEST(Breaches, excused_verdicts_break_nothing_and_are_counted) {
-  Judgement excused;
-  excused.excused = true;
-  const Tally tally = tally_of(0, {excused});
-  EXPECT_EQ(tally.excused, 1U);
+TEST(Breaches, verdicts_within_tolerance_break_nothing_and_are_counted) {
+  Judgement close;
+  close.within_tolerance = true;
+  const Tally tally = tally_of(0, {close});
+  EXPECT_EQ(tally.within_tolerance, 1U);
   EXPECT_TRUE(breaches(tally).empty());
 }
 

@@ -191,7 +191,7 @@ int run_judge_command(const JudgeArguments& arguments) {
   std::vector<std::string> told;  // of --full: an answer at fault each
   settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method&,
                         const law::Judgement& judgement) {
-    if (judgement.not_asked || !judgement.faulty()) return;
+    if (judgement.skipped || !judgement.faulty()) return;
     ++faulty;
     if (!arguments.full) return;
     told.push_back(fmt::format("{}  {}  {}", suite.at(i).id, law::kFaultKinds[judgement.worst_fault()].name,

@@ -22,7 +22,7 @@ LawResult judged_by(std::string Judgement::*fault, const Case& problem, const Me
     return broken(reason + ": " + describe(answer));
   LawResult result = holds({label_of(answer.outcome)});
   if (judgement->stalled) result.labels.push_back("not_converged");
-  if (judgement->excused) result.labels.push_back("within the limit");
+  if (judgement->within_tolerance) result.labels.push_back("within the limit");
   return result;
 }
 

@@ -83,7 +83,7 @@ LawResult judged(const Case& problem, const Method& method, Motion motion) {
   try {
     Truth truth(*start);
     const Judgement judgement = judge(truth, method, answer, request, true);
-    if (judgement.not_asked) return no_rotating_question();
+    if (judgement.skipped) return no_rotating_question();
     if (judgement.faulty()) return broken(judgement.fault() + ": " + describe(answer));
     if (motion == Motion::along_the_plane && judgement.stalled)
       return broken("a spin on the plane of the contact is left open: " + describe(answer));

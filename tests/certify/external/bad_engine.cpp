@@ -1,8 +1,8 @@
-// bad_engine SIN [N]: an engine that casts balls, rightly, and sins on purpose: at its N-th question (the first by
-// default), and where the sin needs a hit, a miss, or a start in contact, at the first such from there on.
+// bad_engine FAULT [N]: an engine that casts balls, rightly, and errs on purpose: at its N-th question (the first by
+// default), and where the fault needs a hit, a miss, or a start in contact, at the first such from there on.
 //
-// bad_engine none         sins not.
-// bad_engine has_margin   sins not, either: its balls are rounded by the margin that it declares, half of it each.
+// bad_engine none         never errs.
+// bad_engine has_margin   does not err, either: its balls are rounded by the margin that it declares, half of it each.
 // bad_engine misses_all_hits     says miss of every hit.
 // bad_engine hits_all_starts     says hit at time 0 of every start in contact.
 // bad_engine declines_half       answers every second question with unsupported.
@@ -68,15 +68,15 @@ void say(const std::string& text) {
 }
 
 // What it says at its start.
-std::string description(const std::string& sin) {
-  if (sin == "declares_nonsense") return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "quad"})";
-  if (sin == "declares_no_json") return "Bad Engine 1.0, ready";
+std::string description(const std::string& fault) {
+  if (fault == "declares_nonsense") return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "quad"})";
+  if (fault == "declares_no_json") return "Bad Engine 1.0, ready";
   // Another at each start.
-  const std::string version = sin == "declares_otherwise" ? std::to_string(getpid()) : "1";
+  const std::string version = fault == "declares_otherwise" ? std::to_string(getpid()) : "1";
   return R"({"schema": "graze.engine/1", "name": "bad", "version": ")" + version +
          R"(", "scalar": "double", "shapes": ["sphere"], )" +
          (has_margin ? "\"margin\": " + std::to_string(kMargin) + ", " : "") +
-         (sin == "documents_misses" ? R"("most_aspect": 0.5, )" : "") +
+         (fault == "documents_misses" ? R"("most_aspect": 0.5, )" : "") +
          R"("queries": {"cast": {"answers": ["time", "normal", "witnesses"], "relative_tolerance": 1e-9, )"
          R"("start_normal": "least_penetration"}}})";
 }
@@ -104,16 +104,16 @@ void fork_child(bool own_session, bool twice, bool holds_output) {
   sleep_for_ever();
 }
 
-// Sins that change an answer, and of which answers: nullptr leaves the line to be written by somebody else.
-struct Sin {
+// Faults that change an answer, and of which answers: nullptr leaves the line to be written by somebody else.
+struct FaultKind {
   enum class Needs { anything, hit, miss, start } needs;
   std::string (*line)(const Question& q, const Answer& right);
 };
 std::string right_line(const Question& q, const Answer& right) { return write_answer(q.id, right); }
 
-const std::map<std::string, Sin>& sins() {
-  using Needs = Sin::Needs;
-  static const std::map<std::string, Sin> all{
+const std::map<std::string, FaultKind>& fault_kinds() {
+  using Needs = FaultKind::Needs;
+  static const std::map<std::string, FaultKind> all{
       {"segfault",
        {Needs::anything,
         [](const Question&, const Answer&) -> std::string {
@@ -233,7 +233,7 @@ const std::map<std::string, Sin>& sins() {
         [](const Question&, const Answer&) -> std::string {
           for (;;) std::memset(new char[1 << 20], 1, 1 << 20);
         }}},
-      {"anothers_answer",
+      {"wrong_id",
        {Needs::anything,
         [](const Question&, const Answer& right) { return write_answer("q999999", right); }}},
       {"garbage",
@@ -302,46 +302,46 @@ const std::map<std::string, Sin>& sins() {
   return all;
 }
 
-bool suits(Sin::Needs needs, const Answer& right) {
-  if (needs == Sin::Needs::hit) return right.outcome == Outcome::hit;
-  if (needs == Sin::Needs::miss) return right.outcome == Outcome::miss;
-  if (needs == Sin::Needs::start) return right.outcome == Outcome::initially_overlapping;
+bool suits(FaultKind::Needs needs, const Answer& right) {
+  if (needs == FaultKind::Needs::hit) return right.outcome == Outcome::hit;
+  if (needs == FaultKind::Needs::miss) return right.outcome == Outcome::miss;
+  if (needs == FaultKind::Needs::start) return right.outcome == Outcome::initially_overlapping;
   return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string sin = argc > 1 ? argv[1] : "none";
+  const std::string fault = argc > 1 ? argv[1] : "none";
   int left = argc > 2 ? std::atoi(argv[2]) : 1, asked = 0;
-  has_margin = sin == "has_margin" || sin == "beyond_its_margin";
-  const auto known = sins().find(sin);
-  if (sin == "silent_start") sleep_for_ever();
-  if (sin == "ends_at_start") return 0;
-  if (sin == "fails_at_start") return 7;
-  say(description(sin) + "\n");
-  if (sin == "does_not_read") sleep_for_ever();
+  has_margin = fault == "has_margin" || fault == "beyond_its_margin";
+  const auto known = fault_kinds().find(fault);
+  if (fault == "silent_start") sleep_for_ever();
+  if (fault == "ends_at_start") return 0;
+  if (fault == "fails_at_start") return 7;
+  say(description(fault) + "\n");
+  if (fault == "does_not_read") sleep_for_ever();
   std::string line;
   while (std::getline(std::cin, line)) {
     const Question q = read_question(line);
     const Answer right = cast(q);
     // Always, whatever N: what is made small is asked of many processes.
-    if ((sin == "misses_all_hits" || sin == "documents_misses") && right.outcome == Outcome::hit) {
+    if ((fault == "misses_all_hits" || fault == "documents_misses") && right.outcome == Outcome::hit) {
       say(write_answer(q.id, Answer::miss()) + "\n");
       continue;
     }
-    if (sin == "hits_all_starts" && right.outcome == Outcome::initially_overlapping) {
+    if (fault == "hits_all_starts" && right.outcome == Outcome::initially_overlapping) {
       Answer bad = right;
       bad.outcome = Outcome::hit;
       bad.time = 0;
       say(write_answer(q.id, bad) + "\n");
       continue;
     }
-    if (sin == "declines_half" && asked++ % 2 == 0) {
+    if (fault == "declines_half" && asked++ % 2 == 0) {
       say(R"({"schema": "graze.answer/1", "id": ")" + q.id + R"(", "outcome": "unsupported"})" + "\n");
       continue;
     }
-    const bool is_time = --left <= 0 && known != sins().end() && suits(known->second.needs, right);
+    const bool is_time = --left <= 0 && known != fault_kinds().end() && suits(known->second.needs, right);
     say((is_time ? known->second.line(q, right) : right_line(q, right)) + "\n");
   }
   return 0;

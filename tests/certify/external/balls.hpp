@@ -1,4 +1,4 @@
-// Casts of balls, which the bad engine answers rightly where it does not sin.
+// Casts of balls, which the bad engine answers rightly where it does not err.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ inline corpus::Case balls(double step) {
 inline corpus::Case hit() { return balls(-5); }
 inline corpus::Case miss() { return balls(-1); }
 
-inline external::EngineOptions bad_engine(const std::string& sin, int at = 1) {
-  external::EngineOptions options{.command = "'" BAD_ENGINE "' " + sin + " " + std::to_string(at)};
+inline external::EngineOptions bad_engine(const std::string& fault, int at = 1) {
+  external::EngineOptions options{.command = "'" BAD_ENGINE "' " + fault + " " + std::to_string(at)};
   options.limits.time = std::chrono::milliseconds(500);
   options.limits.start = std::chrono::milliseconds(2000);
   options.limits.memory = std::uint64_t{256} << 20;

@@ -1,4 +1,4 @@
-// graze certify --engine on the bad engine: every sin is in the report, under its name, with its case saved; the run
+// graze certify --engine on the bad engine: every fault is in the report, under its name, with its case saved; the run
 // goes on to its end, and nothing of it stays.
 #include <gtest/gtest.h>
 
@@ -33,45 +33,45 @@ std::string cases() {
   return lines;
 }
 
-struct Sin {
+struct FaultKind {
   const char* name;
   const char* fault;    // of law::kFaultKinds
   const char* failure;  // of a fault "failed"
 };
-std::ostream& operator<<(std::ostream& out, const Sin& sin) { return out << sin.name; }
+std::ostream& operator<<(std::ostream& out, const FaultKind& fault) { return out << fault.name; }
 
-class Certify : public testing::TestWithParam<Sin> {};
+class Certify : public testing::TestWithParam<FaultKind> {};
 
 TEST_P(Certify, NamesTheSin) {
-  const Sin& sin = GetParam();
+  const FaultKind& fault = GetParam();
   const Folder folder;
   folder.write("balls.jsonl", cases());
   const CommandRun run =
       // Memory takes its time to fill on a busy machine, and is to end before the time does.
       folder.graze(std::string("certify --queries 0 --threads 2 --time-limit ") +
-                   (std::string_view(sin.name) == "leaks" ? "30" : "0.5") +
+                   (std::string_view(fault.name) == "leaks" ? "30" : "0.5") +
                    std::string(" --memory-limit "
                                "256 --json out.json --save bad.jsonl --junit out.xml "
                                "--engine \"" BAD_ENGINE " ") +
-                   sin.name + " 2\" balls.jsonl");
+                   fault.name + " 2\" balls.jsonl");
   EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
   EXPECT_EQ(bad_engines(), 0U);
   const auto report = nlohmann::json::parse(folder.read("out.json"), nullptr, false);
   ASSERT_FALSE(report.is_discarded()) << run.err;
   const auto& total = report.at("methods").at(0).at("total");
   EXPECT_EQ(total.at("cases"), kCases);
-  ASSERT_TRUE(total.at("faults").contains(sin.fault)) << report.dump(1);
-  const std::size_t count = total.at("faults").at(sin.fault).at("count");
+  ASSERT_TRUE(total.at("faults").contains(fault.fault)) << report.dump(1);
+  const std::size_t count = total.at("faults").at(fault.fault).at("count");
   EXPECT_GT(count, 0U);
-  if (*sin.failure != '\0') {
-    EXPECT_EQ(total.at("failures").at(sin.failure), count) << report.dump(1);
+  if (*fault.failure != '\0') {
+    EXPECT_EQ(total.at("failures").at(fault.failure), count) << report.dump(1);
   }
   // The cases are saved, and can be read again.
   const corpus::ReadResult saved = corpus::read_file(folder.path() / "bad.jsonl");
   EXPECT_TRUE(saved.ok());
   EXPECT_GE(saved.cases.size(), count);
   EXPECT_LE(saved.cases.size(), kCases);
-  const std::string first = total.at("faults").at(sin.fault).at("first");
+  const std::string first = total.at("faults").at(fault.fault).at("first");
   EXPECT_TRUE(std::any_of(saved.cases.begin(), saved.cases.end(), [&](const corpus::Case& problem) {
     return problem.id == first;
   })) << first;
@@ -81,22 +81,21 @@ TEST_P(Certify, NamesTheSin) {
   EXPECT_NE(xml.find(first), std::string::npos) << xml;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sins, Certify,
-                         testing::Values(Sin{"segfault", "failed", "crashed"}, Sin{"hang", "failed", "hung"},
-                                         Sin{"nan_token", "failed", "no number"},
-                                         Sin{"before_0", "failed", "out of range"},
-                                         Sin{"leaks", "failed", "out of memory"},
-                                         Sin{"anothers_answer", "failed", "another's answer"},
-                                         Sin{"garbage", "failed", "garbage"},
-                                         Sin{"half_a_line", "failed", "half a line"},
-                                         Sin{"closes_output", "failed", "silent"}, Sin{"late", "late", ""},
-                                         Sin{"early", "early", ""}, Sin{"flips_normals", "contact off", ""},
-                                         Sin{"shrinks_start_normals", "failed", "out of range"},
-                                         Sin{"flips_start_normals", "contact off", ""},
-                                         Sin{"loses_start_witnesses", "contact off", ""},
-                                         Sin{"beyond_its_margin", "contact off", ""},
-                                         Sin{"misses_hits", "wrong", ""}, Sin{"claims_hits", "wrong", ""}),
-                         [](const testing::TestParamInfo<Sin>& sin) { return std::string(sin.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Sins, Certify,
+    testing::Values(
+        FaultKind{"segfault", "failed", "crashed"}, FaultKind{"hang", "failed", "hung"},
+        FaultKind{"nan_token", "failed", "no number"}, FaultKind{"before_0", "failed", "out of range"},
+        FaultKind{"leaks", "failed", "out of memory"}, FaultKind{"wrong_id", "failed", "another's answer"},
+        FaultKind{"garbage", "failed", "garbage"}, FaultKind{"half_a_line", "failed", "half a line"},
+        FaultKind{"closes_output", "failed", "silent"}, FaultKind{"late", "late", ""},
+        FaultKind{"early", "early", ""}, FaultKind{"flips_normals", "contact off", ""},
+        FaultKind{"shrinks_start_normals", "failed", "out of range"},
+        FaultKind{"flips_start_normals", "contact off", ""},
+        FaultKind{"loses_start_witnesses", "contact off", ""},
+        FaultKind{"beyond_its_margin", "contact off", ""}, FaultKind{"misses_hits", "wrong", ""},
+        FaultKind{"claims_hits", "wrong", ""}),
+    [](const testing::TestParamInfo<FaultKind>& fault) { return std::string(fault.param.name); });
 
 TEST(Certify, AcquitsAGoodEngine) {
   for (const std::string good : {"none", "has_margin"}) {

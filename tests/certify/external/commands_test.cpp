@@ -1,4 +1,4 @@
-// --engine of every command that judges or asks: a sin of the bad engine shows up in each, an honest engine passes each, and
+// --engine of every command that judges or asks: a fault of the bad engine shows up in each, an honest engine passes each, and
 // what it does not take is counted.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace graze::test {
 namespace {
 
-std::string engine(const std::string& sin) { return "--engine \"" BAD_ENGINE " " + sin + "\""; }
+std::string engine(const std::string& fault) { return "--engine \"" BAD_ENGINE " " + fault + "\""; }
 
 void write_balls(const Folder& folder) {
   std::string lines;
@@ -71,8 +71,8 @@ class CastSins : public testing::TestWithParam<std::pair<const char*, const char
 TEST_P(CastSins, AreSaidAndCounted) {
   const Folder folder;
   write_balls(folder);
-  const auto& [sin, words] = GetParam();
-  expect_says(folder.graze("cast --time-limit 0.5 balls.jsonl " + engine(std::string(sin) + " 4")), 1,
+  const auto& [fault, words] = GetParam();
+  expect_says(folder.graze("cast --time-limit 0.5 balls.jsonl " + engine(std::string(fault) + " 4")), 1,
               {words, "1 without an answer", "toi       [0.5, 0.5]"});
 }
 INSTANTIATE_TEST_SUITE_P(Every, CastSins,
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Every, CastSins,
                                          std::pair{"hang", "failed    hung"},
                                          std::pair{"nan_token", "failed    no number"},
                                          std::pair{"garbage", "failed    garbage"}),
-                         [](const auto& sin) { return std::string(sin.param.first); });
+                         [](const auto& fault) { return std::string(fault.param.first); });
 
 TEST(CastByAnEngine, CountsWhatItIsNotAsked) {
   const Folder folder;
@@ -117,9 +117,9 @@ TEST(CampaignOfAnEngine, AcquitsAnHonestOne) {
 class CampaignSins : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 TEST_P(CampaignSins, AreFaults) {
   const Folder folder;
-  const auto& [sin, words] = GetParam();
+  const auto& [fault, words] = GetParam();
   expect_says(folder.graze(kCampaign + std::string("--time-limit 0.5 --save bad.jsonl --threads 2 ") +
-                           engine(std::string(sin) + " 3")),
+                           engine(std::string(fault) + " 3")),
               1, {words, "FAILED"});
   const corpus::ReadResult saved = corpus::read_file(folder.path() / "bad.jsonl");
   EXPECT_TRUE(saved.ok());
@@ -130,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Every, CampaignSins,
                                          std::pair{"late", "late"}, std::pair{"misses_hits", "wrong"},
                                          std::pair{"nan_token", "no number"},
                                          std::pair{"flips_normals", "normal"}),
-                         [](const auto& sin) { return std::string(sin.param.first); });
+                         [](const auto& fault) { return std::string(fault.param.first); });
 
 // Its state holds what a summary needs where the engine is not; one of another engine is not gone on from.
 TEST(CampaignOfAnEngine, IsMergedWithoutIt) {
@@ -172,15 +172,15 @@ TEST(StabilityOfAnEngine, AcquitsAnHonestOneBesideOurs) {
 class StabilitySins : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 TEST_P(StabilitySins, AreBeyondTheRow) {
   const Folder folder;
-  const auto& [sin, words] = GetParam();
-  expect_says(folder.graze(kStability + std::string("--time-limit 0.5 ") + engine(sin)), 1,
+  const auto& [fault, words] = GetParam();
+  expect_says(folder.graze(kStability + std::string("--time-limit 0.5 ") + engine(fault)), 1,
               {words, "broken: bad/double"});
 }
 INSTANTIATE_TEST_SUITE_P(Every, StabilitySins,
                          testing::Values(std::pair{"segfault", "without an answer by bad/double"},
                                          std::pair{"late", "late"}, std::pair{"misses_hits", "miss"},
                                          std::pair{"garbage", "garbage"}),
-                         [](const auto& sin) { return std::string(sin.param.first); });
+                         [](const auto& fault) { return std::string(fault.param.first); });
 
 // ---- graze certify --laws ----
 
@@ -206,12 +206,12 @@ TEST(LawsOfAnEngine, CountWhatItIsNotAsked) {
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string law, name, needs;
-    std::size_t answers = 0, not_asked = 0, open = 0, failed = 0, broken = 0;
-    if (!(words >> law >> name >> needs >> answers >> not_asked >> open >> failed >> broken) ||
+    std::size_t answers = 0, skipped = 0, open = 0, failed = 0, broken = 0;
+    if (!(words >> law >> name >> needs >> answers >> skipped >> open >> failed >> broken) ||
         law != "never_late")
       continue;
     EXPECT_EQ(answers, 4U) << line;
-    EXPECT_EQ(not_asked, 1U) << line;
+    EXPECT_EQ(skipped, 1U) << line;
     EXPECT_EQ(failed + broken, 0U) << line;
     return;
   }
@@ -222,9 +222,9 @@ class LawSins : public testing::TestWithParam<std::pair<const char*, const char*
 TEST_P(LawSins, BreakLaws) {
   const Folder folder;
   write_balls(folder);
-  const auto& [sin, words] = GetParam();
-  expect_says(folder.graze("certify --laws --time-limit 0.5 --save bad.jsonl balls.jsonl " + engine(sin)), 1,
-              {words, "A law is broken"});
+  const auto& [fault, words] = GetParam();
+  expect_says(folder.graze("certify --laws --time-limit 0.5 --save bad.jsonl balls.jsonl " + engine(fault)),
+              1, {words, "A law is broken"});
   EXPECT_FALSE(corpus::read_file(folder.path() / "bad.jsonl").cases.empty());
 }
 TEST(LawsOfAnEngine, BrokenMakeAPageThatShowsThem) {
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(Every, LawSins,
                                          std::pair{"late", "broken: never_late by bad/double"},
                                          std::pair{"misses_hits", "broken: verdict_is_right by bad/double"},
                                          std::pair{"flips_normals", "broken: normal_supports by bad/double"}),
-                         [](const auto& sin) { return std::string(sin.param.first); });
+                         [](const auto& fault) { return std::string(fault.param.first); });
 
 // ---- times ----
 

@@ -1,4 +1,4 @@
-// Each sin of the bad engine is found and called what docs/engines.md calls it, the next question is asked of a new
+// Each fault of the bad engine is found and called what docs/engines.md calls it, the next question is asked of a new
 // process, and nothing is left behind.
 #include "certify/external/engine.hpp"
 
@@ -24,32 +24,32 @@ using engine::Failure;
 using test::bad_engine;
 
 struct Found {
-  const char* sin;
+  const char* fault;
   Failure failure;
   const char* words;  // of its reason
 };
-std::ostream& operator<<(std::ostream& out, const Found& found) { return out << found.sin; }
+std::ostream& operator<<(std::ostream& out, const Found& found) { return out << found.fault; }
 
 class Sins : public testing::TestWithParam<Found> {};
 
 TEST_P(Sins, AreFoundAndNamed) {
   const Found& expected = GetParam();
   {
-    EngineOptions options = bad_engine(expected.sin, 2);
+    EngineOptions options = bad_engine(expected.fault, 2);
     // Memory, or a line without an end, takes its time to fill on a busy machine, and is to end before the time does.
-    if (expected.failure == Failure::out_of_memory || std::string_view(expected.sin) == "endless_line")
+    if (expected.failure == Failure::out_of_memory || std::string_view(expected.fault) == "endless_line")
       options.limits.time = std::chrono::seconds(30);
     Engine engine(options);
     const engine::Method& cast = engine.methods().front();
-    // Rightly answered, then the sin, then, of a new process, rightly again.
+    // Rightly answered, then the fault, then, of a new process, rightly again.
     const Answer before = cast.answer(test::hit());
     EXPECT_EQ(before.failure, Failure::none) << before.message;
     EXPECT_EQ(before.outcome, Outcome::hit);
     EXPECT_EQ(before.toi_lower, 0.5);
-    const Answer sin = cast.answer(test::hit());
-    EXPECT_EQ(sin.failure, expected.failure) << sin.message;
-    EXPECT_NE(sin.message.find(expected.words), std::string::npos) << sin.message;
-    if (expected.failure != Failure::no_number && expected.failure != Failure::out_of_range) {
+    const Answer fault = cast.answer(test::hit());
+    EXPECT_EQ(fault.failure, expected.failure) << fault.message;
+    EXPECT_NE(fault.message.find(expected.words), std::string::npos) << fault.message;
+    if (expected.failure != Failure::non_finite && expected.failure != Failure::out_of_range) {
       const Answer after = cast.answer(test::hit());
       EXPECT_EQ(after.failure, Failure::none) << after.message;
       EXPECT_EQ(after.toi_lower, 0.5);
@@ -68,26 +68,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Found{"exit_0", Failure::silent, "it ended, and said nothing"},
                     Found{"hang", Failure::hung, "no answer within 0.5 s (is every line flushed?)"},
                     Found{"spin", Failure::hung, "no answer within 0.5 s (is every line flushed?)"},
-                    Found{"nan_string", Failure::no_number, "time is NaN"},
-                    Found{"nan_token", Failure::no_number, "time is NaN"},
-                    Found{"minus_nan", Failure::no_number, "time is NaN"},
-                    Found{"infinite", Failure::no_number, "time is infinite"},
-                    Found{"nan_normal", Failure::no_number, "normal[1] is NaN: \"...\\\"normal\\\": [0, NaN"},
+                    Found{"nan_string", Failure::non_finite, "time is NaN"},
+                    Found{"nan_token", Failure::non_finite, "time is NaN"},
+                    Found{"minus_nan", Failure::non_finite, "time is NaN"},
+                    Found{"infinite", Failure::non_finite, "time is infinite"},
+                    Found{"nan_normal", Failure::non_finite,
+                          "normal[1] is NaN: \"...\\\"normal\\\": [0, NaN"},
                     Found{"before_0", Failure::out_of_range, "the time -0.25 is not between 0 and t_max 1"},
                     Found{"after_the_end", Failure::out_of_range, "is not between 0 and t_max 1"},
                     Found{"upside_down", Failure::out_of_range, "time is a bracket upside down"},
                     Found{"long_normal", Failure::out_of_range, "the normal has length 2"},
                     Found{"leaks", Failure::out_of_memory, "of 256"},
-                    Found{"anothers_answer", Failure::anothers_answer,
-                          "it answers \"q999999\", and was asked"},
+                    Found{"wrong_id", Failure::wrong_id, "it answers \"q999999\", and was asked"},
                     Found{"garbage", Failure::garbage, "hit at 0.5, I think"},
                     Found{"binary_garbage", Failure::garbage, ""},
                     Found{"half_a_line", Failure::half_a_line, "its output ended within a line"},
                     Found{"closes_output", Failure::silent, "it closed its output, and went on"},
                     Found{"endless_line", Failure::garbage, "a line of more than 16 MiB"}),
-    [](const testing::TestParamInfo<Found>& found) { return std::string(found.param.sin); });
+    [](const testing::TestParamInfo<Found>& found) { return std::string(found.param.fault); });
 
-// It sins not until another process is needed: what its output cannot take is read, and what it writes on standard
+// It does not err until another process is needed: what its output cannot take is read, and what it writes on standard
 // error does not stop it.
 TEST(Engine, IsNotHeldUpByWhatItWritesOnStandardError) {
   Engine engine(bad_engine("floods_errors"));
@@ -103,7 +103,7 @@ TEST(Engine, ThatSaysSomethingElseOfItselfWhenStartedAgainIsFound) {
   EXPECT_EQ(cast.answer(test::hit()).failure, Failure::none);
   EXPECT_EQ(cast.answer(test::hit()).failure, Failure::crashed);
   const Answer other = cast.answer(test::hit());
-  EXPECT_EQ(other.failure, Failure::anothers_answer) << other.message;
+  EXPECT_EQ(other.failure, Failure::wrong_id) << other.message;
   EXPECT_NE(other.message.find("it says something else of itself"), std::string::npos) << other.message;
   EXPECT_EQ(engine.finish(), 0);
 }
@@ -118,7 +118,7 @@ TEST(Engine, ThatAnswersTwiceAnswersAnothersQuestionNext) {
   const engine::Method& cast = engine.methods().front();
   EXPECT_EQ(cast.answer(test::hit()).failure, Failure::none);
   EXPECT_EQ(cast.answer(test::hit()).failure, Failure::none);
-  EXPECT_EQ(cast.answer(test::hit()).failure, Failure::anothers_answer);
+  EXPECT_EQ(cast.answer(test::hit()).failure, Failure::wrong_id);
   EXPECT_EQ(cast.answer(test::hit()).failure, Failure::none);
 }
 
@@ -149,9 +149,9 @@ TEST(Engine, ThatCrashesAndLeavesAProcessBehindHasCrashed) {
 class BadStarts : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(BadStarts, AreRefusedWithALine) {
-  const auto& [sin, words] = GetParam();
+  const auto& [fault, words] = GetParam();
   try {
-    const Engine engine(bad_engine(sin));
+    const Engine engine(bad_engine(fault));
     FAIL() << "it was taken";
   } catch (const std::runtime_error& error) {
     const std::string line = error.what();

@@ -142,15 +142,15 @@ Answer read(const std::function<void(adapter::frames::AnswerFrame&)>& change) {
 
 TEST(Frames, AreHeldToWhatLinesAre) {
   EXPECT_EQ(read([](auto&) {}).toi_lower, 0.5);
-  EXPECT_EQ(read([](auto& f) { f.answer.time = std::nan(""); }).failure, Failure::no_number);
-  EXPECT_EQ(read([](auto& f) { f.answer.time = kInfinity<double>; }).failure, Failure::no_number);
+  EXPECT_EQ(read([](auto& f) { f.answer.time = std::nan(""); }).failure, Failure::non_finite);
+  EXPECT_EQ(read([](auto& f) { f.answer.time = kInfinity<double>; }).failure, Failure::non_finite);
   EXPECT_EQ(read([](auto& f) { f.answer.time = -0.25; }).failure, Failure::out_of_range);
   EXPECT_EQ(read([](auto& f) { f.answer.time_upper = 0.25; }).failure, Failure::out_of_range);
   EXPECT_EQ(read([](auto& f) { f.answer.normal[1] = 2; }).failure, Failure::out_of_range);
-  EXPECT_EQ(read([](auto& f) { f.answer.normal[1] = std::nan(""); }).failure, Failure::no_number);
+  EXPECT_EQ(read([](auto& f) { f.answer.normal[1] = std::nan(""); }).failure, Failure::non_finite);
   EXPECT_EQ(read([](auto& f) { f.outcome = 99; }).failure, Failure::garbage);
   EXPECT_EQ(read([](auto& f) { f.magic = 1; }).failure, Failure::garbage);
-  EXPECT_EQ(read([](auto& f) { f.id = 8; }).failure, Failure::anothers_answer);
+  EXPECT_EQ(read([](auto& f) { f.id = 8; }).failure, Failure::wrong_id);
   EXPECT_TRUE(read([](auto& f) { f.outcome = GRAZE_ENGINE_UNSUPPORTED; }).declined);
 }
 

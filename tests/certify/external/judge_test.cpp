@@ -99,7 +99,7 @@ TEST(AStartInContact, HasAUnitNormalIfAny) {
     EXPECT_NE(shrunk.failed.find("the normal of a start in contact has length 0.83"), std::string::npos)
         << shrunk.failed;
     EXPECT_EQ(judged(engine_of(), problem, R"("initially_overlapping", "normal": [1, "nan", 0])").failure,
-              engine::Failure::no_number);
+              engine::Failure::non_finite);
     // By more than what it is held to, if by less than any scalar's.
     EXPECT_NE(bad_contact(engine_of(), problem, R"("initially_overlapping", "normal": [1.00001, 0, 0])"), "");
   }

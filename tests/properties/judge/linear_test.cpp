@@ -157,7 +157,7 @@ TEST(Judge, excuses_a_verdict_that_less_than_the_limit_decides) {
   problem.b.position.x() = 2 + 16 * kU;  // misses by 16 u
   const Judgement hit = judged(right_answer(), true, problem);
   EXPECT_TRUE(hit.wrong.empty()) << hit.wrong;
-  EXPECT_TRUE(hit.excused);
+  EXPECT_TRUE(hit.within_tolerance);
 
   problem.b.position.x() = 2 - 16 * kU;  // hits, as deep
   engine::Answer answer;
@@ -165,7 +165,7 @@ TEST(Judge, excuses_a_verdict_that_less_than_the_limit_decides) {
   answer.toi_lower = answer.toi_upper = kInf;
   const Judgement miss = judged(answer, true, problem);
   EXPECT_TRUE(miss.wrong.empty()) << miss.wrong;
-  EXPECT_TRUE(miss.excused);
+  EXPECT_TRUE(miss.within_tolerance);
 }
 
 TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
@@ -351,7 +351,7 @@ TEST(JudgeExact, counts_apart_what_the_tier_is_not_asked) {
   engine::Answer refusal;
   refusal.outcome = Outcome::invalid_input;
   refusal.invalid = Invalid::not_exact;
-  EXPECT_TRUE(judged_exactly(refusal, true, problem).not_asked);
+  EXPECT_TRUE(judged_exactly(refusal, true, problem).skipped);
   EXPECT_FALSE(judged_exactly(refusal, true, problem).faulty());
   EXPECT_TRUE(judged_exactly(exact_answer(), false, problem).faulty());
   EXPECT_TRUE(judged_exactly(refusal, false).faulty());
