@@ -268,11 +268,11 @@ int run_campaign_command(const CampaignArguments& arguments) {
     signal = StopBySignal::received();
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  const std::vector<std::string> left_behind = engines.finish();
-  for (const std::string& line : left_behind) complain(line);
+  const std::vector<std::string> orphans = engines.finish();
+  for (const std::string& line : orphans) complain(line);
   if (!state.is_complete()) return stopped_by(signal, state, arguments.state);
   const int kept = hand_out(state, arguments.outputs);
-  const int exit_code = kept == 0 && !left_behind.empty() ? 1 : kept;
+  const int exit_code = kept == 0 && !orphans.empty() ? 1 : kept;
   print_cost(state.casts_done() - before, spent.count(), job.threads);
   return exit_code;
 }

@@ -184,4 +184,10 @@ std::vector<std::string> Engines::finish() const {
   return lines;
 }
 
+int with_orphaned_processes(const Engines& engines, int code) {
+  const std::vector<std::string> lines = engines.finish();
+  for (const std::string& line : lines) fmt::print("broken: {}\n", line);
+  return code == 0 && !lines.empty() ? 1 : code;
+}
+
 }  // namespace graze::tool

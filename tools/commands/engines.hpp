@@ -51,4 +51,7 @@ class Engines {
   std::vector<std::unique_ptr<external::Engine>> engines_;
 };
 
+// Ends each, and says which left processes behind: the exit code of a run that would end with `code`.
+[[nodiscard]] int with_orphaned_processes(const Engines& engines, int code);
+
 }  // namespace graze::tool

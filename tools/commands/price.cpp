@@ -169,8 +169,8 @@ int run_price_command(const PriceArguments& arguments) {
   document.machine = price::this_machine();
   document.advice = price::advice_of(document);
   document.sentences = price::sentences_of(document);
-  const std::vector<std::string> left_behind = engines.finish();
-  for (const std::string& line : left_behind) complain(line);
+  const std::vector<std::string> orphans = engines.finish();
+  for (const std::string& line : orphans) complain(line);
   write_json(arguments, document);
   if (!arguments.csv.empty()) write_whole(arguments.csv, price::csv_of(document));
   write_report(arguments, document);
@@ -187,7 +187,7 @@ int run_price_command(const PriceArguments& arguments) {
       complain("stopped; the same command with --continue goes on from here");
     return 128 + signal;
   }
-  return left_behind.empty() ? 0 : 1;
+  return orphans.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -157,9 +157,9 @@ TEST(CampaignOfAnEngine, RefusesAPartThatItCannotBeAsked) {
               {"none of these says that it can be asked queries"});
 }
 
-// ---- graze certify --stability ----
+// ---- graze stability ----
 
-constexpr const char* kStability = "certify --stability --family size_ratio --count 6 ";
+constexpr const char* kStability = "stability --family size_ratio --count 6 ";
 
 TEST(StabilityOfAnEngine, AcquitsAnHonestOneBesideOurs) {
   const Folder folder;
@@ -182,24 +182,23 @@ INSTANTIATE_TEST_SUITE_P(Every, StabilitySins,
                                          std::pair{"garbage", "garbage"}),
                          [](const auto& fault) { return std::string(fault.param.first); });
 
-// ---- graze certify --laws ----
+// ---- graze laws ----
 
 TEST(LawsOfAnEngine, HoldForAnHonestOne) {
   const Folder folder;
   write_balls(folder);
-  const CommandRun run = folder.graze("certify --laws balls.jsonl " + engine("none"));
+  const CommandRun run = folder.graze("laws balls.jsonl " + engine("none"));
   expect_says(run, 0,
               {"swapping", "never_late", "Every law holds", "laws are not asked of engines of others",
                "which nobody promised", "requesting"});
   // Something was asked.
-  EXPECT_EQ(folder.graze("certify --laws --law swapping balls.jsonl " + engine("none")).exit_code, 0);
+  EXPECT_EQ(folder.graze("laws --law swapping balls.jsonl " + engine("none")).exit_code, 0);
 }
 
 TEST(LawsOfAnEngine, CountWhatItIsNotAsked) {
   const Folder folder;
   write_balls(folder);
-  const CommandRun run =
-      folder.graze("certify --laws --law never_late balls.jsonl box.jsonl " + engine("none"));
+  const CommandRun run = folder.graze("laws --law never_late balls.jsonl box.jsonl " + engine("none"));
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   // law, engine, needs, answers, not asked, not for the law, failed, broken
   std::istringstream lines(run.out);
@@ -223,15 +222,14 @@ TEST_P(LawSins, BreakLaws) {
   const Folder folder;
   write_balls(folder);
   const auto& [fault, words] = GetParam();
-  expect_says(folder.graze("certify --laws --time-limit 0.5 --save bad.jsonl balls.jsonl " + engine(fault)),
-              1, {words, "A law is broken"});
+  expect_says(folder.graze("laws --time-limit 0.5 --save bad.jsonl balls.jsonl " + engine(fault)), 1,
+              {words, "A law is broken"});
   EXPECT_FALSE(corpus::read_file(folder.path() / "bad.jsonl").cases.empty());
 }
 TEST(LawsOfAnEngine, BrokenMakeAPageThatShowsThem) {
   const Folder folder;
   write_balls(folder);
-  const CommandRun run =
-      folder.graze("certify --laws --law never_late --report out balls.jsonl " + engine("late"));
+  const CommandRun run = folder.graze("laws --law never_late --report out balls.jsonl " + engine("late"));
   expect_says(run, 1, {"broken: never_late by bad/double", "The report is out/index.html"});
   // The command that it names shows the saved case.
   const std::size_t begin = run.out.find("  look     graze ");
@@ -242,7 +240,7 @@ TEST(LawsOfAnEngine, BrokenMakeAPageThatShowsThem) {
   ASSERT_EQ(corpus::read_file(folder.path() / "out" / "cases.jsonl").cases.size(), 1U);
   EXPECT_NE(folder.read("out/index.html").find("never_late"), std::string::npos);
   // Without a folder the same command, for the case that is printed.
-  expect_says(folder.graze("certify --laws --law never_late balls.jsonl " + engine("late")), 1,
+  expect_says(folder.graze("laws --law never_late balls.jsonl " + engine("late")), 1,
               {"look     graze show case.json --out case.html (the smallest, saved as case.json)"});
 }
 INSTANTIATE_TEST_SUITE_P(Every, LawSins,

@@ -1,4 +1,4 @@
-#include "tools/commands/law.hpp"
+#include "tools/commands/try_laws.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "certify/laws.hpp"
 #include "certify/laws_of_others.hpp"
 #include "certify/suites.hpp"
-#include "corpus/curate/location.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/scene.hpp"
 #include "reports/text/counted.hpp"
@@ -25,10 +23,6 @@ namespace {
 using engine::Kind;
 using law::Law;
 
-// Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
-// does the oracle takes a tenth of a second to some.
-constexpr std::size_t kLinearCases = 40, kRotatingCases = 4;
-
 std::vector<Law> wanted_laws(const std::vector<std::string>& names) {
   const std::span<const Law> all = law::laws();
   if (names.empty()) return {all.begin(), all.end()};
@@ -36,7 +30,7 @@ std::vector<Law> wanted_laws(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Law& law) { return law.name == name; });
     if (found == all.end()) {
-      throw std::runtime_error(fmt::format("--law: {} is no law; `graze laws` lists them", name));
+      throw std::runtime_error(fmt::format("--law: {} is no law; `graze laws --list` lists them", name));
     }
     wanted.push_back(*found);
   }
@@ -71,15 +65,16 @@ void take(std::vector<LawSuite>& suites, const std::string& name, const std::vec
   }
 }
 
-LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments) {
+LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, const Engines& engines) {
   // Where bodies turn, the easier half of the levels: the hardest take the oracle minutes.
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
-  const std::size_t count =
-      family.rotating ? arguments.rotating.value_or(kRotatingCases) : arguments.count.value_or(kLinearCases);
+  const std::size_t count = family.rotating ? arguments.rotating.value_or(kRotatingLawCases)
+                                            : arguments.count.value_or(kLinearLawCases);
   // Engines of others alone are asked what they take.
-  const bool is_drawn = !arguments.methods.empty() || count == 0;
+  const bool is_drawn = !arguments.our_methods().empty() || count == 0;
   const auto takes = [&](const corpus::Case& problem) {
-    return std::any_of(arguments.others.begin(), arguments.others.end(), [&](const engine::Method* method) {
+    const std::vector<const engine::Method*> others = engines.methods();
+    return std::any_of(others.begin(), others.end(), [&](const engine::Method* method) {
       return (method->kind == Kind::rotating) == family.rotating && method->refuses(problem).empty();
     });
   };
@@ -206,32 +201,27 @@ void print_ours(const LawCertification& certification, const LawSettings& settin
   print_idle(certification, settings);
 }
 
-std::filesystem::path curated_directory(const LawArguments& arguments) {
-  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
-                                  : std::filesystem::path(arguments.corpus);
-}
-
 }  // namespace
 
-int run_laws(const LawArguments& arguments) {
-  const bool takes_curated = arguments.files.empty() && arguments.families.empty();
-  if (takes_curated && !std::filesystem::is_directory(curated_directory(arguments))) {
-    throw std::runtime_error(curated_directory(arguments).string() + ": is no folder of cases");
+int try_laws(const LawArguments& arguments) {
+  const bool takes_curated = arguments.takes_curated();
+  const std::vector<std::string> ours = arguments.our_methods();
+  const Engines engines(arguments.engines);
+  if (takes_curated && !std::filesystem::is_directory(arguments.curated_directory())) {
+    throw std::runtime_error(arguments.curated_directory().string() + ": is no folder of cases");
   }
-  will_read(takes_curated ? std::vector{curated_directory(arguments).string()} : arguments.files);
+  will_read(takes_curated ? std::vector{arguments.curated_directory().string()} : arguments.files);
   LawSettings settings;
   settings.laws = wanted_laws(arguments.laws);
-  check_methods(arguments.methods, settings.laws);
+  check_methods(ours, settings.laws);
   settings.is_asked = [&](const engine::Method& method) {
-    return std::any_of(arguments.methods.begin(), arguments.methods.end(),
+    return std::any_of(ours.begin(), ours.end(),
                        [&](const std::string& name) { return selects(name, method); });
   };
   std::vector<engine::Method> others;
-  others.reserve(arguments.others.size());
-  for (const engine::Method* method : arguments.others) others.push_back(as_laws_ask(*method));
+  for (const engine::Method* method : engines.methods()) others.push_back(as_laws_ask(*method));
   settings.others = others;
-  settings.threads =
-      arguments.threads > 0 ? arguments.threads : std::max(1U, std::thread::hardware_concurrency());
+  settings.threads = arguments.most_threads();
   const std::vector<const corpus::Family*> families =
       wanted_families(arguments.families, !arguments.files.empty());
   std::unique_ptr<OutputFile> save;
@@ -245,7 +235,7 @@ int run_laws(const LawArguments& arguments) {
   std::vector<LawSuite> suites;
   bool bad = false;
   if (takes_curated) {
-    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
+    const corpus::ReadResult curated = corpus::read_directory(arguments.curated_directory());
     for (const corpus::ReadError& error : curated.errors) complain(error.text());
     bad = !curated.ok();
     take(suites, "curated", curated.cases);
@@ -253,7 +243,7 @@ int run_laws(const LawArguments& arguments) {
   const CaseFiles files = read_case_files(arguments.files);
   for (const CaseFile& file : files.files) take(suites, file.name, file.cases);
   bad = bad || files.bad;
-  for (const corpus::Family* family : families) suites.push_back(suite_of(*family, arguments));
+  for (const corpus::Family* family : families) suites.push_back(suite_of(*family, arguments, engines));
   std::erase_if(suites, [](const LawSuite& one) { return one.suite.size() == 0; });
   if (suites.empty()) {
     if (!bad) complain("there is no case to judge; give a file with one, or a count above 0");
@@ -273,7 +263,7 @@ int run_laws(const LawArguments& arguments) {
   const LawCertification certification = certify_laws(suites, settings);
   fmt::print("{} over {}\n\n", counted(settings.laws.size(), "law"), counted(certification.cases, "case"));
   if (!others.empty()) fmt::print("{}\n", other_law_table(certification, settings));
-  if (!arguments.methods.empty()) print_ours(certification, settings);
+  if (!ours.empty()) print_ours(certification, settings);
   const std::string file = !arguments.save.empty() ? arguments.save
                            : !arguments.report.empty()
                                ? (std::filesystem::path(arguments.report) / "cases.jsonl").string()
@@ -287,22 +277,8 @@ int run_laws(const LawArguments& arguments) {
                                : "Every law holds.");
   if (save) write_cases(*save, certification);
   if (!arguments.report.empty()) write_report(arguments, certification, others);
-  if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
-  if (bad) return 2;
-  return held ? 0 : 1;
-}
-
-void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& names) {
-  CLI::Option* all = command.add_flag(
-      "--laws", laws,
-      fmt::format(
-          "Instead: every law of docs/laws.md, a broken case made small; {} cases of a family, {} of a "
-          "rotating one, or as --count and --rotating say",
-          kLinearCases, kRotatingCases));
-  command.add_option("--law", names, "Of the laws, this one (may be repeated)")
-      ->type_name("NAME")
-      ->allow_extra_args(false)
-      ->needs(all);
+  const int signal = StopBySignal::received();
+  return with_orphaned_processes(engines, signal != 0 ? 128 + signal : bad ? 2 : held ? 0 : 1);
 }
 
 }  // namespace graze::tool
