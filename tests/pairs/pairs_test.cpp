@@ -62,7 +62,7 @@ corpus::Case placed(const Named& a, const Named& b, corpus::Random& random, int 
 
 class Pairs : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Pairs, keep_their_rows_with_every_shape) {
+TEST_P(Pairs, KeepTheirRowsWithEveryShape) {
   const Named& a = shapes()[GetParam()];
   int hits = 0, misses = 0;
   for (std::size_t k = 0; k < shapes().size(); ++k) {

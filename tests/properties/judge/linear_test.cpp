@@ -78,7 +78,7 @@ Judgement judged(const engine::Answer& answer, bool ask_oracle = true,
   return judge(truth, method_of(kRow), answer, Request::everything, ask_oracle);
 }
 
-TEST(Judge, acquits_a_right_answer_and_measures_no_error) {
+TEST(Judge, AcquitsARightAnswerAndMeasuresNoError) {
   const Judgement j = judged(right_answer());
   EXPECT_FALSE(j.faulty()) << j.wrong << j.late << j.off << j.bad_contact;
   EXPECT_TRUE(j.by_oracle);
@@ -87,7 +87,7 @@ TEST(Judge, acquits_a_right_answer_and_measures_no_error) {
   EXPECT_EQ(j.proof, ProofState::none);
 }
 
-TEST(Judge, needs_no_oracle_where_an_accepted_proof_settles_all) {
+TEST(Judge, NeedsNoOracleWhereAnAcceptedProofSettlesAll) {
   engine::Answer answer = right_answer();
   answer.proof = right_proof();
   const Judgement j = judged(answer, false);
@@ -96,7 +96,7 @@ TEST(Judge, needs_no_oracle_where_an_accepted_proof_settles_all) {
   EXPECT_FALSE(j.faulty());
 }
 
-TEST(Judge, asks_the_oracle_where_the_bracket_goes_beyond_what_the_proof_proves) {
+TEST(Judge, AsksTheOracleWhereTheBracketGoesBeyondWhatTheProofProves) {
   engine::Answer answer = right_answer();
   answer.proof = right_proof();
   answer.toi_lower = answer.toi_upper = 0.26;  // within the proof's verdict, but late
@@ -106,7 +106,7 @@ TEST(Judge, asks_the_oracle_where_the_bracket_goes_beyond_what_the_proof_proves)
   EXPECT_FALSE(j.late.empty());
 }
 
-TEST(Judge, convicts_a_false_proof_even_of_a_right_answer) {
+TEST(Judge, ConvictsAFalseProofEvenOfARightAnswer) {
   engine::Answer answer = right_answer();
   answer.proof = right_proof();
   answer.proof->toi_lower = std::nextafter(0.25, 1);
@@ -117,7 +117,7 @@ TEST(Judge, convicts_a_false_proof_even_of_a_right_answer) {
   EXPECT_TRUE(j.wrong.empty());
 }
 
-TEST(Judge, convicts_a_time_that_is_late_by_twice_the_limit_and_not_by_half) {
+TEST(Judge, ConvictsATimeThatIsLateByTwiceTheLimitAndNotByHalf) {
   for (const double factor : {2.0, 0.5}) {
     engine::Answer answer = right_answer();
     // |v| = 4, head on: t later by d / 4 goes d deep.
@@ -129,7 +129,7 @@ TEST(Judge, convicts_a_time_that_is_late_by_twice_the_limit_and_not_by_half) {
   }
 }
 
-TEST(Judge, an_early_time_is_off_but_not_late) {
+TEST(Judge, AnEarlyTimeIsOffButNotLate) {
   engine::Answer answer = right_answer();
   answer.toi_lower = 0.24;
   const Judgement j = judged(answer);
@@ -139,20 +139,20 @@ TEST(Judge, an_early_time_is_off_but_not_late) {
   EXPECT_NEAR(j.errors.forward, 0.01 * 4 / kScale, 1e-12);
 }
 
-TEST(Judge, convicts_a_wrong_miss) {
+TEST(Judge, ConvictsAWrongMiss) {
   engine::Answer answer;
   answer.outcome = Outcome::miss;
   answer.toi_lower = answer.toi_upper = kInf;
   EXPECT_FALSE(judged(answer).wrong.empty());
 }
 
-TEST(Judge, convicts_a_wrong_hit) {
+TEST(Judge, ConvictsAWrongHit) {
   corpus::Case problem = falling_cube();
   problem.b.position.x() = 3;
   EXPECT_FALSE(judged(right_answer(), true, problem).wrong.empty());
 }
 
-TEST(Judge, excuses_a_verdict_that_less_than_the_limit_decides) {
+TEST(Judge, ExcusesAVerdictThatLessThanTheLimitDecides) {
   corpus::Case problem = falling_cube();
   problem.b.position.x() = 2 + 16 * kU;  // misses by 16 u
   const Judgement hit = judged(right_answer(), true, problem);
@@ -168,7 +168,7 @@ TEST(Judge, excuses_a_verdict_that_less_than_the_limit_decides) {
   EXPECT_TRUE(miss.within_tolerance);
 }
 
-TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
+TEST(Judge, AStallIsCountedAndItsBracketStillJudged) {
   engine::Answer answer;
   answer.outcome = Outcome::not_converged;
   answer.toi_lower = 0.2;
@@ -186,7 +186,7 @@ TEST(Judge, a_stall_is_counted_and_its_bracket_still_judged) {
 }
 
 // No width is promised of it: its errors are measured, and held against nothing.
-TEST(Judge, what_has_not_converged_is_over_no_limit) {
+TEST(Judge, WhatHasNotConvergedIsOverNoLimit) {
   engine::Answer answer = right_answer();
   answer.toi_lower = 0.2;
   const Judgement hit = judged(answer);
@@ -198,7 +198,7 @@ TEST(Judge, what_has_not_converged_is_over_no_limit) {
 }
 
 // Two cones, apex to apex: the oracle's own bracket of the time is 1e-5 wide, what tier certified promises 1e-12.
-TEST(Judge, what_the_oracle_leaves_open_is_over_no_limit) {
+TEST(Judge, WhatTheOracleLeavesOpenIsOverNoLimit) {
   const corpus::ReadResult cases =
       corpus::read_file((corpus::corpus_directory() / "cases" / "round.jsonl").string());
   const auto found = std::find_if(cases.cases.begin(), cases.cases.end(), [](const corpus::Case& problem) {
@@ -217,7 +217,7 @@ TEST(Judge, what_the_oracle_leaves_open_is_over_no_limit) {
   EXPECT_LE(judgement.errors.over_limit, 1);
 }
 
-TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
+TEST(Judge, ConvictsAFlippedNormalALongOneAndAWitnessOffItsBody) {
   engine::Answer answer = right_answer();
   answer.normal = {0, 0, -1};
   EXPECT_FALSE(judged(answer).bad_contact.empty());
@@ -234,7 +234,7 @@ TEST(Judge, convicts_a_flipped_normal_a_long_one_and_a_witness_off_its_body) {
   EXPECT_FALSE(judged(answer).bad_contact.empty());
 }
 
-TEST(Judge, convicts_what_is_no_answer_at_all) {
+TEST(Judge, ConvictsWhatIsNoAnswerAtAll) {
   engine::Answer answer = right_answer();
   answer.toi_lower = std::nan("");
   EXPECT_FALSE(judged(answer).wrong.empty());
@@ -246,7 +246,7 @@ TEST(Judge, convicts_what_is_no_answer_at_all) {
   EXPECT_FALSE(judged(answer).wrong.empty());
 }
 
-TEST(Judge, a_valid_case_must_be_answered_and_an_invalid_one_refused) {
+TEST(Judge, AValidCaseMustBeAnsweredAndAnInvalidOneRefused) {
   engine::Answer refusal;
   EXPECT_FALSE(judged(refusal).wrong.empty());
   corpus::Case problem = falling_cube();
@@ -258,7 +258,7 @@ TEST(Judge, a_valid_case_must_be_answered_and_an_invalid_one_refused) {
   EXPECT_FALSE(judged(right_answer(), true, problem).wrong.empty());
 }
 
-TEST(Judge, over_a_scale_of_zero_only_an_error_of_zero_is_excused) {
+TEST(Judge, OverAScaleOfZeroOnlyAnErrorOfZeroIsExcused) {
   corpus::Case problem;  // two points in the same place, at rest
   problem.id = "test/points";
   problem.a.shape = problem.b.shape = Point<double>{};
@@ -289,7 +289,7 @@ Judgement judged_exactly(const engine::Answer& answer, bool ask_oracle,
   return judge(truth, method_of(kExact), answer, Request::everything, ask_oracle);
 }
 
-TEST(JudgeExact, acquits_the_two_doubles_next_to_the_time) {
+TEST(JudgeExact, AcquitsTheTwoDoublesNextToTheTime) {
   for (const bool ask_oracle : {false, true}) {
     const Judgement j = judged_exactly(exact_answer(), ask_oracle);
     EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
@@ -298,7 +298,7 @@ TEST(JudgeExact, acquits_the_two_doubles_next_to_the_time) {
   }
 }
 
-TEST(JudgeExact, convicts_a_bracket_that_is_a_double_too_wide_by_its_proof) {
+TEST(JudgeExact, ConvictsABracketThatIsADoubleTooWideByItsProof) {
   engine::Answer answer = exact_answer();
   answer.toi_lower = answer.proof->toi_lower = std::nextafter(answer.toi_lower, 0.0);
   EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
@@ -315,7 +315,7 @@ TEST(JudgeExact, convicts_a_bracket_that_is_a_double_too_wide_by_its_proof) {
   }
 }
 
-TEST(JudgeExact, convicts_what_is_a_double_late_or_early) {
+TEST(JudgeExact, ConvictsWhatIsADoubleLateOrEarly) {
   engine::Answer answer = exact_answer();
   answer.toi_lower = answer.proof->toi_lower = answer.toi_upper;
   EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
@@ -333,7 +333,7 @@ TEST(JudgeExact, convicts_what_is_a_double_late_or_early) {
   EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
 }
 
-TEST(JudgeExact, rounds_the_proved_bracket_outward_to_float) {
+TEST(JudgeExact, RoundsTheProvedBracketOutwardToFloat) {
   engine::Answer answer = exact_answer();
   Truth truth(falling_by_three());
   const engine::Guarantee row = exact_row("float");
@@ -345,7 +345,7 @@ TEST(JudgeExact, rounds_the_proved_bracket_outward_to_float) {
   EXPECT_FALSE(j.faulty()) << j.wrong << j.false_proof << j.bad_contact;
 }
 
-TEST(JudgeExact, counts_apart_what_the_tier_is_not_asked) {
+TEST(JudgeExact, CountsApartWhatTheTierIsNotAsked) {
   corpus::Case problem = falling_by_three();
   problem.b.shape = Sphere<double>{1};
   engine::Answer refusal;
@@ -383,7 +383,7 @@ bool breaks_a_turning_law(const corpus::Case& problem) {
 }
 
 // One that is right has been mended: it belongs to corpus/cases, where it must stay right.
-TEST(KnownFailures, still_fail) {
+TEST(KnownFailures, StillFail) {
   const std::string file = GRAZE_SOURCE_DIR "/corpus/known_failures.jsonl";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no failure is known";
   const corpus::ReadResult known = corpus::read_file(file);

@@ -61,7 +61,7 @@ void falls(const Case& problem, std::string Judgement::*fault, const std::functi
 
 constexpr double kOff = 1e-12;
 
-TEST(QueryJudge, overlap) {
+TEST(QueryJudge, Overlap) {
   const Case apart = cubes(Query::overlap, {2, 0, 0}), in = cubes(Query::overlap, {1.25, 0, 0});
   falls(apart, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::initially_overlapping; });
   falls(in, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
@@ -70,7 +70,7 @@ TEST(QueryJudge, overlap) {
 }
 
 // A bracket that says of itself that it is wide is held to no width.
-TEST(QueryJudge, what_has_not_converged_is_over_no_limit) {
+TEST(QueryJudge, WhatHasNotConvergedIsOverNoLimit) {
   const Case apart = cubes(Query::distance, {2, 0.25, 0});
   Answer answer = ours(apart);
   answer.separation->lower /= 2;
@@ -81,7 +81,7 @@ TEST(QueryJudge, what_has_not_converged_is_over_no_limit) {
   EXPECT_TRUE(std::isnan(open.errors.over_limit));
 }
 
-TEST(QueryJudge, distance) {
+TEST(QueryJudge, Distance) {
   const Case apart = cubes(Query::distance, {2, 0.25, 0});
   falls(apart, &Judgement::off, [](Answer& a) { a.separation->lower -= kOff; });
   falls(apart, &Judgement::off, [](Answer& a) { a.separation->upper += kOff; });
@@ -100,7 +100,7 @@ TEST(QueryJudge, distance) {
   EXPECT_NE(judged(apart, wide).off, "");
 }
 
-TEST(QueryJudge, penetration) {
+TEST(QueryJudge, Penetration) {
   const Case in = cubes(Query::penetration, {1.25, 0, 0});
   falls(in, &Judgement::off, [](Answer& a) { a.depth->lower -= kOff; });
   falls(in, &Judgement::off, [](Answer& a) { a.depth->upper += kOff; });
@@ -109,14 +109,14 @@ TEST(QueryJudge, penetration) {
   falls(in, &Judgement::wrong, [](Answer& a) { a.depth.reset(); });
 }
 
-TEST(QueryJudge, penetration_along) {
+TEST(QueryJudge, PenetrationAlong) {
   const Case in = cubes(Query::penetration_along, {0.5, 0, 0});
   falls(in, &Judgement::off, [](Answer& a) { a.depth->upper += kOff; });
   falls(in, &Judgement::off, [](Answer& a) { a.depth->lower = 0.5; });
   falls(in, &Judgement::bad_contact, [](Answer& a) { a.has_points = false; });
 }
 
-TEST(QueryJudge, line) {
+TEST(QueryJudge, Line) {
   const Case behind = cubes(Query::line, {-4, 0, 0}, {-8, 0, 0}),
              past = cubes(Query::line, {0, 4, 0}, {8, 0, 0});
   falls(behind, &Judgement::off, [](Answer& a) { a.t_in->lower -= kOff; });
@@ -126,7 +126,7 @@ TEST(QueryJudge, line) {
 }
 
 // Of bodies that do not move and touch, contact has no end on either side; of any other, it has.
-TEST(QueryJudge, a_line_without_ends) {
+TEST(QueryJudge, ALineWithoutEnds) {
   const Case still = cubes(Query::line, {1.25, 0, 0});
   falls(still, &Judgement::off, [](Answer& a) { a.t_in->lower = -1; });
   falls(still, &Judgement::off, [](Answer& a) { a.t_out->upper = std::numeric_limits<double>::max(); });
@@ -135,7 +135,7 @@ TEST(QueryJudge, a_line_without_ends) {
 }
 
 // The ends of a line through what is near are as far out as the target distance, and round so.
-TEST(QueryJudge, a_lines_scale_is_no_less_than_the_target_distance) {
+TEST(QueryJudge, ALinesScaleIsNoLessThanTheTargetDistance) {
   Case near;
   near.id = "test/points";
   near.b.position = {1, 1, 2};
@@ -145,7 +145,7 @@ TEST(QueryJudge, a_lines_scale_is_no_less_than_the_target_distance) {
   falls(near, &Judgement::off, [](Answer& a) { a.t_out->upper += kOff * 7e21; });
 }
 
-TEST(QueryJudge, swept_overlap) {
+TEST(QueryJudge, SweptOverlap) {
   const Case meets = cubes(Query::swept_overlap, {-4, 0, 0}, {8, 0, 0}),
              short_of = cubes(Query::swept_overlap, {-4, 0, 0}, {2, 0, 0});
   falls(meets, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::miss; });
@@ -154,7 +154,7 @@ TEST(QueryJudge, swept_overlap) {
   falls(short_of, &Judgement::bad_contact, [](Answer& a) { a.normal = {-0.6, 0.8, 0}; });
 }
 
-TEST(QueryJudge, every_method_has_a_row) {
+TEST(QueryJudge, EveryMethodHasARow) {
   for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     EXPECT_NE(method.guarantee, nullptr) << method.full_name();
   }
@@ -162,7 +162,7 @@ TEST(QueryJudge, every_method_has_a_row) {
 
 // Two points, carried out by 4 and back under two turns: their distance, 2e-6, says nothing of how that
 // rounds.
-TEST(QueryJudge, positions_in_a_tree_round_at_their_own_size) {
+TEST(QueryJudge, PositionsInATreeRoundAtTheirOwnSize) {
   const Shape<double> inner =
       posed<double>(Point<double>{}, Vec3<double>(-4, -4, 3.625), Quaternion<double>{0, 1, 0, 0});
   Case swept;

@@ -44,7 +44,7 @@ void become_miss(Answer& a) {
   a.toi_lower = a.toi_upper = kInfinity<double>;
 }
 
-TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
+TEST(RotatingJudge, ConvictsATimeThatIsOffByALittle) {
   for (const char* name : {"ca", "bilateral", "plan"}) {
     falls(turning_bar(), name, &Judgement::late, [](Answer& a) { a.toi_upper = a.toi_lower += kOff; });
     falls(turning_bar(), name, &Judgement::early, [](Answer& a) { a.toi_lower = a.toi_upper -= kOff; });
@@ -57,7 +57,7 @@ TEST(RotatingJudge, convicts_a_time_that_is_off_by_a_little) {
   }
 }
 
-TEST(RotatingJudge, convicts_a_wrong_verdict) {
+TEST(RotatingJudge, ConvictsAWrongVerdict) {
   falls(turning_bar(), "bilateral", &Judgement::wrong, become_miss);
   falls(dipping_bar(), "bilateral", &Judgement::wrong, become_miss);
   falls(turning_bar_above(), "bilateral", &Judgement::wrong, [](Answer& a) {
@@ -74,7 +74,7 @@ TEST(RotatingJudge, convicts_a_wrong_verdict) {
   falls(turning_bar(), "bilateral", &Judgement::wrong, [](Answer& a) { a.toi_lower = std::nan(""); });
 }
 
-TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_another) {
+TEST(RotatingJudge, ConvictsAStallWhoseBracketIsFalseAndOnlyCountsAnother) {
   Answer stall = method("ca").ask(turning_bar(), {});
   stall.outcome = Outcome::not_converged;
   stall.toi_lower = 0.25;
@@ -89,7 +89,7 @@ TEST(RotatingJudge, convicts_a_stall_whose_bracket_is_false_and_only_counts_anot
   EXPECT_NE(judged(turning_bar(), "ca", stall).early, "");
 }
 
-TEST(RotatingJudge, what_has_not_converged_is_over_no_limit) {
+TEST(RotatingJudge, WhatHasNotConvergedIsOverNoLimit) {
   Answer answer = method("ca").ask(turning_bar(), {});
   answer.toi_lower -= kOff;
   EXPECT_GT(judged(turning_bar(), "ca", answer).errors.over_limit, 1);
@@ -99,7 +99,7 @@ TEST(RotatingJudge, what_has_not_converged_is_over_no_limit) {
   EXPECT_TRUE(std::isnan(open.errors.over_limit));
 }
 
-TEST(RotatingJudge, convicts_normals_and_witnesses) {
+TEST(RotatingJudge, ConvictsNormalsAndWitnesses) {
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.normal *= 1 + 1e-12; });
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) {
@@ -109,7 +109,7 @@ TEST(RotatingJudge, convicts_normals_and_witnesses) {
   falls(turning_bar(), "bilateral", &Judgement::bad_contact, [](Answer& a) { a.point_a.z() = std::nan(""); });
 }
 
-TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
+TEST(RotatingJudge, HoldsEachRowToWhatItPromisesAboutTheUnseen) {
   Answer miss = method("steps").ask(dipping_bar(), {.time_steps = 1});
   ASSERT_EQ(miss.outcome, Outcome::miss);
   const Judgement hidden = judged(dipping_bar(), "steps", miss);
@@ -122,7 +122,7 @@ TEST(RotatingJudge, holds_each_row_to_what_it_promises_about_the_unseen) {
   EXPECT_FALSE(judged(dipping_bar(), "bilateral_published", miss).faulty());
 }
 
-TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
+TEST(RotatingJudge, OfTierCertifiedConvictsByAnythingAtAll) {
   const auto ends = [](double lower, double upper) {
     return [=](Answer& a) {
       a.toi_lower = lower;
@@ -149,7 +149,7 @@ TEST(RotatingJudge, of_tier_certified_convicts_by_anything_at_all) {
   }
 }
 
-TEST(RotatingJudge, of_tier_certified_wants_a_proof_that_is_true_and_says_as_much_as_the_answer) {
+TEST(RotatingJudge, OfTierCertifiedWantsAProofThatIsTrueAndSaysAsMuchAsTheAnswer) {
   const auto change = [](std::string Judgement::*fault, const std::function<void(Answer&)>& by) {
     falls(turning_bar(), "certified", fault, by, Request::everything);
   };
@@ -164,7 +164,7 @@ TEST(RotatingJudge, of_tier_certified_wants_a_proof_that_is_true_and_says_as_muc
   change(&Judgement::false_proof, [](Answer& a) { a.rotating_proof->toi_upper = a.toi_lower / 2; });
 }
 
-TEST(RotatingJudge, a_horizon_without_end_is_no_question_for_the_oracle) {
+TEST(RotatingJudge, AHorizonWithoutEndIsNoQuestionForTheOracle) {
   Case problem = turning_bar();
   problem.t_max = kInfinity<double>;
   const Judgement refused = judged(problem, "bilateral", method("bilateral").ask(problem, {}));

@@ -19,7 +19,7 @@ Law named(const std::string& name, Kind kind = Kind::linear) {
 
 const std::vector<std::string_view> kOutcomes = {"hit", "miss", "initially_overlapping"};
 
-TEST(LawTally, a_law_that_never_applies_is_reported) {
+TEST(LawTally, ALawThatNeverAppliesIsReported) {
   LawTally tally(named("idle"));
   EXPECT_EQ(tally.shortfall_of_outcomes(), "idle never applied");
   for (int i = 0; i < 10; ++i) tally.add(0, "touching", not_applicable("not of its kind"));
@@ -28,7 +28,7 @@ TEST(LawTally, a_law_that_never_applies_is_reported) {
   EXPECT_NE(tally.shortfall_of_families().find("touching"), std::string::npos);
 }
 
-TEST(LawTally, an_outcome_that_was_never_seen_is_named) {
+TEST(LawTally, AnOutcomeThatWasNeverSeenIsNamed) {
   LawTally tally(named("narrow"));
   tally.add(0, "", holds({"hit"}));
   tally.add(1, "", holds({"miss"}));
@@ -38,7 +38,7 @@ TEST(LawTally, an_outcome_that_was_never_seen_is_named) {
   EXPECT_EQ(tally.text(), "narrow:  and more 1  hit 1  initially_overlapping 1  miss 1");
 }
 
-TEST(LawTally, a_query_may_know_contact_by_either_name) {
+TEST(LawTally, AQueryMayKnowContactByEitherName) {
   LawTally tally(named("apart_or_not", Kind::query));
   tally.add(0, "", holds({"miss"}));
   EXPECT_EQ(tally.shortfall_of_outcomes(), "apart_or_not saw no contact");
@@ -52,7 +52,7 @@ TEST(LawTally, a_query_may_know_contact_by_either_name) {
   EXPECT_EQ(tally.left_open(), 1U);
 }
 
-TEST(LawTally, a_family_that_was_never_reached_is_named) {
+TEST(LawTally, AFamilyThatWasNeverReachedIsNamed) {
   LawTally tally(named("choosy"));
   for (const corpus::Family& family : corpus::families()) {
     if (family.name == "needles" || family.name == "plates") {
@@ -70,7 +70,7 @@ TEST(LawTally, a_family_that_was_never_reached_is_named) {
   EXPECT_EQ(tally.shortfall_of_families(), "");
 }
 
-TEST(LawTally, stalls_are_held_to_the_row) {
+TEST(LawTally, StallsAreHeldToTheRow) {
   std::size_t mpr = 0;
   while (engine::methods(engine::Kind::linear)[mpr].full_name() != "mpr/double") ++mpr;
   const engine::Guarantee* row =
@@ -84,7 +84,7 @@ TEST(LawTally, stalls_are_held_to_the_row) {
   EXPECT_NE(tally.excess_of_stalls().find("mpr/double did not converge"), std::string::npos);
 }
 
-TEST(LawTally, two_halves_are_the_whole) {
+TEST(LawTally, TwoHalvesAreTheWhole) {
   LawTally whole(named("split")), one(named("split")), two(named("split"));
   for (int i = 0; i < 20; ++i) {
     const LawResult result = i % 5 == 4 ? broken("no") : holds({kOutcomes[static_cast<std::size_t>(i) % 3]});
@@ -99,7 +99,7 @@ TEST(LawTally, two_halves_are_the_whole) {
 }
 
 // Every declaration names a law, and families and outcomes that there are; and every name is one law's.
-TEST(LawReach, declares_nothing_that_is_not_there) {
+TEST(LawReach, DeclaresNothingThatIsNotThere) {
   std::set<std::string> names;
   for (const Law& law : laws()) {
     EXPECT_TRUE(names.insert(law.name).second) << law.name << " is the name of two laws";

@@ -62,7 +62,7 @@ constexpr const char* kFalls = R"("id": "test/falls",
  "a": {"shape": {"type": "box", "half_extents": [4, 4, 1]}},
  "b": {"shape": {"type": "sphere", "radius": 1}, "position": [-2, 0, 6], "displacement": [4, 0, -8]})";
 
-TEST(Outline, of_a_box_is_its_corners_and_of_a_ball_is_within_the_tolerance) {
+TEST(Outline, OfABoxIsItsCornersAndOfABallIsWithinTheTolerance) {
   const View view;
   const Window window{.middle = Flat::Zero(), .half_width = 8, .half_height = 8};
   const std::vector<Flat> square = outline(Box<double>{{3, 2, 1}}, {}, view, window, Real(1e-3));
@@ -78,7 +78,7 @@ TEST(Outline, of_a_box_is_its_corners_and_of_a_ball_is_within_the_tolerance) {
   }
 }
 
-TEST(Outline, at_a_great_magnification_is_fine_where_it_is_seen_only) {
+TEST(Outline, AtAGreatMagnificationIsFineWhereItIsSeenOnly) {
   // The top of a ball of radius 4, a millionth wide: the arc rises by (1e-6)^2 / 8 there.
   const Window window{.middle = {0, 4}, .half_width = Real(1e-6), .half_height = Real(1e-6)};
   const std::vector<Flat> arc = outline(Sphere<double>{4}, {}, {}, window, Real(1e-14));
@@ -89,7 +89,7 @@ TEST(Outline, at_a_great_magnification_is_fine_where_it_is_seen_only) {
   EXPECT_LT(arc.size(), 200U);
 }
 
-TEST(Edges, of_a_box_are_nine_on_the_viewers_side) {
+TEST(Edges, OfABoxAreNineOnTheViewersSide) {
   const Vec towards = Vec(1, 2, 3).normalized(), right = towards.unitOrthogonal();
   const View oblique{.right = right, .up = towards.cross(right), .towards = towards};
   EXPECT_EQ(visible_edges(Box<double>{{3, 2, 1}}, {}, oblique).size(), 9U);
@@ -97,7 +97,7 @@ TEST(Edges, of_a_box_are_nine_on_the_viewers_side) {
   EXPECT_TRUE(visible_edges(Sphere<double>{1}, {}, oblique).empty());
 }
 
-TEST(Scene, of_a_hit_is_where_and_when_the_bodies_meet_and_is_seen_from_the_side) {
+TEST(Scene, OfAHitIsWhereAndWhenTheBodiesMeetAndIsSeenFromTheSide) {
   const corpus::Case falls = case_of(kFalls);
   const Scene scene = make_scene(falls);
   EXPECT_TRUE(scene.has_contact);
@@ -110,7 +110,7 @@ TEST(Scene, of_a_hit_is_where_and_when_the_bodies_meet_and_is_seen_from_the_side
   EXPECT_LT((from_above.towards - Vec(0, 0, 1)).norm(), Real(1e-14));
 }
 
-TEST(Scene, of_a_miss_is_the_nearest_approach_and_its_clearance) {
+TEST(Scene, OfAMissIsTheNearestApproachAndItsClearance) {
   // Passes the corner (1, 1) of the square along the diagonal, sqrt(2) - 0.01 of the way out.
   const corpus::Case passes = case_of(R"("id": "test/passes", "t_max": "inf",
  "a": {"shape": {"type": "box", "half_extents": [1, 1, 1]}},
@@ -122,13 +122,13 @@ TEST(Scene, of_a_miss_is_the_nearest_approach_and_its_clearance) {
   EXPECT_NEAR(static_cast<double>(*scene.margin), 0.01 * std::sqrt(2.0), 1e-14);
 }
 
-TEST(Picture, magnifies_a_clearance_of_a_millionth_until_it_is_seen) {
+TEST(Picture, MagnifiesAClearanceOfAMillionthUntilItIsSeen) {
   const std::string svg = draw_svg(corpus::find_family("grazing_edge")->generate(6, 2));
   EXPECT_NE(svg.find("miss; clearance: 10⁻⁶"), std::string::npos) << svg;
   EXPECT_NE(svg.find(">× 10⁷<"), std::string::npos) << svg;
 }
 
-TEST(Picture, of_a_scene_moved_far_away_is_the_same) {
+TEST(Picture, OfASceneMovedFarAwayIsTheSame) {
   corpus::Case near = case_of(kFalls), far = near;
   const Vec3<double> offset(0x1p27, -0x1p26, 0x1p25);
   far.a.position += offset;
@@ -140,7 +140,7 @@ TEST(Picture, of_a_scene_moved_far_away_is_the_same) {
   EXPECT_EQ(moved, draw_svg(near));
 }
 
-TEST(Picture, is_well_formed_for_every_family_at_its_extremes) {
+TEST(Picture, IsWellFormedForEveryFamilyAtItsExtremes) {
   for (const auto list : {corpus::families(), corpus::rotating_families()}) {
     for (const corpus::Family& family : list) {
       for (const double level :
@@ -152,13 +152,13 @@ TEST(Picture, is_well_formed_for_every_family_at_its_extremes) {
   }
 }
 
-TEST(Picture, is_well_formed_for_every_curated_case) {
+TEST(Picture, IsWellFormedForEveryCuratedCase) {
   const corpus::ReadResult read = corpus::read_directory(kRoot / "corpus/cases");
   ASSERT_FALSE(read.cases.empty());
   for (const corpus::Case& problem : read.cases) expect_picture(draw_svg(problem), problem.id);
 }
 
-TEST(Picture, of_a_case_that_is_refused_says_so_and_draws_nothing) {
+TEST(Picture, OfACaseThatIsRefusedSaysSoAndDrawsNothing) {
   corpus::Case refused = case_of(kFalls);
   refused.id = "a < b & \"c\"";
   refused.a.orientation = {0, 0, 0, 0};
@@ -169,7 +169,7 @@ TEST(Picture, of_a_case_that_is_refused_says_so_and_draws_nothing) {
 }
 
 // The page: a section `### name` and a picture for each family, and for nothing else.
-TEST(PageOfFamilies, has_a_section_and_a_picture_of_each_and_of_nothing_else) {
+TEST(PageOfFamilies, HasASectionAndAPictureOfEachAndOfNothingElse) {
   std::set<std::string> names, sections, shown, pictures;
   for (const FamilyPicture& picture : family_pictures()) names.insert(picture.family);
   std::istringstream page(text_of(kRoot / "docs/families.md"));
@@ -197,7 +197,7 @@ std::pair<std::string, double> outcome_of(const std::string& svg) {
   return {words.substr(0, digit), std::stod(words.substr(digit))};
 }
 
-TEST(PageOfFamilies, shows_the_cases_that_are_chosen_as_they_are_now_in_small_files) {
+TEST(PageOfFamilies, ShowsTheCasesThatAreChosenAsTheyAreNowInSmallFiles) {
   for (const FamilyPicture& picture : family_pictures()) {
     const std::string svg = text_of(kRoot / "docs/families" / (picture.family + ".svg"));
     const std::string id = corpus::find_family(picture.family)->generate(picture.hardness, picture.seed).id;

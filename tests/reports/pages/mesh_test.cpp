@@ -31,7 +31,7 @@ void expect_convex(const Mesh& mesh, double size) {
   }
 }
 
-TEST(Mesh, of_a_box_has_its_corners_and_edges_and_no_diagonal) {
+TEST(Mesh, OfABoxHasItsCornersAndEdgesAndNoDiagonal) {
   const Mesh mesh = show::mesh_of(Box<double>{{1, 2, 3}}, Vec::Zero());
   EXPECT_FALSE(mesh.curved);
   EXPECT_EQ(mesh.vertices.size(), 8U);
@@ -40,7 +40,7 @@ TEST(Mesh, of_a_box_has_its_corners_and_edges_and_no_diagonal) {
   expect_convex(mesh, 4);
 }
 
-TEST(Mesh, of_flat_shapes_and_points_is_what_they_are) {
+TEST(Mesh, OfFlatShapesAndPointsIsWhatTheyAre) {
   EXPECT_EQ(show::mesh_of(Point<double>{}, Vec::Zero()).vertices.size(), 1U);
   const Mesh segment = show::mesh_of(Segment<double>{{0, 0, 0}, {1, 2, 3}}, Vec::Zero());
   EXPECT_EQ(segment.edges.size(), 1U);
@@ -51,7 +51,7 @@ TEST(Mesh, of_flat_shapes_and_points_is_what_they_are) {
   EXPECT_EQ(show::mesh_of(Sphere<double>{0}, Vec::UnitX()).vertices.size(), 1U);
 }
 
-TEST(Mesh, of_curved_shapes_lies_in_them_and_comes_near_their_supports) {
+TEST(Mesh, OfCurvedShapesLiesInThemAndComesNearTheirSupports) {
   const std::vector<Shape<double>> shapes = {
       Sphere<double>{2},
       Capsule<double>{0.5, 3},
@@ -78,7 +78,7 @@ TEST(Mesh, of_curved_shapes_lies_in_them_and_comes_near_their_supports) {
   }
 }
 
-TEST(Mesh, is_finest_where_the_shape_touches) {
+TEST(Mesh, IsFinestWhereTheShapeTouches) {
   const Vec towards = Vec(1, 2, 2).normalized();
   const Mesh mesh = show::mesh_of(Sphere<double>{1}, towards);
   // Between two rings a direction is within 0.42 of its angle of a vertex; of the place of contact alone it would be the
@@ -92,7 +92,7 @@ TEST(Mesh, is_finest_where_the_shape_touches) {
   }
 }
 
-TEST(Mesh, has_as_many_rings_as_a_length_asks_for) {
+TEST(Mesh, HasAsManyRingsAsALengthAsksFor) {
   const Vec towards = Vec(1, 2, 2).normalized();
   const Vec side = towards.unitOrthogonal();
   std::size_t last = 0;
@@ -114,7 +114,7 @@ TEST(Mesh, has_as_many_rings_as_a_length_asks_for) {
   EXPECT_EQ(show::rings_for(0, 1), 20);
 }
 
-TEST(Mesh, of_a_difference_is_the_sum_of_one_and_the_other_reflected) {
+TEST(Mesh, OfADifferenceIsTheSumOfOneAndTheOtherReflected) {
   Pose a, b;
   b.position = Vec(0, 0, 10);
   const Mesh boxes =

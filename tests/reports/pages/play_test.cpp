@@ -22,7 +22,7 @@ Json played(const PlaySettings& settings) {
   return show::play_of(*read.document, scene::run(read.document->scene, read.document->options), settings);
 }
 
-TEST(Play, holds_each_shape_once_and_what_happens) {
+TEST(Play, HoldsEachShapeOnceAndWhatHappens) {
   const Json play = played({.command = "again"});
   EXPECT_EQ(play["schema"], "graze.play/1");
   EXPECT_EQ(play["command"], "again");
@@ -47,7 +47,7 @@ TEST(Play, holds_each_shape_once_and_what_happens) {
       << sentence;
 }
 
-TEST(Play, what_it_leaves_out_is_counted_and_meets_nobody) {
+TEST(Play, WhatItLeavesOutIsCountedAndMeetsNobody) {
   const Json play = played({.most_bodies = 2, .most_events = 0});
   ASSERT_EQ(play["bodies"].size(), 2U);
   EXPECT_EQ(play["bodies"][0]["name"], "left");

@@ -27,7 +27,7 @@ Case falling_box() {
 }
 
 // t v at the claimed time lies in the portal's plane, and no corner of C beyond the axis' plane.
-TEST(Scene, shows_the_proof_where_it_is) {
+TEST(Scene, ShowsTheProofWhereItIs) {
   for (const corpus::Family& family : corpus::families()) {
     if (family.name != "hulls_rotated" && family.name != "random" && family.name != "curved") continue;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -59,7 +59,7 @@ TEST(Scene, shows_the_proof_where_it_is) {
   }
 }
 
-TEST(Scene, sets_what_is_claimed_beside_what_is_true) {
+TEST(Scene, SetsWhatIsClaimedBesideWhatIsTrue) {
   const Case problem = falling_box();
   engine::Method late = *engine::find_method(engine::Kind::linear, "gjk");
   late.name = "late";
@@ -95,7 +95,7 @@ TEST(Scene, sets_what_is_claimed_beside_what_is_true) {
   EXPECT_EQ(claims[1].time, 0.625);
 }
 
-TEST(Scene, keeps_its_digits_far_from_the_origin) {
+TEST(Scene, KeepsItsDigitsFarFromTheOrigin) {
   Case problem = falling_box();
   const Vec3<double> far(1e9, -3e9, 2e9);
   const Json near = show::scene_of(problem, {}, {.has_still = false});
@@ -108,7 +108,7 @@ TEST(Scene, keeps_its_digits_far_from_the_origin) {
   EXPECT_EQ(vector_of(moved["origin"]), far);
 }
 
-TEST(Scene, shows_bodies_that_turn_with_the_chain_of_their_proof) {
+TEST(Scene, ShowsBodiesThatTurnWithTheChainOfTheirProof) {
   Case problem = falling_box();
   problem.spin_b.rotation = {0.5, 0, 1};
   const Json scene = show::scene_of(problem, {}, {.has_still = false});
@@ -125,7 +125,7 @@ TEST(Scene, shows_bodies_that_turn_with_the_chain_of_their_proof) {
   EXPECT_EQ(scene["cso"]["time"], scene["moment"]);
 }
 
-TEST(Scene, is_generated_again_by_its_command) {
+TEST(Scene, IsGeneratedAgainByItsCommand) {
   const corpus::Family& family = *corpus::find_family("random");
   EXPECT_EQ(show::generating_command(family.generate(8, 17)),
             "graze generate random --hardness 8 --seed 17 --count 1");

@@ -32,7 +32,7 @@ Document document_in_float() {
   return document;
 }
 
-TEST(PriceAdvice, a_game_takes_the_cheapest_that_is_right_to_a_thousandth) {
+TEST(PriceAdvice, AGameTakesTheCheapestThatIsRightToAThousandth) {
   const Advice one = advice(document_in_float(), "a game", "that do not turn");
   EXPECT_EQ(one.label, "mpr/float 1e-03") << one.because;
   EXPECT_EQ(one.call,
@@ -44,7 +44,7 @@ TEST(PriceAdvice, a_game_takes_the_cheapest_that_is_right_to_a_thousandth) {
   EXPECT_EQ(one.because, "no other is cheaper");
 }
 
-TEST(PriceAdvice, what_is_off_by_more_or_leaves_a_verdict_open_is_not_for_a_game) {
+TEST(PriceAdvice, WhatIsOffByMoreOrLeavesAVerdictOpenIsNotForAGame) {
   Document document = document_in_float();
   Row& cheap = document.tables[0].rows.back();
   cheap.backward.worst = 2e-3;
@@ -59,7 +59,7 @@ TEST(PriceAdvice, what_is_off_by_more_or_leaves_a_verdict_open_is_not_for_a_game
   EXPECT_EQ(advice(document, "a game", "that do not turn").label, "gjk/double 1e-03");
 }
 
-TEST(PriceAdvice, a_robot_takes_nothing_that_is_late_or_wrong) {
+TEST(PriceAdvice, ARobotTakesNothingThatIsLateOrWrong) {
   const Advice one = advice(planted_document(), "a robot", "that do not turn");
   EXPECT_EQ(one.label, "certified/double");
   EXPECT_EQ(one.call, "// Body<double>\ngraze::cast(a, b, {.tier = graze::Tier::certified})");
@@ -74,7 +74,7 @@ TEST(PriceAdvice, a_robot_takes_nothing_that_is_late_or_wrong) {
   EXPECT_EQ(advice(document, "a robot", "that do not turn").label, "");
 }
 
-TEST(PriceAdvice, tier_exact_is_taken_where_it_costs_no_more) {
+TEST(PriceAdvice, TierExactIsTakenWhereItCostsNoMore) {
   EXPECT_EQ(advice(planted_document(), "a CAD tool", "that are polytopes").label, "exact/double")
       << "certified is off by 2e-15";
   Document document = planted_document();
@@ -87,7 +87,7 @@ TEST(PriceAdvice, tier_exact_is_taken_where_it_costs_no_more) {
   EXPECT_EQ(advice(document, "a CAD tool", "that are polytopes").label, "exact/double");
 }
 
-TEST(PriceAdvice, the_plan_is_taken_where_it_costs_no_more) {
+TEST(PriceAdvice, ThePlanIsTakenWhereItCostsNoMore) {
   Document document = planted_document();
   PriceTable& table = document.tables[0];
   table.kind = "rotating";
@@ -106,7 +106,7 @@ TEST(PriceAdvice, the_plan_is_taken_where_it_costs_no_more) {
       "graze::cast(a, b, {.method = graze::RotatingMethod::bilateral_advancement, .tolerance = 1e-03})");
 }
 
-TEST(PriceAdvice, of_bodies_that_nobody_was_asked_nothing_is_said) {
+TEST(PriceAdvice, OfBodiesThatNobodyWasAskedNothingIsSaid) {
   EXPECT_TRUE(advice_of(Document{}).empty());
   EXPECT_EQ(find(advice_of(planted_document()), "a robot", "that turn"), nullptr);
 }

@@ -30,7 +30,7 @@ std::string only_worse(const Document& before, const Document& after) {
   return all;
 }
 
-TEST(PriceCompare, a_run_is_no_worse_than_itself) {
+TEST(PriceCompare, ARunIsNoWorseThanItself) {
   const Document document = planted_document();
   const Comparison found = compare(document, document);
   EXPECT_TRUE(found.worse.empty());
@@ -39,7 +39,7 @@ TEST(PriceCompare, a_run_is_no_worse_than_itself) {
   EXPECT_EQ(found.rows, 6U);
 }
 
-TEST(PriceCompare, a_planted_slowdown_is_found_and_its_reverse_is_better) {
+TEST(PriceCompare, APlantedSlowdownIsFoundAndItsReverseIsBetter) {
   const Document before = planted_document();
   Document after = before;
   scale(*row_of(after, "mpr/double").ratio, 1.25);
@@ -50,7 +50,7 @@ TEST(PriceCompare, a_planted_slowdown_is_found_and_its_reverse_is_better) {
   EXPECT_EQ(reverse.better.size(), 1U);
 }
 
-TEST(PriceCompare, a_machine_twice_as_slow_is_no_slowdown) {
+TEST(PriceCompare, AMachineTwiceAsSlowIsNoSlowdown) {
   const Document before = planted_document();
   Document after = before;
   for (Row& row : after.tables[0].rows) {
@@ -61,7 +61,7 @@ TEST(PriceCompare, a_machine_twice_as_slow_is_no_slowdown) {
   EXPECT_TRUE(compare(before, after).worse.empty());
 }
 
-TEST(PriceCompare, where_spreads_overlap_nothing_is_said) {
+TEST(PriceCompare, WhereSpreadsOverlapNothingIsSaid) {
   const Document before = planted_document();
   Document after = before;
   Row& row = row_of(after, "mpr/double");
@@ -70,7 +70,7 @@ TEST(PriceCompare, where_spreads_overlap_nothing_is_said) {
   EXPECT_TRUE(compare(before, after).worse.empty());
 }
 
-TEST(PriceCompare, what_is_below_the_threshold_is_not_said) {
+TEST(PriceCompare, WhatIsBelowTheThresholdIsNotSaid) {
   const Document before = planted_document();
   Document after = before;
   scale(*row_of(after, "mpr/double").ratio, 1.09);
@@ -79,7 +79,7 @@ TEST(PriceCompare, what_is_below_the_threshold_is_not_said) {
 }
 
 // Its own ratio is 1 whatever happens to it.
-TEST(PriceCompare, a_baseline_that_became_slower_is_found_by_all_others) {
+TEST(PriceCompare, ABaselineThatBecameSlowerIsFoundByAllOthers) {
   const Document before = planted_document();
   Document after = before;
   for (Row& row : after.tables[0].rows) {
@@ -90,21 +90,21 @@ TEST(PriceCompare, a_baseline_that_became_slower_is_found_by_all_others) {
   EXPECT_NE(line.find("0.71"), std::string::npos) << line;
 }
 
-TEST(PriceCompare, more_supports_are_found_whatever_the_clock_says) {
+TEST(PriceCompare, MoreSupportsAreFoundWhateverTheClockSays) {
   const Document before = planted_document();
   Document after = before;
   row_of(after, "gjk/double").supports.mean = 9;
   EXPECT_EQ(only_worse(before, after), "round, gjk/double: supports a call 8.00 -> 9.00");
 }
 
-TEST(PriceCompare, a_planted_loss_of_accuracy_is_found) {
+TEST(PriceCompare, APlantedLossOfAccuracyIsFound) {
   const Document before = planted_document();
   Document after = before;
   row_of(after, "gjk/double").backward.worst = 1e-9;
   EXPECT_EQ(only_worse(before, after), "round, gjk/double: worst backward error 2.0e-15 -> 1.0e-09 of scale");
 }
 
-TEST(PriceCompare, other_last_bits_are_no_loss) {
+TEST(PriceCompare, OtherLastBitsAreNoLoss) {
   const Document before = planted_document();
   Document after = before;
   for (Row& row : after.tables[0].rows) {
@@ -117,7 +117,7 @@ TEST(PriceCompare, other_last_bits_are_no_loss) {
   EXPECT_TRUE(compare(before, after).worse.empty());
 }
 
-TEST(PriceCompare, a_wrong_verdict_and_a_lost_proof_are_found) {
+TEST(PriceCompare, AWrongVerdictAndALostProofAreFound) {
   const Document before = planted_document();
   Document after = before;
   row_of(after, "gjk/double").wrong = 1;
@@ -133,7 +133,7 @@ TEST(PriceCompare, a_wrong_verdict_and_a_lost_proof_are_found) {
 }
 
 // A tier that promises never to be late is not excused by rounding.
-TEST(PriceCompare, a_certified_answer_that_is_late_by_a_bit_is_found) {
+TEST(PriceCompare, ACertifiedAnswerThatIsLateByABitIsFound) {
   const Document before = planted_document();
   Document after = before;
   row_of(after, "certified/double").late = 1;
@@ -141,7 +141,7 @@ TEST(PriceCompare, a_certified_answer_that_is_late_by_a_bit_is_found) {
   EXPECT_EQ(only_worse(before, after), "round, certified/double: late answers 0 -> 1");
 }
 
-TEST(PriceCompare, what_is_not_there_is_said_and_other_cases_are_refused) {
+TEST(PriceCompare, WhatIsNotThereIsSaidAndOtherCasesAreRefused) {
   const Document before = planted_document();
   Document after = before;
   after.tables[0].rows.pop_back();

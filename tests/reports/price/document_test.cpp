@@ -8,7 +8,7 @@
 namespace graze::price {
 namespace {
 
-TEST(PriceDocument, is_read_as_it_was_written) {
+TEST(PriceDocument, IsReadAsItWasWritten) {
   Document document = planted_document();
   document.sentences.push_back({.topic = "digit", .text = "One more."});
   document.tables[0].rows[1].time.reset();
@@ -38,7 +38,7 @@ std::string refusal_of(const std::string& text) {
   return {};
 }
 
-TEST(PriceDocument, what_is_wrong_is_named) {
+TEST(PriceDocument, WhatIsWrongIsNamed) {
   const std::string text = write_document(planted_document());
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string other = text;
@@ -56,7 +56,7 @@ TEST(PriceDocument, what_is_wrong_is_named) {
 }
 
 // As version 0.2.0 wrote it.
-TEST(PriceDocument, one_without_advice_is_read) {
+TEST(PriceDocument, OneWithoutAdviceIsRead) {
   std::string text = write_document(planted_document());
   const std::string field = R"("advice":[],)";
   const std::size_t at = text.find(field);
@@ -65,7 +65,7 @@ TEST(PriceDocument, one_without_advice_is_read) {
   EXPECT_EQ(read_document(text, "price.json").tables.size(), 1U);
 }
 
-TEST(PriceDocument, the_csv_has_a_line_a_row_and_as_many_cells_in_each) {
+TEST(PriceDocument, TheCsvHasALineARowAndAsManyCellsInEach) {
   Document document = planted_document();
   document.tables[0].name = "round, and flat";
   const std::string csv = csv_of(document);

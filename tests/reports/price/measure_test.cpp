@@ -39,7 +39,7 @@ Answer hit(double lower, double upper) {
   return {.outcome = Outcome::hit, .toi_lower = lower, .toi_upper = upper};
 }
 
-TEST(PriceMeasure, an_early_time_errs_by_its_way_and_is_not_late) {
+TEST(PriceMeasure, AnEarlyTimeErrsByItsWayAndIsNotLate) {
   const Measured one = measured(falling_ball(), hit(0.4375, 0.5));
   EXPECT_FALSE(one.wrong);
   EXPECT_FALSE(one.late);
@@ -48,7 +48,7 @@ TEST(PriceMeasure, an_early_time_errs_by_its_way_and_is_not_late) {
   EXPECT_EQ(one.width, one.backward);
 }
 
-TEST(PriceMeasure, a_late_time_is_late_by_the_depth_that_it_reaches) {
+TEST(PriceMeasure, ALateTimeIsLateByTheDepthThatItReaches) {
   const Measured one = measured(falling_ball(), hit(0.5625, 0.5625));
   EXPECT_TRUE(one.late);
   EXPECT_DOUBLE_EQ(one.late_by, 0.25 / 3);
@@ -57,7 +57,7 @@ TEST(PriceMeasure, a_late_time_is_late_by_the_depth_that_it_reaches) {
   EXPECT_FALSE(measured(falling_ball(), hit(0.5, 0.5625)).late);
 }
 
-TEST(PriceMeasure, a_denied_hit_and_a_claimed_miss_are_wrong_by_what_they_deny) {
+TEST(PriceMeasure, ADeniedHitAndAClaimedMissAreWrongByWhatTheyDeny) {
   const Measured denied =
       measured(falling_ball(),
                {.outcome = Outcome::miss, .toi_lower = kInfinity<double>, .toi_upper = kInfinity<double>});
@@ -72,7 +72,7 @@ TEST(PriceMeasure, a_denied_hit_and_a_claimed_miss_are_wrong_by_what_they_deny) 
 }
 
 // A time that is no number is counted, and is no infinite error in a mean.
-TEST(PriceMeasure, a_time_that_is_no_number_is_a_failure_of_its_own) {
+TEST(PriceMeasure, ATimeThatIsNoNumberIsAFailureOfItsOwn) {
   for (const double time : {std::nan(""), kInfinity<double>}) {
     const Measured one = measured(falling_ball(), hit(time, kInfinity<double>));
     EXPECT_TRUE(one.no_time);
@@ -88,7 +88,7 @@ TEST(PriceMeasure, a_time_that_is_no_number_is_a_failure_of_its_own) {
   EXPECT_TRUE(measured(falling_ball(), {.outcome = Outcome::invalid_input}).refused);
 }
 
-TEST(PriceMeasure, proofs_are_checked_and_a_false_one_does_not_count) {
+TEST(PriceMeasure, ProofsAreCheckedAndAFalseOneDoesNotCount) {
   const Case problem = falling_ball();
   const engine::Method& method = *engine::find_method(Kind::linear, "certified/double");
   Answer answer = method.ask(problem, {.request = Request::everything});
@@ -100,7 +100,7 @@ TEST(PriceMeasure, proofs_are_checked_and_a_false_one_does_not_count) {
 }
 
 // Its cases are floats: float and double are asked one question.
-TEST(PriceTopics, cases_are_floats_and_the_same_for_one_seed) {
+TEST(PriceTopics, CasesAreFloatsAndTheSameForOneSeed) {
   std::set<std::string> names;
   for (const Topic& topic : topics(false)) {
     EXPECT_TRUE(names.insert(topic.head.name).second) << topic.head.name;
@@ -132,7 +132,7 @@ Topic few_balls() {
   return topic;
 }
 
-TEST(PriceRun, a_table_has_every_contender_that_takes_a_case) {
+TEST(PriceRun, ATableHasEveryContenderThatTakesACase) {
   const Topic topic = few_balls();
   const RunSettings settings{.rounds = 2};
   const PriceTable table = measure_table(topic, contenders_of(topic, {}, false), settings);
@@ -159,7 +159,7 @@ TEST(PriceRun, a_table_has_every_contender_that_takes_a_case) {
 }
 
 // Where a search has to close in, a loose tolerance is seen in the error, and is kept.
-TEST(PriceRun, a_loose_tolerance_is_seen_where_the_search_closes_in) {
+TEST(PriceRun, ALooseToleranceIsSeenWhereTheSearchClosesIn) {
   Topic topic = few_balls();
   topic.draw = [](corpus::Random&, std::size_t place) {
     Case problem = falling_ball();
@@ -177,7 +177,7 @@ TEST(PriceRun, a_loose_tolerance_is_seen_where_the_search_closes_in) {
   EXPECT_LT(loose->backward.worst, 0.1);
 }
 
-TEST(PriceRun, a_run_that_is_stopped_keeps_whole_tables_and_goes_on_from_there) {
+TEST(PriceRun, ARunThatIsStoppedKeepsWholeTablesAndGoesOnFromThere) {
   RunSettings settings{.rounds = 1, .only = {"requests smooth", "requests polytopes"}};
   bool stops = false;
   settings.stop = [&] { return stops; };

@@ -18,7 +18,7 @@ std::vector<std::string> said(const Document& document, const std::string& topic
   return texts;
 }
 
-TEST(PriceSentences, the_cheapest_that_is_never_late_is_found_by_both_measures) {
+TEST(PriceSentences, TheCheapestThatIsNeverLateIsFoundByBothMeasures) {
   const std::vector<std::string> texts = said(planted_document(), "never_late");
   ASSERT_EQ(texts.size(), 2U);
   EXPECT_EQ(
@@ -33,7 +33,7 @@ TEST(PriceSentences, the_cheapest_that_is_never_late_is_found_by_both_measures) 
       << texts[1];
 }
 
-TEST(PriceSentences, one_that_gives_a_verdict_away_is_not_the_one_that_is_never_wrong) {
+TEST(PriceSentences, OneThatGivesAVerdictAwayIsNotTheOneThatIsNeverWrong) {
   const std::vector<std::string> texts = said(planted_document(), "never_wrong");
   ASSERT_EQ(texts.size(), 2U);
   EXPECT_NE(texts[0].find(": gjk/double 1e-03, at 0.50 times"), std::string::npos) << texts[0];
@@ -44,7 +44,7 @@ TEST(PriceSentences, one_that_gives_a_verdict_away_is_not_the_one_that_is_never_
 }
 
 // Each family counts: who is late in one is never the one that is never late.
-TEST(PriceSentences, a_family_in_which_a_method_fails_counts) {
+TEST(PriceSentences, AFamilyInWhichAMethodFailsCounts) {
   Document document = planted_document();
   document.tables.push_back(document.tables[0]);
   document.tables[1].name = "other";
@@ -56,7 +56,7 @@ TEST(PriceSentences, a_family_in_which_a_method_fails_counts) {
   EXPECT_NE(texts[0].find("2 families of linear casts: exact/double"), std::string::npos) << texts[0];
 }
 
-TEST(PriceSentences, an_engine_of_others_and_one_that_leaves_cases_out_are_not_chosen) {
+TEST(PriceSentences, AnEngineOfOthersAndOneThatLeavesCasesOutAreNotChosen) {
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) {
     if (row.label == "certified/double") row.ours = false;
@@ -68,7 +68,7 @@ TEST(PriceSentences, an_engine_of_others_and_one_that_leaves_cases_out_are_not_c
             "No method is never late, not by a bit, and misses no contact on all 1 family of linear casts.");
 }
 
-TEST(PriceSentences, who_is_right_to_within_so_much_is_chosen_by_the_worst_answer) {
+TEST(PriceSentences, WhoIsRightToWithinSoMuchIsChosenByTheWorstAnswer) {
   const std::vector<std::string> texts = said(planted_document(), "choose");
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_NE(
@@ -78,7 +78,7 @@ TEST(PriceSentences, who_is_right_to_within_so_much_is_chosen_by_the_worst_answe
       << texts[0];
 }
 
-TEST(PriceSentences, a_verdict_that_is_left_open_is_neither_wrong_nor_right) {
+TEST(PriceSentences, AVerdictThatIsLeftOpenIsNeitherWrongNorRight) {
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) {
     if (row.label == "gjk/double 1e-03") row.failures.not_converged = 3;
@@ -88,7 +88,7 @@ TEST(PriceSentences, a_verdict_that_is_left_open_is_neither_wrong_nor_right) {
   EXPECT_NE(chosen.find("1e-04: gjk/double (1.00 times)"), std::string::npos) << chosen;
 }
 
-TEST(PriceSentences, a_digit_has_the_price_that_was_planted) {
+TEST(PriceSentences, ADigitHasThePriceThatWasPlanted) {
   const std::vector<std::string> texts = said(planted_document(), "digit");
   ASSERT_EQ(texts.size(), 1U);
   // Ten digits for twice the time.
@@ -97,7 +97,7 @@ TEST(PriceSentences, a_digit_has_the_price_that_was_planted) {
       << texts[0] << factor;
 }
 
-TEST(PriceSentences, a_loose_tolerance_that_is_dearer_than_the_least_is_said_to_be) {
+TEST(PriceSentences, ALooseToleranceThatIsDearerThanTheLeastIsSaidToBe) {
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) {
     if (row.label == "gjk/double 1e-03") row.ratio = Spread{.median = 2.5, .low = 2.4, .high = 2.6};
@@ -113,7 +113,7 @@ TEST(PriceSentences, a_loose_tolerance_that_is_dearer_than_the_least_is_said_to_
       << texts[0];
 }
 
-TEST(PriceSentences, certainty_and_exactness_are_ratios_of_the_same_run) {
+TEST(PriceSentences, CertaintyAndExactnessAreRatiosOfTheSameRun) {
   const Document document = planted_document();
   const std::vector<std::string> certainty = said(document, "certainty"),
                                  exactness = said(document, "exactness");
@@ -125,7 +125,7 @@ TEST(PriceSentences, certainty_and_exactness_are_ratios_of_the_same_run) {
   EXPECT_NE(exactness[0].find("1.25 times that of certified/double"), std::string::npos) << exactness[0];
 }
 
-TEST(PriceSentences, the_cheapest_proof_is_of_who_proves_every_answer) {
+TEST(PriceSentences, TheCheapestProofIsOfWhoProvesEveryAnswer) {
   Document document = planted_document();
   PriceTable& table = document.tables[0];
   table.part = Part::request;
@@ -140,7 +140,7 @@ TEST(PriceSentences, the_cheapest_proof_is_of_who_proves_every_answer) {
             "The cheapest proof on round: certified/double proof, at 4.00 times the time of gjk/double.");
 }
 
-TEST(PriceSentences, a_digit_that_is_there_early_is_said_to_be) {
+TEST(PriceSentences, ADigitThatIsThereEarlyIsSaidToBe) {
   Document document = planted_document();
   std::vector<Row>& rows = document.tables[0].rows;
   rows = {planted_row("gjk", 1e-3, 0.5, 1e-3), planted_row("gjk", 1e-3, 0.9, 2e-15),
@@ -153,7 +153,7 @@ TEST(PriceSentences, a_digit_that_is_there_early_is_said_to_be) {
   EXPECT_EQ(said(document, "digit")[0].find("all of them"), std::string::npos) << said(document, "digit")[0];
 }
 
-TEST(PriceSentences, of_what_was_not_measured_nothing_is_said) {
+TEST(PriceSentences, OfWhatWasNotMeasuredNothingIsSaid) {
   EXPECT_TRUE(sentences_of(Document{}).empty());
   for (const char* topic : {"epa_mpr", "swept", "growth", "request", "scalar"})
     EXPECT_TRUE(said(planted_document(), topic).empty()) << topic;

@@ -8,7 +8,7 @@
 namespace graze::price {
 namespace {
 
-TEST(PriceStatistics, a_quantile_is_the_nearest_rank_and_a_nan_is_no_value) {
+TEST(PriceStatistics, AQuantileIsTheNearestRankAndANanIsNoValue) {
   std::vector<double> values;
   for (int i = 100; i >= 1; --i) values.push_back(i);
   values.push_back(kNone);
@@ -21,7 +21,7 @@ TEST(PriceStatistics, a_quantile_is_the_nearest_rank_and_a_nan_is_no_value) {
   EXPECT_TRUE(std::isnan(errors_of(std::vector<double>{}).worst));
 }
 
-TEST(PriceStatistics, a_spread_is_of_the_rounds_and_tells_what_overlaps) {
+TEST(PriceStatistics, ASpreadIsOfTheRoundsAndTellsWhatOverlaps) {
   const std::vector<double> rounds = {1.1, 0.9, 1.0, kNone, 1.3, 1.0};
   const std::optional<Spread> spread = spread_of(rounds);
   ASSERT_TRUE(spread);
@@ -34,12 +34,12 @@ TEST(PriceStatistics, a_spread_is_of_the_rounds_and_tells_what_overlaps) {
   EXPECT_FALSE(spread_of(std::vector<double>{kNone}));
 }
 
-TEST(PriceStatistics, a_geometric_mean_of_inverse_ratios_is_one) {
+TEST(PriceStatistics, AGeometricMeanOfInverseRatiosIsOne) {
   EXPECT_DOUBLE_EQ(geometric_mean(std::vector<double>{0.5, 2, kNone}), 1);
   EXPECT_DOUBLE_EQ(mean(std::vector<double>{0.5, 2, kNone}), 1.25);
 }
 
-TEST(PriceStatistics, the_front_is_what_no_other_point_beats) {
+TEST(PriceStatistics, TheFrontIsWhatNoOtherPointBeats) {
   // The second is beaten by the first in both, the fourth ties the third's cost with more error, the last two
   // have no number.
   const std::vector<Point> points = {{1, 1e-2}, {2, 1e-1},    {3, 1e-6}, {3, 1e-5},
@@ -49,7 +49,7 @@ TEST(PriceStatistics, the_front_is_what_no_other_point_beats) {
   EXPECT_EQ(pareto_front(std::vector<Point>{{1, 1}, {1, 1}}), (std::vector<bool>{true, true}));
 }
 
-TEST(PriceStatistics, a_digit_that_costs_a_tenth_is_said_to) {
+TEST(PriceStatistics, ADigitThatCostsATenthIsSaidTo) {
   std::vector<Point> points;
   for (int digit = 1; digit <= 12; ++digit)
     points.push_back({.cost = 100 * std::pow(1.1, digit), .error = std::pow(10.0, -digit)});
@@ -62,14 +62,14 @@ TEST(PriceStatistics, a_digit_that_costs_a_tenth_is_said_to) {
 }
 
 // A tolerance that has to be shown can cost more than the least: nobody pays that for a coarser answer.
-TEST(PriceStatistics, a_digit_is_paid_on_the_methods_own_front) {
+TEST(PriceStatistics, ADigitIsPaidOnTheMethodsOwnFront) {
   const std::vector<Point> points = {{1, 1e-2}, {9, 1e-8}, {2, 1e-16}};
   const std::optional<DigitPrice> price = price_of_a_digit(points);
   ASSERT_TRUE(price);
   EXPECT_NEAR(price->factor, std::pow(2.0, 1.0 / 14), 1e-9);
 }
 
-TEST(PriceStatistics, where_the_error_does_not_change_no_digit_has_a_price) {
+TEST(PriceStatistics, WhereTheErrorDoesNotChangeNoDigitHasAPrice) {
   EXPECT_FALSE(price_of_a_digit(std::vector<Point>{{100, 1e-16}, {101, 1e-16}, {99, 1.1e-16}}));
   EXPECT_FALSE(price_of_a_digit(std::vector<Point>{{100, 1e-3}}));
   // An error of 0 is the finest that counts.
@@ -78,7 +78,7 @@ TEST(PriceStatistics, where_the_error_does_not_change_no_digit_has_a_price) {
   EXPECT_NEAR(to_zero->digits, 10, 1e-9);
 }
 
-TEST(PriceStatistics, a_square_root_grows_as_the_power_one_half) {
+TEST(PriceStatistics, ASquareRootGrowsAsThePowerOneHalf) {
   std::vector<Point> points;
   for (const double x : {8.0, 64.0, 512.0, 4096.0}) points.push_back({.cost = x, .error = 7 * std::sqrt(x)});
   EXPECT_NEAR(power_of_growth(points), 0.5, 1e-9);

@@ -90,7 +90,7 @@ Case named() {
 constexpr Counters kWork{.iterations = 3, .supports = 7, .poses = 5};
 constexpr double kInf = kInfinity<double>;
 
-TEST(AnswerText, of_a_cast_the_json_says_all_that_the_block_says) {
+TEST(AnswerText, OfACastTheJsonSaysAllThatTheBlockSays) {
   const engine::Method& method = *engine::find_method(engine::Kind::linear, "mpr/float");
   std::set<std::string> seen;
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::initially_overlapping,
@@ -112,7 +112,7 @@ TEST(AnswerText, of_a_cast_the_json_says_all_that_the_block_says) {
                                          "point_a", "point_b", "work"}));
 }
 
-TEST(AnswerText, of_a_rotating_cast_the_json_says_all_that_the_block_says) {
+TEST(AnswerText, OfARotatingCastTheJsonSaysAllThatTheBlockSays) {
   const engine::Method& method = *engine::find_method(engine::Kind::rotating, "steps/double");
   std::set<std::string> seen;
   for (const Outcome outcome : {Outcome::hit, Outcome::miss, Outcome::invalid_input}) {
@@ -131,7 +131,7 @@ TEST(AnswerText, of_a_rotating_cast_the_json_says_all_that_the_block_says) {
   EXPECT_TRUE(seen.contains("plan") && seen.contains("hidden") && seen.contains("because"));
 }
 
-TEST(AnswerText, of_a_query_the_json_says_all_that_the_block_says) {
+TEST(AnswerText, OfAQueryTheJsonSaysAllThatTheBlockSays) {
   std::set<std::string> seen;
   for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     for (const bool stalled : {false, true}) {
@@ -159,7 +159,7 @@ TEST(AnswerText, of_a_query_the_json_says_all_that_the_block_says) {
                                          "work"}));
 }
 
-TEST(AnswerText, of_a_plan_the_json_says_all_that_the_block_says) {
+TEST(AnswerText, OfAPlanTheJsonSaysAllThatTheBlockSays) {
   Plan plan;
   plan.effects = Effects::linear;
   plan.add(PlanReason::unseen_spin_a);

@@ -46,7 +46,7 @@ Program asked(milliseconds while_stopping, const Ask& ask) {
   return program;
 }
 
-TEST(StopBySignal, signals_that_come_at_once_are_one_request_and_said_once) {
+TEST(StopBySignal, SignalsThatComeAtOnceAreOneRequestAndSaidOnce) {
   const Program program = asked(milliseconds(200), [](pid_t child) {
     for (const int number : {SIGINT, SIGINT, SIGTERM}) {
       kill(child, number);
@@ -59,7 +59,7 @@ TEST(StopBySignal, signals_that_come_at_once_are_one_request_and_said_once) {
             "graze: stopping; what is being judged is finished first. Once more ends at once.\n");
 }
 
-TEST(StopBySignal, a_later_one_ends_the_program_at_once) {
+TEST(StopBySignal, ALaterOneEndsTheProgramAtOnce) {
   const Program program = asked(milliseconds(20000), [](pid_t child) {
     kill(child, SIGTERM);
     std::this_thread::sleep_for(milliseconds(1100));

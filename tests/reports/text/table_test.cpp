@@ -7,7 +7,7 @@
 namespace graze::tool {
 namespace {
 
-TEST(Table, words_stand_left_numbers_right_and_headers_on_their_rows) {
+TEST(Table, WordsStandLeftNumbersRightAndHeadersOnTheirRows) {
   Table table({{"name", Align::left}, {"two\nlines"}});
   table.add_row({"a", "1"});
   table.add_gap();
@@ -21,7 +21,7 @@ TEST(Table, words_stand_left_numbers_right_and_headers_on_their_rows) {
             "longer  123456\n");
 }
 
-TEST(ShortNumber, tells_zero_infinity_and_absence_apart) {
+TEST(ShortNumber, TellsZeroInfinityAndAbsenceApart) {
   EXPECT_EQ(short_number(0), "0");
   EXPECT_EQ(short_number(INFINITY), "inf");
   EXPECT_EQ(short_number(std::nan("")), "-");
