@@ -35,9 +35,11 @@ TEST(Options, AnEmptyValueIsNoneAndIsNotPassedOver) {
   for (const std::string option : {"--proof", "--method", "--tier", "--scalar", "--tolerance"}) {
     expect_one_complaint(folder.graze("cast x.json " + option + " ''"), option);
   }
-  for (const std::string option : {"--save", "--plot", "--guarantees", "--corpus", "--family", "--method"}) {
+  for (const std::string option : {"--save", "--guarantees", "--corpus", "--family", "--method"}) {
     expect_one_complaint(folder.graze("certify x.json " + option + " ''"), option);
   }
+  for (const std::string option : {"laws --law", "laws --report", "stability --plot", "stability --save"})
+    expect_one_complaint(folder.graze(option + " ''"), option.substr(option.find(' ') + 1));
   expect_one_complaint(folder.graze("price --only nothing"), "--only: nothing is no table");
   expect_one_complaint(folder.graze("price --continue"), "--continue: needs --json");
   expect_one_complaint(folder.graze("price --quick --thorough"), "a run is one of the two");
