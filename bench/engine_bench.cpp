@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <graze_adapter.hpp>
 
-#include "certify/external/answer.hpp"
 #include "certify/external/engine.hpp"
+#include "certify/external/read_answer.hpp"
 #include "certify/external/terms.hpp"
 
 namespace {

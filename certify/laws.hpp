@@ -11,7 +11,7 @@
 #include "certify/suites.hpp"
 #include "corpus/case.hpp"
 #include "properties/laws/law.hpp"
-#include "properties/laws/tally.hpp"
+#include "properties/laws/law_tally.hpp"
 
 namespace graze::tool {
 

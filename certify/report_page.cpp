@@ -12,7 +12,7 @@
 #include "corpus/format/names.hpp"
 #include "engines/guarantees.hpp"
 #include "reports/pages/page.hpp"
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 #include "reports/text/statistics.hpp"
 
 namespace graze::tool {

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "certify/external/answer.hpp"
+#include "certify/external/engine_methods.hpp"
 #include "certify/external/frames.hpp"
-#include "certify/external/methods.hpp"
+#include "certify/external/read_answer.hpp"
 #include "corpus/format/json_value.hpp"
 
 namespace graze::external {

@@ -1,6 +1,6 @@
 #include "certify/external/recorded.hpp"
 
-#include "certify/external/answer.hpp"
+#include "certify/external/read_answer.hpp"
 #include "certify/external/terms.hpp"
 #include "corpus/format/json_value.hpp"
 

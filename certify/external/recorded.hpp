@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "certify/external/declaration.hpp"
-#include "certify/external/methods.hpp"
+#include "certify/external/engine_methods.hpp"
 #include "engines/guarantees.hpp"
 
 namespace graze::external {

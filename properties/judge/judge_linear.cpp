@@ -6,11 +6,11 @@
 
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
-#include "properties/judge/contact.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
-#include "properties/judge/start.hpp"
+#include "properties/judge/judge_contact.hpp"
+#include "properties/judge/judge_start.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {

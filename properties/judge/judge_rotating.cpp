@@ -9,10 +9,10 @@
 #include "oracles/checker/check_record.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
-#include "properties/judge/followed.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/rotating.hpp"
-#include "properties/judge/start.hpp"
+#include "properties/judge/judge_followed.hpp"
+#include "properties/judge/judge_start.hpp"
+#include "properties/judge/rotating_errors.hpp"
 
 namespace graze::law {
 namespace {

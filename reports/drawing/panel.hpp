@@ -6,7 +6,7 @@
 
 #include "reports/drawing/canvas.hpp"
 #include "reports/drawing/draw.hpp"
-#include "reports/drawing/scene.hpp"
+#include "reports/drawing/drawn_scene.hpp"
 
 namespace graze::draw {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 
 namespace graze::show {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reports/price/draw.hpp"
+#include "reports/price/draw_price.hpp"
 
 namespace graze::price {
 

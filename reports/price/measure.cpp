@@ -9,7 +9,7 @@
 #include "properties/judge/by_proof.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
-#include "properties/judge/rotating.hpp"
+#include "properties/judge/rotating_errors.hpp"
 
 namespace graze::price {
 

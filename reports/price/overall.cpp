@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 
 namespace graze::price {
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "reports/price/overall.hpp"
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 
 namespace graze::price {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
-#include "reports/price/draw.hpp"
+#include "reports/price/draw_price.hpp"
 #include "reports/price/shapes.hpp"
 
 namespace graze::price {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"

@@ -6,7 +6,7 @@
 #include "certify/suites.hpp"
 #include "corpus/families.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::tool {
 namespace {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "certify/external/answer.hpp"
 #include "certify/external/declaration.hpp"
+#include "certify/external/read_answer.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/proof_io.hpp"
 #include "scene/format/scene_io.hpp"

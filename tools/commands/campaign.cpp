@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/workloads.hpp"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "corpus/format/case_json.hpp"
-#include "reports/price/compare.hpp"
+#include "reports/price/price_compare.hpp"
 #include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "engines/method.hpp"
-#include "reports/drawing/families.hpp"
+#include "reports/drawing/draw_families.hpp"
 #include "reports/text/answer_text.hpp"
 #include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "certify/external/methods.hpp"
+#include "certify/external/engine_methods.hpp"
 #include "certify/tally.hpp"
 #include "corpus/format/fields.hpp"
 #include "tools/commands/options.hpp"

@@ -12,7 +12,7 @@
 
 #include "certify/certification.hpp"
 #include "certify/engine_report.hpp"
-#include "certify/external/answer.hpp"
+#include "certify/external/read_answer.hpp"
 #include "certify/external/recorded.hpp"
 #include "certify/report.hpp"
 #include "corpus/curate/location.hpp"

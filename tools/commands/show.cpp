@@ -6,13 +6,13 @@
 #include <memory>
 #include <stdexcept>
 
-#include "certify/external/answer.hpp"
+#include "certify/external/read_answer.hpp"
 #include "certify/external/recorded.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/case_json.hpp"
 #include "reports/drawing/draw.hpp"
 #include "reports/pages/page.hpp"
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 #include "reports/text/answer_text.hpp"
 #include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"

@@ -11,7 +11,7 @@
 #include "certify/laws_of_others.hpp"
 #include "certify/suites.hpp"
 #include "reports/pages/page.hpp"
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 #include "reports/text/counted.hpp"
 #include "reports/text/inputs.hpp"
 #include "reports/text/stop.hpp"

@@ -1,6 +1,6 @@
 // The queries' answers against the exact oracle, each method by its row.
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "balls.hpp"
-#include "certify/external/answer.hpp"
+#include "certify/external/read_answer.hpp"
 
 namespace graze::external {
 namespace {

@@ -10,7 +10,7 @@
 #include "properties/edit/motion.hpp"
 #include "properties/edit/same_body.hpp"
 #include "properties/generate/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {

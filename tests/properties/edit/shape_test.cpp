@@ -10,7 +10,7 @@
 #include "properties/edit/solid.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/shrink.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {

@@ -13,7 +13,7 @@
 #include "properties/generate/far.hpp"
 #include "properties/generate/large_hull.hpp"
 #include "properties/generate/shrink.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {

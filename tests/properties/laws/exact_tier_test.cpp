@@ -13,7 +13,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/near_degenerate.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/linear/exact.hpp"
 
 namespace graze::law {

@@ -12,7 +12,7 @@
 #include "certify/law_finding.hpp"
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
 
 namespace graze::law {

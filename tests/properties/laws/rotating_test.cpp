@@ -17,7 +17,7 @@
 #include "properties/edit/turning.hpp"
 #include "properties/generate/generators.hpp"
 #include "properties/generate/large_hull.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/law.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "tests/properties/generate/drawn_run.hpp"

@@ -15,8 +15,8 @@
 
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
-#include "reports/drawing/families.hpp"
-#include "reports/drawing/scene.hpp"
+#include "reports/drawing/draw_families.hpp"
+#include "reports/drawing/drawn_scene.hpp"
 
 namespace graze::draw {
 namespace {

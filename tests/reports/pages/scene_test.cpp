@@ -1,4 +1,4 @@
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 
 #include <gtest/gtest.h>
 

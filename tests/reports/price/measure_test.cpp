@@ -7,7 +7,7 @@
 #include <set>
 
 #include "corpus/format/case_io.hpp"
-#include "reports/price/run.hpp"
+#include "reports/price/price_run.hpp"
 
 namespace graze::price {
 namespace {

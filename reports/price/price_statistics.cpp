@@ -1,4 +1,4 @@
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "certify/campaign/cast.hpp"
+#include "certify/campaign/campaign_cast.hpp"
 
 #include <fmt/format.h>
 

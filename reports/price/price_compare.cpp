@@ -1,4 +1,4 @@
-#include "reports/price/compare.hpp"
+#include "reports/price/price_compare.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 
 namespace graze::price {
 namespace {

@@ -1,5 +1,5 @@
 // Statistics of planted values.
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 
 #include <gtest/gtest.h>
 

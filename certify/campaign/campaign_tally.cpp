@@ -1,4 +1,4 @@
-#include "certify/campaign/tally.hpp"
+#include "certify/campaign/campaign_tally.hpp"
 
 #include <fmt/format.h>
 

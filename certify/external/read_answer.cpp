@@ -1,4 +1,4 @@
-#include "certify/external/answer.hpp"
+#include "certify/external/read_answer.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "certify/campaign/state.hpp"
+#include "certify/campaign/campaign_state.hpp"
 
 #include <fmt/format.h>
 

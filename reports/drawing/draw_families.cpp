@@ -1,4 +1,4 @@
-#include "reports/drawing/families.hpp"
+#include "reports/drawing/draw_families.hpp"
 
 #include "corpus/families.hpp"
 

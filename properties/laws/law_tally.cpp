@@ -1,4 +1,4 @@
-#include "properties/laws/tally.hpp"
+#include "properties/laws/law_tally.hpp"
 
 #include <algorithm>
 

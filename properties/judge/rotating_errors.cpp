@@ -1,4 +1,4 @@
-#include "properties/judge/rotating.hpp"
+#include "properties/judge/rotating_errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/pages/scene.hpp"
+#include "reports/pages/page_scene.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "reports/drawing/draw.hpp"
-#include "reports/drawing/scene.hpp"
+#include "reports/drawing/drawn_scene.hpp"
 #include "reports/pages/features.hpp"
 #include "reports/pages/mesh.hpp"
 #include "reports/pages/mesh_json.hpp"

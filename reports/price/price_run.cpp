@@ -1,4 +1,4 @@
-#include "reports/price/run.hpp"
+#include "reports/price/price_run.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "corpus/format/case_io.hpp"
 #include "reports/price/measure.hpp"
-#include "reports/price/statistics.hpp"
+#include "reports/price/price_statistics.hpp"
 #include "reports/text/progress.hpp"
 #include "scene/src/parallel.hpp"
 

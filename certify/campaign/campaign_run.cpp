@@ -1,4 +1,4 @@
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "certify/external/methods.hpp"
+#include "certify/external/engine_methods.hpp"
 
 #include <fmt/format.h>
 

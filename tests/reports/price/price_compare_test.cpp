@@ -1,5 +1,5 @@
 // A planted slowdown and a planted loss of accuracy are found; noise is not.
-#include "reports/price/compare.hpp"
+#include "reports/price/price_compare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // What a run lacked is noticed: a law that never applied, an outcome or a family that was never reached, more
 // stalls than a row allows, and a declaration that is not true any more.
-#include "properties/laws/tally.hpp"
+#include "properties/laws/law_tally.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "engines/guarantees.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/reach.hpp"
 
 namespace graze::law {

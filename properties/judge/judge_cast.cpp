@@ -1,4 +1,4 @@
-#include "properties/judge/cast.hpp"
+#include "properties/judge/judge_cast.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "corpus/format/proof_io.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/linear/proof.hpp"
 
 namespace graze::law {

@@ -1,4 +1,4 @@
-#include "properties/judge/start.hpp"
+#include "properties/judge/judge_start.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "properties/judge/followed.hpp"
+#include "properties/judge/judge_followed.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "properties/judge/rotating.hpp"
+#include "properties/judge/rotating_errors.hpp"
 
 namespace graze::law {
 

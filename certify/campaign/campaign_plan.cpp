@@ -1,11 +1,11 @@
-#include "certify/campaign/plan.hpp"
+#include "certify/campaign/campaign_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "certify/campaign/cast.hpp"
+#include "certify/campaign/campaign_cast.hpp"
 #include "certify/engine_report.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"

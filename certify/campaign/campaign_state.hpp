@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/campaign/plan.hpp"
-#include "certify/campaign/tally.hpp"
+#include "certify/campaign/campaign_plan.hpp"
+#include "certify/campaign/campaign_tally.hpp"
 
 namespace graze::tool {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/campaign/cast.hpp"
+#include "certify/campaign/campaign_cast.hpp"
 
 namespace graze::tool {
 

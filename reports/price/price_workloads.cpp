@@ -1,4 +1,4 @@
-#include "reports/price/workloads.hpp"
+#include "reports/price/price_workloads.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

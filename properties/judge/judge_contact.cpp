@@ -1,4 +1,4 @@
-#include "properties/judge/contact.hpp"
+#include "properties/judge/judge_contact.hpp"
 
 #include <fmt/format.h>
 

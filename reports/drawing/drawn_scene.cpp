@@ -1,4 +1,4 @@
-#include "reports/drawing/scene.hpp"
+#include "reports/drawing/drawn_scene.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>

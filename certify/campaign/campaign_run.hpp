@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "certify/campaign/state.hpp"
+#include "certify/campaign/campaign_state.hpp"
 
 namespace graze::tool {
 
