@@ -21,7 +21,7 @@ using engine::Interval;
 using engine::Method;
 using oracle::Enclosure;
 
-double scale_of(Truth& truth) {
+double scale_asked(Truth& truth) {
   const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
   return scale_of_question(truth.problem().query, truth.problem().target_distance,
                            (moves ? truth.moving() : truth.at_rest()).scale().high);
@@ -30,7 +30,7 @@ double scale_of(Truth& truth) {
 class RepresentedJudge : public QueryJudge {
  public:
   RepresentedJudge(Truth& truth, const Method& method, const Answer& answer, double tolerance)
-      : QueryJudge(truth.problem(), method, answer, tolerance, scale_of(truth)), truth_(truth) {}
+      : QueryJudge(truth.problem(), method, answer, tolerance, scale_asked(truth)), truth_(truth) {}
 
  private:
   // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
