@@ -27,7 +27,7 @@
 #include <limits>
 #include <vector>
 
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 #include "corpus/families.hpp"
 #include "engines/convert.hpp"
 #include "engines/method.hpp"

@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <graze_adapter.hpp>
 
-#include "external/answer.hpp"
-#include "external/engine.hpp"
-#include "external/terms.hpp"
+#include "certify/external/engine.hpp"
+#include "certify/external/read_answer.hpp"
+#include "certify/external/terms.hpp"
 
 namespace {
 

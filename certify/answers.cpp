@@ -135,7 +135,7 @@ std::size_t place_of(const Suite& suite, const std::vector<Suite>& suites) {
 
 KeptAnswer::State state_of(const law::Judgement& judgement) {
   using State = KeptAnswer::State;
-  if (judgement.not_asked && judgement.wrong.empty()) return State::not_judged;
+  if (judgement.skipped && judgement.wrong.empty()) return State::not_judged;
   return judgement.stalled ? State::stalled : State::kept;
 }
 

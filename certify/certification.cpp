@@ -12,7 +12,7 @@
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
-#include "report/progress.hpp"
+#include "reports/text/progress.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {
@@ -68,7 +68,8 @@ Judgement worse_of(Judgement first, const Judgement& second) {
     if ((first.*kind.why).empty()) first.*kind.why = second.*kind.why;
   }
   if (first.undecided.empty()) first.undecided = second.undecided;
-  for (bool J::*flag : {&J::stalled, &J::excused, &J::hidden, &J::open, &J::by_oracle, &J::not_asked}) {
+  for (bool J::*flag :
+       {&J::stalled, &J::within_tolerance, &J::hidden, &J::open, &J::by_oracle, &J::skipped}) {
     first.*flag = first.*flag || second.*flag;
   }
   using E = law::Errors;
@@ -95,18 +96,18 @@ law::Truth& truth_of(std::vector<std::unique_ptr<law::Truth>>& truths, Case seen
 Judged judge_one(const Method& method, const Case& asked, std::vector<std::unique_ptr<law::Truth>>& truths,
                  bool measure) {
   Judged judged;
-  engine::OwnTerms own;
+  engine::EngineView own;
   if (method.is_ours()) {
     own.seen = method.seen(asked);
     own.ask = [&](const engine::Ask& how) { return method.ask(asked, how); };
   } else if (law::in_domain(asked)) {
-    own = method.own_terms(asked);
+    own = method.engine_view(asked);
   } else {
     own.refused = "it is no case";
   }
   if (!own.refused.empty()) {
     judged.asked = asked;
-    judged.judgement.not_asked = true;
+    judged.judgement.skipped = true;
     return judged;
   }
   judged.beyond_limits = own.beyond_limits;
@@ -120,11 +121,11 @@ Judged judge_one(const Method& method, const Case& asked, std::vector<std::uniqu
   for (const Request request : requests) {
     const engine::Answer answer = own.ask({.request = request});
     Judgement judgement = law::judge(truth, method, answer, request, measure);
-    judgement.not_asked = judgement.not_asked || is_refusal(judgement);
+    judgement.skipped = judgement.skipped || is_refusal(judgement);
     judged.judgement = is_first ? std::move(judgement) : worse_of(std::move(judged.judgement), judgement);
     is_first = false;
     if (method.kind != Kind::linear || !(measure || !method.is_ours()) || !method.in_float() ||
-        judged.judgement.not_asked || !judged.judgement.failed.empty()) {
+        judged.judgement.skipped || !judged.judgement.failed.empty()) {
       continue;
     }
     if (law::in_domain(asked)) {
@@ -267,7 +268,7 @@ class CertificationRun {
       tally.add(tally.method->is_ours() ? one.problem : *judged.asked, judged.judgement);
       if (settings_.judged) settings_.judged(suite, i, *tally.method, judged.judgement);
       tally.true_backward.push_back(judged.true_backward);
-      if (judged.judgement.not_asked && judged.judgement.wrong.empty()) {
+      if (judged.judgement.skipped && judged.judgement.wrong.empty()) {
         note_unasked(*tallies[m]->method, *judged.asked);
         continue;
       }

@@ -12,8 +12,8 @@
 #include "properties/edit/solid.hpp"
 #include "properties/generate/shrink.hpp"
 #include "properties/judge/judge.hpp"
-#include "report/outputs.hpp"
-#include "report/progress.hpp"
+#include "reports/text/outputs.hpp"
+#include "reports/text/progress.hpp"
 
 namespace graze::tool {
 
@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 std::optional<Judgement> judged(const Method& method, const Case& problem) {
   if (!law::in_domain(problem) || engine::turns(problem) != (method.kind == engine::Kind::rotating))
     return {};
-  engine::OwnTerms own = method.own_terms(problem);
+  engine::EngineView own = method.engine_view(problem);
   // A finding within the documented limits stays within them.
   if (!own.refused.empty() || own.beyond_limits) return {};
   law::Truth truth(std::move(own.seen));
@@ -42,32 +42,33 @@ std::optional<Judgement> judged(const Method& method, const Case& problem) {
 }
 
 // A kind of fault; of answers that failed, a kind of failure.
-struct Sin {
+struct DetailedFault {
   std::size_t kind = 0;  // of law::kFaultKinds
   engine::Failure failure = engine::Failure::none;
-  auto operator<=>(const Sin&) const = default;
+  auto operator<=>(const DetailedFault&) const = default;
 };
 
-std::string name_of(const Sin& sin) {
-  const std::string name = law::kFaultKinds[sin.kind].name;
-  return sin.failure == engine::Failure::none ? name : fmt::format("{}: {}", name, to_text(sin.failure));
+std::string name_of(const DetailedFault& fault) {
+  const std::string name = law::kFaultKinds[fault.kind].name;
+  return fault.failure == engine::Failure::none ? name : fmt::format("{}: {}", name, to_text(fault.failure));
 }
 
-// What of an answer is this sin, or nothing.
-std::string why_of(const Sin& sin, const Judgement& judgement) {
-  return judgement.failure == sin.failure ? judgement.*law::kFaultKinds[sin.kind].why : "";
+// What of an answer is this fault, or nothing.
+std::string why_of(const DetailedFault& fault, const Judgement& judgement) {
+  return judgement.failure == fault.failure ? judgement.*law::kFaultKinds[fault.kind].why : "";
 }
 
-// Of each method and sin the family in which it is most frequent.
+// Of each method and fault the family in which it is most frequent.
 struct Met {
   const Tally* tally = nullptr;
   const Tally::Example* first = nullptr;
   std::size_t times = 0;
 };
-using AllMet = std::map<std::pair<const Method*, Sin>, Met>;
+using AllMet = std::map<std::pair<const Method*, DetailedFault>, Met>;
 
-void note(AllMet& met, const Tally& tally, const Sin& sin, std::size_t times, const Tally::Example& first) {
-  Met& most = met[{tally.method, sin}];
+void note(AllMet& met, const Tally& tally, const DetailedFault& fault, std::size_t times,
+          const Tally::Example& first) {
+  Met& most = met[{tally.method, fault}];
   if (times > most.times) most = {.tally = &tally, .first = &first, .times = times};
 }
 
@@ -90,11 +91,11 @@ AllMet all_met(const Certification& certification) {
   return met;
 }
 
-void make_small(EngineFinding& finding, const Sin& sin, int budget, double seconds) {
+void make_small(EngineFinding& finding, const DetailedFault& fault, int budget, double seconds) {
   const auto stop = Clock::now() + std::chrono::duration<double>(seconds);
   const auto why = [&](const Case& problem) -> std::string {
     const std::optional<Judgement> judgement = judged(*finding.method, problem);
-    return judgement ? why_of(sin, *judgement) : "";
+    return judgement ? why_of(fault, *judgement) : "";
   };
   // A body with an inside keeps one: what is found between solids is shown between solids.
   const bool solid_a = law::is_solid(finding.problem.a.shape),
@@ -123,15 +124,15 @@ std::vector<EngineFinding> engine_findings(const Certification& certification, i
   std::vector<EngineFinding> findings;
   Progress progress("making findings small", met.size());
   for (const auto& [key, most] : met) {
-    const auto& [method, sin] = key;
+    const auto& [method, fault] = key;
     EngineFinding& finding = findings.emplace_back(EngineFinding{.method = method,
-                                                                 .fault = name_of(sin),
+                                                                 .fault = name_of(fault),
                                                                  .reason = most.first->reason,
                                                                  .family = most.tally->family,
                                                                  .first = most.first->id,
                                                                  .times = most.times,
                                                                  .problem = most.first->problem});
-    make_small(finding, sin, budget, seconds);
+    make_small(finding, fault, budget, seconds);
     progress.step();
   }
   return findings;

@@ -11,8 +11,8 @@
 #include "corpus/format/json_value.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/format/xml_text.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {
@@ -62,13 +62,13 @@ Json tally_json(const Tally& tally) {
   }
   return {{"family", tally.family},
           {"cases", tally.cases},
-          {"not_asked", tally.not_asked},
+          {"not_asked", tally.skipped},
           {"declined", tally.declined},
           {"faults", faults_json(tally)},
           {"failures", failures},
           {"open", tally.left_open},
           {"stalled", tally.stalled},
-          {"excused", tally.excused},
+          {"excused", tally.within_tolerance},
           {"by_oracle", tally.by_oracle},
           {"backward",
            {{"median", number_or_null(median(tally.backward))},
@@ -159,7 +159,7 @@ std::string table_of(const std::vector<Tally>& totals) {
   for (const Tally& t : totals) {
     const Method* method = t.method;
     table.add_row(
-        {method->question_name(), fmt::to_string(t.cases), count_text(t.not_asked), count_text(t.declined),
+        {method->question_name(), fmt::to_string(t.cases), count_text(t.skipped), count_text(t.declined),
          count_text(faults_of(t, "wrong")), count_text(faults_of(t, "late")),
          count_text(faults_of(t, "early") + faults_of(t, "off")), contacts_text(t),
          count_text(faults_of(t, "contact off")), count_text(t.stalled), failures_text(t),
@@ -258,7 +258,7 @@ std::string certification_json(const Certification& certification, const Setting
   for (const Method* method : settings.methods) {
     Json families = Json::array();
     for (const Tally& tally : certification.tallies) {
-      if (tally.method == method && (tally.cases > 0 || tally.not_asked > 0))
+      if (tally.method == method && (tally.cases > 0 || tally.skipped > 0))
         families.push_back(tally_json(tally));
     }
     Json total = tally_json(certification.total(*method));
@@ -294,7 +294,7 @@ std::string certification_junit(const Certification& certification, const Settin
     std::string tests;
     std::size_t count = 0, failed = 0, skipped = 0;
     for (const Tally& tally : certification.tallies) {
-      if (tally.method != method || (tally.cases == 0 && tally.not_asked == 0)) continue;
+      if (tally.method != method || (tally.cases == 0 && tally.skipped == 0)) continue;
       ++count;
       tests += fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
                            corpus::xml_text(method->question_name()), corpus::xml_text(tally.family));
@@ -305,9 +305,8 @@ std::string certification_junit(const Certification& certification, const Settin
                              corpus::xml_text(lines.front()), corpus::xml_text(why_failed(tally, lines)));
       } else if (tally.cases == 0) {
         ++skipped;
-        tests +=
-            fmt::format(">\n      <skipped message=\"{} cases, none that it takes\"/>\n    </testcase>\n",
-                        tally.not_asked);
+        tests += fmt::format(
+            ">\n      <skipped message=\"{} cases, none that it takes\"/>\n    </testcase>\n", tally.skipped);
       } else {
         tests += "/>\n";
       }

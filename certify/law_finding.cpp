@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "corpus/format/case_io.hpp"
-#include "draw/draw.hpp"
 #include "properties/edit/case.hpp"
+#include "reports/drawing/draw.hpp"
 
 namespace graze::law {
 

@@ -12,8 +12,8 @@
 
 #include "certify/laws_of_others.hpp"
 #include "properties/generate/shrink.hpp"
-#include "report/progress.hpp"
-#include "report/table.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/table.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {
@@ -88,7 +88,7 @@ void add(OtherLawTally& tally, const LawResult& result) {
     return std::find(result.labels.begin(), result.labels.end(), label) != result.labels.end();
   };
   if (result.holding == Holding::not_applicable) {
-    ++(has(kNotAsked) ? tally.not_asked : tally.open);
+    ++(has(kSkipped) ? tally.skipped : tally.open);
     return;
   }
   ++tally.answers;
@@ -147,7 +147,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
         const Law& law = settings.laws[l];
         if (!is_about(law, one) || !result.others[t].why_not.empty()) continue;
         OtherLawTally seen;
-        LawResult answer{.holding = Holding::not_applicable, .reason = {}, .labels = {kNotAsked}};
+        LawResult answer{.holding = Holding::not_applicable, .reason = {}, .labels = {kSkipped}};
         if (has_failed[k] == 0) answer = check_other(law, problem, settings.others[k]);
         add(seen, answer);
         has_failed[k] = static_cast<char>(has_failed[k] != 0 || seen.failed > 0);
@@ -156,7 +156,7 @@ LawCertification certify_laws(std::span<const LawSuite> suites, const LawSetting
         tally.answers += seen.answers;
         tally.broken += seen.broken;
         tally.failed += seen.failed;
-        tally.not_asked += seen.not_asked;
+        tally.skipped += seen.skipped;
         tally.open += seen.open;
         if (answer.holding == Holding::broken)
           add_breach(breaches, breach_of(law, l, law.methods().size() + k, s, i, one, problem,
@@ -198,7 +198,7 @@ std::string other_law_table(const LawCertification& certification, const LawSett
     last = tally.law;
     table.add_row({law.name, settings.others[tally.other].question_name(),
                    std::string(law::to_text(law.needs)), fmt::to_string(tally.answers),
-                   fmt::to_string(tally.not_asked), fmt::to_string(tally.open), fmt::to_string(tally.failed),
+                   fmt::to_string(tally.skipped), fmt::to_string(tally.open), fmt::to_string(tally.failed),
                    fmt::to_string(tally.broken)});
   }
   std::string text =

@@ -11,7 +11,7 @@
 #include "certify/suites.hpp"
 #include "corpus/case.hpp"
 #include "properties/laws/law.hpp"
-#include "properties/laws/tally.hpp"
+#include "properties/laws/law_tally.hpp"
 
 namespace graze::tool {
 
@@ -47,8 +47,8 @@ struct OtherLawTally {
   std::size_t law = 0, other = 0;  // of the settings
   std::string_view why_not = {};   // it is not asked this law at all
   std::size_t answers = 0, broken = 0, failed = 0;
-  std::size_t not_asked = 0;  // a question of the law is none that it takes
-  std::size_t open = 0;       // the law does not speak of the case, or its oracle leaves it open
+  std::size_t skipped = 0;  // a question of the law is none that it takes
+  std::size_t open = 0;     // the law does not speak of the case, or its oracle leaves it open
 };
 
 struct LawCertification {

@@ -227,7 +227,7 @@ law::LawResult check_other(const law::Law& law, const Case& problem, const Metho
     const std::string why = !all.declined.empty() ? all.declined
                             : has_no_proof        ? "it has no proof"
                                                   : "it does not take an edit of the case";
-    return {.holding = law::Holding::not_applicable, .reason = why, .labels = {kNotAsked}};
+    return {.holding = law::Holding::not_applicable, .reason = why, .labels = {kSkipped}};
   }
   return result;
 }

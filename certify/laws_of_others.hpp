@@ -1,7 +1,7 @@
 // Laws about engines of others: which of them such an engine can be asked at all, and how.
 //
 // A law asks a method about a case as the method sees it, and about edits of that. An engine of others sees a case in
-// its own terms (external/terms.hpp), which need not take the edit: then the law says nothing of it. Where the engine
+// its own terms (certify/external/terms.hpp), which need not take the edit: then the law says nothing of it. Where the engine
 // fails on a question of the law, crashed or hung, the law is broken by that.
 #pragma once
 
@@ -24,8 +24,8 @@ namespace graze::tool {
 // outlives it, and it stays where it is while laws ask it.
 [[nodiscard]] engine::Method as_laws_ask(const engine::Method& method);
 
-// What a law says of it. Not applicable, with the label kNotAsked, where the engine does not take a question of the law.
-inline constexpr std::string_view kNotAsked = "not asked";
+// What a law says of it. Not applicable, with the label kSkipped, where the engine does not take a question of the law.
+inline constexpr std::string_view kSkipped = "not asked";
 inline constexpr std::string_view kFailed = "failed";
 [[nodiscard]] law::LawResult check_other(const law::Law& law, const corpus::Case& problem,
                                          const engine::Method& as_laws_ask_it);

@@ -10,10 +10,10 @@
 
 #include "certify/engine_report.hpp"
 #include "corpus/format/names.hpp"
-#include "report/counted.hpp"
-#include "report/progress.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {
@@ -172,7 +172,7 @@ std::string summary_table(const Certification& certification, const Settings& se
       }
     }
     // What was asked nothing has nothing to say.
-    if (both.cases == 0 && both.not_asked == 0) continue;
+    if (both.cases == 0 && both.skipped == 0) continue;
     if (last != nullptr && last->kind != method->kind) table.add_gap();
     if (last == nullptr || last->kind != method->kind) add_heading(table, method->kind);
     last = method;
@@ -195,7 +195,7 @@ std::string exact_summary(const Certification& certification, const Settings& se
     const std::size_t faults = sum.at_fault;
     text += fmt::format("{}: {} to the last bit, {} wrong, {} stalled; {} not for the tier.\n",
                         method->full_name(), tool::counted(sum.cases, "cast"), faults, sum.stalled,
-                        sum.not_asked == 1 ? "1 case is" : fmt::format("{} cases are", sum.not_asked));
+                        sum.skipped == 1 ? "1 case is" : fmt::format("{} cases are", sum.skipped));
     casts += sum.cases;
     failures += faults + sum.stalled;
   }
@@ -221,7 +221,7 @@ std::string linear_table(const Certification& certification) {
                {"contact\noff"},
                {"open"},
                {"not con-\nverged"},
-               {"excused"},
+               {"within\ntolerance"},
                {"proofs\naccepted"},
                {"\nrefused"},
                {"\nnone"},
@@ -245,7 +245,7 @@ std::string linear_table(const Certification& certification) {
     table.add_row({t.method->full_name(),
                    t.family,
                    fmt::to_string(t.cases),
-                   count_text(t.not_asked),
+                   count_text(t.skipped),
                    fmt::to_string(fault_count(t, &J::wrong)),
                    fmt::to_string(fault_count(t, &J::late)),
                    fmt::to_string(fault_count(t, &J::early)),
@@ -253,7 +253,7 @@ std::string linear_table(const Certification& certification) {
                    fmt::to_string(fault_count(t, &J::bad_contact)),
                    fmt::to_string(t.left_open),
                    fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused),
+                   fmt::to_string(t.within_tolerance),
                    fmt::to_string(t.accepted),
                    fmt::to_string(t.refused),
                    fmt::to_string(t.unproved),
@@ -290,7 +290,7 @@ std::string rotating_table(const Certification& certification) {
                {"unproved"},
                {"open"},
                {"not con-\nverged"},
-               {"excused"},
+               {"within\ntolerance"},
                {"hidden"},
                {"oracle\nopen"},
                {"proofs\naccepted"},
@@ -313,7 +313,7 @@ std::string rotating_table(const Certification& certification) {
     table.add_row({t.method->full_name(),
                    t.family,
                    fmt::to_string(t.cases),
-                   count_text(t.not_asked),
+                   count_text(t.skipped),
                    fmt::to_string(fault_count(t, &J::wrong)),
                    fmt::to_string(fault_count(t, &J::late)),
                    fmt::to_string(fault_count(t, &J::early)),
@@ -322,7 +322,7 @@ std::string rotating_table(const Certification& certification) {
                    fmt::to_string(fault_count(t, &J::unproved)),
                    fmt::to_string(t.left_open),
                    fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused),
+                   fmt::to_string(t.within_tolerance),
                    count_text(t.hidden),
                    count_text(t.open),
                    fmt::to_string(t.accepted),
@@ -343,15 +343,15 @@ std::string rotating_table(const Certification& certification) {
 constexpr const char* kLinearWords =
     "wrong, late, early, off, contact off: by more than the limit of the method's guarantee, in the case as "
     "the\n"
-    "method's scalar sees it. excused: a wrong verdict within it. Errors are over scale, of the bracket's "
-    "worse\n"
-    "end, on the cases by oracle; true in.: the backward error of a float answer against the input before\n"
+    "method's scalar sees it. within tolerance: a wrong verdict within it. Errors are over scale, of the\n"
+    "bracket's worse end, on the cases by oracle; true in.: the backward error of a float answer against the "
+    "input before\n"
     "rounding to float.\n"
     "Tier certified: a verdict that is not the true one and a bracket that does not hold the TOI are wrong, "
     "late\n"
     "or early, by anything at all; off: an end farther from contact than the width; not converged: what was "
     "left\n"
-    "open though clearance or depth exceeds that width, excused: what was left open below it.\n"
+    "open though clearance or depth exceeds that width, within tolerance: what was left open below it.\n"
     "Tier exact (kappa 0): a verdict or a bound that is not the exact one, by its last bit, is wrong; not "
     "asked:\n"
     "cases that are not for the tier, and that it refuses.\n"
@@ -362,7 +362,8 @@ constexpr const char* kRotatingWords =
     "method's\n"
     "row; in tier certified wrong, late and early by anything at all, off and not converged by more than the "
     "row's\n"
-    "width. excused: decided by less than that. hidden: a contact missed or passed that the row says may "
+    "width. within tolerance: decided by less than that. hidden: a contact missed or passed that the row "
+    "says may "
     "be.\n"
     "oracle open: the oracle decides no verdict: clearance and depth below its own width. width: of a hit, "
     "the\n"
@@ -401,7 +402,7 @@ std::string query_table(const Certification& certification, const Settings& sett
                {"off"},
                {"contact\noff"},
                {"stalled"},
-               {"excused"},
+               {"within\ntolerance"},
                {"error\nmedian"},
                {"\nworst"},
                {"normal\nworst"},
@@ -426,7 +427,7 @@ std::string query_table(const Certification& certification, const Settings& sett
                    fmt::to_string(fault_count(t, &J::off)),
                    fmt::to_string(fault_count(t, &J::bad_contact)),
                    fmt::to_string(t.stalled),
-                   fmt::to_string(t.excused),
+                   fmt::to_string(t.within_tolerance),
                    short_number(median(t.backward)),
                    short_number(worst(t.backward)),
                    short_number(worst(t.normal)),

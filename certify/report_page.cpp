@@ -11,9 +11,9 @@
 #include "corpus/families.hpp"
 #include "corpus/format/names.hpp"
 #include "engines/guarantees.hpp"
-#include "report/statistics.hpp"
-#include "show/page.hpp"
-#include "show/scene.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/page_scene.hpp"
+#include "reports/text/statistics.hpp"
 
 namespace graze::tool {
 namespace {
@@ -103,10 +103,10 @@ class Report {
                   {"promise", promise_of(*method)},
                   {"held", in_.certification.has_kept(*method)},
                   {"cases", total.cases},
-                  {"not_asked", total.not_asked},
+                  {"not_asked", total.skipped},
                   {"faults", faults(total.faults)},
                   {"stalled", total.stalled},
-                  {"excused", total.excused},
+                  {"excused", total.within_tolerance},
                   {"proofs", total.accepted},
                   {"measured", total.by_oracle},
                   {"over_limit", finite_or_null(total.over_limit.value)},

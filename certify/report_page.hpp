@@ -1,4 +1,4 @@
-// A certification as a page to look at (show/page.hpp): the verdict, who keeps what and at what price, the worst cases.
+// A certification as a page to look at (reports/pages/page.hpp): the verdict, who keeps what and at what price, the worst cases.
 #pragma once
 
 #include <string>

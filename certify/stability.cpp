@@ -11,8 +11,8 @@
 #include "properties/edit/case.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
-#include "report/progress.hpp"
-#include "report/statistics.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/statistics.hpp"
 #include "scene/src/parallel.hpp"
 
 namespace graze::tool {
@@ -50,7 +50,7 @@ class Truths {
 
 Measured begun(const Case& problem, const Judgement& judgement) {
   return {.rounded = engine::is_rounded(problem),
-          .asked = !judgement.not_asked,
+          .asked = !judgement.skipped,
           .stalled = judgement.stalled,
           .late = !judgement.late.empty(),
           .failed = !judgement.failed.empty(),
@@ -88,7 +88,7 @@ Measured measure_rotating(const Case& problem, const engine::Method& method, Tru
   const engine::Answer answer = method.answer(problem);
   const Judgement judgement = judge(truth, method, answer, Request::verdict, true);
   Measured measured = begun(truth.problem(), judgement);
-  if (judgement.not_asked || answer.outcome == Outcome::not_converged ||
+  if (judgement.skipped || answer.outcome == Outcome::not_converged ||
       answer.outcome == Outcome::invalid_input || !std::isfinite(truth.problem().t_max)) {
     return measured;
   }
@@ -215,9 +215,8 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const std::size_t left_out =
-        result.curves[2 * m].total().not_asked + result.curves[2 * m + 1].total().not_asked;
-    if (!methods[m]->is_ours() && left_out > 0)
-      result.not_asked.push_back({methods[m]->full_name(), left_out});
+        result.curves[2 * m].total().skipped + result.curves[2 * m + 1].total().skipped;
+    if (!methods[m]->is_ours() && left_out > 0) result.skipped.push_back({methods[m]->full_name(), left_out});
   }
   std::erase_if(result.curves, [](const Curve& curve) { return curve.total().cases == 0; });
   return result;
@@ -225,7 +224,7 @@ FamilyStability measure_family(const corpus::Family& family, const StabilitySett
 
 void LevelErrors::add(const Measured& measured) {
   if (!measured.asked) {
-    ++not_asked;
+    ++skipped;
     return;
   }
   ++cases;
@@ -241,7 +240,7 @@ void LevelErrors::add(const Measured& measured) {
 
 void LevelErrors::add(const LevelErrors& other) {
   cases += other.cases;
-  not_asked += other.not_asked;
+  skipped += other.skipped;
   failed += other.failed;
   wrong += other.wrong;
   stalled += other.stalled;

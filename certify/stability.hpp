@@ -35,7 +35,7 @@ struct Measured {
 // One method on the cases of one level.
 struct LevelErrors {
   double hardness = 0;
-  std::size_t cases = 0, not_asked = 0, wrong = 0, stalled = 0, late = 0, failed = 0, faulty = 0;
+  std::size_t cases = 0, skipped = 0, wrong = 0, stalled = 0, late = 0, failed = 0, faulty = 0;
   std::vector<double> backward = {}, forward = {};
   double denied = kNotMeasured;  // the largest
 
@@ -77,11 +77,11 @@ struct FamilyStability {
   std::size_t cases = 0;           // that were measured
   bool stopped = false;            // before all were
   std::vector<Curve> curves = {};  // by method, polytopes first; of kinds that occur
-  struct NotAsked {
+  struct Skipped {
     std::string method = {};
     std::size_t cases = 0;
   };
-  std::vector<NotAsked> not_asked = {};      // of engines of others: what they do not take
+  std::vector<Skipped> skipped = {};         // of engines of others: what they do not take
   std::vector<corpus::Case> convicted = {};  // cases on which some method is at fault or stalled
 };
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <map>
 
-#include "report/inputs.hpp"
-#include "report/statistics.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/statistics.hpp"
 
 namespace graze::tool {
 namespace {

@@ -1,4 +1,4 @@
-// The pictures of graze certify --stability, by gnuplot.
+// The pictures of graze stability, by gnuplot.
 #pragma once
 
 #include "certify/stability.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "certify/engine_report.hpp"
-#include "report/counted.hpp"
-#include "report/statistics.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/statistics.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {
@@ -105,7 +105,7 @@ std::string family_line(const FamilyStability& family) {
                         shapes_text(*worst_curve), hardness_text(worst_curve->hardest()));
   }
   text += fmt::format(", {} beyond a row, {}", faults, counted(stalls, "stall"));
-  for (const FamilyStability::NotAsked& one : family.not_asked)
+  for (const FamilyStability::Skipped& one : family.skipped)
     text += fmt::format("; {} are not asked of {}", one.cases, one.method);
   for (const Curve& curve : family.curves) {
     if (const std::size_t failed = curve.total().failed; failed > 0)

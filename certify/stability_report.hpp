@@ -1,4 +1,4 @@
-// The tables of graze certify --stability.
+// The tables of graze stability.
 #pragma once
 
 #include "certify/stability.hpp"

@@ -21,8 +21,8 @@ void Tally::Worst::take(const Worst& other) {
 }
 
 void Tally::add(const corpus::Case& problem, const law::Judgement& judgement) {
-  if (judgement.not_asked && judgement.wrong.empty()) {
-    ++(judgement.declined ? declined : not_asked);
+  if (judgement.skipped && judgement.wrong.empty()) {
+    ++(judgement.declined ? declined : skipped);
     return;
   }
   ++cases;
@@ -41,7 +41,7 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement) {
   if (judgement.stalled && stalled++ == 0) first_stalled = {.id = problem.id, .reason = judgement.undecided};
   const bool is_open = judgement.stalled || judgement.outcome == Outcome::not_converged;
   if (is_open && left_open++ == 0) first_open = {.id = problem.id};
-  excused += judgement.excused ? 1 : 0;
+  within_tolerance += judgement.within_tolerance ? 1 : 0;
   hidden += judgement.hidden ? 1 : 0;
   open += judgement.open ? 1 : 0;
   accepted += judgement.proof == law::ProofState::accepted ? 1 : 0;
@@ -66,7 +66,7 @@ void Tally::add(const corpus::Case& problem, const law::Judgement& judgement) {
 
 void Tally::add(const Tally& other) {
   cases += other.cases;
-  not_asked += other.not_asked;
+  skipped += other.skipped;
   declined += other.declined;
   at_fault += other.at_fault;
   for (std::size_t k = 0; k < law::kFaults; ++k) {
@@ -77,7 +77,7 @@ void Tally::add(const Tally& other) {
   stalled += other.stalled;
   if (left_open == 0) first_open = other.first_open;
   left_open += other.left_open;
-  excused += other.excused;
+  within_tolerance += other.within_tolerance;
   hidden += other.hidden;
   open += other.open;
   accepted += other.accepted;

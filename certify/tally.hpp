@@ -17,12 +17,12 @@ namespace graze::tool {
 struct Tally {
   const engine::Method* method = nullptr;
   std::string family;
-  bool is_drawn = false;                 // a generated family, and not cases that were given
-  std::size_t cases = 0, not_asked = 0;  // those that are no question for the method are no cases of its row
-  std::size_t declined = 0;              // asked, and answered with unsupported; no cases either
+  bool is_drawn = false;               // a generated family, and not cases that were given
+  std::size_t cases = 0, skipped = 0;  // those that are no question for the method are no cases of its row
+  std::size_t declined = 0;            // asked, and answered with unsupported; no cases either
   std::array<std::size_t, law::kFaults> faults = {};  // answers by their worst, one of law::kFaultKinds
   std::size_t at_fault = 0;                           // answers with any
-  std::size_t stalled = 0, excused = 0, hidden = 0, open = 0;
+  std::size_t stalled = 0, within_tolerance = 0, hidden = 0, open = 0;
   // Open answers, whether that is within the guarantee or not: not_converged, or a bracket that says of itself that it is
   // wide. `stalled` counts those of them that the guarantee does not grant.
   std::size_t left_open = 0;

@@ -12,7 +12,7 @@ corpus::Case WorstCases::Place::problem(const engine::Method& method) const {
 
 void WorstCases::note(const Suite& suite, std::size_t i, const engine::Method& method,
                       const law::Judgement& judgement) {
-  if (judgement.not_asked) return;
+  if (judgement.skipped) return;
   const bool measured = judgement.errors.over_limit >= 0;
   Cell& cell = cells_[{&method, suite.family}];
   const auto named = [&](const std::string& why) {

@@ -20,7 +20,7 @@ install(
   NAMESPACE graze::
   DESTINATION ${package_directory})
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/graze-certify.cmake DESTINATION ${package_directory})
-install(FILES ${PROJECT_SOURCE_DIR}/adapter/graze_adapter.hpp ${PROJECT_SOURCE_DIR}/adapter/graze_engine.h
+install(FILES ${PROJECT_SOURCE_DIR}/engines/adapter/graze_adapter.hpp ${PROJECT_SOURCE_DIR}/engines/adapter/graze_engine.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(
   DIRECTORY ${PROJECT_SOURCE_DIR}/corpus/cases
@@ -30,11 +30,11 @@ install(
   PATTERN "*.jsonl")
 install(FILES ${PROJECT_SOURCE_DIR}/corpus/flags.json ${PROJECT_SOURCE_DIR}/corpus/known_failures.jsonl
         DESTINATION ${CMAKE_INSTALL_DATADIR}/graze/corpus)
-if(EXISTS ${PROJECT_SOURCE_DIR}/schemas)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
+if(EXISTS ${PROJECT_SOURCE_DIR}/docs/schemas)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/docs/engines.md ${PROJECT_SOURCE_DIR}/docs/case-format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/adapter/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engines/adapter/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
 # As Debian has it: the text of MIT with a blank before each line, a dot for an empty one.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license_text)
 string(STRIP "${license_text}" license_text)

@@ -34,11 +34,11 @@ enum class Failure : std::uint8_t {
   silent,
   half_a_line,
   garbage,
-  anothers_answer,
-  no_number,
+  wrong_id,
+  non_finite,
   out_of_range,
   out_of_memory,
-  left_behind,
+  orphaned_process,
 };
 inline constexpr std::size_t kFailures = 11;
 [[nodiscard]] std::string_view to_text(Failure failure);
@@ -103,7 +103,7 @@ struct Holds {
 inline constexpr Request kPlain = Request::normal | Request::witnesses;
 
 // A case in the terms of an engine of others, formed once for all that is done with it.
-struct OwnTerms {
+struct EngineView {
   std::string refused = {};    // why it is not asked; empty if it is, and then the rest holds
   bool beyond_limits = false;  // it lies beyond a limit that the engine documents
   corpus::Case seen = {};
@@ -126,7 +126,7 @@ struct Method {
   // Of engines of others: why a case is not asked; empty if it is. nullptr: every case is.
   std::function<std::string(const corpus::Case&)> refuses = nullptr;
   // Of engines of others: that, `seen` and `ask` at once.
-  std::function<OwnTerms(const corpus::Case&)> own_terms = nullptr;
+  std::function<EngineView(const corpus::Case&)> engine_view = nullptr;
   // Prepares a case once (shapes built in the method's scalar) and returns the nanoseconds that one call
   // takes, the median over `repeats` timed batches; NaN: not known. nullptr: of engines that time nothing.
   std::function<double(const corpus::Case&, const Ask&, int repeats)> time_ns = nullptr;

@@ -89,15 +89,15 @@ std::string_view to_text(Failure failure) {
       return "half a line";
     case Failure::garbage:
       return "garbage";
-    case Failure::anothers_answer:
+    case Failure::wrong_id:
       return "another's answer";
-    case Failure::no_number:
+    case Failure::non_finite:
       return "no number";
     case Failure::out_of_range:
       return "out of range";
     case Failure::out_of_memory:
       return "out of memory";
-    case Failure::left_behind:
+    case Failure::orphaned_process:
       return "left behind";
   }
   return "";

@@ -7,7 +7,7 @@
 //      proof is, and of tier exact every bit (the laws that need an oracle).
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::fuzz {
 

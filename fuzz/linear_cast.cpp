@@ -1,7 +1,7 @@
 // Does any linear cast answer wrongly?
 //
 //   1  decode; one case in a thousand, by the choice, goes to every method and to the exact oracle, with all
-//      that it can judge (judge/cast.hpp);
+//      that it can judge (judge/judge_cast.hpp);
 //   2  else the choice names one method, and it answers everything;
 //   3  the answer is consistent in itself, and the checker accepts its proof; tier exact is judged by its own
 //      to the last bit (exact_answer.hpp); elsewhere a proof as narrow as the method's row settles it;
@@ -14,9 +14,9 @@
 #include "fuzz/target.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
-#include "properties/judge/cast.hpp"
 #include "properties/judge/exact_answer.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/judge_cast.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/linear/proof.hpp"
 
 namespace graze::fuzz {

@@ -16,7 +16,7 @@
 #include "oracles/checker/check_proof.hpp"
 #include "oracles/checker/check_rotating_proof.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 
 namespace graze::fuzz {

@@ -7,7 +7,7 @@
 
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::fuzz {
 

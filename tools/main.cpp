@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/corpus.hpp"
 #include "tools/commands/options.hpp"
@@ -81,6 +81,8 @@ int run(int argc, char** argv) {
   graze::tool::add_scene_command(app, exit_code);
   graze::tool::add_check_command(app, exit_code);
   graze::tool::add_certify_command(app, exit_code);
+  graze::tool::add_laws_command(app, exit_code);
+  graze::tool::add_stability_command(app, exit_code);
   graze::tool::add_judge_command(app, exit_code);
   graze::tool::add_price_command(app, exit_code);
   graze::tool::add_compare_command(app, exit_code);
@@ -90,7 +92,6 @@ int run(int argc, char** argv) {
   graze::tool::add_draw_command(app, exit_code);
   graze::tool::add_show_command(app, exit_code);
   graze::tool::add_report_command(app, exit_code);
-  graze::tool::add_laws_command(app, exit_code);
   graze::tool::add_serve_command(app, exit_code);
   graze::tool::add_corpus_command(app, exit_code);
   graze::tool::add_host_command(app, exit_code);

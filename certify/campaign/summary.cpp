@@ -10,9 +10,9 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/names.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "report/table.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/table.hpp"
 
 namespace graze::tool {
 namespace {
@@ -79,10 +79,10 @@ std::vector<Shown> columns_of(const PartSettings& part, const CampaignCounts& su
     if (is_rotating(part) || sum.*field > 0) columns.push_back({{header}, text});
   };
   add(&C::undecided, "oracle\nundecided", &count_of<&C::undecided>);
-  columns.push_back({{"excused"}, &count_of<&C::excused>});
+  columns.push_back({{"within\ntolerance"}, &count_of<&C::within_tolerance>});
   add(&C::stalls, "stalls", &count_of<&C::stalls>);
   if (sum.failed > 0) columns.push_back({{"failed"}, &count_of<&C::failed>});
-  if (!part.others.empty()) columns.push_back({{"not\nasked"}, &count_of<&C::not_asked>});
+  if (!part.others.empty()) columns.push_back({{"not\nasked"}, &count_of<&C::skipped>});
   add(&C::wrong, "wrong", &count_of<&C::wrong>);
   add(&C::late, "late", &count_of<&C::late>);
   add(&C::off, "bracket\noff", &count_of<&C::off>);
@@ -287,9 +287,9 @@ std::string campaign_summary(const CampaignState& state, bool levels) {
     text += fmt::format("Left out, with hardly a question for {}: {}.\n",
                         has_others ? "all of these methods" : "the tier", fmt::join(state.left_out, ", "));
   }
-  if (total.not_asked > 0)
-    text += fmt::format("{} {} no question.\n", counted(total.not_asked, "case"),
-                        total.not_asked == 1 ? "was" : "were");
+  if (total.skipped > 0)
+    text += fmt::format("{} {} no question.\n", counted(total.skipped, "case"),
+                        total.skipped == 1 ? "was" : "were");
   text += fmt::format("Digest of the answers: {:016x}; of the families: {}.\n", state.tally.digest,
                       settings.fingerprint);
   show_findings(text, state.tally.faults, "fault", named);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/campaign/state.hpp"
+#include "certify/campaign/campaign_state.hpp"
 
 namespace graze::tool {
 

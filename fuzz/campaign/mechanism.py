@@ -7,7 +7,7 @@ import re
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?(0x[0-9a-f.]+(p[-+]?\d+)?|\d+(\.\d+)?(e[-+]?\d+)?|inf|nan)(?![\w])", re.IGNORECASE)
 LONGEST = 160
-ROOMS = "(?:core|corpus|oracles|engines|properties|report|draw|certify|fuzz|tools)"
+ROOMS = "(?:core|corpus|oracles|engines|properties|reports|certify|fuzz|tools)"
 # The inline namespace of the compiled library, or of the headers alone, tells no fault from another.
 LINKAGE = re.compile(r"graze::(?:compiled|header_only(?:_asserting)?)::")
 

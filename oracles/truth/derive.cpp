@@ -190,7 +190,7 @@ bool turns(const corpus::Case& problem) {
 // Over scale: how wide an expected bracket may be.
 constexpr double kExpectedWidth = 1e-14;
 
-// Of a start in contact that is followed (judge/followed.hpp): the same for any depth from kTouching to kDeep over scale
+// Of a start in contact that is followed (judge/judge_followed.hpp): the same for any depth from kTouching to kDeep over scale
 // that counts as deeper. Nothing: the start is apart.
 std::optional<Expect> followed_expectation(const corpus::Case& reported) {
   constexpr double kTouching = 1e-14, kDeep = 1e-12;

@@ -10,7 +10,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/rotating.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 
 namespace graze::attack {

@@ -11,7 +11,7 @@
 #include "oracles/truth/rotating_truth.hpp"
 #include "oracles/truth/sampled_contact.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::attack {
 namespace {

@@ -15,14 +15,13 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "defects"))
-from planted import Config, Fault, Patch, compile_defect, plant  # noqa: E402
+from planted import Config, Fault, Patch, compile_defect, end, named_patches, plant, remove_copies  # noqa: E402
 
 ROUNDS = 4000
 # Without a defect: also where all are found sooner.
@@ -56,8 +55,8 @@ class CheckerDefect(Patch):
         if named:
             return named
         headers = {name for name in self.files if name.endswith(".hpp")}
-        paths = sorted((self.source / "oracles").glob("*.cpp"))
-        return [f"oracles/{path.name}" for path in paths if headers & included(self.source, path)]
+        paths = sorted((self.source / "oracles").rglob("*.cpp"))
+        return [str(path.relative_to(self.source)) for path in paths if headers & included(self.source, path)]
 
 
 def attack(program, root, options, rounds, seed):
@@ -79,8 +78,7 @@ def try_defect(config, patch, rounds, seed):
     root.mkdir(parents=True, exist_ok=True)
     error = plant(config, patch, root) or compile_defect(config, patch, None, root)
     result = (None, "", error) if error else attack(root / "driver", root, patch.options, rounds, seed)
-    for room in ("core", "oracles"):
-        shutil.rmtree(root / room, ignore_errors=True)
+    remove_copies(patch, root)
     return result
 
 
@@ -126,10 +124,7 @@ def main():
     if options.jobs < 1 or options.rounds < 1:
         raise Fault("--jobs and --rounds are 1 or more")
     config = Config(options.config, options.work)
-    known = sorted((HERE / "defects").glob("*.patch"))
-    given = [pathlib.Path(name).resolve() if name.endswith(".patch") else HERE / "defects" / f"{name}.patch"
-             for name in options.name]
-    patches = [CheckerDefect(path, config.source) for path in given or known]
+    patches = named_patches(HERE / "defects", options.name, lambda path: CheckerDefect(path, config.source))
     latest, faults = {}, []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = all_of(pool, lambda patch: try_defect(config, patch, options.rounds, options.seed), patches)
@@ -151,13 +146,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        found = main()
-    except Fault as fault:
-        print(f"graze: {fault}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
-    for line in found:
-        print(f"FAIL: {line}")
-    sys.exit(1 if found else 0)
+    end(main)

@@ -24,7 +24,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from certified import RUNS, certify_all, faults_of_certify  # noqa: E402
-from planted import Config, Fault, Patch, kind_of, plant  # noqa: E402
+from planted import Config, Fault, Patch, end, kind_of, named_patches, plant  # noqa: E402
 from report import faults_of_laws, faults_of_patches, how, matrix, page  # noqa: E402
 from tried import CASES_OF_ALL, read_laws, try_all  # noqa: E402
 
@@ -96,23 +96,13 @@ def arguments():
     return parser.parse_intermixed_args()
 
 
-def chosen_patches(config, names):
-    if not names:
-        return [Patch(path) for path in sorted(config.defects.glob("*.patch"))]
-    out = []
-    for name in names:
-        path = pathlib.Path(name)
-        out.append(Patch(path.resolve() if path.suffix == ".patch" else config.defects / f"{name}.patch"))
-    return out
-
-
 def main():
     options = arguments()
     config = Config(options.config, options.work)
     config.learn_laws()
     if options.none:
         return check_none(config)
-    patches = chosen_patches(config, options.patch)
+    patches = named_patches(config.defects, options.patch, Patch)
     if options.apply:
         return check_apply(config, patches)
     if options.write and (options.patch or options.own or options.sample):
@@ -144,14 +134,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        found = main()
-    except Fault as fault:
-        print(f"graze: {fault}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        print("\ngraze: stopped; what is done is kept, and the next run goes on from there", file=sys.stderr)
-        sys.exit(130)
-    for fault in found:
-        print(f"FAIL: {fault}")
-    sys.exit(1 if found else 0)
+    end(main, "\ngraze: stopped; what is done is kept, and the next run goes on from there\n")

@@ -16,7 +16,7 @@ from tried import TIME_LIMIT, Results, clear, state_of, try_each
 # What the command judges by default, and what it judged before a verdict came in a minute.
 RUNS = ("default", "thorough")
 KINDS = ("linear", "query", "rotating")
-ROOMS = ("corpus", "oracles", "engines", "properties", "certify", "report")
+ROOMS = ("corpus", "oracles", "engines", "properties", "certify", "reports")
 
 
 class Kept:

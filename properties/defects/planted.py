@@ -3,6 +3,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 METHODS = {"linear": "engines/linear.cpp", "query": "engines/queries.cpp", "rotating": "engines/rotating.cpp"}
 # The functions by which the others know those methods.
@@ -44,7 +45,7 @@ class Config:
         self.linker, self.nm, self.objcopy = (fields.get(tool) for tool in ("linker", "nm", "objcopy"))
         self.certify, self.certify_link = fields.get("certify"), fields.get("certify_link", "").split(";")
         self.work = pathlib.Path(work).resolve()
-        self.defects = self.source / "properties/defects"
+        self.defects = self.source / "properties/defects/patches"
         self.law_kind, self.law_needs = {}, {}
 
     def learn_laws(self):
@@ -57,7 +58,8 @@ class Config:
 
 
 class Patch:
-    FOLDER = "properties/defects"
+    FOLDER = "properties/defects/patches"
+    ROOMS = ("core", "oracles")  # what a patch may change
     KEYS = ("Defect", "Law", "Report", "Class", "Compile")
     NAMES = "Law"  # the header line that says who has to notice
 
@@ -79,10 +81,10 @@ class Patch:
             raise Fault(f"{path}: Class is one of the letters A to L")
         self.files = re.findall(r"^\+\+\+ b/(\S+)", self.text, re.M)
         self.in_core = any(name.startswith("core/") for name in self.files)
-        self.compiled = [name for name in self.files if name.startswith("oracles/") and name.endswith(".cpp")]
+        self.compiled = [name for name in self.files if name.endswith(".cpp") and not name.startswith("core/")]
         self.compiled += self.compiled_besides()
         if not self.in_core and not self.compiled:
-            raise Fault(f"{path}: nothing to compile: patch core/, a .cpp of oracles/, or name one by Compile")
+            raise Fault(f"{path}: nothing to compile: patch core/, a .cpp of {self.ROOMS[1]}/, or name one by Compile")
 
     def compiled_besides(self):
         """The .cpp files that it changes by a header."""
@@ -97,6 +99,27 @@ class Patch:
         if len(values) != 1:
             raise Fault(f"{self.path}: {len(values)} lines \"{key}: ...\"; one is right")
         return values[0]
+
+
+def named_patches(folder, names, of):
+    """of(path) of the patches that the command line names: by name in the folder, or by path. All if it names none."""
+    paths = [pathlib.Path(name).resolve() if name.endswith(".patch") else folder / f"{name}.patch" for name in names]
+    return [of(path) for path in paths or sorted(folder.glob("*.patch"))]
+
+
+def end(main, stopped=""):
+    """Runs main, which returns what is wrong, and ends the program."""
+    try:
+        faults = main()
+    except Fault as fault:
+        print(f"graze: {fault}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print(stopped, end="", file=sys.stderr)
+        sys.exit(130)
+    for fault in faults:
+        print(f"FAIL: {fault}")
+    sys.exit(1 if faults else 0)
 
 
 def run(words, log, **more):
@@ -132,10 +155,15 @@ def instantiated_elsewhere(headers):
     return "\n".join([*lines, "}", ""])
 
 
+def remove_copies(patch, root):
+    for room in patch.ROOMS:
+        shutil.rmtree(root / room, ignore_errors=True)
+
+
 def plant(config, patch, root):
     """The sources that the patch can change, with the defect, under root. An error, or nothing."""
-    for room in ("core", "oracles"):
-        shutil.rmtree(root / room, ignore_errors=True)
+    remove_copies(patch, root)
+    for room in patch.ROOMS:
         if room == "core" or patch.compiled:
             shutil.copytree(config.source / room, root / room)
     log = root / "log"

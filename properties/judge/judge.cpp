@@ -44,7 +44,7 @@ Judgement judge(Truth& truth, const engine::Method& method, const engine::Answer
     return judgement;
   }
   if (answer.declined) {
-    judgement.not_asked = judgement.declined = true;
+    judgement.skipped = judgement.declined = true;
     return judgement;
   }
   // Its certificate is the least limit that it would have kept: every error is measured.

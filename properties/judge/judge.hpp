@@ -29,7 +29,7 @@ namespace graze::law {
 
 // Of queries between bodies that the exact oracles do not represent: ellipsoids, cylinders, cones and what is
 // made of them. A fault is what a bracket proves beyond the limit, and a verdict that the bracket leaves open
-// is excused. The normals of misses, and of penetrations along a direction, are not judged.
+// is within tolerance. The normals of misses, and of penetrations along a direction, are not judged.
 [[nodiscard]] Judgement judge_curved_query(const corpus::Case& seen, const engine::Method& method,
                                            const engine::Answer& answer, double tolerance = 0);
 

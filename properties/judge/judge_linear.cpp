@@ -6,11 +6,11 @@
 
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
-#include "properties/judge/contact.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
-#include "properties/judge/start.hpp"
+#include "properties/judge/judge_contact.hpp"
+#include "properties/judge/judge_start.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {
@@ -36,7 +36,7 @@ class LinearJudge {
     }
     if (is_settled_beyond_range()) return judgement_;
     if (std::string why = senseless(answer_, problem().t_max); !why.empty() && method_.holds.time) {
-      convict(judgement_.wrong, std::move(why));
+      add_fault(judgement_.wrong, std::move(why));
       return judgement_;
     }
     if (proof() && !measure) return judgement_;
@@ -63,7 +63,7 @@ class LinearJudge {
     const std::string invalid = why_invalid(problem());
     const bool refused = answer_.outcome == Outcome::invalid_input;
     if (refused != !invalid.empty()) {
-      convict(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
+      add_fault(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
     }
     return refused || !invalid.empty();
   }
@@ -82,11 +82,11 @@ class LinearJudge {
     const double scale = exact.scale().high;
     const double error = (contact ? exact.lateness(answer_.toi_lower) : exact.clearance()).low;
     if (error <= limits_of(method_, problem(), scale).limit) {
-      judgement_.excused = true;
+      judgement_.within_tolerance = true;
     } else {
-      convict(judgement_.wrong,
-              fmt::format("a time beyond the scalar's range; {} by {:.1e} of scale",
-                          contact ? "contact is before that," : "the path stays away", over(error, scale)));
+      add_fault(judgement_.wrong,
+                fmt::format("a time beyond the scalar's range; {} by {:.1e} of scale",
+                            contact ? "contact is before that," : "the path stays away", over(error, scale)));
     }
     return true;
   }
@@ -94,7 +94,7 @@ class LinearJudge {
   // A start in contact is no question for every engine of others.
   bool starts_unasked() {
     if (method_.asks_starts || truth_.cast().outcome() != Outcome::initially_overlapping) return false;
-    judgement_.not_asked = true;
+    judgement_.skipped = true;
     judgement_.stalled = false;
     return true;
   }
@@ -132,9 +132,9 @@ class LinearJudge {
       return;
     }
     if (claims_contact(answer_) == (promised == engine::Touching::contact)) return;
-    convict(judgement_.wrong, fmt::format("says {} of bodies that touch and go no deeper, and promises {}",
-                                          label_of(answer_.outcome),
-                                          promised == engine::Touching::contact ? "contact" : "a miss"));
+    add_fault(judgement_.wrong, fmt::format("says {} of bodies that touch and go no deeper, and promises {}",
+                                            label_of(answer_.outcome),
+                                            promised == engine::Touching::contact ? "contact" : "a miss"));
   }
 
   // True if it leaves nothing open.
@@ -160,35 +160,35 @@ class LinearJudge {
     // Where the oracle is open, the claim says when contact is.
     const double wide = limits.wide_at(std::min(exact.toi_upper(), answer_.toi_upper));
     const double granted = over(wide, limits.scale);
-    convict(judgement_.wrong, verdict_fault(exact, answer_, limits.limit));
+    add_fault(judgement_.wrong, verdict_fault(exact, answer_, limits.limit));
     touching(exact);
     const bool contact = exact.outcome() != Outcome::miss, undecided = is_undecided(exact);
     if (limits.strict && answer_.outcome == Outcome::initially_overlapping &&
         exact.outcome() == Outcome::hit) {
-      convict(judgement_.wrong, "claims contact at t = 0 of bodies that are apart then");
+      add_fault(judgement_.wrong, "claims contact at t = 0 of bodies that are apart then");
     }
     const bool errs = answer_.outcome == Outcome::miss ? contact : claims_contact(answer_) && !contact;
-    judgement_.excused = errs && !undecided && judgement_.wrong.empty();
+    judgement_.within_tolerance = errs && !undecided && judgement_.wrong.empty();
     if (!judgement_.wrong.empty() || answer_.outcome == Outcome::miss) return granted;
 
     if (method_.holds.time) {
-      convict(judgement_.late, late_fault(exact, answer_, limits.limit));
-      convict(judgement_.early, early_fault(exact, answer_, limits.limit + limits.early));
-      convict(judgement_.off, time_fault(exact, answer_, wide));
+      add_fault(judgement_.late, late_fault(exact, answer_, limits.limit));
+      add_fault(judgement_.early, early_fault(exact, answer_, limits.limit + limits.early));
+      add_fault(judgement_.off, time_fault(exact, answer_, wide));
     }
     // Of tier certified, and of engines of others, what is decided by less than the limit may stay open.
     if ((limits.strict || !method_.is_ours()) && answer_.outcome == Outcome::not_converged &&
         wide < kInfinity<double>) {
       judgement_.undecided = undecided_fault(exact, answer_, wide);
       judgement_.stalled = !judgement_.undecided.empty();
-      judgement_.excused = !judgement_.stalled;
+      judgement_.within_tolerance = !judgement_.stalled;
     }
     if (limits.strict) {
       // An open answer may have no upper end: what rounding costs is of toi_lower.
       const double near = limits.wide_at(answer_.toi_lower);
-      convict(judgement_.off, lower_fault(exact, answer_, problem().t_max, near));
+      add_fault(judgement_.off, lower_fault(exact, answer_, problem().t_max, near));
       if (asks_for(request_, Request::normal) && asks_for(request_, Request::witnesses))
-        convict(judgement_.bad_contact, open_answer_fault(exact, method_, problem(), answer_, near));
+        add_fault(judgement_.bad_contact, open_answer_fault(exact, method_, problem(), answer_, near));
     }
     judge_contact(judgement_, exact, answer_, method_, problem(), limits, request_);
     return granted;
@@ -197,7 +197,7 @@ class LinearJudge {
   // Tier exact: a question that is not for it.
   bool is_not_asked() {
     if (!why_invalid(problem()).empty() || engine::is_exact_question(problem())) return false;
-    judgement_.not_asked = true;
+    judgement_.skipped = true;
     judgement_.stalled = false;
     if (answer_.outcome != Outcome::invalid_input || answer_.invalid != Invalid::not_exact) {
       judgement_.wrong = "answers a case that is not for the exact tier";
@@ -218,7 +218,8 @@ class LinearJudge {
     judgement_.by_oracle = true;
     const CaseTruth& truth = truth_.cast();
     // Of many vertices it is a bracket, which says nothing of the last bits.
-    if (truth.is_exact()) convict(judgement_.wrong, exact_fault_by_truth(truth, answer_, method_.in_float()));
+    if (truth.is_exact())
+      add_fault(judgement_.wrong, exact_fault_by_truth(truth, answer_, method_.in_float()));
     const Limits limits = limits_of(method_, problem(), truth.scale().high);
     judge_contact(judgement_, truth, answer_, method_, problem(), limits, request_);
     judgement_.errors = errors_of(truth_, answer_, request_);

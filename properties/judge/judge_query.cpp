@@ -1,20 +1,16 @@
 // Answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact
 // oracles decide every one; there is no proof to look at first.
-//
-// Errors are lengths over scale: of a distance or depth what it is off by, of a time its backward error. A
-// verdict is wrong where distance, depth or clearance exceeds the limit.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "corpus/format/names.hpp"
 #include "oracles/polytope/exact_body.hpp"
 #include "properties/judge/exact_answer.hpp"
 #include "properties/judge/judge.hpp"
 #include "properties/judge/limits.hpp"
+#include "properties/judge/query_judge.hpp"
 
 namespace graze::law {
 namespace {
@@ -25,124 +21,38 @@ using engine::Interval;
 using engine::Method;
 using oracle::Enclosure;
 
-class QueryJudge {
- public:
-  QueryJudge(Truth& truth, const Method& method, const Answer& answer, double tolerance)
-      : truth_(truth), answer_(answer), has_witnesses_(method.holds.witnesses) {
-    const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
-    scale_ = scale_of_question(truth.problem().query, truth.problem().target_distance,
-                               (moves ? truth.moving() : truth.at_rest()).scale().high);
-    limits_ = limits_of(method, truth.problem(), scale_);
-    limit_ = limits_.limit;
-    wide_ = limit_ + tolerance * scale_;
-    judgement_.outcome = answer.outcome;
-    judgement_.errors.scale = scale_;
-    judgement_.stalled = answer.stalled || answer.outcome == Outcome::not_converged;
-  }
+double scale_asked(Truth& truth) {
+  const bool moves = truth.problem().query == Query::line || truth.problem().query == Query::swept_overlap;
+  return scale_of_question(truth.problem().query, truth.problem().target_distance,
+                           (moves ? truth.moving() : truth.at_rest()).scale().high);
+}
 
-  Judgement operator()() {
-    if (answer_.outcome == Outcome::invalid_input) {
-      convict(judgement_.wrong, "a valid case was refused");
-      return judgement_;
-    }
-    switch (truth_.problem().query) {
-      case Query::overlap:
-        verdict_at_rest();
-        separating_normal();
-        break;
-      case Query::distance:
-        distance();
-        break;
-      case Query::penetration:
-        penetration();
-        break;
-      case Query::penetration_along:
-        penetration_along();
-        break;
-      case Query::line:
-        line();
-        break;
-      case Query::swept_overlap:
-        swept_overlap();
-        break;
-      case Query::cast:
-        convict(judgement_.wrong, "a cast is judged elsewhere");
-        break;
-    }
-    return judgement_;
-  }
+class RepresentedJudge : public QueryJudge {
+ public:
+  RepresentedJudge(Truth& truth, const Method& method, const Answer& answer, double tolerance)
+      : QueryJudge(truth.problem(), method, answer, tolerance, scale_asked(truth)), truth_(truth) {}
 
  private:
-  void erred(double length) {
-    const double error = std::max(length, 0.0);
-    judgement_.errors.backward = std::fmax(judgement_.errors.backward, in_scale(error));
-    judgement_.errors.over_limit = std::fmax(judgement_.errors.over_limit, over(error, wide_));
-  }
-  [[nodiscard]] double in_scale(double length) const { return over(length, scale_); }
-
   // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
   template <class Apart, class Deep>
   void verdict(bool claims, bool contact, const Apart& apart, const Deep& deep) {
     if (answer_.outcome == Outcome::not_converged || claims == contact) return;
-    const double error = (claims ? apart() : deep()).low;
-    erred(error);
-    if (error <= limit_) {
-      judgement_.excused = true;
-    } else {
-      convict(judgement_.wrong,
-              fmt::format("says {}; {} by {:.2e} of scale", corpus::name_of(answer_.outcome),
-                          claims ? "they are apart" : "they overlap", in_scale(error)));
-    }
-  }
-  // Either end of a bracket; one that says of itself that it is wide may be.
-  void measure(const char* what, double error) {
-    if (judgement_.stalled) return;
-    erred(error);
-    if (!(error <= wide_)) {
-      convict(judgement_.off, fmt::format("{} is off by {:.2e} of scale", what, in_scale(error)));
-    }
-  }
-  // A bracket that does not hold the truth is off, however wide it says it is.
-  void held(const char* what, double miss) {
-    if (!(miss <= limit_)) {
-      convict(judgement_.off,
-              fmt::format("the bracket of {} misses it by {:.2e} of scale", what, in_scale(miss)));
-    }
+    verdict_errs((claims ? apart() : deep()).low, claims ? "they are apart" : "they overlap");
   }
   void holds(const char* what, const Interval& bracket, const Enclosure& value) {
     if (!(bracket.lower <= bracket.upper))
-      return convict(judgement_.off, fmt::format("{} has no bracket", what));
+      return add_fault(judgement_.off, fmt::format("{} has no bracket", what));
     held(what, std::max({bracket.lower - value.high, value.low - bracket.upper, 0.0}));
     measure(what, std::max(std::abs(bracket.lower - value.low), std::abs(bracket.upper - value.high)));
   }
-  void normal_off(double error, double limit) {
-    judgement_.errors.normal = std::fmax(judgement_.errors.normal, in_scale(std::max(error, 0.0)));
-    if (!(error <= limit)) {
-      convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
-    }
+  double distance_from_body(char body, const Vec3<double>& point) override {
+    return truth_.at_rest().distance_from_body(body, 0, point).low;
   }
-  // The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
-  [[nodiscard]] double rounding(const Vec3<double>& point) const {
-    return 2 * limits_.unit_roundoff * point.norm();
-  }
-  void witnesses() {
-    if (!has_witnesses_) return;
-    for (const char body : {'a', 'b'}) {
-      const Vec3<double>& point = body == 'a' ? answer_.point_a : answer_.point_b;
-      if (!answer_.has_points) return convict(judgement_.bad_contact, "a witness is missing");
-      const double error = truth_.at_rest().distance_from_body(body, 0, point).low - rounding(point) -
-                           (body == 'a' ? answer_.reach_a : answer_.reach_b);
-      judgement_.errors.witness = std::fmax(judgement_.errors.witness, in_scale(std::max(error, 0.0)));
-      if (!(error <= limit_)) {
-        convict(judgement_.bad_contact,
-                fmt::format("a witness is {:.2e} of scale off its body", in_scale(error)));
-      }
-    }
-  }
-  [[nodiscard]] double pair_rounding() const { return rounding(answer_.point_a) + rounding(answer_.point_b); }
-  // A pair of points on bodies that reach less far than those that are seen is farther apart by as much.
-  [[nodiscard]] double pair_reach() const { return std::max(answer_.reach_a, answer_.reach_b); }
 
+  void overlap() override {
+    verdict_at_rest();
+    separating_normal();
+  }
   void verdict_at_rest() {
     const bool contact = truth_.at_rest().outcome() != Outcome::miss;
     verdict(
@@ -156,51 +66,44 @@ class QueryJudge {
     }
   }
 
-  void distance() {
+  void distance() override {
     verdict_at_rest();
-    if (!answer_.separation) return convict(judgement_.wrong, "no distance");
+    if (!answer_.separation) return add_fault(judgement_.wrong, "no distance");
     const Enclosure exact = truth_.at_rest().distance();
     holds("the distance", *answer_.separation, exact);
     if (answer_.outcome != Outcome::miss) return;
     // However wide the bracket, the points are points of the bodies, and the axis separates.
     if (judgement_.stalled) {
       separating_normal();
-      return witnesses();
+      (void)witnesses();
+      return;
     }
     // h(n) = -distance for the axis of the closest points.
     if (answer_.has_normal()) normal_off(truth_.penetration().reach(answer_.normal).low + exact.high, wide_);
-    witnesses();
-    if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
-    const double beyond = (answer_.point_a - answer_.point_b).norm() - exact.high,
-                 error = std::max(-beyond, beyond - pair_reach()) - pair_rounding();
-    if (!(error <= 2 * limit_ + wide_)) {
-      convict(judgement_.bad_contact,
-              fmt::format("the closest points' distance is {:.2e} of scale off", in_scale(error)));
-    }
+    (void)witnesses();
+    if (judgement_.bad_contact.empty() && has_witnesses_) closest_points(exact);
   }
 
-  // Common to both kinds. True if there is a depth to judge.
+  // Common to both kinds of depth. True if there is one to judge.
   bool has_depth() {
     verdict_at_rest();
-    if (answer_.outcome != Outcome::initially_overlapping) return false;
-    if (!answer_.depth) convict(judgement_.wrong, "no depth");
-    return answer_.depth.has_value() && truth_.penetration().in_contact();
+    return states_depth() && truth_.penetration().in_contact();
   }
-  void penetration() {
+  void penetration() override {
     if (!has_depth()) return separating_normal();
     holds("the depth", *answer_.depth, truth_.penetration().depth());
-    if (judgement_.stalled) return witnesses();
-    if (answer_.has_normal()) normal_off(truth_.penetration().normal_error(answer_.normal).low, wide_);
-    witnesses();
-    if (!judgement_.bad_contact.empty() || !has_witnesses_) return;
+    if (!judgement_.stalled && answer_.has_normal())
+      normal_off(truth_.penetration().normal_error(answer_.normal).low, wide_);
+    (void)witnesses();
+    if (judgement_.stalled || !judgement_.bad_contact.empty() || !has_witnesses_) return;
     const double error = truth_.penetration().pair_error(answer_.point_a, answer_.point_b).low -
                          pair_rounding() - pair_reach();
     if (!(error <= 2 * limit_ + wide_)) {
-      convict(judgement_.bad_contact,
-              fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
+      add_fault(judgement_.bad_contact,
+                fmt::format("moved by its witnesses B is {:.2e} of scale off touching", in_scale(error)));
     }
   }
-  void penetration_along() {
+  void penetration_along() override {
     if (!has_depth()) return separating_normal();
     const Vec3<double> d = truth_.problem().direction;
     const Interval way{answer_.depth->lower / d.norm(), answer_.depth->upper / d.norm()};
@@ -213,10 +116,10 @@ class QueryJudge {
       if (way.lower > exact->factor_bounds.high) held("the depth", error_of(way.lower));
       if (way.upper < exact->factor_bounds.low) held("the depth", error_of(way.upper));
     }
-    witnesses();
+    (void)witnesses();
   }
 
-  void line() {
+  void line() override {
     const oracle::LinearTruth& exact = truth_.moving();
     const bool meets = exact.contact_interval().has_value();
     verdict(
@@ -230,25 +133,17 @@ class QueryJudge {
 
   template <class Error>
   void end_of_line(const char* what, const Interval& bracket, const Enclosure& end, const Error& error) {
-    // A time that the scalar cannot hold lies between its largest number and infinity, of either sign.
-    if ((is_beyond_range(bracket.lower, bracket.upper, limits_.unit_roundoff) ||
-         is_beyond_range(-bracket.upper, -bracket.lower, limits_.unit_roundoff)) &&
-        bracket.lower <= end.high && end.low <= bracket.upper) {
-      return;
-    }
+    if (is_beyond_scalar(bracket, end)) return;
     // A finite end that the scalar cannot hold is no nearer than its largest number.
-    const double largest = limits_.unit_roundoff == kUnitRoundoff<float>
-                               ? double(std::numeric_limits<float>::max())
-                               : std::numeric_limits<double>::max();
     const bool finite = std::isfinite(end.low) && std::isfinite(end.high);
-    const auto error_of = [&](double t) { return error(finite ? std::clamp(t, -largest, largest) : t); };
+    const auto error_of = [&](double t) { return error(finite ? std::clamp(t, -largest(), largest()) : t); };
     for (const double t : {bracket.lower, bracket.upper}) measure(what, error_of(t));
     // Beyond the end on the wrong side of it, however wide.
     if (bracket.lower > end.high) held(what, error_of(bracket.lower));
     if (bracket.upper < end.low) held(what, error_of(bracket.upper));
   }
 
-  void swept_overlap() {
+  void swept_overlap() override {
     const oracle::LinearTruth& exact = truth_.moving();
     verdict(
         answer_.outcome == Outcome::hit, exact.outcome() != Outcome::miss, [&] { return exact.clearance(); },
@@ -265,11 +160,6 @@ class QueryJudge {
   }
 
   Truth& truth_;
-  const Answer& answer_;
-  bool has_witnesses_;
-  Limits limits_;
-  double scale_ = 0, limit_ = 0, wide_ = 0;  // wide_: of the ends of a bracket, the tolerance counted
-  Judgement judgement_;
 };
 
 // Verdict and both ends of the line to the last bit.
@@ -282,7 +172,7 @@ Judgement judge_exact_query(Truth& truth, const Method& method, const Answer& an
   // An overlap knows no target distance.
   if (problem.query == Query::overlap) question.target_distance = 0;
   if (!engine::is_exact_question(question)) {
-    judgement.not_asked = true;
+    judgement.skipped = true;
     if (answer.invalid != Invalid::not_exact) judgement.wrong = "answers what is not for the exact tier";
     return judgement;
   }
@@ -326,7 +216,7 @@ bool is_represented(const corpus::Case& problem) {
 Judgement judge_query(Truth& truth, const Method& method, const Answer& answer, double tolerance) {
   if (method.is_exact()) return judge_exact_query(truth, method, answer);
   Judgement judgement = is_represented(truth.problem())
-                            ? QueryJudge(truth, method, answer, tolerance)()
+                            ? RepresentedJudge(truth, method, answer, tolerance)()
                             : judge_curved_query(truth.problem(), method, answer, tolerance);
   judgement.by_oracle = true;
   return judgement;

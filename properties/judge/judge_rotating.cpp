@@ -9,10 +9,10 @@
 #include "oracles/checker/check_record.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/by_proof.hpp"
-#include "properties/judge/followed.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/rotating.hpp"
-#include "properties/judge/start.hpp"
+#include "properties/judge/judge_followed.hpp"
+#include "properties/judge/judge_start.hpp"
+#include "properties/judge/rotating_errors.hpp"
 
 namespace graze::law {
 namespace {
@@ -65,7 +65,7 @@ class RotatingJudge {
     if (is_settled_by_validity()) return judgement_;
     const corpus::Case& problem = truth_.problem();
     if (std::string why = senseless(answer_, problem.t_max); !why.empty() && method_.holds.time) {
-      convict(judgement_.wrong, std::move(why));
+      add_fault(judgement_.wrong, std::move(why));
       return judgement_;
     }
     if (problem.start_policy == StartPolicy::pass_over) {
@@ -111,7 +111,7 @@ class RotatingJudge {
   // The error, its fault noted.
   RotatingError take(Error* error, const RotatingTruth& truth, std::string& fault) {
     RotatingError found = error(truth, answer_, limits_);
-    if (!found.fault.empty()) convict(fault, found.fault);
+    if (!found.fault.empty()) add_fault(fault, found.fault);
     return found;
   }
 
@@ -124,11 +124,11 @@ class RotatingJudge {
     const bool unfollowed =
         problem.start_policy == StartPolicy::pass_over && refused && answer_.invalid == Invalid::not_followed;
     if (invalid.empty() && (endless || unfollowed)) {
-      judgement_.not_asked = true;
+      judgement_.skipped = true;
       return true;
     }
     if (refused != !invalid.empty()) {
-      convict(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
+      add_fault(judgement_.wrong, refused ? "refuses a valid case" : "answers a case that has " + invalid);
     }
     return refused || !invalid.empty();
   }
@@ -143,7 +143,7 @@ class RotatingJudge {
       Truth reported(reporting(problem));
       Judgement judgement = RotatingJudge(reported, method_, answer_, request_)(oracle);
       if (answer_.passed_over && apart > followed_depth(limits))
-        convict(judgement.wrong, "says that it passed over the start, which is no contact");
+        add_fault(judgement.wrong, "says that it passed over the start, which is no contact");
       if (apart > followed_depth(limits) || !(judgement.faulty() || judgement.stalled)) {
         judgement_ = std::move(judgement);
         return;
@@ -195,8 +195,8 @@ class RotatingJudge {
     const bool claims = answer_.toi_lower > 0 || answer_.toi_upper < kInfinity<double>;
     if (method_.is_certified() && asks_for(request_, Request::proof) && claims &&
         judgement_.proof == ProofState::none && !answer_.passed_over && !in_part) {
-      convict(judgement_.unproved, answer_.rotating_proof ? "its proof claims less than the answer"
-                                                          : "a certified answer without a proof");
+      add_fault(judgement_.unproved, answer_.rotating_proof ? "its proof claims less than the answer"
+                                                            : "a certified answer without a proof");
     }
   }
 
@@ -204,7 +204,8 @@ class RotatingJudge {
     if (judgement_.open || truth.outcome() == Outcome::miss) return;
     const RotatingError denied = take(&law::verdict_error, truth, judgement_.wrong);
     judgement_.errors.passed = in_scale(denied.length);
-    if (denied.fault.empty()) (denied.length > limits_.limit ? judgement_.hidden : judgement_.excused) = true;
+    if (denied.fault.empty())
+      (denied.length > limits_.limit ? judgement_.hidden : judgement_.within_tolerance) = true;
   }
 
   // A hit, or a start in contact.
@@ -213,7 +214,7 @@ class RotatingJudge {
       const RotatingError claimed = take(&law::verdict_error, truth, judgement_.wrong);
       judgement_.errors.backward = in_scale(claimed.length);
       if (!claimed.fault.empty()) return;
-      judgement_.excused = true;
+      judgement_.within_tolerance = true;
     }
     if (method_.holds.time) {
       late(truth);
@@ -243,10 +244,10 @@ class RotatingJudge {
     const RotatingError left = take(&law::undecided_error, truth, judgement_.undecided);
     const bool decides = left.length > (limits_.strict ? limits_.wide : limits_.limit);
     judgement_.stalled = decides || !left.fault.empty();
-    judgement_.excused = !judgement_.stalled;
+    judgement_.within_tolerance = !judgement_.stalled;
     if (!asks_for(request_, Request::normal) || !asks_for(request_, Request::witnesses)) return;
     if (const RotatingError open = open_error(truth, truth_.problem(), answer_, limits_); !open.fault.empty())
-      convict(judgement_.bad_contact, open.fault);
+      add_fault(judgement_.bad_contact, open.fault);
   }
 
   void late(const RotatingTruth& truth) {

@@ -44,7 +44,7 @@ bool lies_far_out_in_its_frame(const Shape<double>& shape) {
 void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
                 const Counters& counters) {
   judgement.supports = counters.supports;
-  if (judgement.not_asked || method.guarantee == nullptr || !method.guarantee->most_supports) return;
+  if (judgement.skipped || method.guarantee == nullptr || !method.guarantee->most_supports) return;
   const bool follows =
       method.kind == engine::Kind::rotating && problem.start_policy == StartPolicy::pass_over;
   const int most = *method.guarantee->most_supports * (follows ? kFollowing : 1);

@@ -48,13 +48,13 @@ struct Judgement {
   // wide; of tier certified where clearance or depth exceeds the width of its guarantee, and then why.
   bool stalled = false;
   std::string undecided;
-  bool excused = false;    // the question is decided by less than the limit
-  bool hidden = false;     // a contact missed or passed that the guarantee says may be
-  bool open = false;       // the oracle cannot tell whether the answer stands
-  std::string why_open;    // and why
-  bool by_oracle = false;  // it was asked
-  bool not_asked = false;  // no question for the method, or none that the oracle has an answer to
-  bool declined = false;   // then: an engine answered that it does not support the question
+  bool within_tolerance = false;  // the question is decided by less than the limit
+  bool hidden = false;            // a contact missed or passed that the guarantee says may be
+  bool open = false;              // the oracle cannot tell whether the answer stands
+  std::string why_open;           // and why
+  bool by_oracle = false;         // it was asked
+  bool skipped = false;           // no question for the method, or none that the oracle has an answer to
+  bool declined = false;          // then: an engine answered that it does not support the question
   ProofState proof = ProofState::none;
   int supports = 0;  // support evaluations that the answer took
   Errors errors;     // by_oracle only
@@ -87,7 +87,7 @@ inline constexpr FaultKind kFaultKinds[] = {
 inline constexpr std::size_t kFaults = std::size(kFaultKinds);
 
 // Keeps the first reason.
-inline void convict(std::string& fault, std::string why) {
+inline void add_fault(std::string& fault, std::string why) {
   if (fault.empty()) fault = std::move(why);
 }
 

@@ -4,7 +4,7 @@
 
 #include "corpus/support_value.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 

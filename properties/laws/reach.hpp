@@ -24,7 +24,7 @@ struct OutOfReach {
 [[nodiscard]] std::span<const OutOfReach> out_of_reach();
 
 // A law that is broken, by whom, and as far as is known why: a known failure. The tests go on without it and
-// fail once it is mended; `graze certify --laws` reports it and fails.
+// fail once it is mended; `graze laws` reports it and fails.
 struct KnownBreach {
   std::string_view law;
   std::string_view methods;  // separated by spaces

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 

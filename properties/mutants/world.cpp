@@ -7,7 +7,7 @@
 
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/mutants/aimed.hpp"
 #include "properties/mutants/mutants.hpp"
 

@@ -7,8 +7,8 @@
 #include <graze/detail/rotating/whole_turns.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
+#include "tests/bounds/bound_tally.hpp"
 #include "tests/bounds/describe.hpp"
-#include "tests/bounds/tally.hpp"
 #include "tests/bounds/true_mobility.hpp"
 
 namespace graze::test {

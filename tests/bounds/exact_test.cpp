@@ -6,9 +6,9 @@
 #include <graze/detail/search/exact/beyond.hpp>
 #include <graze/validate.hpp>
 
+#include "tests/bounds/bound_tally.hpp"
+#include "tests/bounds/bound_truth.hpp"
 #include "tests/bounds/describe.hpp"
-#include "tests/bounds/tally.hpp"
-#include "tests/bounds/truth.hpp"
 
 namespace graze::test {
 namespace {

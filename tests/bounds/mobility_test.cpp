@@ -7,9 +7,9 @@
 #include <graze/detail/rotating/spheres.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
+#include "tests/bounds/bound_tally.hpp"
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/in_float.hpp"
-#include "tests/bounds/tally.hpp"
 #include "tests/bounds/true_mobility.hpp"
 
 namespace graze::test {

@@ -4,9 +4,9 @@
 
 #include <graze/detail/rotating/turn.hpp>
 
+#include "tests/bounds/bound_tally.hpp"
+#include "tests/bounds/bound_truth.hpp"
 #include "tests/bounds/describe.hpp"
-#include "tests/bounds/tally.hpp"
-#include "tests/bounds/truth.hpp"
 
 namespace graze::test {
 namespace {

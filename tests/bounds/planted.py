@@ -14,7 +14,6 @@ import argparse
 import concurrent.futures
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 
@@ -22,7 +21,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 TESTS = HERE.parent
 sys.path.insert(0, str(HERE.parents[1] / "properties/defects"))
-from planted import Config, Fault, Patch, plant, run  # noqa: E402
+from planted import Config, Fault, Patch, end, named_patches, plant, remove_copies, run  # noqa: E402
 
 
 class WrongBound(Patch):
@@ -69,8 +68,7 @@ def try_defect(config, patch):
     found = False
     if not error:
         found, error = fails(config, root, root, patch.source, patch.test, patch.compiled)
-    for room in ("core", "oracles"):
-        shutil.rmtree(root / room, ignore_errors=True)
+    remove_copies(patch, root)
     if error:
         return f"{patch.name} {error}"
     return "" if found else f"{patch.name} survives {patch.test}"
@@ -101,10 +99,7 @@ def main():
     if options.jobs < 1:
         raise Fault("--jobs is 1 or more")
     config = Config(options.config, options.work)
-    known = sorted((HERE / "defects").glob("*.patch"))
-    given = [pathlib.Path(name).resolve() if name.endswith(".patch") else HERE / "defects" / f"{name}.patch"
-             for name in options.name]
-    patches = [WrongBound(path) for path in given or known]
+    patches = named_patches(HERE / "defects", options.name, WrongBound)
     without = {}
     for patch in patches:
         without.setdefault(patch.source, set()).add(patch.test)
@@ -125,13 +120,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        problems = main()
-    except Fault as fault:
-        print(f"graze: {fault}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
-    for line in problems:
-        print(f"FAIL: {line}")
-    sys.exit(1 if problems else 0)
+    end(main)

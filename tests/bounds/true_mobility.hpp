@@ -5,7 +5,7 @@
 #include <graze/detail/rotating/mobility.hpp>
 #include <optional>
 
-#include "tests/bounds/truth.hpp"
+#include "tests/bounds/bound_truth.hpp"
 
 namespace graze::test {
 

@@ -104,7 +104,7 @@ class KeptAnswersTest : public testing::Test {
   std::size_t differing_ = 0;
 };
 
-TEST_F(KeptAnswersTest, the_same_answers_differ_nowhere_whatever_they_cost) {
+TEST_F(KeptAnswersTest, TheSameAnswersDifferNowhereWhateverTheyCost) {
   const KeptAnswers before = kept(&right_answer);
   for (const auto ask : {&right_answer, &slower}) {
     EXPECT_TRUE(broken(ask, 0, before).empty());
@@ -112,7 +112,7 @@ TEST_F(KeptAnswersTest, the_same_answers_differ_nowhere_whatever_they_cost) {
   }
 }
 
-TEST_F(KeptAnswersTest, a_wrong_answer_among_those_that_differ_breaks_its_row) {
+TEST_F(KeptAnswersTest, AWrongAnswerAmongThoseThatDifferBreaksItsRow) {
   const std::vector<std::string> rows = broken(&once_wrong, 1, kept(&right_answer));
   EXPECT_EQ(differing_, 2U);
   ASSERT_EQ(rows.size(), 1U);
@@ -121,7 +121,7 @@ TEST_F(KeptAnswersTest, a_wrong_answer_among_those_that_differ_breaks_its_row) {
 }
 
 // Two of ten stall. Of those that differ it is each.
-TEST_F(KeptAnswersTest, stalls_count_against_all_cases_of_the_suite) {
+TEST_F(KeptAnswersTest, StallsCountAgainstAllCasesOfTheSuite) {
   const KeptAnswers before = kept(&right_answer);
   EXPECT_TRUE(broken(&twice_stalled, 0.2, before).empty());
   const std::vector<std::string> rows = broken(&twice_stalled, 0.15, before);
@@ -130,7 +130,7 @@ TEST_F(KeptAnswersTest, stalls_count_against_all_cases_of_the_suite) {
 }
 
 // One stall is kept and the answer to another case differs: one of ten stalls, as is known without judging it.
-TEST_F(KeptAnswersTest, a_stall_that_is_kept_counts_and_one_that_is_gone_does_not) {
+TEST_F(KeptAnswersTest, AStallThatIsKeptCountsAndOneThatIsGoneDoesNot) {
   const KeptAnswers before = kept(&twice_stalled);
   EXPECT_TRUE(broken(&twice_stalled, 0.2, before).empty());
   EXPECT_EQ(differing_, 0U);
@@ -139,7 +139,7 @@ TEST_F(KeptAnswersTest, a_stall_that_is_kept_counts_and_one_that_is_gone_does_no
   EXPECT_EQ(differing_, 2U);
 }
 
-TEST_F(KeptAnswersTest, are_read_as_they_were_written_and_only_for_the_same_suites) {
+TEST_F(KeptAnswersTest, AreReadAsTheyWereWrittenAndOnlyForTheSameSuites) {
   const KeptAnswers before = kept(&twice_stalled);
   std::stringstream file;
   before.write(file);
@@ -157,7 +157,7 @@ TEST_F(KeptAnswersTest, are_read_as_they_were_written_and_only_for_the_same_suit
 }
 
 // Any field by itself makes another digest; the counters, which nobody judges, do not.
-TEST(AnswerDigest, sees_every_field_that_is_judged) {
+TEST(AnswerDigest, SeesEveryFieldThatIsJudged) {
   Answer answer;
   answer.proof = Proof{};
   answer.rotating_proof.emplace().chain.emplace_back();

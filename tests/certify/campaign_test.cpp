@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
@@ -71,13 +71,13 @@ struct Small {
   }
 };
 
-TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
+TEST(Campaign, EveryCastIsAskedOnceAndNoExactOneFails) {
   const Small small(exact());
   const CampaignState state = small.run();
   const CampaignCounts total = state.tally.total();
   EXPECT_EQ(total.casts, kCasts);
   EXPECT_EQ(total.hits + total.misses + total.overlapping, kCasts);
-  EXPECT_EQ(total.faults + total.stalls + total.not_asked, 0U);
+  EXPECT_EQ(total.faults + total.stalls + total.skipped, 0U);
   // Families in turn, and each one's levels: the shares differ by one at most.
   for (std::size_t cell = 0; cell < state.cells.size(); ++cell) {
     EXPECT_GT(state.tally.counts[cell].casts, 0U) << state.cells[cell].family << state.cells[cell].level;
@@ -92,7 +92,7 @@ TEST(Campaign, every_cast_is_asked_once_and_no_exact_one_fails) {
   EXPECT_TRUE(campaign_failures(state).empty());
 }
 
-TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tier) {
+TEST(Campaign, ACaseIsAFunctionOfSeedAndIndexAndAQuestionForTheTier) {
   const Contenders asked = {&exact()};
   const CampaignCases one(some_families(), asked, 7, {kOracleEvery}),
       again(some_families(), asked, 7, {kOracleEvery}), other(some_families(), asked, 8, {kOracleEvery});
@@ -107,7 +107,7 @@ TEST(Campaign, a_case_is_a_function_of_seed_and_index_and_a_question_for_the_tie
   }
 }
 
-TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
+TEST(Campaign, LevelsWithHardlyAQuestionAreLeftOutByName) {
   const std::vector<const corpus::Family*> families = {corpus::find_family("curved"),
                                                        corpus::find_family("grazing_face")};
   const CampaignCases to_the_bit(families, {&exact()}, 1, {});
@@ -119,7 +119,7 @@ TEST(Campaign, levels_with_hardly_a_question_are_left_out_by_name) {
   EXPECT_FALSE(standard.draw(0).sampled);
 }
 
-TEST(Campaign, threads_do_not_change_a_byte) {
+TEST(Campaign, ThreadsDoNotChangeAByte) {
   const Small small(exact());
   const std::string one = state_text(small.run(1));
   EXPECT_EQ(state_text(small.run(2)), one);
@@ -129,7 +129,7 @@ TEST(Campaign, threads_do_not_change_a_byte) {
   EXPECT_NE(other.run(2).tally.digest, small.run(2).tally.digest);
 }
 
-TEST(Campaign, stopped_and_resumed_is_as_in_one_go) {
+TEST(Campaign, StoppedAndResumedIsAsInOneGo) {
   const Small small(exact());
   CampaignState state = small.fresh();
   small.go_on_for(state, 2, 5);
@@ -145,7 +145,7 @@ TEST(Campaign, stopped_and_resumed_is_as_in_one_go) {
   EXPECT_EQ(state_text(read), state_text(small.run(1)));
 }
 
-TEST(Campaign, a_state_is_kept_while_it_runs) {
+TEST(Campaign, AStateIsKeptWhileItRuns) {
   const Small small(exact(), 7, 4000);
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("graze-campaign-" + std::to_string(getpid()) + ".json");
@@ -165,7 +165,7 @@ TEST(Campaign, a_state_is_kept_while_it_runs) {
   EXPECT_EQ(read.tally.total().casts, 4000U);
 }
 
-TEST(Merge, shards_in_any_order_are_the_campaign_in_one_piece) {
+TEST(Merge, ShardsInAnyOrderAreTheCampaignInOnePiece) {
   const Small small(exact());
   const CampaignState whole = small.run(2);
   std::vector<NamedState> parts;
@@ -180,7 +180,7 @@ TEST(Merge, shards_in_any_order_are_the_campaign_in_one_piece) {
   EXPECT_EQ(campaign_summary(merged), campaign_summary(whole));
 }
 
-TEST(Merge, what_is_missing_can_be_cast_afterwards) {
+TEST(Merge, WhatIsMissingCanBeCastAfterwards) {
   const Small small(exact());
   CampaignState merged = merge_states(
       {{"a", small.run(1, {.index = 1, .count = 4})}, {"b", small.run(1, {.index = 3, .count = 4})}}, true);
@@ -198,7 +198,7 @@ std::string complaint(const std::vector<NamedState>& parts) {
   return {};
 }
 
-TEST(Merge, overlaps_gaps_and_other_settings_are_refused_by_name) {
+TEST(Merge, OverlapsGapsAndOtherSettingsAreRefusedByName) {
   const Small small(exact());
   const CampaignState half = small.run(1, {.index = 1, .count = 2});
   const CampaignState third = small.run(1, {.index = 2, .count = 3});
@@ -213,7 +213,7 @@ TEST(Merge, overlaps_gaps_and_other_settings_are_refused_by_name) {
   EXPECT_NE(complaint({{"half", half}, {"newer", newer}}).find("builds"), std::string::npos);
 }
 
-TEST(Merge, shards_share_out_every_block_once) {
+TEST(Merge, ShardsShareOutEveryBlockOnce) {
   for (const std::uint64_t blocks : {1U, 5U, 16U, 1000U}) {
     for (const std::uint64_t count : {1U, 3U, 7U, 40U}) {
       std::uint64_t end = 0, least = blocks, most = 0;
@@ -267,7 +267,7 @@ engine::Method planted(const char* name, engine::Answer (*cast)(const corpus::Ca
   return method;
 }
 
-TEST(Planted, every_wrong_answer_is_counted_and_its_case_is_kept) {
+TEST(Planted, EveryWrongAnswerIsCountedAndItsCaseIsKept) {
   const CampaignCounts honest = Small(exact()).run().tally.total();
   for (const auto cast : {&late_by_a_double, &denies_contact}) {
     const Small small(planted("exact", cast));
@@ -285,7 +285,7 @@ TEST(Planted, every_wrong_answer_is_counted_and_its_case_is_kept) {
   }
 }
 
-TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
+TEST(Planted, TheFindingsKeptAreThoseOfLeastIndexWhateverTheOrder) {
   const auto denies = planted("exact", &denies_contact);
   Small small(denies, 7, 1);
   small.plan = CampaignPlan(7);
@@ -308,7 +308,7 @@ TEST(Planted, the_findings_kept_are_those_of_least_index_whatever_the_order) {
   EXPECT_EQ(hits, CampaignTally::kFindings);
 }
 
-TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
+TEST(Planted, StallsBeyondTheCapOfTheRowFail) {
   const Small honest(*engine::find_method(engine::Kind::linear, "mpr"), 7, 120),
       stalling(planted("mpr", &gives_up), 7, 120);
   EXPECT_TRUE(campaign_failures(honest.run(2)).empty());
@@ -320,10 +320,10 @@ TEST(Planted, stalls_beyond_the_cap_of_the_row_fail) {
 
 // --- Parts: several methods, other queries, turning bodies.
 
-TEST(Parts, stops_shards_and_threads_do_not_change_a_byte) {
+TEST(Parts, StopsShardsAndThreadsDoNotChangeAByte) {
   const Small small(7);
   const CampaignState whole = small.run(1);
-  EXPECT_EQ(whole.tally.total().casts + whole.tally.total().not_asked, whole.settings.casts());
+  EXPECT_EQ(whole.tally.total().casts + whole.tally.total().skipped, whole.settings.casts());
   CampaignState stopped = small.fresh();
   small.go_on_for(stopped, 2, 5);
   EXPECT_FALSE(stopped.is_complete());
@@ -337,7 +337,7 @@ TEST(Parts, stops_shards_and_threads_do_not_change_a_byte) {
   EXPECT_EQ(campaign_summary(merged, true), campaign_summary(whole, true));
 }
 
-TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
+TEST(Parts, EveryContenderIsAskedItsShareOfEveryFamily) {
   const Small small(7);
   const CampaignState state = small.run(2);
   ASSERT_EQ(state.settings.parts.size(), 3U);
@@ -348,7 +348,7 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
         std::uint64_t asked = 0;
         for (std::size_t i = 0; i < state.cells.size(); ++i) {
           if (state.cells[i].method == method && state.cells[i].family == family)
-            asked += state.tally.counts[i].casts + state.tally.counts[i].not_asked;
+            asked += state.tally.counts[i].casts + state.tally.counts[i].skipped;
         }
         EXPECT_EQ(asked, part.count / part.methods.size() / part.families.size()) << method << family;
       }
@@ -358,7 +358,7 @@ TEST(Parts, every_contender_is_asked_its_share_of_every_family) {
   EXPECT_EQ(state.settings.parts[2].families, (std::vector<std::string>{"slow_spin", "random_rotating"}));
 }
 
-TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
+TEST(Parts, TurningCastsAreJudgedByProofsAndTheOracleSeesASample) {
   CampaignPlan plan(3);
   plan.add({corpus::find_family("random_rotating")}, chosen_contenders(engine::Kind::rotating, {"certified"}),
            40, {8});
@@ -376,7 +376,7 @@ TEST(Parts, turning_casts_are_judged_by_proofs_and_the_oracle_sees_a_sample) {
 }
 
 // The same casts, and the same answers; of those that are not judged the outcomes are counted.
-TEST(Parts, one_case_in_so_many_is_judged) {
+TEST(Parts, OneCaseInSoManyIsJudged) {
   const auto run = [](const Sampling& sampling) {
     CampaignPlan plan(3);
     plan.add(some_families(), chosen_contenders(engine::Kind::linear, {"standard"}), 1200, sampling);
@@ -443,7 +443,7 @@ engine::Method planted_turning(const char* name,
   return method;
 }
 
-TEST(PlantedTurning, every_wrong_answer_is_counted_by_its_kind_and_its_case_is_kept) {
+TEST(PlantedTurning, EveryWrongAnswerIsCountedByItsKindAndItsCaseIsKept) {
   struct Planted {
     engine::Method method;
     std::uint64_t CampaignCounts::*kind;
@@ -479,7 +479,7 @@ engine::Answer stretched_distance(const corpus::Case& problem, const engine::Ask
   return answer;
 }
 
-TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
+TEST(PlantedQuery, WhatIsOffIsCountedAndItsCaseAsksTheQuery) {
   engine::Method method = law::default_method(corpus::Query::distance, "double");
   for (const bool honest : {true, false}) {
     if (!honest) method.ask = &stretched_distance;
@@ -501,7 +501,7 @@ TEST(PlantedQuery, what_is_off_is_counted_and_its_case_asks_the_query) {
   }
 }
 
-TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
+TEST(Undecided, ItIsListedWithItsCaseAndAgreesWithNothing) {
   const Small small(turning("certified"), "pure_spin", 32);
   CampaignState state = small.run(2);
   const DrawnCase drawn = small.plan.parts()[0].cases.draw(3);
@@ -521,7 +521,7 @@ TEST(Undecided, it_is_listed_with_its_case_and_agrees_with_nothing) {
   EXPECT_TRUE(corpus::same_case(cases.back(), drawn.problem));
 }
 
-TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
+TEST(Stalls, ALevelMayHaveTheShareOfItsRowRoundedUp) {
   CampaignPlan plan(7);
   plan.add({corpus::find_family("grazing_edge")}, chosen_contenders(engine::Kind::linear, {"ca/double"}),
            2000, {0});
@@ -539,7 +539,7 @@ TEST(Stalls, a_level_may_have_the_share_of_its_row_rounded_up) {
   EXPECT_EQ(campaign_failures(state)[0].find("grazing_edge: "), 0U);
 }
 
-TEST(Digest, one_bit_of_one_answer_changes_it_and_the_order_does_not) {
+TEST(Digest, OneBitOfOneAnswerChangesItAndTheOrderDoesNot) {
   const Small small(exact());
   const DrawnCase drawn = small.plan.parts()[0].cases.draw(0);
   const AnswerWords answer = words_of(exact().ask(drawn.problem, {}));
@@ -558,7 +558,7 @@ TEST(Digest, one_bit_of_one_answer_changes_it_and_the_order_does_not) {
   EXPECT_NE(both.digest, first.digest);
 }
 
-TEST(State, what_is_wrong_in_a_file_is_named) {
+TEST(State, WhatIsWrongInAFileIsNamed) {
   const Small small(exact(), 7, 64);
   const std::string good = state_text(small.run());
   const auto complaint_of = [](const std::string& text) -> std::string {

@@ -23,7 +23,7 @@ Suite bars() {
       .kind = Kind::rotating, .family = "bars", .cases = {turning_bar(), turning_bar_above(), dipping_bar()}};
 }
 
-TEST(Certification, tallies_by_method_and_family_and_names_the_first_breach) {
+TEST(Certification, TalliesByMethodAndFamilyAndNamesTheFirstBreach) {
   engine::Guarantee strict = *rotating("bilateral").guarantee;
   strict.kappa_polytope = 0;
   engine::Method held = rotating("bilateral");
@@ -67,7 +67,7 @@ TEST(Certification, tallies_by_method_and_family_and_names_the_first_breach) {
 }
 
 // What was judged before a stop is kept, and what was not is named.
-TEST(Certification, a_stop_keeps_what_is_finished) {
+TEST(Certification, AStopKeepsWhatIsFinished) {
   Suite later = bars();
   later.family = "later";
   std::atomic<int> judged = 0;
@@ -81,7 +81,7 @@ TEST(Certification, a_stop_keeps_what_is_finished) {
 }
 
 // The first fault ends a run that is to fail fast: the suite after it is not judged.
-TEST(Certification, fails_fast_if_asked_to) {
+TEST(Certification, FailsFastIfAskedTo) {
   engine::Guarantee strict = *rotating("bilateral").guarantee;
   strict.kappa_polytope = 0;
   engine::Method held = rotating("bilateral");
@@ -98,7 +98,7 @@ TEST(Certification, fails_fast_if_asked_to) {
 }
 
 // A screen: 40 lines of 110 columns at most, whatever is judged.
-TEST(Report, fits_on_a_screen) {
+TEST(Report, FitsOnAScreen) {
   std::vector<const engine::Method*> all;
   for (const engine::Method& method : engine::methods()) all.push_back(&method);
   const Settings settings{.methods = all};

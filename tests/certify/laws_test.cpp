@@ -6,7 +6,7 @@
 #include "certify/suites.hpp"
 #include "corpus/families.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::tool {
 namespace {
@@ -49,7 +49,7 @@ std::vector<LawSuite> small_suites() {
           {.suite = drawn_suite(spin, spin.levels, 5, 1)}};
 }
 
-TEST(LawCertification, counts_and_finds_the_first_case_that_breaks_made_small) {
+TEST(LawCertification, CountsAndFindsTheFirstCaseThatBreaksMadeSmall) {
   const std::vector<LawSuite> suites = small_suites();
   const LawSettings settings{.laws = {nothing_is_hit(), counts_turning()}};
   const LawCertification result = certify_laws(suites, settings);
@@ -79,7 +79,7 @@ TEST(LawCertification, counts_and_finds_the_first_case_that_breaks_made_small) {
   EXPECT_NE(table.find("rotating"), std::string::npos) << table;
 }
 
-TEST(LawCertification, the_threads_change_nothing) {
+TEST(LawCertification, TheThreadsChangeNothing) {
   const std::vector<LawSuite> suites = small_suites();
   LawSettings settings{.laws = {nothing_is_hit(), counts_turning()}};
   const LawCertification one = certify_laws(suites, settings);
@@ -94,7 +94,7 @@ TEST(LawCertification, the_threads_change_nothing) {
   }
 }
 
-TEST(LawCertification, asks_the_methods_that_are_wanted) {
+TEST(LawCertification, AsksTheMethodsThatAreWanted) {
   LawSettings settings{.laws = {nothing_is_hit()}};
   settings.is_asked = [](const engine::Method& method) { return method.full_name() == "gjk/double"; };
   const LawCertification result = certify_laws(small_suites(), settings);
@@ -103,7 +103,7 @@ TEST(LawCertification, asks_the_methods_that_are_wanted) {
   EXPECT_EQ(result.breaches[0].finding.method, "gjk/double");
 }
 
-TEST(Suites, deal_the_cases_to_the_levels) {
+TEST(Suites, DealTheCasesToTheLevels) {
   const corpus::Family& family = *corpus::find_family("touching");
   const std::size_t levels = family.levels.size();
   const Suite suite = drawn_suite(family, family.levels, 2 * levels + 1, 7);

@@ -101,7 +101,7 @@ std::vector<AnyQuestion> every_question() {
   return all;
 }
 
-TEST(QueryCertification, a_stall_is_kept_to_be_saved_and_counts_against_the_cap) {
+TEST(QueryCertification, AStallIsKeptToBeSavedAndCountsAgainstTheCap) {
   const Method made_up_stalled_answer = distance_by(stalled_answer);
   const Certification stalled = certified(made_up_stalled_answer, cubes(Query::distance));
   EXPECT_EQ(stalled.tallies.at(0).cases, 1U);
@@ -116,7 +116,7 @@ TEST(QueryCertification, a_stall_is_kept_to_be_saved_and_counts_against_the_cap)
   EXPECT_TRUE(right.breaches.empty());
 }
 
-TEST(QueryCertification, a_question_is_asked_as_it_is_and_of_its_own_methods_alone) {
+TEST(QueryCertification, AQuestionIsAskedAsItIsAndOfItsOwnMethodsAlone) {
   const Method made_up_wrong_answer = distance_by(wrong_answer);
   const Certification wrong = certified(made_up_wrong_answer, cubes(Query::distance));
   EXPECT_EQ(wrong.tallies.at(0).at_fault, 1U);
@@ -127,7 +127,7 @@ TEST(QueryCertification, a_question_is_asked_as_it_is_and_of_its_own_methods_alo
 }
 
 // Ours answer rightly, of polytopes and of curved shapes, apart and deep in each other.
-TEST(QueryCertification, every_query_of_ours_is_judged) {
+TEST(QueryCertification, EveryQueryOfOursIsJudged) {
   std::vector<const Method*> all;
   for (const Method& method : engine::methods(engine::Kind::query)) all.push_back(&method);
   for (const auto& [query, curved, x] : every_question()) {
@@ -148,7 +148,7 @@ TEST(QueryCertification, every_query_of_ours_is_judged) {
 }
 
 // What a row of 64 u grants is none of this: each is off by a thousandth.
-TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
+TEST(QueryCertification, OfCurvedShapesWhatIsOffIsConvicted) {
   for (const auto& [query, curved, x] : every_question()) {
     if (!curved) continue;
     SCOPED_TRACE(fmt::format("{}, at {}", corpus::name_of(query), x));
@@ -186,7 +186,7 @@ TEST(QueryCertification, of_curved_shapes_what_is_off_is_convicted) {
   }
 }
 
-TEST(Intake, sorts_every_question_and_counts_what_nothing_judges) {
+TEST(Intake, SortsEveryQuestionAndCountsWhatNothingJudges) {
   Case curved = cubes(Query::penetration);
   curved.id = "test/curved";
   curved.a.shape = Ellipsoid<double>{{1, 2, 3}};
@@ -221,7 +221,7 @@ TEST(Intake, sorts_every_question_and_counts_what_nothing_judges) {
   EXPECT_EQ(rotating.at(0).query, Query::cast);
 }
 
-TEST(Intake, what_is_saved_can_be_read_again) {
+TEST(Intake, WhatIsSavedCanBeReadAgain) {
   const std::vector<Case> found = {cubes(Query::cast), cubes(Query::line), cubes(Query::line),
                                    cubes(Query::swept_overlap)};
   std::string text;

@@ -111,7 +111,7 @@ Curve only_curve(const FamilyStability& family) {
   return family.curves.at(0);
 }
 
-TEST(Stability, a_late_time_is_measured_level_by_level) {
+TEST(Stability, ALateTimeIsMeasuredLevelByLevel) {
   const engine::Method method = method_of(late_answer);
   const Curve curve = only_curve(measured(kHits, method, 1024));
   ASSERT_EQ(curve.levels.size(), std::size(kLevels));
@@ -133,7 +133,7 @@ TEST(Stability, a_late_time_is_measured_level_by_level) {
   EXPECT_NE(breaches({curve})[0].find("9 of 9 beyond the row"), std::string::npos) << breaches({curve})[0];
 }
 
-TEST(Stability, a_row_that_grants_the_error_holds) {
+TEST(Stability, ARowThatGrantsTheErrorHolds) {
   const engine::Method method = method_of(late_answer);
   const double kappa = 1.01 * std::ldexp(kSpeed, -20) / kScale / kUnitRoundoff<double>;
   const Curve curve = only_curve(measured(kHits, method, kappa));
@@ -142,7 +142,7 @@ TEST(Stability, a_row_that_grants_the_error_holds) {
   EXPECT_FALSE(only_curve(measured(kHits, method, 0.98 * kappa)).holds());
 }
 
-TEST(Stability, a_wrong_verdict_counts_by_what_it_denies) {
+TEST(Stability, AWrongVerdictCountsByWhatItDenies) {
   const engine::Method hits = method_of(hit_answer), misses = method_of(miss_answer);
   for (const auto& [family, method] : {std::pair{&kNearMisses, &hits}, std::pair{&kNearHits, &misses}}) {
     // Between the second level and the third.
@@ -162,7 +162,7 @@ TEST(Stability, a_wrong_verdict_counts_by_what_it_denies) {
   }
 }
 
-TEST(Stability, a_stall_has_no_error_and_a_cap) {
+TEST(Stability, AStallHasNoErrorAndACap) {
   const engine::Method method = method_of(stalled_answer);
   const Curve curve = only_curve(measured(kHits, method, 64));
   EXPECT_EQ(curve.total().stalled, 9U);
@@ -174,7 +174,7 @@ TEST(Stability, a_stall_has_no_error_and_a_cap) {
   EXPECT_TRUE(only_curve(measured(kHits, method, 64, 0.9)).holds());
 }
 
-TEST(Stability, round_shapes_have_a_curve_of_their_own) {
+TEST(Stability, RoundShapesHaveACurveOfTheirOwn) {
   const engine::Method method = method_of(hit_answer);
   const Curve points = only_curve(measured(kHits, method, 64)),
               balls = only_curve(measured(kBalls, method, 64));
@@ -189,7 +189,7 @@ TEST(Stability, round_shapes_have_a_curve_of_their_own) {
   EXPECT_EQ(one[0].total().cases, points.total().cases + balls.total().cases);
 }
 
-TEST(Stability, the_worst_family_stands_first) {
+TEST(Stability, TheWorstFamilyStandsFirst) {
   const engine::Method late = method_of(late_answer), hits = method_of(hit_answer);
   const Curve bad = only_curve(measured(kHits, late, 64)),
               worse = only_curve(measured(kNearMisses, hits, 64)),
@@ -209,7 +209,7 @@ TEST(Stability, the_worst_family_stands_first) {
   EXPECT_EQ(summary.find("middle"), std::string::npos);
 }
 
-TEST(Stability, our_methods_hold_and_threads_change_nothing) {
+TEST(Stability, OurMethodsHoldAndThreadsChangeNothing) {
   StabilitySettings settings{.count = 2};
   for (const engine::Method& method : engine::methods(engine::Kind::linear))
     settings.methods.push_back(&method);
@@ -246,7 +246,7 @@ Curve measured_turn(engine::Answer (*cast)(const Case&, const engine::Ask&)) {
   return only_curve(measure_family(kBars, {.methods = {&method}, .rotating_count = 1}));
 }
 
-TEST(Stability, rotating_times_and_verdicts_are_measured) {
+TEST(Stability, RotatingTimesAndVerdictsAreMeasured) {
   const Curve late = measured_turn(late_turn);
   EXPECT_TRUE(late.rotating);
   EXPECT_EQ(late.total().late, std::size(kLevels));

@@ -33,7 +33,7 @@ Tally tally_of(std::size_t good, const std::vector<Judgement>& bad, const engine
 }
 
 // However many of its parts are.
-TEST(Tally, counts_an_answer_at_fault_once) {
+TEST(Tally, CountsAnAnswerAtFaultOnce) {
   Judgement bad;
   bad.late = bad.off = "by a metre";
   Tally tally = tally_of(3, {bad});
@@ -42,9 +42,9 @@ TEST(Tally, counts_an_answer_at_fault_once) {
   EXPECT_EQ(tally.at_fault, 3U);
 }
 
-TEST(Breaches, none_where_nothing_is_at_fault) { EXPECT_TRUE(breaches(tally_of(10, {})).empty()); }
+TEST(Breaches, NoneWhereNothingIsAtFault) { EXPECT_TRUE(breaches(tally_of(10, {})).empty()); }
 
-TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
+TEST(Breaches, EveryKindOfFaultIsNamedWithItsRowAndFirstCase) {
   for (const law::FaultKind& kind : law::kFaultKinds) {
     Judgement faulty;
     faulty.*kind.why = "the reason";
@@ -55,7 +55,7 @@ TEST(Breaches, every_kind_of_fault_is_named_with_its_row_and_first_case) {
   }
 }
 
-TEST(Breaches, an_answer_has_one_fault_the_worst_and_the_others_in_brackets) {
+TEST(Breaches, AnAnswerHasOneFaultTheWorstAndTheOthersInBrackets) {
   Judgement faulty;
   faulty.late = "by a metre";
   faulty.off = faulty.bad_contact = faulty.work = "as well";
@@ -68,7 +68,7 @@ TEST(Breaches, an_answer_has_one_fault_the_worst_and_the_others_in_brackets) {
       << lines[0];
 }
 
-TEST(Tally, keeps_the_case_that_took_the_most_supports) {
+TEST(Tally, KeepsTheCaseThatTookTheMostSupports) {
   Judgement cheap, dear;
   cheap.supports = 7;
   dear.supports = 300;
@@ -77,26 +77,26 @@ TEST(Tally, keeps_the_case_that_took_the_most_supports) {
   EXPECT_EQ(tally.most_supports.id, "bad/1");
 }
 
-TEST(Tally, counts_open_answers_that_the_guarantee_grants_too) {
+TEST(Tally, CountsOpenAnswersThatTheGuaranteeGrantsToo) {
   Judgement tie, stall;
   tie.outcome = stall.outcome = Outcome::not_converged;
-  tie.excused = stall.stalled = true;
+  tie.within_tolerance = stall.stalled = true;
   const Tally tally = tally_of(98, {tie, stall});
   EXPECT_EQ(tally.left_open, 2U);
   EXPECT_EQ(tally.stalled, 1U);
 }
 
-TEST(Tally, says_that_too_many_questions_are_declined) {
+TEST(Tally, SaysThatTooManyQuestionsAreDeclined) {
   Judgement declined;
-  declined.not_asked = declined.declined = true;
+  declined.skipped = declined.declined = true;
   EXPECT_EQ(declines(tally_of(9, {declined})), "");
   const Tally tally = tally_of(8, {declined});
   EXPECT_EQ(tally.cases, 8U);
-  EXPECT_EQ(tally.not_asked, 0U);
+  EXPECT_EQ(tally.skipped, 0U);
   EXPECT_EQ(declines(tally), "gjk/double declines 1 of 9 questions (11 %)");
 }
 
-TEST(Breaches, stalls_break_a_row_only_above_their_cap) {
+TEST(Breaches, StallsBreakARowOnlyAboveTheirCap) {
   Judgement stall;
   stall.stalled = true;
   EXPECT_TRUE(breaches(tally_of(99, {stall})).empty());
@@ -105,15 +105,15 @@ TEST(Breaches, stalls_break_a_row_only_above_their_cap) {
   EXPECT_NE(lines[0].find("bad/0"), std::string::npos);
 }
 
-TEST(Breaches, excused_verdicts_break_nothing_and_are_counted) {
-  Judgement excused;
-  excused.excused = true;
-  const Tally tally = tally_of(0, {excused});
-  EXPECT_EQ(tally.excused, 1U);
+TEST(Breaches, VerdictsWithinToleranceBreakNothingAndAreCounted) {
+  Judgement close;
+  close.within_tolerance = true;
+  const Tally tally = tally_of(0, {close});
+  EXPECT_EQ(tally.within_tolerance, 1U);
   EXPECT_TRUE(breaches(tally).empty());
 }
 
-TEST(Breaches, a_method_without_a_row_promises_nothing) {
+TEST(Breaches, AMethodWithoutARowPromisesNothing) {
   Judgement wrong;
   wrong.wrong = "reason";
   engine::Method without_row = kMethod;

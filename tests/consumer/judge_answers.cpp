@@ -6,7 +6,7 @@
 //   2  the exact checker accepts the proof;
 //   3  the verdict is the reference's, and the brackets are apart by no more than kappa u scale (a length:
 //      times are multiplied by |v|); where one or the other is not, the exact oracle finds no fault with the
-//      answer beyond kappa u scale (properties/judge/linear.hpp), kappa from the method's row of the
+//      answer beyond kappa u scale (properties/judge/linear_faults.hpp), kappa from the method's row of the
 //      guarantees;
 //   4  every kSample-th answer goes to the oracle whatever it is, and its normal too.
 // Exit code: 0, or 1 with each fault on a line.
@@ -19,7 +19,7 @@
 #include "corpus/format/proof_io.hpp"
 #include "engines/method.hpp"
 #include "oracles/checker/check_proof.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace {
 

@@ -19,7 +19,7 @@ from reasons import read_reasons
 
 SOURCE = Path(__file__).resolve().parent.parent.parent
 BUILD = SOURCE / "build" / "coverage"
-ELSEWHERE = "(^/usr|/tests/|/oracles/|/corpus/|/engines/|/properties/|/fuzz/|/report/|/draw/|/certify/|/tools/)"
+ELSEWHERE = "(^/usr|/tests/|/oracles/|/corpus/|/engines/|/properties/|/fuzz/|/reports/|/certify/|/tools/)"
 MOST_SECONDS = 3600
 
 

@@ -29,7 +29,7 @@ corpus::Case falling_cube() {
   return problem;
 }
 
-TEST(Methods, are_ca_gjk_mpr_certified_and_exact_in_both_scalars) {
+TEST(Methods, AreCaGjkMprCertifiedAndExactInBothScalars) {
   EXPECT_EQ(methods(Kind::linear).size(), 10U);
   for (const char* name : {"ca", "gjk", "mpr", "certified", "exact"}) {
     ASSERT_NE(find_method(Kind::linear, name), nullptr);
@@ -43,7 +43,7 @@ TEST(Methods, are_ca_gjk_mpr_certified_and_exact_in_both_scalars) {
   EXPECT_EQ(find_method(Kind::linear, "mp"), nullptr);
 }
 
-TEST(Methods, hit_in_their_own_precision) {
+TEST(Methods, HitInTheirOwnPrecision) {
   for (const Method& method : methods(Kind::linear)) {
     const Answer answer = method.ask(falling_cube(), {.request = Request::everything});
     ASSERT_EQ(answer.outcome, Outcome::hit) << method.full_name();
@@ -53,7 +53,7 @@ TEST(Methods, hit_in_their_own_precision) {
   }
 }
 
-TEST(Methods, see_the_case_rounded_to_their_scalar) {
+TEST(Methods, SeeTheCaseRoundedToTheirScalar) {
   const corpus::Case problem = falling_ball();
   for (const Method& method : methods(Kind::linear)) {
     const corpus::Case seen = method.seen(problem);
@@ -65,7 +65,7 @@ TEST(Methods, see_the_case_rounded_to_their_scalar) {
   }
 }
 
-TEST(Methods, never_answer_another_question_silently) {
+TEST(Methods, NeverAnswerAnotherQuestionSilently) {
   corpus::Case spinning = falling_ball(), overlap = falling_ball();
   spinning.spin_b.rotation = {0, 1e-9, 0};
   overlap.query = corpus::Query::overlap;
@@ -78,7 +78,7 @@ TEST(Methods, never_answer_another_question_silently) {
   }
 }
 
-TEST(Methods, pass_invalid_input_on_with_its_reason) {
+TEST(Methods, PassInvalidInputOnWithItsReason) {
   corpus::Case problem = falling_ball();
   problem.b.orientation = {0, 0, 0, 0};
   for (const Method& method : methods(Kind::linear)) {
@@ -88,11 +88,11 @@ TEST(Methods, pass_invalid_input_on_with_its_reason) {
   }
 }
 
-TEST(Methods, take_time) {
+TEST(Methods, TakeTime) {
   for (const Method& method : methods(Kind::linear)) EXPECT_GT(method.time_ns(falling_cube(), {}, 3), 0);
 }
 
-TEST(Methods, exact_ones_refuse_what_is_not_for_their_tier) {
+TEST(Methods, ExactOnesRefuseWhatIsNotForTheirTier) {
   const auto asked = [](const corpus::Case& problem) {
     for (const char* name : {"exact/double", "exact/float"}) {
       const Answer answer = find_method(Kind::linear, name)->ask(problem, {});
@@ -112,7 +112,7 @@ TEST(Methods, exact_ones_refuse_what_is_not_for_their_tier) {
   EXPECT_FALSE(asked(problem));
 }
 
-TEST(Queries, exact_ones_answer_overlap_swept_overlap_and_line) {
+TEST(Queries, ExactOnesAnswerOverlapSweptOverlapAndLine) {
   int exact = 0;
   for (const Method& method : methods(Kind::query)) {
     EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
@@ -129,13 +129,13 @@ TEST(Queries, exact_ones_answer_overlap_swept_overlap_and_line) {
   EXPECT_EQ(exact, 6);
 }
 
-TEST(Guarantees, have_a_row_for_every_method) {
+TEST(Guarantees, HaveARowForEveryMethod) {
   for (const Method& method : methods(Kind::linear)) {
     EXPECT_NE(find_guarantee(guarantees(), method), nullptr) << method.full_name();
   }
 }
 
-TEST(Guarantees, hold_spheres_and_target_distances_to_the_rounded_constant) {
+TEST(Guarantees, HoldSpheresAndTargetDistancesToTheRoundedConstant) {
   Guarantee row;
   row.kappa_polytope = 1;
   row.kappa_rounded = 2;
@@ -150,7 +150,7 @@ TEST(Guarantees, hold_spheres_and_target_distances_to_the_rounded_constant) {
   EXPECT_EQ(row.contact_kappa(problem), 3);
 }
 
-TEST(Guarantees, allow_tier_exact_nothing) {
+TEST(Guarantees, AllowTierExactNothing) {
   for (const Method& method : methods(Kind::linear)) {
     if (!method.is_exact()) continue;
     const Guarantee& row = *find_guarantee(guarantees(), method);
@@ -160,7 +160,7 @@ TEST(Guarantees, allow_tier_exact_nothing) {
   }
 }
 
-TEST(Guarantees, say_how_much_work_an_answer_takes_at_most) {
+TEST(Guarantees, SayHowMuchWorkAnAnswerTakesAtMost) {
   for (const Guarantee& row : guarantees()) EXPECT_TRUE(row.most_supports) << row.name();
   const auto row = parse_guarantees(R"({"schema": "graze.guarantees/1", "rows": [{"method": "ca",
     "scalar": "float", "tier": "standard", "kappa_polytope": 1, "kappa_rounded": 1, "stall_cap": 0,
@@ -183,14 +183,14 @@ std::string error_of(const std::string& text) {
   }
 }
 
-TEST(Guarantees, a_row_names_the_mechanism_that_needs_more) {
+TEST(Guarantees, ARowNamesTheMechanismThatNeedsMore) {
   EXPECT_EQ(error_of(table_with("1024", R"(, "mechanism": "")")), "");
   EXPECT_NE(error_of(table_with("1025", R"(, "mechanism": "")")).find("rows[0].mechanism"),
             std::string::npos);
   EXPECT_EQ(error_of(table_with("1025", R"(, "mechanism": "so it is")")), "");
 }
 
-TEST(Guarantees, what_is_no_row_is_refused_by_its_field) {
+TEST(Guarantees, WhatIsNoRowIsRefusedByItsField) {
   EXPECT_NE(error_of(table_with("1", "")).find("mechanism"), std::string::npos);
   EXPECT_NE(error_of(table_with("-1", R"(, "mechanism": "")")).find("kappa_polytope"), std::string::npos);
   EXPECT_NE(error_of(table_with("\"1\"", R"(, "mechanism": "")")).find("kappa_polytope"), std::string::npos);

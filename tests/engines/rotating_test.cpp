@@ -27,7 +27,7 @@ double contact_of_turning_bar() {
   return low / 1.5707963267948966;
 }
 
-TEST(RotatingMethods, are_seven_in_both_scalars_and_each_has_a_row) {
+TEST(RotatingMethods, AreSevenInBothScalarsAndEachHasARow) {
   EXPECT_EQ(methods(Kind::rotating).size(), 14U);
   for (const char* name :
        {"steps", "spheres", "ca", "bilateral", "bilateral_published", "plan", "certified"}) {
@@ -45,7 +45,7 @@ TEST(RotatingMethods, are_seven_in_both_scalars_and_each_has_a_row) {
   EXPECT_EQ(find_method(Kind::rotating, "gjk"), nullptr);
 }
 
-TEST(RotatingMethods, find_the_contact_of_a_bar_that_turns_in_their_own_precision) {
+TEST(RotatingMethods, FindTheContactOfABarThatTurnsInTheirOwnPrecision) {
   const double toi = contact_of_turning_bar();
   for (const Method& method : methods(Kind::rotating)) {
     const Answer answer = method.ask(turning_bar(), {.request = Request::everything});
@@ -64,7 +64,7 @@ TEST(RotatingMethods, find_the_contact_of_a_bar_that_turns_in_their_own_precisio
   }
 }
 
-TEST(RotatingMethods, that_prove_what_they_skip_see_a_contact_between_the_ends_of_the_step) {
+TEST(RotatingMethods, ThatProveWhatTheySkipSeeAContactBetweenTheEndsOfTheStep) {
   for (const Method& method : methods(Kind::rotating)) {
     const Answer dips = method.ask(dipping_bar(), {}), above = method.ask(turning_bar_above(), {});
     EXPECT_EQ(above.outcome, Outcome::miss) << method.full_name();
@@ -74,14 +74,14 @@ TEST(RotatingMethods, that_prove_what_they_skip_see_a_contact_between_the_ends_o
   }
 }
 
-TEST(RotatingMethods, steps_pass_what_is_smaller_than_the_motion_between_two) {
+TEST(RotatingMethods, StepsPassWhatIsSmallerThanTheMotionBetweenTwo) {
   const Method& steps = *find_method(Kind::rotating, "steps");
   const Answer coarse = steps.ask(dipping_bar(), {.time_steps = 1});
   EXPECT_EQ(coarse.outcome, Outcome::miss);
   EXPECT_GT(coarse.hidden_motion, 1.0);  // the ends of the bar go half around
 }
 
-TEST(RotatingMethods, see_the_case_rounded_to_their_scalar_the_spin_too) {
+TEST(RotatingMethods, SeeTheCaseRoundedToTheirScalarTheSpinToo) {
   corpus::Case problem = turning_bar();
   problem.spin_a.pivot = {0.1, 0, 0};
   for (const Method& method : methods(Kind::rotating)) {
@@ -94,7 +94,7 @@ TEST(RotatingMethods, see_the_case_rounded_to_their_scalar_the_spin_too) {
   }
 }
 
-TEST(RotatingMethods, the_plan_leaves_out_a_spin_that_cannot_be_seen_until_the_economy_is_switched_off) {
+TEST(RotatingMethods, ThePlanLeavesOutASpinThatCannotBeSeenUntilTheEconomyIsSwitchedOff) {
   const Method& plan = *find_method(Kind::rotating, "plan");
   const Answer spared = plan.ask(spinning_ball(), {});
   EXPECT_EQ(spared.plan.effects, Effects::linear);
@@ -110,7 +110,7 @@ TEST(RotatingMethods, the_plan_leaves_out_a_spin_that_cannot_be_seen_until_the_e
   EXPECT_EQ(plan.plan(spinning_ball(), {}).effects, Effects::linear);
 }
 
-TEST(RotatingMethods, give_a_proof_and_a_time_only_to_those_who_ask) {
+TEST(RotatingMethods, GiveAProofAndATimeOnlyToThoseWhoAsk) {
   for (const Method& method : methods(Kind::rotating)) {
     EXPECT_FALSE(method.ask(turning_bar(), {}).rotating_proof.has_value()) << method.full_name();
   }
@@ -121,7 +121,7 @@ TEST(RotatingMethods, give_a_proof_and_a_time_only_to_those_who_ask) {
   EXPECT_GT(find_method(Kind::rotating, "bilateral")->time_ns(turning_bar(), {}, 1), 0);
 }
 
-TEST(RotatingMethods, never_answer_another_question_silently) {
+TEST(RotatingMethods, NeverAnswerAnotherQuestionSilently) {
   corpus::Case overlap = turning_bar(), ray = turning_bar();
   overlap.query = corpus::Query::overlap;
   ray.t_max = kInfinity<double>;
@@ -137,7 +137,7 @@ TEST(RotatingMethods, never_answer_another_question_silently) {
   EXPECT_EQ(unsupported(Kind::linear, turning_bar()), "a rotating motion");
 }
 
-TEST(GuaranteeRows, of_rotating_casts_say_what_may_go_unseen) {
+TEST(GuaranteeRows, OfRotatingCastsSayWhatMayGoUnseen) {
   const Guarantee* steps = find_guarantee(guarantees(), *find_method(Kind::rotating, "steps"));
   const Guarantee* ca = find_guarantee(guarantees(), *find_method(Kind::rotating, "ca"));
   const Guarantee* published =
@@ -154,7 +154,7 @@ TEST(GuaranteeRows, of_rotating_casts_say_what_may_go_unseen) {
   EXPECT_NE(find_guarantee(guarantees(), *find_method(Kind::linear, "ca")), ca);
 }
 
-TEST(GuaranteeRows, that_let_something_go_unseen_name_the_mechanism_and_are_about_rotating_casts) {
+TEST(GuaranteeRows, ThatLetSomethingGoUnseenNameTheMechanismAndAreAboutRotatingCasts) {
   const auto row = [](const std::string& fields) {
     return R"({"schema": "graze.guarantees/1", "rows": [{"method": "steps", "scalar": "double", "tier": "standard",
       "kappa_polytope": 1, "kappa_rounded": 1, "stall_cap": 0, )" +

@@ -30,7 +30,7 @@ void expect_round_trip(const corpus::Case& problem) {
                                                 << corpus::write_case(back);
 }
 
-TEST(Codec, a_drawn_case_comes_back_bit_for_bit) {
+TEST(Codec, ADrawnCaseComesBackBitForBit) {
   corpus::Random random(1);
   int tried = 0;
   for (int i = 0; i < 500; ++i) {
@@ -42,7 +42,7 @@ TEST(Codec, a_drawn_case_comes_back_bit_for_bit) {
   EXPECT_GE(tried, 490);
 }
 
-TEST(Codec, a_turning_case_comes_back_bit_for_bit) {
+TEST(Codec, ATurningCaseComesBackBitForBit) {
   corpus::Random random(3);
   int turning = 0;
   for (int i = 0; i < 300; ++i) {
@@ -54,7 +54,7 @@ TEST(Codec, a_turning_case_comes_back_bit_for_bit) {
   EXPECT_GE(turning, 200);
 }
 
-TEST(Codec, every_field_of_a_question_comes_back) {
+TEST(Codec, EveryFieldOfAQuestionComesBack) {
   corpus::Case problem;
   problem.spin_a.pivot = {0.1, -0.0, 3};
   problem.spin_b.rotation = {0, 1e-300, 0x1p60};
@@ -74,7 +74,7 @@ TEST(Codec, every_field_of_a_question_comes_back) {
   expect_round_trip(problem);
 }
 
-TEST(Codec, a_hulls_adjacency_comes_back) {
+TEST(Codec, AHullsAdjacencyComesBack) {
   const std::vector<Vec3<double>> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   corpus::Case problem;
   problem.a.shape = with_adjacency<double>(std::span<const Vec3<double>>(corners));
@@ -84,7 +84,7 @@ TEST(Codec, a_hulls_adjacency_comes_back) {
   EXPECT_FALSE(std::get<Hull<double>>(back.b.shape).has_adjacency());
 }
 
-TEST(Codec, what_is_left_over_is_the_tail) {
+TEST(Codec, WhatIsLeftOverIsTheTail) {
   corpus::Random random(4);
   int tried = 0;
   for (int i = 0; i < 100; ++i) {
@@ -99,7 +99,7 @@ TEST(Codec, what_is_left_over_is_the_tail) {
   EXPECT_GE(tried, 90);
 }
 
-TEST(Codec, a_familys_case_comes_back_bit_for_bit) {
+TEST(Codec, AFamilysCaseComesBackBitForBit) {
   int tried = 0;
   for (const corpus::Family& family : corpus::families()) {
     for (const double hardness : family.levels) {
@@ -112,7 +112,7 @@ TEST(Codec, a_familys_case_comes_back_bit_for_bit) {
   EXPECT_GE(tried, 20);
 }
 
-TEST(Codec, decoding_is_total_and_stable) {
+TEST(Codec, DecodingIsTotalAndStable) {
   corpus::Random random(2);
   int refused = 0;
   std::map<std::size_t, int> kinds;
@@ -133,14 +133,14 @@ TEST(Codec, decoding_is_total_and_stable) {
   EXPECT_LE(refused, 400);  // more than nine in ten inputs are questions
 }
 
-TEST(Codec, an_empty_input_is_two_points) {
+TEST(Codec, AnEmptyInputIsTwoPoints) {
   const corpus::Case problem = decode({});
   EXPECT_TRUE(std::holds_alternative<Point<double>>(problem.a.shape));
   EXPECT_TRUE(std::holds_alternative<Point<double>>(problem.b.shape));
   EXPECT_EQ(problem.t_max, 1);
 }
 
-TEST(Codec, nesting_is_bounded_whatever_the_bytes) {
+TEST(Codec, NestingIsBoundedWhateverTheBytes) {
   // A rounding of a rounding of ...: three, then a leaf.
   corpus::Case problem = decode(Bytes(100, 11));
   const Shape<double>* shape = &problem.a.shape;
@@ -158,7 +158,7 @@ TEST(Codec, nesting_is_bounded_whatever_the_bytes) {
   EXPECT_FALSE(encode(problem));
 }
 
-TEST(Codec, a_hull_beyond_128_vertices_is_left_out) {
+TEST(Codec, AHullBeyond128VerticesIsLeftOut) {
   corpus::Case large;
   for (const std::size_t size : {128u, 129u}) {
     large.a.shape =

@@ -50,7 +50,7 @@ int tried(Move move, const Case& problem, const F& f) {
   return count;
 }
 
-TEST(Mutator, a_step_is_one_unit_in_the_last_place) {
+TEST(Mutator, AStepIsOneUnitInTheLastPlace) {
   const Case problem = cube_over_tetrahedron();
   int stepped = 0;
   tried(Move::one_ulp, problem, [&](const Case& after) {
@@ -64,7 +64,7 @@ TEST(Mutator, a_step_is_one_unit_in_the_last_place) {
   EXPECT_GE(stepped, 50);
 }
 
-TEST(Mutator, a_copy_brings_in_no_new_magnitude_but_a_neighbour) {
+TEST(Mutator, ACopyBringsInNoNewMagnitudeButANeighbour) {
   const Case problem = cube_over_tetrahedron();
   const std::vector<double> l = law::scalars(problem);
   const int count = tried(Move::copy, problem, [&](const Case& after) {
@@ -78,7 +78,7 @@ TEST(Mutator, a_copy_brings_in_no_new_magnitude_but_a_neighbour) {
   EXPECT_GE(count, 150);  // a zero quaternion is no move
 }
 
-TEST(Mutator, a_scale_is_a_power_of_two) {
+TEST(Mutator, AScaleIsAPowerOfTwo) {
   const Case problem = cube_over_tetrahedron();
   const int count = tried(Move::scale, problem, [&](const Case& after) {
     const std::vector<double> l = law::scalars(problem), r = law::scalars(after);
@@ -93,7 +93,7 @@ TEST(Mutator, a_scale_is_a_power_of_two) {
 
 // The least distance of a point of one body from a vertex, an edge or a plane of the other is what snapping
 // is about; a vertex on a vertex is the part that is easily told.
-TEST(Mutator, a_snap_puts_features_together) {
+TEST(Mutator, ASnapPutsFeaturesTogether) {
   const Case problem = cube_over_tetrahedron();
   int on_vertex = 0;
   const int count = tried(Move::snap, problem, [&](const Case& after) {
@@ -111,7 +111,7 @@ TEST(Mutator, a_snap_puts_features_together) {
   EXPECT_GE(on_vertex, 40);
 }
 
-TEST(Mutator, a_touch_makes_the_bodies_touch_at_the_start_or_at_a_time_of_the_path) {
+TEST(Mutator, ATouchMakesTheBodiesTouchAtTheStartOrAtATimeOfThePath) {
   const Case problem = cube_over_tetrahedron();
   const engine::Method& exact = *engine::find_method(engine::Kind::linear, "exact");
   int start = 0, end = 0, middle = 0;
@@ -128,7 +128,7 @@ TEST(Mutator, a_touch_makes_the_bodies_touch_at_the_start_or_at_a_time_of_the_pa
   EXPECT_GE(end, 5);
 }
 
-TEST(Mutator, a_duplicate_is_one_vertex_more_and_the_same_hull) {
+TEST(Mutator, ADuplicateIsOneVertexMoreAndTheSameHull) {
   const Case problem = cube_over_tetrahedron();
   const auto& before = std::get<Hull<double>>(problem.a.shape);
   int exact = 0;
@@ -146,14 +146,14 @@ TEST(Mutator, a_duplicate_is_one_vertex_more_and_the_same_hull) {
   EXPECT_LT(exact, count);
 }
 
-TEST(Mutator, a_drop_is_one_vertex_less) {
+TEST(Mutator, ADropIsOneVertexLess) {
   const Case problem = cube_over_tetrahedron();
   EXPECT_GE(tried(Move::drop, problem,
                   [&](const Case& after) { EXPECT_EQ(std::get<Hull<double>>(after.a.shape).size(), 3u); }),
             60);
 }
 
-TEST(Mutator, a_flattened_shape_lies_in_a_plane) {
+TEST(Mutator, AFlattenedShapeLiesInAPlane) {
   const Case problem = cube_over_tetrahedron();
   int flat = 0;
   const int count = tried(Move::flatten, problem, [&](const Case& after) {
@@ -170,7 +170,7 @@ TEST(Mutator, a_flattened_shape_lies_in_a_plane) {
   EXPECT_GE(flat, 100);
 }
 
-TEST(Mutator, an_alignment_changes_a_pose_a_position_or_a_motion) {
+TEST(Mutator, AnAlignmentChangesAPoseAPositionOrAMotion) {
   Case problem = cube_over_tetrahedron();
   problem.b.orientation = {1, 2, 3, 4};
   int identity = 0, along = 0;
@@ -185,7 +185,7 @@ TEST(Mutator, an_alignment_changes_a_pose_a_position_or_a_motion) {
   EXPECT_GE(along, 10);
 }
 
-TEST(Mutator, a_start_changes_the_question_alone) {
+TEST(Mutator, AStartChangesTheQuestionAlone) {
   const Case problem = cube_over_tetrahedron();
   int rays = 0, passing = 0, to_contact = 0;
   const int count = tried(Move::start, problem, [&](const Case& after) {
@@ -205,7 +205,7 @@ TEST(Mutator, a_start_changes_the_question_alone) {
   EXPECT_GE(to_contact, 20);
 }
 
-TEST(Mutator, a_turn_changes_a_spin_alone) {
+TEST(Mutator, ATurnChangesASpinAlone) {
   Case problem = cube_over_tetrahedron();
   problem.spin_a.rotation = {0, 1, 0};
   int quarter = 0, pivots = 0;
@@ -222,7 +222,7 @@ TEST(Mutator, a_turn_changes_a_spin_alone) {
   EXPECT_GE(pivots, 5);
 }
 
-TEST(Mutator, a_body_is_swapped_for_another_cases) {
+TEST(Mutator, ABodyIsSwappedForAnotherCases) {
   const Case problem = cube_over_tetrahedron();
   int other = 0;
   EXPECT_EQ(tried(Move::swap_in, problem,
@@ -234,7 +234,7 @@ TEST(Mutator, a_body_is_swapped_for_another_cases) {
   EXPECT_GE(other, 130);  // about 150, by the compiler; the others are swapped for their like
 }
 
-TEST(Mutator, every_move_applies_to_some_case_and_leaves_the_domain_to_none) {
+TEST(Mutator, EveryMoveAppliesToSomeCaseAndLeavesTheDomainToNone) {
   Random drawn(5);
   std::array<int, kMoveNames.size()> applied = {};
   for (int i = 0; i < 400; ++i) {
@@ -253,7 +253,7 @@ TEST(Mutator, every_move_applies_to_some_case_and_leaves_the_domain_to_none) {
   }
 }
 
-TEST(Mutator, it_is_total_on_bytes_and_depends_on_the_seed_alone) {
+TEST(Mutator, ItIsTotalOnBytesAndDependsOnTheSeedAlone) {
   Random drawn(6);
   int changed = 0, tails = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

@@ -62,7 +62,7 @@ corpus::Case placed(const Named& a, const Named& b, corpus::Random& random, int 
 
 class Pairs : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Pairs, keep_their_rows_with_every_shape) {
+TEST_P(Pairs, KeepTheirRowsWithEveryShape) {
   const Named& a = shapes()[GetParam()];
   int hits = 0, misses = 0;
   for (std::size_t k = 0; k < shapes().size(); ++k) {
@@ -79,7 +79,7 @@ TEST_P(Pairs, keep_their_rows_with_every_shape) {
         ASSERT_NE(method.guarantee, nullptr);
         const engine::Answer answer = method.ask(problem, {.request = Request::everything});
         const law::Judgement judgement = judge(*truth, method, answer, Request::everything, true);
-        if (judgement.not_asked) {
+        if (judgement.skipped) {
           EXPECT_EQ(judgement.wrong, "");
           continue;
         }
@@ -88,7 +88,7 @@ TEST_P(Pairs, keep_their_rows_with_every_shape) {
         // Well-conditioned pairs: what was found is proved. A flat C, and a line that meets an edge or a
         // vertex of it, have no portal whose signs double can see.
         if (answer.outcome == Outcome::miss) {
-          EXPECT_TRUE(judgement.excused || judgement.proof == law::ProofState::accepted);
+          EXPECT_TRUE(judgement.within_tolerance || judgement.proof == law::ProofState::accepted);
         }
         (answer.outcome == Outcome::miss ? misses : hits) += 1;
       }

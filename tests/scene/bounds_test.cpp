@@ -4,9 +4,9 @@
 #include <graze/scene/swept_box.hpp>
 #include <graze/scene/tree.hpp>
 
+#include "tests/bounds/bound_tally.hpp"
+#include "tests/bounds/bound_truth.hpp"
 #include "tests/bounds/describe.hpp"
-#include "tests/bounds/tally.hpp"
-#include "tests/bounds/truth.hpp"
 
 namespace graze::test {
 namespace {

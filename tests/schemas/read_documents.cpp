@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "certify/external/declaration.hpp"
+#include "certify/external/read_answer.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/proof_io.hpp"
-#include "external/answer.hpp"
-#include "external/declaration.hpp"
 #include "scene/format/scene_io.hpp"
 
 namespace graze {

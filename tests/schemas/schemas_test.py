@@ -1,4 +1,4 @@
-"""schemas_test.py SOURCE_DIR GRAZE READ_DOCUMENTS: the JSON Schemas of schemas/ against everything that they describe.
+"""schemas_test.py SOURCE_DIR GRAZE READ_DOCUMENTS: the JSON Schemas of docs/schemas/ against everything that they describe.
 
 - Every case of corpus/, every whole document in docs/, and every question that the host writes is valid.
 - Every change of a sound document (a field left out, one too many, a value of another kind) is refused by the schema where
@@ -337,7 +337,7 @@ def scenes(check, folder, graze):
 
 def main():
     source, graze, reader = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    check = Check(source / "schemas")
+    check = Check(source / "docs/schemas")
     corpus(check, source / "corpus")
     examples(check, source / "docs" / "engines.md", {"engine", "answer"})
     examples(check, source / "docs" / "case-format.md", {"case"})

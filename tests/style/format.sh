@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$1"
 command -v clang-format-14 >/dev/null || { echo "clang-format-14 is missing: packages.txt lists it"; exit 1; }
-mapfile -t files < <(find core scene adapter corpus oracles engines external properties price report draw show viewer certify fuzz tools tests bench examples \
-  -path viewer/node_modules -prune -o \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) -print | sort)
+mapfile -t files < <(find core scene corpus oracles engines properties reports certify fuzz tools tests bench examples \
+  -path reports/viewer/node_modules -prune -o \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) -print | sort)
 ((${#files[@]} > 20)) || { echo "found only ${#files[@]} sources: wrong folder?"; exit 1; }
 # Copies are laid out, all at once, and compared: --dry-run takes the comment that ends an inline namespace for wrong,
 # and would write the same; a process a file takes twenty times as long.

@@ -7,9 +7,9 @@ set -euo pipefail
 cd "$1"
 command -v clang-tidy-14 >/dev/null || { echo "clang-tidy-14 is missing: packages.txt lists it"; exit 1; }
 plain=$2/without_precompiled_headers
-rooms=(adapter certify corpus draw engines external fuzz price properties report scene show tools viewer examples)
+rooms=(certify corpus engines examples fuzz properties reports scene tools)
 mapfile -t sources < <(grep -LE 'CGAL|rapidcheck|properties/generate/generators' $(find "${rooms[@]}" \
-  -path engines/zoo -prune -o -path viewer/node_modules -prune -o -name '*.cpp' -print | sort))
+  -path engines/zoo -prune -o -path reports/viewer/node_modules -prune -o -name '*.cpp' -print | sort))
 ((${#sources[@]} > 10)) || { echo "found only ${#sources[@]} sources: wrong folder?"; exit 1; }
 printf '%s\n' "${sources[@]}" | python3 -B tests/style/tidy_files.py "$2/compile_commands.json" "$plain" core/graze/*.hpp
 failed=0

@@ -53,7 +53,7 @@ for header in sys.argv[3:]:
     entries.append({"directory": library["directory"], "file": os.fspath(file),
                     "command": compiling(library["command"], file, f"{file}.o")})
     alone.append(file)
-for template in sorted(pathlib.Path("adapter/templates").glob("*.cpp")):  # Built by users, and by a test of its own.
+for template in sorted(pathlib.Path("engines/adapter/templates").glob("*.cpp")):  # Built by users, and by a test of its own.
     file = template.resolve()
     entries.append({"directory": library["directory"], "file": os.fspath(file),
                     "command": f"c++ -std=c++17 -Wall -Wextra -I {file.parent.parent} -o {folder}/template.o -c {file}"})

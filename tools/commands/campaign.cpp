@@ -14,13 +14,13 @@
 #include <stdexcept>
 #include <thread>
 
-#include "certify/campaign/run.hpp"
+#include "certify/campaign/campaign_run.hpp"
 #include "certify/campaign/summary.hpp"
 #include "corpus/families.hpp"
 #include "corpus/workloads.hpp"
-#include "report/inputs.hpp"
-#include "report/outputs.hpp"
-#include "report/stop.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/outputs.hpp"
+#include "reports/text/stop.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"
@@ -268,11 +268,11 @@ int run_campaign_command(const CampaignArguments& arguments) {
     signal = StopBySignal::received();
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  const std::vector<std::string> left_behind = engines.finish();
-  for (const std::string& line : left_behind) complain(line);
+  const std::vector<std::string> orphans = engines.finish();
+  for (const std::string& line : orphans) complain(line);
   if (!state.is_complete()) return stopped_by(signal, state, arguments.state);
   const int kept = hand_out(state, arguments.outputs);
-  const int exit_code = kept == 0 && !left_behind.empty() ? 1 : kept;
+  const int exit_code = kept == 0 && !orphans.empty() ? 1 : kept;
   print_cost(state.casts_done() - before, spent.count(), job.threads);
   return exit_code;
 }

@@ -7,8 +7,8 @@
 
 #include "corpus/format/names.hpp"
 #include "properties/edit/case.hpp"
-#include "report/answer_text.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/answer_text.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"

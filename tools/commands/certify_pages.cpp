@@ -10,9 +10,9 @@
 #include "certify/report_page.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "show/page.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

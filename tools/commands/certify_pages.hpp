@@ -11,7 +11,7 @@
 #include "certify/engine_findings.hpp"
 #include "certify/intake.hpp"
 #include "certify/worst_cases.hpp"
-#include "report/outputs.hpp"
+#include "reports/text/outputs.hpp"
 #include "tools/commands/certify_selection.hpp"
 
 namespace graze::tool {

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 
@@ -16,7 +15,7 @@ namespace graze::tool {
 
 using engine::Kind;
 
-Selection::Selection(const CertifyArguments& arguments) : engines_(arguments.engines) {
+Selection::Selection(const JudgedArguments& arguments) : engines_(arguments.engines) {
   if (!arguments.guarantees.empty()) read_table(arguments.guarantees);
   if (const std::vector<std::string> names = arguments.our_methods(); !names.empty()) {
     for (const engine::Method* method : select_methods(names)) {
@@ -88,15 +87,10 @@ std::string first_refused(const corpus::Family& family, std::size_t count, std::
 
 }  // namespace
 
-std::filesystem::path curated_directory(const CertifyArguments& arguments) {
-  return arguments.corpus.empty() ? corpus::corpus_directory() / "cases"
-                                  : std::filesystem::path(arguments.corpus);
-}
-
 bool take_all(Intake& intake, const CertifyArguments& arguments, const Selection& selection) {
   bool bad = false;
   if (arguments.takes_curated()) {
-    const corpus::ReadResult curated = corpus::read_directory(curated_directory(arguments));
+    const corpus::ReadResult curated = corpus::read_directory(arguments.curated_directory());
     for (const corpus::ReadError& error : curated.errors) complain(error.text());
     bad = !curated.ok();
     intake.take("curated", curated.cases, true);

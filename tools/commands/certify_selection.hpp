@@ -1,7 +1,6 @@
 // What `graze certify` judges: the methods that the command line selects, and the cases that they are asked.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace graze::tool {
 // The methods that the command line selects, each with the row that it is held to.
 class Selection {
  public:
-  explicit Selection(const CertifyArguments& arguments);
+  explicit Selection(const JudgedArguments& arguments);
   [[nodiscard]] const Engines& engines() const { return engines_; }
   Selection(const Selection&) = delete;
   Selection& operator=(const Selection&) = delete;
@@ -33,8 +32,6 @@ class Selection {
   Engines engines_;
   std::vector<engine::Method> methods_;
 };
-
-[[nodiscard]] std::filesystem::path curated_directory(const CertifyArguments& arguments);
 
 // The curated corpus, the files and the families that are asked for. True if something could not be read.
 bool take_all(Intake& intake, const CertifyArguments& arguments, const Selection& selection);

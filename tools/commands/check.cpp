@@ -6,8 +6,8 @@
 #include "engines/guarantees.hpp"
 #include "oracles/arithmetic/default_environment.hpp"
 #include "oracles/checker/check_within.hpp"
-#include "report/inputs.hpp"
-#include "report/outputs.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/outputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

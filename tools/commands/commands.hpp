@@ -12,6 +12,8 @@ void add_check_command(CLI::App& app, int& exit_code);
 void add_campaign_command(CLI::App& app, int& exit_code);
 void add_merge_command(CLI::App& app, int& exit_code);
 void add_certify_command(CLI::App& app, int& exit_code);
+void add_laws_command(CLI::App& app, int& exit_code);
+void add_stability_command(CLI::App& app, int& exit_code);
 void add_judge_command(CLI::App& app, int& exit_code);
 void add_generate_command(CLI::App& app, int& exit_code);
 void add_draw_command(CLI::App& app, int& exit_code);
@@ -19,7 +21,6 @@ void add_report_command(CLI::App& app, int& exit_code);
 void add_show_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app, int& exit_code);
 void add_host_command(CLI::App& app, int& exit_code);
-void add_laws_command(CLI::App& app, int& exit_code);
 void add_price_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "corpus/format/case_json.hpp"
-#include "price/compare.hpp"
-#include "report/inputs.hpp"
+#include "reports/price/price_compare.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

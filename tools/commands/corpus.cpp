@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "corpus/format/case_io.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/corpus_add.hpp"
 #include "tools/commands/corpus_files.hpp"
 #include "tools/commands/corpus_verify.hpp"

@@ -12,7 +12,7 @@
 #include "corpus/curate/flags.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/corpus_files.hpp"
 
 namespace graze::tool {

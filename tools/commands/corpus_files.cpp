@@ -9,7 +9,7 @@
 
 #include "corpus/curate/location.hpp"
 #include "oracles/truth/derive.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 
 namespace graze::tool {
 

@@ -12,9 +12,9 @@
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_io.hpp"
 #include "oracles/truth/derive.hpp"
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "report/progress.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/progress.hpp"
 #include "scene/src/parallel.hpp"
 #include "tools/commands/corpus_files.hpp"
 

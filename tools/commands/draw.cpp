@@ -8,10 +8,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "draw/families.hpp"
 #include "engines/method.hpp"
-#include "report/answer_text.hpp"
-#include "report/inputs.hpp"
+#include "reports/drawing/draw_families.hpp"
+#include "reports/text/answer_text.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "certify/external/engine_methods.hpp"
 #include "certify/tally.hpp"
 #include "corpus/format/fields.hpp"
-#include "external/methods.hpp"
 #include "tools/commands/options.hpp"
 
 namespace graze::tool {
@@ -182,6 +182,12 @@ std::vector<std::string> Engines::finish() const {
     }
   }
   return lines;
+}
+
+int with_orphaned_processes(const Engines& engines, int code) {
+  const std::vector<std::string> lines = engines.finish();
+  for (const std::string& line : lines) fmt::print("broken: {}\n", line);
+  return code == 0 && !lines.empty() ? 1 : code;
 }
 
 }  // namespace graze::tool

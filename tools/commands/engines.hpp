@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "external/engine.hpp"
+#include "certify/external/engine.hpp"
 
 namespace graze::tool {
 
@@ -50,5 +50,8 @@ class Engines {
  private:
   std::vector<std::unique_ptr<external::Engine>> engines_;
 };
+
+// Ends each, and says which left processes behind: the exit code of a run that would end with `code`.
+[[nodiscard]] int with_orphaned_processes(const Engines& engines, int code);
 
 }  // namespace graze::tool

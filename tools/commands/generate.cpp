@@ -9,7 +9,7 @@
 #include "corpus/families.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/workloads.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "adapter/host_library.hpp"
+#include "engines/adapter/host_library.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace graze::tool {
@@ -16,7 +16,7 @@ void add_host_command(CLI::App& app, int& exit_code) {
   command->add_option("library", *library, "The library")->type_name("LIB.so")->required();
   command->add_flag("--frames", options->frames,
                     "After the first line, questions and answers as bytes, as graze itself asks them "
-                    "(adapter/host_frames.hpp)");
+                    "(engines/adapter/host_frames.hpp)");
   command->footer(
       "  graze certify --engine ./libmine.so   calls it for each process of the library\n"
       "  graze host ./libmine.so < questions.jsonl > answers.jsonl\n\n"

@@ -12,13 +12,13 @@
 
 #include "certify/certification.hpp"
 #include "certify/engine_report.hpp"
+#include "certify/external/read_answer.hpp"
+#include "certify/external/recorded.hpp"
 #include "certify/report.hpp"
 #include "corpus/curate/location.hpp"
 #include "corpus/format/case_json.hpp"
-#include "external/answer.hpp"
-#include "external/recorded.hpp"
-#include "report/inputs.hpp"
-#include "report/stop.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/stop.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"
@@ -191,7 +191,7 @@ int run_judge_command(const JudgeArguments& arguments) {
   std::vector<std::string> told;  // of --full: an answer at fault each
   settings.judged = [&](const Suite& suite, std::size_t i, const engine::Method&,
                         const law::Judgement& judgement) {
-    if (judgement.not_asked || !judgement.faulty()) return;
+    if (judgement.skipped || !judgement.faulty()) return;
     ++faulty;
     if (!arguments.full) return;
     told.push_back(fmt::format("{}  {}  {}", suite.at(i).id, law::kFaultKinds[judgement.worst_fault()].name,

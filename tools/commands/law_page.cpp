@@ -37,14 +37,14 @@ constexpr const char* kPreamble =
 # Laws
 
 A law is one sentence about every answer of every method. It is a plain function of a case and a method, so that the
-tests, the fuzzers, the campaigns and `graze certify --laws` call the same one; it never throws, and it answers: holds,
+tests, the fuzzers, the campaigns and `graze laws` call the same one; it never throws, and it answers: holds,
 broken with a reason, or not applicable. {} laws speak about linear casts, {} about the queries beside the cast, {} about
 casts of bodies that turn. `kappa u scale` is the length that the method's row of [guarantees.md](guarantees.md)
 grants it.
 
-    graze certify --laws                                     # every law, on the corpus and every family
-    graze certify --laws --law never_late mine.jsonl         # one law, on cases of your own
-    graze certify --laws --engine ./mine                     # those that an engine of others can be asked (engines.md)
+    graze laws                                               # every law, on the corpus and every family
+    graze laws --law never_late mine.jsonl                   # one law, on cases of your own
+    graze laws --engine ./mine                               # those that an engine of others can be asked (engines.md)
     ctest -L property                                        # the same laws, with shrinking, over drawn cases too
 
 Where a law breaks, the case is made small (few vertices, small integers) by the law and the method that it broke, and
@@ -54,7 +54,7 @@ folder of a test run, else it is `findings/` of the build.
 A law that sees nothing says nothing. So a run over the families fails, too, if a law never applied, never saw a hit, a
 miss or a start in contact, or was never reached by a family of its kind, but for what is listed [below](#out-of-reach).
 
-And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/` which, applied
+And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/patches/` which, applied
 to a copy of the library, it is known to notice; `./run defects --write` tries them, and writes who notices which.
 )";
 
@@ -100,7 +100,7 @@ std::map<std::string, std::vector<std::string>> noticed(std::span<const Law> law
       const auto found = by_law.find(law);
       if (found == by_law.end()) {
         throw std::runtime_error(
-            fmt::format("{}.patch: {} is no law; `graze laws` lists them", defect.name, law));
+            fmt::format("{}.patch: {} is no law; `graze laws --list` lists them", defect.name, law));
       }
       found->second.push_back(defect.name);
     }
@@ -136,8 +136,9 @@ std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory) 
     if (entry.path().extension() == ".patch") files.push_back(entry.path());
   }
   if (files.empty()) {
-    throw std::runtime_error(directory.string() +
-                             ": holds no .patch; name the folder properties/defects of the source tree");
+    throw std::runtime_error(
+        directory.string() +
+        ": holds no .patch; name the folder properties/defects/patches of the source tree");
   }
   std::sort(files.begin(), files.end());
   std::vector<PlantedDefect> defects;
@@ -189,7 +190,7 @@ std::string law_page(std::span<const Law> laws, std::span<const PlantedDefect> d
                   reach_table());
   if (!law::known_breaches().empty()) {
     text += fmt::format(
-        "\n## Broken\n\nKnown failures: `graze certify --laws` reports them and fails; the tests "
+        "\n## Broken\n\nKnown failures: `graze laws` reports them and fails; the tests "
         "go on without them, and fail once they are mended.\n\n{}",
         breach_table());
   }

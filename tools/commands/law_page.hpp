@@ -11,7 +11,7 @@
 
 namespace graze::tool {
 
-// A patch of properties/defects: what is wrong, and the laws that it says notice.
+// A patch of properties/defects/patches: what is wrong, and the laws that it says notice.
 struct PlantedDefect {
   std::string name, what;
   std::vector<std::string> laws;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "certify/campaign/summary.hpp"
-#include "report/outputs.hpp"
+#include "reports/text/outputs.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace graze::tool {

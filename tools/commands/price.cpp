@@ -10,15 +10,15 @@
 
 #include "corpus/format/case_json.hpp"
 #include "corpus/workloads.hpp"
-#include "price/advice.hpp"
-#include "price/run.hpp"
-#include "price/screen.hpp"
-#include "price/sentences.hpp"
-#include "price/workloads.hpp"
-#include "report/inputs.hpp"
-#include "report/stop.hpp"
-#include "show/page.hpp"
-#include "show/price_page.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/price_page.hpp"
+#include "reports/price/advice.hpp"
+#include "reports/price/price_run.hpp"
+#include "reports/price/price_workloads.hpp"
+#include "reports/price/screen.hpp"
+#include "reports/price/sentences.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/stop.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"
@@ -169,8 +169,8 @@ int run_price_command(const PriceArguments& arguments) {
   document.machine = price::this_machine();
   document.advice = price::advice_of(document);
   document.sentences = price::sentences_of(document);
-  const std::vector<std::string> left_behind = engines.finish();
-  for (const std::string& line : left_behind) complain(line);
+  const std::vector<std::string> orphans = engines.finish();
+  for (const std::string& line : orphans) complain(line);
   write_json(arguments, document);
   if (!arguments.csv.empty()) write_whole(arguments.csv, price::csv_of(document));
   write_report(arguments, document);
@@ -187,7 +187,7 @@ int run_price_command(const PriceArguments& arguments) {
       complain("stopped; the same command with --continue goes on from here");
     return 128 + signal;
   }
-  return left_behind.empty() ? 0 : 1;
+  return orphans.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -221,7 +221,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
   command->add_flag("--full", arguments->full, "Print every row of every table");
   command
       ->add_option("--json", arguments->json,
-                   "Write everything to this file (schemas/graze.price.schema.json), after every table")
+                   "Write everything to this file (docs/schemas/graze.price.schema.json), after every table")
       ->type_name("OUT.json");
   command->add_option("--csv", arguments->csv, "Write every row of every table to this file")
       ->type_name("OUT.csv");
@@ -255,7 +255,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "  graze price --only smooth --only polytopes --full\n"
       "  graze price --engine ./my_engine --only polytopes    it stands in the tables if it times its calls\n"
       "  graze price --report DIR                             a page to look at: DIR/index.html\n"
-      "  python3 price/figures.py price.json figures          every figure\n"
+      "  python3 reports/price/figures.py price.json figures  every figure\n"
       "  graze price --workloads 1000                         what the steps of simulations cost\n"
       "  graze compare old.json price.json                    what got slower, what less accurate?\n\n"
       "Exit code: 0; 2 for bad input; 130 if it was stopped.");

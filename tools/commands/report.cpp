@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "corpus/format/case_json.hpp"
-#include "report/inputs.hpp"
-#include "show/page.hpp"
-#include "show/price_page.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/price_page.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace graze::tool {

@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <thread>
 
-#include "report/counted.hpp"
-#include "report/inputs.hpp"
-#include "report/progress.hpp"
-#include "report/stop.hpp"
-#include "report/table.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/play.hpp"
+#include "reports/text/counted.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/progress.hpp"
+#include "reports/text/stop.hpp"
+#include "reports/text/table.hpp"
 #include "scene/format/report_json.hpp"
-#include "show/page.hpp"
-#include "show/play.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/options.hpp"
 #include "tools/commands/scene_steps.hpp"

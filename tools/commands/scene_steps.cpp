@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "report/stop.hpp"
+#include "reports/text/stop.hpp"
 
 namespace graze::tool {
 namespace {

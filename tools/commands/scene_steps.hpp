@@ -1,7 +1,7 @@
 // graze scene --steps: what a memory of the step before spares.
 #pragma once
 
-#include "report/table.hpp"
+#include "reports/text/table.hpp"
 #include "scene/format/scene_io.hpp"
 
 namespace graze::tool {

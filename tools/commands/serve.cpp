@@ -6,13 +6,13 @@
 #include <memory>
 #include <stdexcept>
 
+#include "certify/external/declaration.hpp"
 #include "corpus/format/case_json.hpp"
 #include "corpus/format/names.hpp"
 #include "corpus/format/proof_io.hpp"
 #include "corpus/format/shape_json.hpp"
 #include "engines/guarantees.hpp"
-#include "external/declaration.hpp"
-#include "report/inputs.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace graze::tool {

@@ -6,15 +6,15 @@
 #include <memory>
 #include <stdexcept>
 
+#include "certify/external/read_answer.hpp"
+#include "certify/external/recorded.hpp"
 #include "corpus/format/case_io.hpp"
 #include "corpus/format/case_json.hpp"
-#include "draw/draw.hpp"
-#include "external/answer.hpp"
-#include "external/recorded.hpp"
-#include "report/answer_text.hpp"
-#include "report/inputs.hpp"
-#include "show/page.hpp"
-#include "show/scene.hpp"
+#include "reports/drawing/draw.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/page_scene.hpp"
+#include "reports/text/answer_text.hpp"
+#include "reports/text/inputs.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/engines.hpp"
 #include "tools/commands/options.hpp"

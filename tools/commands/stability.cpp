@@ -1,5 +1,4 @@
-#include "tools/commands/stability.hpp"
-
+// graze stability: measures the families one by one, prints what it finds, draws the curves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +6,25 @@
 #include <iterator>
 #include <memory>
 
+#include "certify/built_in.hpp"
+#include "certify/stability.hpp"
 #include "certify/stability_plot.hpp"
 #include "certify/stability_report.hpp"
-#include "report/inputs.hpp"
-#include "report/stop.hpp"
+#include "reports/text/inputs.hpp"
+#include "reports/text/stop.hpp"
+#include "tools/commands/certify_selection.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/commands/judged_options.hpp"
 
 namespace graze::tool {
 namespace {
+
+// Cases of each level of a family: the oracle measures every one, of curved shapes in tens of milliseconds.
+constexpr std::size_t kLevelCases = 40, kRotatingLevelCases = 12;
+
+struct StabilityArguments : JudgedArguments {
+  std::string plot;  // the folder of the pictures; empty for none
+};
 
 bool is_measured(const corpus::Family& family, const StabilitySettings& settings) {
   const engine::Kind kind = family.rotating ? engine::Kind::rotating : engine::Kind::linear;
@@ -47,23 +58,27 @@ void print_tables(const std::vector<Curve>& curves) {
   fmt::print("Summary: each method at its worst over all families\n\n{}\n", summary_table(curves));
 }
 
-}  // namespace
-
-int run_stability(const StabilityRun& given) {
-  StabilityRun run = given;
+// The exit code: 1 if a method breaks its row, 2 if there is nothing to measure; of a stop by signal 128 and its number.
+int measure(const StabilityArguments& run, const Selection& selection) {
+  StabilitySettings settings{.methods = selection.all(),
+                             .count = run.count.value_or(kLevelCases),
+                             .rotating_count = run.rotating.value_or(kRotatingLevelCases),
+                             .seed = run.seed,
+                             .threads = run.most_threads()};
+  const std::vector<const corpus::Family*> families = wanted_families(run.families, false);
   const StopBySignal signals;
-  run.settings.stop = [] { return StopBySignal::received() != 0; };
+  settings.stop = [] { return StopBySignal::received() != 0; };
   std::unique_ptr<OutputFile> save;
   if (!run.save.empty()) save = std::make_unique<OutputFile>(run.save);
   std::vector<Curve> curves;
   std::vector<std::string> unfinished;
-  for (const corpus::Family* family : run.families) {
-    if (!is_measured(*family, run.settings)) continue;
-    FamilyStability measured = measure_family(*family, run.settings);
+  for (const corpus::Family* family : families) {
+    if (!is_measured(*family, settings)) continue;
+    FamilyStability measured = measure_family(*family, settings);
     if (measured.stopped) unfinished.push_back(measured.family);
     if (measured.stopped && measured.cases == 0) continue;
     fmt::print("{}\n", family_line(measured));
-    if (run.by_level) fmt::print("\n{}\n", level_table(measured));
+    if (!run.families.empty()) fmt::print("\n{}\n", level_table(measured));
     if (!run.plot.empty()) print_drawn(draw_family(measured, run.plot));
     std::fflush(stdout);  // a run that is stopped has shown the families that it finished
     if (save) {
@@ -89,6 +104,44 @@ int run_stability(const StabilityRun& given) {
                          : "Every method is as stable as its row of the guarantee table says.");
   if (const int signal = StopBySignal::received(); signal != 0) return 128 + signal;
   return broken.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app, int& exit_code) {
+  const auto arguments = std::make_shared<StabilityArguments>();
+  CLI::App* command = app.add_subcommand(
+      "stability", "How does the error of each method grow with hardness? Measures curves by the oracle.");
+  add_judged_options(*command, *arguments, fmt::format("Cases of each level of hardness ({})", kLevelCases),
+                     fmt::format("The same of a rotating family ({})", kRotatingLevelCases));
+  command
+      ->add_option("--plot", arguments->plot,
+                   "Write the data and the pictures of error against hardness into this folder")
+      ->type_name("DIR");
+  command
+      ->add_option("--save", arguments->save,
+                   "Write the cases that a method got wrong or stalled on to this file")
+      ->type_name("OUT.jsonl");
+  add_engine_options(*command, arguments->engines);
+  add_promise_options(*command, arguments->engines);
+  add_need_options(*command, arguments->engines);
+  add_guarantees_option(*command, *arguments);
+  command->footer(
+      "Every case is measured by the oracle (docs/stability.md). With --family the curves are printed, level "
+      "by "
+      "level.\n\n"
+      "  graze stability --plot curves\n"
+      "  graze stability --family parallel_edges --count 200 --method mpr/double\n"
+      "  graze stability --engine ./my_engine\n\n"
+      "Exit code: 0 if every method is as stable as its row of the guarantee table says, 1 if one is not, 2 "
+      "for "
+      "bad input,\nand if there is nothing to measure.");
+  command->callback([arguments, command, &exit_code] {
+    require_engine(*command);
+    if (!arguments->plot.empty()) require_folder(arguments->plot);
+    const Selection selection(*arguments);
+    exit_code = with_orphaned_processes(selection.engines(), measure(*arguments, selection));
+  });
 }
 
 }  // namespace graze::tool

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "oracles/checker/check_proof.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/tables.hpp"
 
 namespace graze::law {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/tables.hpp"
 
 namespace graze::law {

@@ -6,7 +6,7 @@
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/exact_answer.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/tables.hpp"
 
 namespace graze::law {

@@ -20,7 +20,7 @@ using engine::Method;
 
 namespace {
 
-// The difference of two answers to one time that raises no question, as agree() of judge/linear.cpp has it.
+// The difference of two answers to one time that raises no question, as agree() of judge/linear_faults.cpp has it.
 double slack(const Method& method) { return 16 * method.unit_roundoff; }
 
 Case reporting(Case problem) {

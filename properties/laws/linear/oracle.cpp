@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/judge/own_frames.hpp"
 #include "properties/laws/tables.hpp"
 

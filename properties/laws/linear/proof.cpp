@@ -7,7 +7,7 @@
 
 #include "oracles/checker/check_proof.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/tables.hpp"
 
 namespace graze::law {

@@ -7,7 +7,7 @@
 
 #include "properties/edit/case.hpp"
 #include "properties/edit/same_body.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
 #include "properties/laws/tables.hpp"

@@ -11,7 +11,7 @@
 #include "engines/guarantees.hpp"
 #include "oracles/polytope/exact_body.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/judge/own_frames.hpp"
 #include "properties/laws/queries/question.hpp"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
 #include "properties/laws/tables.hpp"
@@ -64,7 +64,7 @@ Gap gap_by(const Method& method, const Case& seen) {
   return gap;
 }
 
-std::string pair_of(const Gap& one, const Gap& two) { return one.text + "; against " + two.text; }
+std::string both_texts(const Gap& one, const Gap& two) { return one.text + "; against " + two.text; }
 
 LawResult held(const Answer& answer) { return holds({label_of(answer.outcome)}); }
 
@@ -107,7 +107,8 @@ LawResult growing_closes_gaps(const Case& problem, const Method& method) {
     const Gap one = gap_by(method, question->seen), two = gap_by(method, more->seen);
     const double wider = two.bracket.lower - one.bracket.upper;
     if (wider > one.limit + two.limit) {
-      return broken(fmt::format("a superset is {} farther away, or less deep: {}", wider, pair_of(one, two)));
+      return broken(
+          fmt::format("a superset is {} farther away, or less deep: {}", wider, both_texts(one, two)));
     }
     return held(one.answer);
   }
@@ -136,7 +137,7 @@ LawResult rounding_takes_its_radius(const Case& problem, const Method& method) {
   const double off = apart(expected, two.bracket);
   if (off > one.limit + two.limit) {
     return broken(fmt::format("rounded by {} the gap is off by {}, the rows allow {}: {}", decimal(r), off,
-                              one.limit + two.limit, pair_of(one, two)));
+                              one.limit + two.limit, both_texts(one, two)));
   }
   return held(two.answer);
 }
@@ -170,11 +171,11 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   const Interval expected{one.bracket.lower + s, (a - b - s * n).norm()};
   if (two.bracket.upper < expected.lower - allowed) {
     return broken(fmt::format("B moved by {} along the normal is nearer than {}: {}", decimal(s),
-                              decimal(expected.lower), pair_of(one, two)));
+                              decimal(expected.lower), both_texts(one, two)));
   }
   if (two.bracket.lower > expected.upper + allowed) {
     return broken(fmt::format("B moved by {} along the normal is farther than {}: {}", decimal(s),
-                              decimal(expected.upper), pair_of(one, two)));
+                              decimal(expected.upper), both_texts(one, two)));
   }
   return held(one.answer);
 }

@@ -8,7 +8,7 @@
 
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/queries/question.hpp"
 #include "properties/laws/tables.hpp"

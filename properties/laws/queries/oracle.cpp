@@ -1,6 +1,6 @@
 // The queries' answers against the exact oracle, each method by its row.
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/tables.hpp"
 
@@ -22,7 +22,7 @@ LawResult judged_by(std::string Judgement::*fault, const Case& problem, const Me
     return broken(reason + ": " + describe(answer));
   LawResult result = holds({label_of(answer.outcome)});
   if (judgement->stalled) result.labels.push_back("not_converged");
-  if (judgement->excused) result.labels.push_back("within the limit");
+  if (judgement->within_tolerance) result.labels.push_back("within the limit");
   return result;
 }
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -1,4 +1,4 @@
-// The laws of the start policy pass_over where a rotation is visible (judge/followed.hpp).
+// The laws of the start policy pass_over where a rotation is visible (judge/judge_followed.hpp).
 //
 // Few drawn cases start in contact, so one is made of each that has a hit: the bodies stand where they meet, and go on as
 // they came, or back, or slide and spin on the contact's plane. Of the last the truth is known: n separates the bodies, one
@@ -10,9 +10,9 @@
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/edit/turning.hpp"
-#include "properties/judge/followed.hpp"
 #include "properties/judge/judge.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/judge_followed.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 
@@ -83,7 +83,7 @@ LawResult judged(const Case& problem, const Method& method, Motion motion) {
   try {
     Truth truth(*start);
     const Judgement judgement = judge(truth, method, answer, request, true);
-    if (judgement.not_asked) return no_rotating_question();
+    if (judgement.skipped) return no_rotating_question();
     if (judgement.faulty()) return broken(judgement.fault() + ": " + describe(answer));
     if (motion == Motion::along_the_plane && judgement.stalled)
       return broken("a spin on the plane of the contact is left open: " + describe(answer));

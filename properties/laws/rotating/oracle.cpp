@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engines/method.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/followed.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/judge_followed.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "engines/method.hpp"
 #include "oracles/checker/check_rotating_proof.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 

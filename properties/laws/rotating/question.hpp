@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-#include "properties/judge/rotating.hpp"
+#include "properties/judge/rotating_errors.hpp"
 #include "properties/laws/law.hpp"
 
 namespace graze::law {

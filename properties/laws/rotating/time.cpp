@@ -10,7 +10,7 @@
 #include "engines/method.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/edit/turning.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "properties/laws/tables.hpp"
 

@@ -48,7 +48,7 @@ void expect_equal(const Both& x) {
   ASSERT_LT(abs(scaled - mpq_class(x.own.leading())), mpq_class(std::numeric_limits<double>::epsilon()));
 }
 
-TEST(Dyadic, sums_differences_and_products_are_gmps) {
+TEST(Dyadic, SumsDifferencesAndProductsAreGmps) {
   corpus::Random random(20261121);
   for (int round = 0; round < 4000; ++round) {
     std::vector<Both> known;
@@ -72,7 +72,7 @@ TEST(Dyadic, sums_differences_and_products_are_gmps) {
   }
 }
 
-TEST(Dyadic, neighbours_differ_by_the_last_bit) {
+TEST(Dyadic, NeighboursDifferByTheLastBit) {
   for (const double x : {1.0, 0x1p-1074, 0x1.fffffffffffffp1023, 1e-60, 3.0}) {
     const double below = std::nextafter(x, 0.0);
     EXPECT_EQ((Dyadic(x) - Dyadic(below)).sign(), 1);
@@ -81,7 +81,7 @@ TEST(Dyadic, neighbours_differ_by_the_last_bit) {
 }
 
 // The room is for 10,240 bits; one more is refused, and stays refused.
-TEST(Dyadic, beyond_its_room_it_is_invalid_and_stays_so) {
+TEST(Dyadic, BeyondItsRoomItIsInvalidAndStaysSo) {
   const Dyadic one(1), small(0x1p-1000);
   Dyadic power = small;
   int factors = 1;

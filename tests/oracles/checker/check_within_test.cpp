@@ -52,7 +52,7 @@ void expect_needs(const ProofRecord& record, double kappa, const char* what) {
                                     << check_record_within(record, {.of_proof = kappa}).detail;
 }
 
-TEST(CheckWithin, grants_nothing_that_is_not_needed) {
+TEST(CheckWithin, GrantsNothingThatIsNotNeeded) {
   bool exactly = false;
   EXPECT_EQ(check_record_within(triangle_and_point(), {.of_proof = 16}, &exactly).finding,
             RecordFinding::accepted);
@@ -68,7 +68,7 @@ TEST(CheckWithin, grants_nothing_that_is_not_needed) {
 // Lengths of which u scale of triangle and point, whose scale is sqrt(18), is one to within a hundredth.
 const double kGranted = kU * std::sqrt(18.0);
 
-TEST(CheckWithin, grants_a_time_its_way) {
+TEST(CheckWithin, GrantsATimeItsWay) {
   // By 2^-30 of t the point goes 2^-28.
   const double kappa = 1.0625 * 0x1p-28 / kGranted;
   ProofRecord late = triangle_and_point(), early = late;
@@ -83,14 +83,14 @@ TEST(CheckWithin, grants_a_time_its_way) {
   expect_needs(late, kappa, "late by a symbolic axis");
 }
 
-TEST(CheckWithin, grants_an_axis_that_is_tilted) {
+TEST(CheckWithin, GrantsAnAxisThatIsTilted) {
   ProofRecord record = triangle_and_point();
   record.proof.axis = {1, 0x1p-30, 0};
   // The corner at y = 2 stands out by 2^-29 then.
   expect_needs(record, 1.0625 * 0x1p-29 / kGranted, "tilted");
 }
 
-TEST(CheckWithin, grants_a_miss_that_touches) {
+TEST(CheckWithin, GrantsAMissThatTouches) {
   ProofRecord record = triangle_and_point();
   record.problem.b.position = {4, -1, 0};  // along the edge y = -1
   record.outcome = Outcome::miss;
@@ -105,7 +105,7 @@ TEST(CheckWithin, grants_a_miss_that_touches) {
   expect_needs(record, 1.0625 * 0x1p-30 / kGranted, "a miss");
 }
 
-TEST(CheckWithin, grants_points_that_lie_just_outside) {
+TEST(CheckWithin, GrantsPointsThatLieJustOutside) {
   ProofRecord record = ball_and_point();
   EXPECT_TRUE(holds(record, 0));
   record.proof.portal[0].a.offset = {1 + 0x1p-40, 0, 0};
@@ -122,7 +122,7 @@ TEST(CheckWithin, grants_points_that_lie_just_outside) {
   expect_needs(record, 1.0625 * 16 * 0x1p-40 / (scale * kU), "a point of an ellipsoid");
 }
 
-TEST(CheckWithin, takes_the_unit_roundoff_of_the_scalar) {
+TEST(CheckWithin, TakesTheUnitRoundoffOfTheScalar) {
   ProofRecord record = triangle_and_point();
   record.proof.axis = {1, static_cast<double>(0x1p-24F), 0};
   EXPECT_FALSE(holds(record, 8));
@@ -133,7 +133,7 @@ TEST(CheckWithin, takes_the_unit_roundoff_of_the_scalar) {
 // A point passes another by `apart`, where t is 1/2. An axis along the path proves that there is no contact before 0.9;
 // a portal of the two points themselves lies on the path to within `apart`. No set within that has its first
 // contact at 0.9: the points are 3.2 apart then.
-TEST(CheckWithin, wants_one_set_for_both_halves) {
+TEST(CheckWithin, WantsOneSetForBothHalves) {
   constexpr double kApart = 0x1p-20;
   ProofRecord record;
   record.problem.b.position = {4, kApart, 0};
@@ -164,7 +164,7 @@ TEST(CheckWithin, wants_one_set_for_both_halves) {
   EXPECT_FALSE(holds(record, kappa));
 }
 
-TEST(CheckWithin, grants_no_form_and_no_contradiction) {
+TEST(CheckWithin, GrantsNoFormAndNoContradiction) {
   ProofRecord record = triangle_and_point();
   record.proof.portal[0].a.vertex = 3;
   EXPECT_FALSE(holds(record, 1e6));

@@ -50,7 +50,7 @@ std::set<std::pair<IntVec, Integer>> planes(const ConvexHull& hull, int shift) {
   return out;
 }
 
-TEST(ExactCso, of_any_size_the_hull_is_the_same) {
+TEST(ExactCso, OfAnySizeTheHullIsTheSame) {
   std::mt19937_64 random(17);
   for (int round = 0; round < 8; ++round) {
     // Of 97 bits; of up to 160, which fit into the wide integers; of 161 and of 497.
@@ -74,7 +74,7 @@ TEST(ExactCso, of_any_size_the_hull_is_the_same) {
   }
 }
 
-TEST(ExactCso, of_a_box_about_the_origin_the_faces_are_six) {
+TEST(ExactCso, OfABoxAboutTheOriginTheFacesAreSix) {
   std::vector<IntVec> points = {{0, 0, 0}};
   for (const long x : {-1, 0, 2}) {
     for (const long y : {-3, 0, 1}) {

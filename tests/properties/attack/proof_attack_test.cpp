@@ -55,7 +55,7 @@ Judgement::Kind judged(const Case& problem, double lower, double upper, std::opt
 }
 constexpr Judgement::Kind kAgreed = Judgement::Kind::agreed, kContradicted = Judgement::Kind::contradicted;
 
-TEST(ClaimJudge, convicts_a_miss_through_a_post) {
+TEST(ClaimJudge, ConvictsAMissThroughAPost) {
   EXPECT_EQ(judged(bar_and_post(), kNever, kNever), kContradicted);
   // The pivot of a body that does not turn is no excuse.
   Case with_pivot = bar_and_post();
@@ -64,14 +64,14 @@ TEST(ClaimJudge, convicts_a_miss_through_a_post) {
   EXPECT_EQ(judged(with_pivot, 0.125, kNever), kAgreed);
 }
 
-TEST(ClaimJudge, convicts_a_ball_without_its_radius) {
+TEST(ClaimJudge, ConvictsABallWithoutItsRadius) {
   EXPECT_EQ(judged(ball_on_an_arm(), kNever, kNever), kContradicted);
   Case farther = ball_on_an_arm();
   farther.b.position[1] = 6.0625;
   EXPECT_EQ(judged(farther, kNever, kNever), kAgreed);
 }
 
-TEST(ClaimJudge, tells_one_unit_in_the_last_place_of_a_linear_time) {
+TEST(ClaimJudge, TellsOneUnitInTheLastPlaceOfALinearTime) {
   const Case problem = cube_and_cube();
   EXPECT_EQ(judged(problem, 0.625, 0.625), kAgreed);
   EXPECT_EQ(judged(problem, std::nextafter(0.625, 1), kNever), kContradicted);
@@ -80,7 +80,7 @@ TEST(ClaimJudge, tells_one_unit_in_the_last_place_of_a_linear_time) {
 }
 
 // The cube goes 4 in a unit of t.
-TEST(ClaimJudge, grants_as_much_as_it_is_told) {
+TEST(ClaimJudge, GrantsAsMuchAsItIsTold) {
   ClaimJudge judge(cube_and_cube());
   constexpr double kOff = 0x1p-20;
   EXPECT_EQ(judge.judge_within({0.625, 0.625, {}}, 0x1p-40).kind, kAgreed);
@@ -94,7 +94,7 @@ TEST(ClaimJudge, grants_as_much_as_it_is_told) {
   EXPECT_EQ(judge.judge_within({0.25, 0.375, {}}, 0.5).kind, kContradicted);
 }
 
-TEST(ClaimJudge, hears_the_outcome_where_it_is_claimed) {
+TEST(ClaimJudge, HearsTheOutcomeWhereItIsClaimed) {
   const Case problem = cube_and_cube();
   EXPECT_EQ(judged(problem, 0.625, 0.625, Outcome::hit), kAgreed);
   EXPECT_EQ(judged(problem, 0.625, 0.625, Outcome::miss), kContradicted);
@@ -103,7 +103,7 @@ TEST(ClaimJudge, hears_the_outcome_where_it_is_claimed) {
   EXPECT_EQ(judged(problem, 0, kNever, Outcome::not_converged), kAgreed);
 }
 
-TEST(SampledContact, proves_what_it_sees_and_nothing_else) {
+TEST(SampledContact, ProvesWhatItSeesAndNothingElse) {
   oracle::SampledContact seen(bar_and_post());
   EXPECT_TRUE(seen.look_at(0.25));  // the bar stands on the post
   EXPECT_EQ(seen.earliest(), 0.25);
@@ -133,7 +133,7 @@ bool same_as_before(const ProofRecord& record) {
   return same(meaning_of(turning_record(), true), meaning_of(record, true));
 }
 
-TEST(Meaning, forgets_what_is_only_written_otherwise) {
+TEST(Meaning, ForgetsWhatIsOnlyWrittenOtherwise) {
   ProofRecord record = turning_record();
   RotatingProof& proof = *record.rotating;
   record.problem.id = "another";
@@ -148,7 +148,7 @@ TEST(Meaning, forgets_what_is_only_written_otherwise) {
   EXPECT_TRUE(same_as_before(record));
 }
 
-TEST(Meaning, keeps_what_matters) {
+TEST(Meaning, KeepsWhatMatters) {
   const auto changed = [](auto change) {
     ProofRecord record = turning_record();
     change(record);
@@ -177,7 +177,7 @@ bool can_be(Outcome outcome, std::optional<corpus::StatedBracket> toi = {}) {
   return has_a_time(record);
 }
 
-TEST(HasATime, tells_what_a_proof_rules_out) {
+TEST(HasATime, TellsWhatAProofRulesOut) {
   EXPECT_TRUE(can_be(Outcome::hit));
   EXPECT_TRUE(can_be(Outcome::not_converged));
   EXPECT_FALSE(can_be(Outcome::miss));
@@ -188,7 +188,7 @@ TEST(HasATime, tells_what_a_proof_rules_out) {
   EXPECT_FALSE(can_be(Outcome::hit, {{std::nextafter(0.25, 1), kNever}}));
 }
 
-TEST(HasATime, takes_what_is_after_the_step_for_a_miss) {
+TEST(HasATime, TakesWhatIsAfterTheStepForAMiss) {
   ProofRecord record = turning_record();
   *record.rotating = {};
   record.rotating->toi_lower = kNever;
@@ -206,7 +206,7 @@ std::string first_of(const std::vector<Finding>& found) {
   return found.empty() ? "" : text_of(found.front());
 }
 
-TEST(ProofAttack, no_accepted_mutant_is_contradicted) {
+TEST(ProofAttack, NoAcceptedMutantIsContradicted) {
   constexpr std::uint64_t kRounds = 500, kSeed = 1;
   Tally tally;
   for (std::uint64_t number = 0; number < kRounds; ++number) {
@@ -224,7 +224,7 @@ TEST(ProofAttack, no_accepted_mutant_is_contradicted) {
   }
 }
 
-TEST(ProofAttack, none_is_with_subnormal_numbers_flushed) {
+TEST(ProofAttack, NoneIsWithSubnormalNumbersFlushed) {
   if (!can_flush_subnormals()) return;
   constexpr std::uint64_t kRounds = 60, kSeed = 2;
   Tally tally;
@@ -235,7 +235,7 @@ TEST(ProofAttack, none_is_with_subnormal_numbers_flushed) {
   EXPECT_GE(tally.all.agreed, 600u);
 }
 
-TEST(ProofAttack, none_is_within_kappa) {
+TEST(ProofAttack, NoneIsWithinKappa) {
   constexpr std::uint64_t kRounds = 120, kSeed = 3;
   Tally exactly, tally;
   for (std::uint64_t number = 0; number < kRounds; ++number) {

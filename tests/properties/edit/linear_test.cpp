@@ -10,7 +10,7 @@
 #include "properties/edit/motion.hpp"
 #include "properties/edit/same_body.hpp"
 #include "properties/generate/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {
@@ -27,14 +27,14 @@ Case cubes() {
   return problem;
 }
 
-TEST(MotionEdit, a_later_start_sees_contact_sooner) {
+TEST(MotionEdit, ALaterStartSeesContactSooner) {
   const auto later = started_at(cubes(), 1.5);
   ASSERT_TRUE(later);
   EXPECT_EQ(truth_of(*later).toi_lower(), 0.5);
   EXPECT_FALSE(started_at(cubes(), 0.1));  // 0.1 * 0.5 from 2 is no double
 }
 
-TEST(MotionEdit, the_way_back_meets_the_other_end) {
+TEST(MotionEdit, TheWayBackMeetsTheOtherEnd) {
   const auto back = reversed(cubes());
   ASSERT_TRUE(back);
   EXPECT_EQ(truth_of(*back).toi_lower(), 2);  // 8 - 6
@@ -46,7 +46,7 @@ TEST(MotionEdit, the_way_back_meets_the_other_end) {
   EXPECT_FALSE(reversed(ray));
 }
 
-TEST(MotionEdit, a_start_farther_back_delays_contact_by_as_much) {
+TEST(MotionEdit, AStartFartherBackDelaysContactByAsMuch) {
   for (std::uint64_t salt = 0; salt < 8; ++salt) {
     const auto longer = extended(cubes(), salt);
     ASSERT_TRUE(longer);
@@ -55,7 +55,7 @@ TEST(MotionEdit, a_start_farther_back_delays_contact_by_as_much) {
   }
 }
 
-TEST(MotionEdit, a_shared_velocity_leaves_the_difference) {
+TEST(MotionEdit, ASharedVelocityLeavesTheDifference) {
   bool rested = false, large = false;
   for (std::uint64_t salt = 0; salt < 32; ++salt) {
     const auto moved = moved_together(cubes(), salt);
@@ -76,7 +76,7 @@ TEST(MotionEdit, a_shared_velocity_leaves_the_difference) {
   EXPECT_TRUE(large);
 }
 
-TEST(IntegerTurn, there_are_24_permutations_of_the_axes) {
+TEST(IntegerTurn, ThereAre24PermutationsOfTheAxes) {
   std::vector<std::vector<double>> images;
   Case problem;
   problem.a.shape = Segment<double>{{1, 2, 3}, {4, 8, 16}};
@@ -98,7 +98,7 @@ TEST(IntegerTurn, there_are_24_permutations_of_the_axes) {
             images.end());
 }
 
-TEST(IntegerTurn, vertices_or_orientation_turned_are_one_body) {
+TEST(IntegerTurn, VerticesOrOrientationTurnedAreOneBody) {
   corpus::Random random(11);
   int compared = 0;
   for (int i = 0; i < 400; ++i) {
@@ -134,7 +134,7 @@ void expect_same_set(const Shape<double>& one, const Shape<double>& two) {
   }
 }
 
-TEST(SameBody, every_description_is_of_the_same_set) {
+TEST(SameBody, EveryDescriptionIsOfTheSameSet) {
   using Edit = std::optional<Shape<double>> (*)(const Shape<double>&, std::uint64_t);
   corpus::Random random(5);
   for (const Edit edit : {&reordered, &with_redundant_points, &described_otherwise}) {
@@ -152,7 +152,7 @@ TEST(SameBody, every_description_is_of_the_same_set) {
   }
 }
 
-TEST(SameBody, a_hull_of_vertices_has_other_numbers) {
+TEST(SameBody, AHullOfVerticesHasOtherNumbers) {
   const Shape<double> tetrahedron = Hull<double>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
   const auto shuffled = reordered(tetrahedron, 2), fuller = with_redundant_points(tetrahedron, 1);
   ASSERT_TRUE(shuffled && fuller);

@@ -10,7 +10,7 @@
 #include "properties/edit/solid.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/shrink.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {
@@ -29,7 +29,7 @@ std::vector<double> scalars_of(const Shape<double>& shape) {
   return all;
 }
 
-TEST(MapShape, visits_every_number_once_in_its_slot) {
+TEST(MapShape, VisitsEveryNumberOnceInItsSlot) {
   const Shape<double> tree =
       hull_of<double>(posed<double>(sum<double>(kBox, kBall), {5, 6, 7}, {8, 9, 10, 11}),
                       rounded<double>(Segment<double>{{12, 13, 14}, {15, 16, 17}}, 18));
@@ -49,7 +49,7 @@ TEST(MapShape, visits_every_number_once_in_its_slot) {
   EXPECT_NE(outline(tree), outline(rounded<double>(tree, 0)));
 }
 
-TEST(VertexCount, follows_the_rule_of_the_shapes) {
+TEST(VertexCount, FollowsTheRuleOfTheShapes) {
   EXPECT_EQ(vertex_count(kBox), 8u);
   EXPECT_EQ(vertex_count(sum<double>(kBox, Triangle<double>{})), 24u);
   EXPECT_EQ(vertex_count(hull_of<double>(kBox, Capsule<double>{1, 1})), 10u);
@@ -60,7 +60,7 @@ TEST(VertexCount, follows_the_rule_of_the_shapes) {
   EXPECT_GE(vertex_count(many), std::uint64_t{1} << 62);
 }
 
-TEST(IsMalformed, knows_what_must_be_refused) {
+TEST(IsMalformed, KnowsWhatMustBeRefused) {
   EXPECT_FALSE(is_malformed(hull_of<double>(kBox, kBall)));
   EXPECT_TRUE(is_malformed(Hull<double>()));
   EXPECT_TRUE(is_malformed(Sum<double>()));
@@ -79,7 +79,7 @@ TEST(IsMalformed, knows_what_must_be_refused) {
   EXPECT_TRUE(is_malformed(sum<double>(many, many)));
 }
 
-TEST(IsPolytope, and_is_uncurved_look_at_every_part) {
+TEST(IsPolytope, AndIsUncurvedLookAtEveryPart) {
   EXPECT_TRUE(is_polytope(sum<double>(kBox, Segment<double>{})));
   EXPECT_FALSE(is_polytope(sum<double>(kBox, kBall)));
   EXPECT_TRUE(is_uncurved(sum<double>(kBox, kBall)));
@@ -87,7 +87,7 @@ TEST(IsPolytope, and_is_uncurved_look_at_every_part) {
   EXPECT_FALSE(is_uncurved(rounded<double>(translated<double>(Ellipsoid<double>{}, kOrigin), 1)));
 }
 
-TEST(ExactVertices, are_in_the_order_of_the_indices) {
+TEST(ExactVertices, AreInTheOrderOfTheIndices) {
   const Shape<double> one = Segment<double>{{1, 0, 0}, {2, 0, 0}};
   const Shape<double> two = posed<double>(Segment<double>{{0, 1, 0}, {0, 2, 0}}, {0, 0, 5}, {0, 1, 0, 0});
   const auto sums = exact_vertices(sum<double>(one, two), 100);
@@ -101,7 +101,7 @@ TEST(ExactVertices, are_in_the_order_of_the_indices) {
   EXPECT_FALSE(exact_vertices(posed<double>(one, {0x1p-60, 0, 0}, {}), 100));  // 1 + 2^-60
 }
 
-TEST(Grown, is_a_superset_of_every_shape) {
+TEST(Grown, IsASupersetOfEveryShape) {
   corpus::Random random(21);
   int larger = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -130,7 +130,7 @@ corpus::Case meeting(Shape<double> shape) {
   return problem;
 }
 
-TEST(HasTruth, exact_for_polytopes_and_one_radius_and_a_bracket_for_everything_else) {
+TEST(HasTruth, ExactForPolytopesAndOneRadiusAndABracketForEverythingElse) {
   const Shape<double> exact[] = {Point<double>{},
                                  Segment<double>{{0, 0, 0}, {1, 0, 0}},
                                  Triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
@@ -160,7 +160,7 @@ TEST(HasTruth, exact_for_polytopes_and_one_radius_and_a_bracket_for_everything_e
 }
 
 // The hulls' vertices lie on a helix about x: 256 of each, 2^16 differences. The first to meet are the ends.
-TEST(HasTruth, bracket_for_more_differences_than_the_exact_oracle_takes_in_time) {
+TEST(HasTruth, BracketForMoreDifferencesThanTheExactOracleTakesInTime) {
   std::vector<Vec3<double>> vertices;
   for (int i = 0; i < 256; ++i) vertices.emplace_back(i / 64.0, std::cos(i / 8.0), std::sin(i / 8.0));
   const Hull<double> helix{std::span<const Vec3<double>>(vertices)};
@@ -177,7 +177,7 @@ TEST(HasTruth, bracket_for_more_differences_than_the_exact_oracle_takes_in_time)
   EXPECT_GE(bracket.toi_upper(), exact.toi_lower());
 }
 
-TEST(HasTruth, undecided_where_curved_shapes_touch) {
+TEST(HasTruth, UndecidedWhereCurvedShapesTouch) {
   corpus::Case problem = meeting(Cylinder<double>{1, 2});
   problem.b.shape = kBall;
   problem.b.position = {20, 1 + std::get<Sphere<double>>(kBall).radius, 0};  // grazes the side
@@ -190,7 +190,7 @@ TEST(HasTruth, undecided_where_curved_shapes_touch) {
   EXPECT_EQ(open->labels, std::vector<std::string_view>{"undecided"});
 }
 
-TEST(HasTruth, none_for_what_the_door_refuses) {
+TEST(HasTruth, NoneForWhatTheDoorRefuses) {
   corpus::Case problem = meeting(Ellipsoid<double>{{1, 2, -3}});
   EXPECT_FALSE(has_truth(problem));
   const std::optional<LawResult> open = without_truth(problem);
@@ -198,7 +198,7 @@ TEST(HasTruth, none_for_what_the_door_refuses) {
   EXPECT_EQ(open->reason, "no oracle takes the case");
 }
 
-TEST(Solid, has_an_inside) {
+TEST(Solid, HasAnInside) {
   const auto hull = [](std::vector<Vec3<double>> vertices) {
     return Hull<double>(std::span<const Vec3<double>>(vertices));
   };
@@ -219,7 +219,7 @@ TEST(Solid, has_an_inside) {
   }
 }
 
-TEST(Simpler, a_combinator_shrinks_to_the_part_that_matters) {
+TEST(Simpler, ACombinatorShrinksToThePartThatMatters) {
   corpus::Case problem;
   problem.a.shape = sum<double>(rounded<double>(kBox, 2), hull_of<double>(Cone<double>{3, 1}, kBall));
   const auto has_cone = [](const corpus::Case& c) {

@@ -13,12 +13,12 @@
 #include "properties/generate/far.hpp"
 #include "properties/generate/large_hull.hpp"
 #include "properties/generate/shrink.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 
 namespace graze::law {
 namespace {
 
-TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
+TEST(DrawCase, ReachesEveryOutcomeShapeAndTie) {
   corpus::Random random(5);
   std::map<Outcome, int> outcomes;
   std::map<std::size_t, int> shapes;
@@ -51,7 +51,7 @@ TEST(DrawCase, reaches_every_outcome_shape_and_tie) {
   EXPECT_GE(rounded, kCases / 40);
 }
 
-TEST(DrawCase, is_a_function_of_its_bits) {
+TEST(DrawCase, IsAFunctionOfItsBits) {
   corpus::Random one(99), two(99);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_case(one, i), draw_case(two, i)));
 }
@@ -61,7 +61,7 @@ double how_far_out(const Shape<double>& shape) {
   return std::max(std::abs(box.low[0]), std::abs(box.high[0]));
 }
 
-TEST(DrawFar, rods_are_out_at_every_power_and_tip_to_tip_by_a_unit_at_most) {
+TEST(DrawFar, RodsAreOutAtEveryPowerAndTipToTipByAUnitAtMost) {
   corpus::Random random(23);
   std::map<int, int> tens;
   int both = 0, starts = 0, idle = 0;
@@ -91,7 +91,7 @@ TEST(DrawFar, rods_are_out_at_every_power_and_tip_to_tip_by_a_unit_at_most) {
   EXPECT_EQ(starts, kCases / 4);
 }
 
-TEST(DrawFar, arms_are_long_and_turn_alike_but_for_a_unit_or_two) {
+TEST(DrawFar, ArmsAreLongAndTurnAlikeButForAUnitOrTwo) {
   corpus::Random random(29);
   std::map<int, int> tens;
   int one_vector = 0, balls = 0;
@@ -124,7 +124,7 @@ bool is_mapped(const Shape<double>& shape) {
   return hull != nullptr && hull->has_adjacency() && !hull->graph().map.empty();
 }
 
-TEST(DrawLargeHull, has_a_map_and_meets_it_from_every_side) {
+TEST(DrawLargeHull, HasAMapAndMeetsItFromEverySide) {
   corpus::Random random(31);
   const engine::Method& certified = *engine::find_method(engine::Kind::linear, "certified");
   std::map<Outcome, int> outcomes;
@@ -160,14 +160,14 @@ TEST(DrawLargeHull, has_a_map_and_meets_it_from_every_side) {
   }
 }
 
-TEST(DrawLargeHull, is_a_function_of_its_bits) {
+TEST(DrawLargeHull, IsAFunctionOfItsBits) {
   corpus::Random one(99), two(99);
   for (int i = 0; i < 20; ++i)
     EXPECT_TRUE(same_input(draw_turning_large_hull(one), draw_turning_large_hull(two)));
 }
 
 // What an oracle said of one is not what it says of the other.
-TEST(SameInput, tells_the_start_policies_apart) {
+TEST(SameInput, TellsTheStartPoliciesApart) {
   corpus::Random random(99);
   corpus::Case reported = draw_case(random, 50), passed_over = reported;
   reported.start_policy = StartPolicy::report;
@@ -175,7 +175,7 @@ TEST(SameInput, tells_the_start_policies_apart) {
   EXPECT_FALSE(same_input(reported, passed_over));
 }
 
-TEST(Simpler, every_chain_ends_and_every_step_is_valid) {
+TEST(Simpler, EveryChainEndsAndEveryStepIsValid) {
   corpus::Random random(7);
   for (int i = 0; i < 20; ++i) {
     const corpus::Case problem = draw_case(random, 100);
@@ -189,7 +189,7 @@ TEST(Simpler, every_chain_ends_and_every_step_is_valid) {
   }
 }
 
-TEST(Simpler, a_hit_shrinks_to_small_integers) {
+TEST(Simpler, AHitShrinksToSmallIntegers) {
   corpus::Random random(11);
   int shrunk = 0;
   while (shrunk < 5) {
@@ -207,7 +207,7 @@ TEST(Simpler, a_hit_shrinks_to_small_integers) {
 }
 
 // The edits the laws rest on, against the exact oracle: the true answer is what the edit promises.
-TEST(CaseEdit, true_answers_are_related_as_the_laws_say) {
+TEST(CaseEdit, TrueAnswersAreRelatedAsTheLawsSay) {
   corpus::Random random(3);
   int rays = 0, splits = 0, moves = 0, scales = 0;
   const auto next = [&](int size) {
@@ -254,7 +254,7 @@ TEST(CaseEdit, true_answers_are_related_as_the_laws_say) {
   EXPECT_GE(splits, 40);
 }
 
-TEST(CaseEdit, exact_means_exact) {
+TEST(CaseEdit, ExactMeansExact) {
   EXPECT_EQ(exact_sum(1, 0x1p-52), 1 + 0x1p-52);
   EXPECT_FALSE(exact_sum(1, 0x1p-54));
   EXPECT_FALSE(exact_sum(1e308, 1e308));

@@ -13,7 +13,7 @@
 #include "properties/edit/case.hpp"
 #include "properties/generate/case.hpp"
 #include "properties/generate/near_degenerate.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/linear/exact.hpp"
 
 namespace graze::law {
@@ -99,7 +99,7 @@ class Judging {
   std::map<std::string, int> counts_;
 };
 
-TEST(ExactTier, equals_the_oracle_on_every_family_at_every_hardness) {
+TEST(ExactTier, EqualsTheOracleOnEveryFamilyAtEveryHardness) {
   Judging judging;
   std::map<std::string, int> by_family;
   bool sound = true;
@@ -129,7 +129,7 @@ TEST(ExactTier, equals_the_oracle_on_every_family_at_every_hardness) {
 }
 
 // Half of these are on small integers, where nearly everything is a tie.
-TEST(ExactTier, equals_the_oracle_on_drawn_casts) {
+TEST(ExactTier, EqualsTheOracleOnDrawnCasts) {
   Judging judging;
   corpus::Random random(20261121);
   for (int i = 0; judging.casts() < casts_wanted(); ++i) {
@@ -147,7 +147,7 @@ TEST(ExactTier, equals_the_oracle_on_drawn_casts) {
 }
 
 // What the filters leave open, and supports that differ by the last bits of their coordinates.
-TEST(ExactTier, equals_the_oracle_on_near_ties) {
+TEST(ExactTier, EqualsTheOracleOnNearTies) {
   Judging judging;
   corpus::Random random(20261122);
   while (judging.casts() < casts_wanted() && judging.judge(draw_near_tie(random))) {

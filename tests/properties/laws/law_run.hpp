@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "corpus/case.hpp"
-#include "properties/laws/tally.hpp"
+#include "properties/laws/law_tally.hpp"
 
 namespace graze::law {
 

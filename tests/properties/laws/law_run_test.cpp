@@ -12,7 +12,7 @@
 #include "certify/law_finding.hpp"
 #include "corpus/format/case_io.hpp"
 #include "properties/edit/case.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
 
 namespace graze::law {
@@ -75,7 +75,7 @@ void expect_small(const corpus::Case& problem, double most = 4) {
   }
 }
 
-TEST(LawRun, a_false_law_ends_as_a_small_case_with_a_picture_and_what_to_do) {
+TEST(LawRun, AFalseLawEndsAsASmallCaseWithAPictureAndWhatToDo) {
   const Findings findings;
   const Law law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.a.shape); });
   LawRun run(law, "drawn");
@@ -118,7 +118,7 @@ TEST(LawRun, a_false_law_ends_as_a_small_case_with_a_picture_and_what_to_do) {
   EXPECT_NE(text_of(files[1]).find("<title>" + read.cases[0].id + "</title>"), std::string::npos);
 }
 
-TEST(LawRun, made_small_from_anywhere_it_has_few_vertices_and_small_integers) {
+TEST(LawRun, MadeSmallFromAnywhereItHasFewVerticesAndSmallIntegers) {
   const Law law = planted("hulls_are_never_hit", [](const corpus::Case& c) { return is_hull(c.b.shape); });
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     LawRun run(law, "drawn");
@@ -130,7 +130,7 @@ TEST(LawRun, made_small_from_anywhere_it_has_few_vertices_and_small_integers) {
   }
 }
 
-TEST(LawRun, rapidcheck_ends_small_and_says_its_seed) {
+TEST(LawRun, RapidcheckEndsSmallAndSaysItsSeed) {
   const Findings findings;
   LawRun run(planted("nothing_is_hit", [](const corpus::Case&) { return true; }), "drawn");
   const std::string report = fault_of_drawn(run, cases(), 500);
@@ -144,7 +144,7 @@ TEST(LawRun, rapidcheck_ends_small_and_says_its_seed) {
   expect_small(run.failing());
 }
 
-TEST(LawRun, a_law_that_holds_leaves_no_file) {
+TEST(LawRun, ALawThatHoldsLeavesNoFile) {
   const Findings findings;
   LawRun run(planted("holds", [](const corpus::Case&) { return false; }), "drawn");
   EXPECT_EQ(fault_of_drawn(run, cases(), 50), "");
@@ -152,7 +152,7 @@ TEST(LawRun, a_law_that_holds_leaves_no_file) {
   EXPECT_GT(run.tally().applied(), 40U);
 }
 
-TEST(LawFinding, says_in_one_line_where_it_cannot_write) {
+TEST(LawFinding, SaysInOneLineWhereItCannotWrite) {
   const Findings findings;
   std::ofstream(findings.path()) << "in the way";
   try {

@@ -28,7 +28,7 @@ int family_seeds(Needs needs) {
 
 class Laws : public testing::TestWithParam<Law> {};
 
-TEST_P(Laws, hold_for_drawn_cases) {
+TEST_P(Laws, HoldForDrawnCases) {
   const Law& law = GetParam();
   LawRun run(law, "drawn");
   const std::string fault =
@@ -37,7 +37,7 @@ TEST_P(Laws, hold_for_drawn_cases) {
   EXPECT_EQ(run.shortfall(), "");
 }
 
-TEST_P(Laws, hold_for_the_families) {
+TEST_P(Laws, HoldForTheFamilies) {
   const Law& law = GetParam();
   LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::linear)) {
@@ -66,21 +66,21 @@ void expect_to_hold(const Law& law, const std::string& name, std::uint64_t seed,
   run.print();
 }
 
-TEST_P(Laws, hold_for_flanks_of_round_bodies) {
+TEST_P(Laws, HoldForFlanksOfRoundBodies) {
   expect_to_hold(GetParam(), "flanks", 20260118, &draw_round_tie, family_seeds(GetParam().needs) / 4);
 }
 
-TEST_P(Laws, hold_for_balls_on_near_ties) {
+TEST_P(Laws, HoldForBallsOnNearTies) {
   expect_to_hold(GetParam(), "balls on near ties", 20261126, &draw_near_ball,
                  family_seeds(GetParam().needs) / 4);
 }
 
 // To make one takes longer than to ask an oracle about it.
-TEST_P(Laws, hold_for_large_hulls) {
+TEST_P(Laws, HoldForLargeHulls) {
   expect_to_hold(GetParam(), "large hulls", 20261127, &draw_large_hull, family_seeds(Needs::oracle) / 4);
 }
 
-TEST_P(Laws, hold_for_the_curated_corpus) {
+TEST_P(Laws, HoldForTheCuratedCorpus) {
   const corpus::ReadResult curated = corpus::read_directory(GRAZE_SOURCE_DIR "/corpus/cases");
   ASSERT_TRUE(curated.ok()) << curated.errors.front().text();
   LawRun run(GetParam(), "curated");

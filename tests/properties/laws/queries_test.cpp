@@ -34,7 +34,7 @@ std::size_t turn_of(const Law& law) {
 
 class QueryLaws : public testing::TestWithParam<Law> {};
 
-TEST_P(QueryLaws, hold_for_drawn_cases) {
+TEST_P(QueryLaws, HoldForDrawnCases) {
   const Law& law = GetParam();
   LawRun run(law, "drawn");
   const std::string fault =
@@ -43,7 +43,7 @@ TEST_P(QueryLaws, hold_for_drawn_cases) {
   EXPECT_EQ(run.shortfall(), "");
 }
 
-TEST_P(QueryLaws, hold_for_the_families) {
+TEST_P(QueryLaws, HoldForTheFamilies) {
   const Law& law = GetParam();
   LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::query)) {
@@ -68,7 +68,7 @@ TEST_P(QueryLaws, hold_for_the_families) {
   EXPECT_EQ(run.shortfall_over_families(), "");
 }
 
-TEST_P(QueryLaws, hold_for_large_hulls) {
+TEST_P(QueryLaws, HoldForLargeHulls) {
   LawRun run(GetParam(), "large hulls");
   corpus::Random random(20261127);
   for (int i = 0; i < (is_slow(GetParam()) ? 2 : 10); ++i) {
@@ -79,7 +79,7 @@ TEST_P(QueryLaws, hold_for_large_hulls) {
   run.print();
 }
 
-TEST_P(QueryLaws, hold_for_the_curated_corpus) {
+TEST_P(QueryLaws, HoldForTheCuratedCorpus) {
   const corpus::ReadResult curated = corpus::read_directory(GRAZE_SOURCE_DIR "/corpus/cases");
   ASSERT_TRUE(curated.ok()) << curated.errors.front().text();
   LawRun run(GetParam(), "curated");

@@ -17,7 +17,7 @@
 #include "properties/edit/turning.hpp"
 #include "properties/generate/generators.hpp"
 #include "properties/generate/large_hull.hpp"
-#include "properties/judge/linear.hpp"
+#include "properties/judge/linear_faults.hpp"
 #include "properties/laws/law.hpp"
 #include "properties/laws/rotating/question.hpp"
 #include "tests/properties/generate/drawn_run.hpp"
@@ -71,7 +71,7 @@ class RotatingRun {
   LawRun* broken_ = nullptr;  // the last
 };
 
-TEST(RotatingLaws, hold_for_drawn_cases) {
+TEST(RotatingLaws, HoldForDrawnCases) {
   RotatingRun run("drawn");
   rc::detail::TestParams parameters = rc::detail::configuration().testParams;
   if (!kGiven) parameters.maxSuccess = kDrawnCases;
@@ -91,7 +91,7 @@ TEST(RotatingLaws, hold_for_drawn_cases) {
   EXPECT_EQ(run.shortfall(), "");
 }
 
-TEST(RotatingLaws, hold_for_the_families) {
+TEST(RotatingLaws, HoldForTheFamilies) {
   RotatingRun run("families");
   for (const corpus::Family& family : corpus::rotating_families()) {
     for (const double hardness : family.levels.first((family.levels.size() + 1) / 2)) {
@@ -105,7 +105,7 @@ TEST(RotatingLaws, hold_for_the_families) {
   run.print();
 }
 
-TEST(RotatingLaws, hold_for_large_hulls) {
+TEST(RotatingLaws, HoldForLargeHulls) {
   RotatingRun run("large hulls");
   corpus::Random random(20261128);
   for (int i = 0; i < 10; ++i) {
@@ -115,7 +115,7 @@ TEST(RotatingLaws, hold_for_large_hulls) {
   run.print();
 }
 
-TEST(RotatingLaws, hold_for_the_curated_corpus) {
+TEST(RotatingLaws, HoldForTheCuratedCorpus) {
   const corpus::ReadResult curated = corpus::read_directory(GRAZE_SOURCE_DIR "/corpus/cases");
   ASSERT_TRUE(curated.ok()) << curated.errors.front().text();
   RotatingRun run("curated");
@@ -129,7 +129,7 @@ TEST(RotatingLaws, hold_for_the_curated_corpus) {
   EXPECT_GE(turning, 24);
 }
 
-TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
+TEST(DrawRotating, ReachesEveryOutcomeAndEveryWayToTurn) {
   corpus::Random random(5);
   std::map<Outcome, int> outcomes;
   std::map<Effects, int> effects;
@@ -164,7 +164,7 @@ TEST(DrawRotating, reaches_every_outcome_and_every_way_to_turn) {
 }
 
 // Else a bound of the motion that is too low would be hidden by how loose the bounds are.
-TEST(DrawRotating, has_contacts_as_fast_as_any_point_of_the_body) {
+TEST(DrawRotating, HasContactsAsFastAsAnyPointOfTheBody) {
   corpus::Random random(7);
   const engine::Method& plan = *engine::find_method(engine::Kind::rotating, "plan/double");
   int near = 0;
@@ -191,12 +191,12 @@ TEST(DrawRotating, has_contacts_as_fast_as_any_point_of_the_body) {
   EXPECT_GE(near, 10);
 }
 
-TEST(DrawRotating, is_a_function_of_its_bits) {
+TEST(DrawRotating, IsAFunctionOfItsBits) {
   corpus::Random one(99), two(99);
   for (int i = 0; i < 100; ++i) EXPECT_TRUE(same_input(draw_rotating(one, i), draw_rotating(two, i)));
 }
 
-TEST(Simpler, a_turn_shrinks_away_or_to_small_integers) {
+TEST(Simpler, ATurnShrinksAwayOrToSmallIntegers) {
   corpus::Random random(13);
   // Everything fails: nothing turns in the end.
   for (int i = 0; i < 5; ++i) {
@@ -221,7 +221,7 @@ TEST(Simpler, a_turn_shrinks_away_or_to_small_integers) {
 }
 
 // The edits that the laws rest on, by the oracle: the true answer is what the edit promises.
-TEST(CaseEdit, true_rotating_answers_are_related_as_the_laws_say) {
+TEST(CaseEdit, TrueRotatingAnswersAreRelatedAsTheLawsSay) {
   corpus::Random random(17);
   int turned = 0, longer = 0, unseen = 0, alike = 0, restarts = 0, decided = 0;
   for (int i = 0; decided < 60; ++i) {
@@ -282,7 +282,7 @@ TEST(CaseEdit, true_rotating_answers_are_related_as_the_laws_say) {
 }
 
 // The same of the edits of turns alone; every case is seen by one of them in turn, for the oracle's time.
-TEST(TurningEdit, true_answers_are_related_as_the_laws_say) {
+TEST(TurningEdit, TrueAnswersAreRelatedAsTheLawsSay) {
   corpus::Random random(19);
   std::map<std::string, int> seen;
   const auto truth_of = [](const corpus::Case& problem) { return rotating_truth_of(problem); };

@@ -28,7 +28,7 @@ std::multiset<std::string> found(const std::string& text, const char* pattern) {
   return names;
 }
 
-TEST(LawTables, every_file_of_laws_is_named) {
+TEST(LawTables, EveryFileOfLawsIsNamed) {
   const fs::path laws = fs::path(GRAZE_SOURCE_DIR) / "properties" / "laws";
   std::multiset<std::string> defined;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(laws)) {

@@ -37,7 +37,7 @@ class CampaignCommand : public testing::Test {
   const Folder folder;
 };
 
-TEST_F(CampaignCommand, stdout_and_json_do_not_depend_on_threads_and_time_goes_to_stderr) {
+TEST_F(CampaignCommand, StdoutAndJsonDoNotDependOnThreadsAndTimeGoesToStderr) {
   const CommandRun one = folder.graze(kSmall + "--threads 1 --json one.json");
   const CommandRun four = folder.graze(kSmall + "--threads 4 --json four.json");
   EXPECT_EQ(one.exit_code, 0) << one.out << one.err;
@@ -49,7 +49,7 @@ TEST_F(CampaignCommand, stdout_and_json_do_not_depend_on_threads_and_time_goes_t
   EXPECT_NE(one.err.find("a second on 1 thread;"), std::string::npos) << one.err;
 }
 
-TEST_F(CampaignCommand, merged_shards_print_what_one_piece_prints) {
+TEST_F(CampaignCommand, MergedShardsPrintWhatOnePiecePrints) {
   const CommandRun whole = folder.graze(kSmall + "--json whole.json");
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
   for (const std::string i : {"1", "2", "3"}) {
@@ -72,7 +72,7 @@ TEST_F(CampaignCommand, merged_shards_print_what_one_piece_prints) {
   EXPECT_EQ(folder.read("joined.json"), folder.read("whole.json"));
 }
 
-TEST_F(CampaignCommand, other_methods_queries_and_turning_bodies_are_parts_of_one_campaign) {
+TEST_F(CampaignCommand, OtherMethodsQueriesAndTurningBodiesArePartsOfOneCampaign) {
   const std::string command =
       "campaign --casts 60 --queries 1 --rotating 12 --methods standard --family hulls --family slow_spin "
       "--block 20 ";
@@ -89,7 +89,7 @@ TEST_F(CampaignCommand, other_methods_queries_and_turning_bodies_are_parts_of_on
   EXPECT_EQ(folder.read("merged.json"), folder.read("whole.json"));
 }
 
-TEST_F(CampaignCommand, signals_stop_it_and_the_same_command_goes_on) {
+TEST_F(CampaignCommand, SignalsStopItAndTheSameCommandGoesOn) {
   // Ended by signals again and again until it is done; 143 says that it kept what it had.
   const std::string command = "campaign --casts 600 --block 4 --family many_vertices ";
   const CommandRun whole = folder.graze(command + "--json whole.json");
@@ -109,7 +109,7 @@ TEST_F(CampaignCommand, signals_stop_it_and_the_same_command_goes_on) {
 }
 
 // timeout(1) sends its signal to the program and to its group: the program gets it twice.
-TEST_F(CampaignCommand, two_signals_at_once_are_one_request) {
+TEST_F(CampaignCommand, TwoSignalsAtOnceAreOneRequest) {
   for (const std::string signal : {"INT", "TERM"}) {
     SCOPED_TRACE(signal);
     const int ended = shell(
@@ -125,9 +125,9 @@ TEST_F(CampaignCommand, two_signals_at_once_are_one_request) {
   }
 }
 
-TEST_F(CampaignCommand, the_slurm_job_casts_its_shard_and_goes_on) {
+TEST_F(CampaignCommand, TheSlurmJobCastsItsShardAndGoesOn) {
   const CommandRun whole = folder.graze(kSmall);
-  const std::string job = "'" GRAZE_SOURCE_DIR "/cluster/campaign.slurm' ";
+  const std::string job = "'" GRAZE_SOURCE_DIR "/tools/cluster/campaign.slurm' ";
   const std::string options = kSmall.substr(kSmall.find(' '));
   EXPECT_EQ(shell("export SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=2\nfor i in 1 2 3; do\n"
                   "SLURM_ARRAY_TASK_ID=$i bash " +
@@ -141,7 +141,7 @@ TEST_F(CampaignCommand, the_slurm_job_casts_its_shard_and_goes_on) {
   EXPECT_EQ(shell("bash " + job + options), 2);
 }
 
-TEST_F(CampaignCommand, bad_input_is_named_in_one_line) {
+TEST_F(CampaignCommand, BadInputIsNamedInOneLine) {
   expect_one_complaint("campaign --casts 0", "--casts");
   expect_one_complaint("campaign --casts 10 --block 0", "--block");
   expect_one_complaint("campaign --casts -5", "--casts");

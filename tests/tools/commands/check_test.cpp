@@ -47,7 +47,7 @@ class CheckRecords : public testing::Test {
   }
 };
 
-TEST_F(CheckRecords, cast_writes_the_tier_and_the_bracket_of_its_answer) {
+TEST_F(CheckRecords, CastWritesTheTierAndTheBracketOfItsAnswer) {
   for (const std::string tier : {"standard", "certified", "exact"}) {
     const Json record = cast("--tier " + tier);
     EXPECT_EQ(record["tier"], tier);
@@ -65,7 +65,7 @@ TEST_F(CheckRecords, cast_writes_the_tier_and_the_bracket_of_its_answer) {
   }
 }
 
-TEST_F(CheckRecords, accepts_within_kappa_what_is_false_by_rounding) {
+TEST_F(CheckRecords, AcceptsWithinKappaWhatIsFalseByRounding) {
   Json late = cast("--tier exact");
   // The cube goes 4 in a unit of t, and the scale is 4: by 2^-50 of t it goes 8 u of scale.
   late["proof"]["toi_lower"] = late["proof"]["toi_upper"] = 0.625 + 0x1p-50;
@@ -80,7 +80,7 @@ TEST_F(CheckRecords, accepts_within_kappa_what_is_false_by_rounding) {
 }
 
 // First contact is at 0.625: a true proof that brackets it from 0.25 to 0.75 says nothing of 0.7, in no tier.
-TEST_F(CheckRecords, accepts_a_bracket_only_as_near_as_the_proof_proves_it) {
+TEST_F(CheckRecords, AcceptsABracketOnlyAsNearAsTheProofProvesIt) {
   for (const std::string tier : {"standard", "certified", "exact"}) {
     Json weak = cast("--tier " + tier);
     weak["proof"]["toi_lower"] = 0.25;
@@ -111,7 +111,7 @@ TEST_F(CheckRecords, accepts_a_bracket_only_as_near_as_the_proof_proves_it) {
   EXPECT_EQ(folder.graze("check made.jsonl --kappa 64").exit_code, 0);
 }
 
-TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
+TEST_F(CheckRecords, RefusesARecordThatItsProofContradicts) {
   const Json sound = cast("--tier exact");
   Json miss = sound, start = sound, late = sound;
   miss["outcome"] = "miss";
@@ -131,7 +131,7 @@ TEST_F(CheckRecords, refuses_a_record_that_its_proof_contradicts) {
       "1 accepted, 3 refused\n");
 }
 
-TEST_F(CheckRecords, refuses_a_record_that_proves_nothing) {
+TEST_F(CheckRecords, RefusesARecordThatProvesNothing) {
   Json record = cast("--tier exact");
   record["outcome"] = "miss";
   record.erase("toi");
@@ -145,7 +145,7 @@ TEST_F(CheckRecords, refuses_a_record_that_proves_nothing) {
       "refused  test/hit  exact/double  unproved: claims miss, proves nothing\n0 accepted, 1 refused\n");
 }
 
-TEST_F(CheckRecords, half_of_a_hit_is_neither_accepted_nor_refused) {
+TEST_F(CheckRecords, HalfOfAHitIsNeitherAcceptedNorRefused) {
   const Json sound = cast("--tier exact");
   Json lower = sound, upper = sound, false_half = sound;
   lower["proof"]["toi_upper"] = "inf";
@@ -168,7 +168,7 @@ TEST_F(CheckRecords, half_of_a_hit_is_neither_accepted_nor_refused) {
   EXPECT_EQ(folder.graze("check bad.jsonl made.jsonl").exit_code, 2);
 }
 
-TEST_F(CheckRecords, a_file_of_cases_is_one_complaint) {
+TEST_F(CheckRecords, AFileOfCasesIsOneComplaint) {
   const CommandRun generated = folder.graze("generate random --count 500 --seed 3");
   ASSERT_EQ(generated.exit_code, 0);
   const auto expect_one = [](const CommandRun& run, const std::string& holds) {

@@ -47,7 +47,7 @@ void expect_one_complaint(const CommandRun& run, const std::vector<std::string>&
     EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
 }
 
-TEST(Help, every_command_explains_itself_and_its_exit_code) {
+TEST(Help, EveryCommandExplainsItselfAndItsExitCode) {
   const Folder folder;
   const CommandRun top = folder.graze("--help");
   EXPECT_EQ(top.exit_code, 0);
@@ -63,7 +63,7 @@ TEST(Help, every_command_explains_itself_and_its_exit_code) {
   expect_one_complaint(folder.graze("cats"), {"cats"});
 }
 
-TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same_bits) {
+TEST(Cast, JsonLinesHaveExactlyThePromisedFieldsAndReadBackToTheSameBits) {
   const Folder folder;
   folder.write("hit.json", kHit);
   const corpus::ReadResult read = corpus::read_text(kHit, "hit.json", false);
@@ -104,7 +104,7 @@ TEST(Cast, json_lines_have_exactly_the_promised_fields_and_read_back_to_the_same
   }
 }
 
-TEST(Cast, what_an_answer_does_not_hold_is_null) {
+TEST(Cast, WhatAnAnswerDoesNotHoldIsNull) {
   const Folder folder;
   folder.write("miss.json", kMiss);
   folder.write("overlap.json", kOverlap);
@@ -121,7 +121,7 @@ TEST(Cast, what_an_answer_does_not_hold_is_null) {
   EXPECT_TRUE(overlap["point_a"].is_null());
 }
 
-TEST(Cast, reads_standard_input_whether_one_object_or_one_a_line) {
+TEST(Cast, ReadsStandardInputWhetherOneObjectOrOneALine) {
   const Folder folder;
   EXPECT_NE(folder.graze("cast -", kHit).out.find("test/hit"), std::string::npos);
   const CommandRun generated = folder.graze("generate random --count 3 --seed 5");
@@ -129,7 +129,7 @@ TEST(Cast, reads_standard_input_whether_one_object_or_one_a_line) {
   EXPECT_EQ(lines_of(folder.graze("cast - --json", generated.out).out).size(), 3U);
 }
 
-TEST(Cast, a_malformed_file_is_one_line_of_complaint_and_the_others_are_answered) {
+TEST(Cast, AMalformedFileIsOneLineOfComplaintAndTheOthersAreAnswered) {
   struct Bad {
     const char *text, *field;
   };
@@ -158,7 +158,7 @@ TEST(Cast, a_malformed_file_is_one_line_of_complaint_and_the_others_are_answered
   expect_one_complaint(folder.graze("cast missing.json"), {"missing.json"});
 }
 
-TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
+TEST(Cast, TheExactTierBracketsTheTimeByNeighbouringDoubles) {
   const Folder folder;
   const std::string cube = R"({"schema": "graze.case/1", "id": "test/cube", "family": "test",
  "a": {"shape": {"type": "box", "half_extents": [1, 1, 1]}},
@@ -185,7 +185,7 @@ TEST(Cast, the_exact_tier_brackets_the_time_by_neighbouring_doubles) {
                        {"test/hit", "body b: shape", "tier exact"});
 }
 
-TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
+TEST(Certify, JudgesTheExactTierToTheLastBitAndSaysWhatThatAllows) {
   const Folder folder;
   const CommandRun run = folder.graze(
       "certify --family grazing_edge --family curved --count 300 --method exact --queries 20 --full");
@@ -194,7 +194,7 @@ TEST(Certify, judges_the_exact_tier_to_the_last_bit_and_says_what_that_allows) {
   EXPECT_NE(run.out.find("below 3/n"), std::string::npos) << run.out;
 }
 
-TEST(Cast, what_this_version_lacks_is_said_and_not_answered) {
+TEST(Cast, WhatThisVersionLacksIsSaidAndNotAnswered) {
   const Folder folder;
   folder.write("hit.json", kHit);
   expect_one_complaint(folder.graze("cast hit.json --tier exact --method mpr"), {"--tier", "mpr"});
@@ -203,7 +203,7 @@ TEST(Cast, what_this_version_lacks_is_said_and_not_answered) {
   expect_one_complaint(folder.graze("cast hit.json --proof no/such/folder.jsonl"), {"no/such/folder.jsonl"});
 }
 
-TEST(Check, accepts_the_proofs_that_cast_writes) {
+TEST(Check, AcceptsTheProofsThatCastWrites) {
   const Folder folder;
   folder.write("hit.json", kHit);
   folder.write("miss.json", kMiss);
@@ -217,7 +217,7 @@ TEST(Check, accepts_the_proofs_that_cast_writes) {
   }
 }
 
-TEST(Check, refuses_a_proof_that_was_tampered_with_and_names_the_claim) {
+TEST(Check, RefusesAProofThatWasTamperedWithAndNamesTheClaim) {
   const Folder folder;
   folder.write("hit.json", kHit);
   ASSERT_EQ(folder.graze("cast hit.json --proof proofs.jsonl").exit_code, 0);
@@ -231,7 +231,7 @@ TEST(Check, refuses_a_proof_that_was_tampered_with_and_names_the_claim) {
   EXPECT_NE(check.out.find("1 accepted, 1 refused"), std::string::npos);
 }
 
-TEST(Check, bad_input_wins_over_a_refusal) {
+TEST(Check, BadInputWinsOverARefusal) {
   const Folder folder;
   folder.write("bad.jsonl", "{}\n");
   expect_one_complaint(folder.graze("check bad.jsonl"), {"bad.jsonl"});
@@ -260,7 +260,7 @@ std::string guarantees_with(double kappa) {
   return Json{{"schema", "graze.guarantees/1"}, {"rows", rows}}.dump();
 }
 
-TEST(Certify, exits_with_1_and_names_row_and_case_if_a_method_breaks_its_row) {
+TEST(Certify, ExitsWith1AndNamesRowAndCaseIfAMethodBreaksItsRow) {
   const Folder folder;
   folder.write("generous.json", guarantees_with(1e15));
   folder.write("strict.json", guarantees_with(0));
@@ -282,7 +282,7 @@ TEST(Certify, exits_with_1_and_names_row_and_case_if_a_method_breaks_its_row) {
 }
 
 // What no method takes is refused, and a refusal keeps no guarantee.
-TEST(Certify, a_run_that_judges_nothing_says_why_and_is_no_success) {
+TEST(Certify, ARunThatJudgesNothingSaysWhyAndIsNoSuccess) {
   const Folder folder;
   folder.write(
       "balls.json",
@@ -307,7 +307,7 @@ TEST(Certify, a_run_that_judges_nothing_says_why_and_is_no_success) {
   EXPECT_NE(both.out.find("so few answers certify little.\n"), std::string::npos) << both.out;
 }
 
-TEST(Certify, bad_input_wins_and_the_other_files_are_still_judged) {
+TEST(Certify, BadInputWinsAndTheOtherFilesAreStillJudged) {
   const Folder folder;
   folder.write("bad.json", "{");
   folder.write("hit.json", kHit);
@@ -333,7 +333,7 @@ std::string without_times(const std::string& text) {
   return kept;
 }
 
-TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
+TEST(Certify, TheVerdictsDoNotDependOnTheNumberOfThreads) {
   const Folder folder;
   const CommandRun one = folder.graze("certify --family grazing_edge --count 60 --full --threads 1");
   const CommandRun three = folder.graze("certify --family grazing_edge --count 60 --full --threads 3");
@@ -343,7 +343,7 @@ TEST(Certify, the_verdicts_do_not_depend_on_the_number_of_threads) {
 }
 
 // Two runs of the same cases do the same work, whatever the clock says; a planted change of it is found.
-TEST(Price, a_run_is_compared_with_another_and_a_planted_change_is_found) {
+TEST(Price, ARunIsComparedWithAnotherAndAPlantedChangeIsFound) {
   const Folder folder;
   const std::string few = "price --only polytopes --only 'face gap 2' --rounds 2 --json ";
   const CommandRun first = folder.graze(few + "old.json --csv old.csv");
@@ -365,7 +365,7 @@ TEST(Price, a_run_is_compared_with_another_and_a_planted_change_is_found) {
   EXPECT_NE(worse.out.find("greatest lateness 0.0e+00 -> 2.5e-01 of scale"), std::string::npos) << worse.out;
 }
 
-TEST(Price, what_was_measured_before_a_stop_is_gone_on_with) {
+TEST(Price, WhatWasMeasuredBeforeAStopIsGoneOnWith) {
   const Folder folder;
   ASSERT_EQ(folder.graze("price --only 'face gap 2' --rounds 1 --json p.json").exit_code, 0);
   const std::string before = folder.read("p.json");
@@ -380,7 +380,7 @@ TEST(Price, what_was_measured_before_a_stop_is_gone_on_with) {
   EXPECT_NE(other.err.find("p.json: is of a quick run with seed 1"), std::string::npos) << other.err;
 }
 
-TEST(Generate, repeats_itself_and_refuses_what_the_family_has_not) {
+TEST(Generate, RepeatsItselfAndRefusesWhatTheFamilyHasNot) {
   const Folder folder;
   const CommandRun once = folder.graze("generate grazing_vertex --hardness 12 --count 4 --seed 9");
   ASSERT_EQ(once.exit_code, 0);

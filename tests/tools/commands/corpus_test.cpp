@@ -86,7 +86,7 @@ class CorpusCommand : public testing::Test {
   Folder folder_;
 };
 
-TEST_F(CorpusCommand, a_finding_becomes_a_case_with_its_answer) {
+TEST_F(CorpusCommand, AFindingBecomesACaseWithItsAnswer) {
   const CommandRun run = folder_.graze("corpus add finding.json --into corpus/cases/all.jsonl" +
                                        std::string(kTold) + " --id ray/found --source https://example.org/7");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -105,7 +105,7 @@ TEST_F(CorpusCommand, a_finding_becomes_a_case_with_its_answer) {
   EXPECT_EQ(verify.out, "4 cases, 4 with an answer, 0 differences\n");
 }
 
-TEST_F(CorpusCommand, a_generated_case_that_keeps_its_id_keeps_family_and_hardness) {
+TEST_F(CorpusCommand, AGeneratedCaseThatKeepsItsIdKeepsFamilyAndHardness) {
   ASSERT_EQ(
       folder_.graze("corpus add - --into corpus/cases/new.jsonl" + std::string(kTold), kFinding).exit_code,
       0);
@@ -126,7 +126,7 @@ TEST_F(CorpusCommand, a_generated_case_that_keeps_its_id_keeps_family_and_hardne
   EXPECT_EQ(folder_.read("corpus/cases/new.jsonl"), text);
 }
 
-TEST_F(CorpusCommand, a_known_failure_goes_to_its_own_file_and_needs_no_flag) {
+TEST_F(CorpusCommand, AKnownFailureGoesToItsOwnFileAndNeedsNoFlag) {
   const CommandRun run =
       folder_.graze("corpus add finding.json --known --comment 'A point that falls on a cube.'");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -137,7 +137,7 @@ TEST_F(CorpusCommand, a_known_failure_goes_to_its_own_file_and_needs_no_flag) {
   EXPECT_EQ(folder_.graze("corpus verify").exit_code, 0);
 }
 
-TEST_F(CorpusCommand, a_dry_run_prints_the_line_and_writes_nothing) {
+TEST_F(CorpusCommand, ADryRunPrintsTheLineAndWritesNothing) {
   const std::string before = folder_.read("corpus/cases/all.jsonl");
   const std::string arguments = "corpus add finding.json --into corpus/cases/all.jsonl" + std::string(kTold);
   const CommandRun dry = folder_.graze(arguments + " --dry-run");
@@ -147,7 +147,7 @@ TEST_F(CorpusCommand, a_dry_run_prints_the_line_and_writes_nothing) {
   EXPECT_EQ(folder_.read("corpus/cases/all.jsonl"), before + dry.out);
 }
 
-TEST_F(CorpusCommand, what_the_corpus_must_not_hold_is_refused_with_one_line_and_nothing_is_written) {
+TEST_F(CorpusCommand, WhatTheCorpusMustNotHoldIsRefusedWithOneLineAndNothingIsWritten) {
   const std::string told = kTold, into = " --into corpus/cases/all.jsonl";
   expect_refused("finding.json --id ray/ball" + into + told, {"ray/ball", "id already"});
   expect_refused("finding.json --id known/rim" + into + told, {"known/rim", "id already"});
@@ -164,7 +164,7 @@ TEST_F(CorpusCommand, what_the_corpus_must_not_hold_is_refused_with_one_line_and
   expect_refused("- --known", {"ray/copy", "ray/ball is the same case"}, again);
 }
 
-TEST_F(CorpusCommand, a_wrong_command_line_or_file_is_one_line_as_well) {
+TEST_F(CorpusCommand, AWrongCommandLineOrFileIsOneLineAsWell) {
   const std::string told = kTold, into = " --into corpus/cases/all.jsonl";
   expect_refused("missing.json" + into + told, {"missing.json"});
   expect_refused("finding.json" + told, {"--into", "--known"});
@@ -176,7 +176,7 @@ TEST_F(CorpusCommand, a_wrong_command_line_or_file_is_one_line_as_well) {
   expect_refused("finding.json --id ray/second --into one.json" + told, {"one.json", ".jsonl"});
 }
 
-TEST_F(CorpusCommand, of_several_all_are_added_or_none) {
+TEST_F(CorpusCommand, OfSeveralAllAreAddedOrNone) {
   std::string second = kFinding;
   second.replace(second.find("s1"), 2, "s2");
   second.replace(second.find("[0, 0, 3]"), 9, "[0, 0, 5]");
@@ -190,7 +190,7 @@ TEST_F(CorpusCommand, of_several_all_are_added_or_none) {
   EXPECT_EQ(cases_of("corpus/cases/all.jsonl").size(), 4U);
 }
 
-TEST_F(CorpusCommand, verify_reports_an_answer_that_is_off_by_one_unit_in_the_last_place) {
+TEST_F(CorpusCommand, VerifyReportsAnAnswerThatIsOffByOneUnitInTheLastPlace) {
   const double lower = *cases_of("corpus/cases/all.jsonl")[0].expect->toi_lower;
   ASSERT_EQ(lower, 1.0 / 3);
   expect_reported("corpus/cases/all.jsonl", "\"lower\": 0.3333333333333333,",
@@ -200,7 +200,7 @@ TEST_F(CorpusCommand, verify_reports_an_answer_that_is_off_by_one_unit_in_the_la
   expect_reported("corpus/known_failures.jsonl", "\"hit\"", "\"miss\"", "known/rim: stored ");
 }
 
-TEST_F(CorpusCommand, verify_reports_an_answer_that_is_missing) {
+TEST_F(CorpusCommand, VerifyReportsAnAnswerThatIsMissing) {
   folder_.write("corpus/cases/bare.jsonl",
                 std::string(kFinding).replace(
                     1, 0, "\"comment\": \"A point that falls on a cube.\", \"flags\": [\"Ray\"], ") +
@@ -210,7 +210,7 @@ TEST_F(CorpusCommand, verify_reports_an_answer_that_is_missing) {
   EXPECT_NE(run.out.find("grazing/h9/s1: no expected answer"), std::string::npos) << run.out;
 }
 
-TEST_F(CorpusCommand, verify_holds_flags_and_notes_to_each_other_and_cases_to_what_they_must_have) {
+TEST_F(CorpusCommand, VerifyHoldsFlagsAndNotesToEachOtherAndCasesToWhatTheyMustHave) {
   expect_reported("corpus/cases/all.jsonl", "\"Touching\", ", "", "the note on Touching is used by no case");
   expect_reported("corpus/flags.json", "\"Ray\":", "\"Beam\":", "ray/ball: the flag Ray has no note");
   expect_reported("corpus/flags.json", "ray/ball", "ray/cube", "names ray/cube, which does not exist");

@@ -25,7 +25,7 @@ void expect_complaint(const CommandRun& run, const std::string& part) {
   EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
 }
 
-TEST(Draw, writes_one_case_to_standard_output_or_to_a_file_and_several_into_a_folder) {
+TEST(Draw, WritesOneCaseToStandardOutputOrToAFileAndSeveralIntoAFolder) {
   const Folder folder;
   const CommandRun one = folder.graze("draw -", kCase);
   EXPECT_EQ(one.exit_code, 0) << one.err;
@@ -38,7 +38,7 @@ TEST(Draw, writes_one_case_to_standard_output_or_to_a_file_and_several_into_a_fo
   EXPECT_NE(folder.read("pictures/test-two.svg").find("<title>test/two</title>"), std::string::npos);
 }
 
-TEST(Draw, says_in_one_line_what_is_wrong) {
+TEST(Draw, SaysInOneLineWhatIsWrong) {
   const Folder folder;
   folder.write("two.jsonl", kCase + "\n" + renamed("test/two") + "\n");
   folder.write("one.json", kCase);

@@ -47,13 +47,13 @@ class Judge : public testing::Test {
   }
 };
 
-TEST_F(Judge, finds_no_fault_with_right_answers) {
+TEST_F(Judge, FindsNoFaultWithRightAnswers) {
   const CommandRun run = judge({hit("t/hit", 0.375), miss("t/miss")}, "--tolerance 1e-9");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("0 of 2 answers at fault"), std::string::npos) << run.out;
 }
 
-TEST_F(Judge, names_each_answer_at_fault_and_its_fault) {
+TEST_F(Judge, NamesEachAnswerAtFaultAndItsFault) {
   const CommandRun late = judge({hit("t/hit", 0.4), miss("t/miss")}, "--tolerance 0.01 --full");
   EXPECT_EQ(late.exit_code, 1);
   EXPECT_NE(late.out.find("t/hit  late  "), std::string::npos) << late.out;
@@ -71,7 +71,7 @@ std::size_t lines_with(const std::string& text, const std::string& part) {
 }
 
 // A late hit is off by as much, and its normal may be wrong as well: that is one fault, told once.
-TEST_F(Judge, tells_one_fault_of_an_answer_after_the_table_and_the_others_in_brackets) {
+TEST_F(Judge, TellsOneFaultOfAnAnswerAfterTheTableAndTheOthersInBrackets) {
   Json late = hit("t/hit", 0.4);
   late["normal"] = {0, 1, 0};
   const CommandRun run = judge({late, miss("t/miss")}, "--tolerance 0.01");
@@ -91,7 +91,7 @@ TEST_F(Judge, tells_one_fault_of_an_answer_after_the_table_and_the_others_in_bra
 }
 
 // docs/engines.md: a hit is at a time above 0.
-TEST_F(Judge, takes_a_hit_at_time_0_for_wrong) {
+TEST_F(Judge, TakesAHitAtTime0ForWrong) {
   corpus::Case start = flying_ball("t/start", 0);
   start.b.position = {-1.5, 0, 0};
   folder.write("cases.jsonl", corpus::write_case(start) + "\n");
@@ -104,7 +104,7 @@ TEST_F(Judge, takes_a_hit_at_time_0_for_wrong) {
 }
 
 // Without a promise it is held to 1e-3 of scale: the ball flies 4.5 to the cube's middle, and 0.025 of 8 is 0.2.
-TEST_F(Judge, holds_an_engine_without_a_promise_to_a_thousandth_of_scale) {
+TEST_F(Judge, HoldsAnEngineWithoutAPromiseToAThousandthOfScale) {
   const CommandRun late = judge({hit("t/hit", 0.4), miss("t/miss")});
   EXPECT_EQ(late.exit_code, 1) << late.out << late.err;
   EXPECT_NE(late.out.find("0.001 scale (none declared)"), std::string::npos) << late.out;
@@ -115,14 +115,14 @@ TEST_F(Judge, holds_an_engine_without_a_promise_to_a_thousandth_of_scale) {
   EXPECT_EQ(judge({miss("t/hit"), miss("t/miss")}, "--measure --kappa 1").exit_code, 2);
 }
 
-TEST_F(Judge, says_with_which_limit_an_engine_that_is_only_measured_would_have_passed) {
+TEST_F(Judge, SaysWithWhichLimitAnEngineThatIsOnlyMeasuredWouldHavePassed) {
   const CommandRun run = judge({hit("t/hit", 0.4), miss("t/miss")}, "--measure --json out.json");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   const Json total = Json::parse(folder.read("out.json"))["methods"][0]["total"];
   EXPECT_NEAR(total["least_tolerance"].get<double>(), 0.2, 1e-6);  // 0.025 of 8
 }
 
-TEST_F(Judge, holds_an_engine_to_what_its_file_promises) {
+TEST_F(Judge, HoldsAnEngineToWhatItsFilePromises) {
   Json engine = {{"schema", "graze.engine/1"},
                  {"name", "mine"},
                  {"scalar", "float"},
@@ -140,7 +140,7 @@ TEST_F(Judge, holds_an_engine_to_what_its_file_promises) {
   EXPECT_EQ(judge({miss("t/hit"), miss("t/miss")}, "--engine-file engine.json").exit_code, 2);
 }
 
-TEST_F(Judge, counts_what_is_declined) {
+TEST_F(Judge, CountsWhatIsDeclined) {
   const Json declined = {{"schema", "graze.answer/1"}, {"id", "t/hit"}, {"outcome", "unsupported"}};
   const CommandRun run = judge({declined, miss("t/miss")}, "--json out.json");
   EXPECT_EQ(run.exit_code, 1) << run.out;
@@ -156,7 +156,7 @@ TEST_F(Judge, counts_what_is_declined) {
 }
 
 // An engine may declare how much work its answers take at most.
-TEST_F(Judge, holds_an_engine_to_its_most_supports) {
+TEST_F(Judge, HoldsAnEngineToItsMostSupports) {
   const Json engine = {
       {"schema", "graze.engine/1"},
       {"name", "mine"},
@@ -173,7 +173,7 @@ TEST_F(Judge, holds_an_engine_to_its_most_supports) {
   }
 }
 
-TEST_F(Judge, names_the_line_and_the_id_of_what_does_not_fit) {
+TEST_F(Judge, NamesTheLineAndTheIdOfWhatDoesNotFit) {
   const CommandRun run = judge({hit("t/hit", 0.375), miss("t/other"), miss("t/hit")});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("answers.jsonl:2: id t/other: no case has it"), std::string::npos) << run.err;
@@ -182,7 +182,7 @@ TEST_F(Judge, names_the_line_and_the_id_of_what_does_not_fit) {
   EXPECT_NE(run.out.find("0 of 1 answers at fault"), std::string::npos) << run.out;
 }
 
-TEST_F(Judge, takes_nan_and_garbage_for_faults_of_the_answer) {
+TEST_F(Judge, TakesNanAndGarbageForFaultsOfTheAnswer) {
   folder.write("answers.jsonl",
                R"({"schema": "graze.answer/1", "id": "t/hit", "outcome": "hit", "time": "nan"})"
                "\n"

@@ -1,4 +1,4 @@
-// graze certify --laws and graze laws, as a user runs them; and the page of the laws.
+// graze laws, as a user runs it; and the page of the laws.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,10 +31,10 @@ constexpr const char* kCases =
     R"("rotation": [0, 0, 1]}, "b": {"shape": {"type": "sphere", "radius": 1}, "position": [0, 2.5, 0]}})"
     "\n";
 
-TEST(LawCommand, tries_every_law_on_a_file) {
+TEST(LawCommand, TriesEveryLawOnAFile) {
   const Folder folder;
   folder.write("two.jsonl", kCases);
-  const CommandRun run = folder.graze("certify --laws two.jsonl --save broken.jsonl");
+  const CommandRun run = folder.graze("laws two.jsonl --save broken.jsonl");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   for (const char* part : {"laws over 2 cases", "never_late", "turning_is_never_late", "Every law holds."}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
@@ -42,10 +42,10 @@ TEST(LawCommand, tries_every_law_on_a_file) {
   EXPECT_EQ(folder.read("broken.jsonl"), "");
 }
 
-TEST(LawCommand, draws_families_and_takes_laws_and_methods_by_name) {
+TEST(LawCommand, DrawsFamiliesAndTakesLawsAndMethodsByName) {
   const Folder folder;
   const std::string arguments =
-      "certify --laws --family aligned_boxes --count 8 --law swapping --law never_late --method mpr ";
+      "laws --family aligned_boxes --count 8 --law swapping --law never_late --method mpr ";
   const CommandRun run = folder.graze(arguments + "--threads 1");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("2 laws over 8 cases"), std::string::npos) << run.out;
@@ -54,15 +54,15 @@ TEST(LawCommand, draws_families_and_takes_laws_and_methods_by_name) {
   EXPECT_EQ(run.out, folder.graze(arguments + "--threads 3").out);
   // Of a law that no case is one for.
   const CommandRun idle =
-      folder.graze("certify --laws --family aligned_boxes --count 2 --law certified_decides --method mpr");
+      folder.graze("laws --family aligned_boxes --count 2 --law certified_decides --method mpr");
   EXPECT_EQ(idle.exit_code, 0);
   EXPECT_NE(idle.out.find("No case was one for: certified_decides\n"), std::string::npos) << idle.out;
 }
 
-TEST(LawCommand, a_signal_stops_it_and_shows_what_was_judged) {
+TEST(LawCommand, ASignalStopsItAndShowsWhatWasJudged) {
   const Folder folder;
   const CommandRun run = folder.shell("timeout --preserve-status -s INT 1 '" GRAZE_COMMAND
-                                      "' certify --laws --family random --family needles "
+                                      "' laws --family random --family needles "
                                       "--count 100000");
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_NE(run.out.find(" laws over "), std::string::npos) << run.out;
@@ -72,15 +72,15 @@ TEST(LawCommand, a_signal_stops_it_and_shows_what_was_judged) {
   EXPECT_NE(run.err.find("graze: stopping;"), std::string::npos) << run.err;
 }
 
-TEST(LawCommand, says_in_one_line_what_is_wrong) {
+TEST(LawCommand, SaysInOneLineWhatIsWrong) {
   const Folder folder;
-  expect_complaint(folder.graze("certify --laws --law swaping"), "--law: swaping is no law");
-  expect_complaint(folder.graze("certify --laws --family touchy"), "--family: touchy is no family");
-  expect_complaint(folder.graze("certify --laws --method mprr"), "--method: no law asks a method mprr");
-  expect_complaint(folder.graze("certify --laws none.jsonl"), "none.jsonl");
-  expect_complaint(folder.graze("certify --laws --family touching --count 0"), "there is no case to judge");
-  expect_complaint(folder.graze("certify --laws --stability"), "--laws");
-  expect_complaint(folder.graze("certify --law swapping"), "--laws");
+  expect_complaint(folder.graze("laws --law swaping"), "--law: swaping is no law");
+  expect_complaint(folder.graze("laws --family touchy"), "--family: touchy is no family");
+  expect_complaint(folder.graze("laws --method mprr"), "--method: no law asks a method mprr");
+  expect_complaint(folder.graze("laws none.jsonl"), "none.jsonl");
+  expect_complaint(folder.graze("laws --family touching --count 0"), "there is no case to judge");
+  expect_complaint(folder.graze("laws --list --law swapping"), "--law: has no meaning beside --list");
+  expect_complaint(folder.graze("laws --page x.json"), "files: has no meaning beside --page");
   expect_complaint(folder.graze("laws --page --defects nowhere"), "nowhere: is no folder of planted defects");
   folder.write("empty/note", "");
   expect_complaint(folder.graze("laws --page --defects empty"), "empty: holds no .patch");
@@ -90,16 +90,16 @@ TEST(LawCommand, says_in_one_line_what_is_wrong) {
   expect_complaint(folder.graze("laws --page --defects bad"), "one.patch: swaping is no law");
 }
 
-TEST(LawCommand, lists_the_laws) {
+TEST(LawCommand, ListsTheLaws) {
   const Folder folder;
-  const CommandRun run = folder.graze("laws");
+  const CommandRun run = folder.graze("laws --list");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   for (const char* part : {"Oracle", "Proof", "Metamorphic", "  never_late ", "  unseen_turn_is_none "}) {
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
   }
 }
 
-TEST(PageOfLaws, is_that_of_the_laws_and_the_planted_defects_as_they_are) {
+TEST(PageOfLaws, IsThatOfTheLawsAndThePlantedDefectsAsTheyAre) {
   const Folder folder;
   const CommandRun run = folder.graze("laws --page");
   ASSERT_EQ(run.exit_code, 0) << run.err;

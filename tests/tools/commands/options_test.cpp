@@ -29,15 +29,17 @@ void expect_one_complaint(const CommandRun& run, const std::string& part) {
   EXPECT_EQ(run.out, "");
 }
 
-TEST(Options, an_empty_value_is_none_and_is_not_passed_over) {
+TEST(Options, AnEmptyValueIsNoneAndIsNotPassedOver) {
   const Folder folder;
   folder.write("x.json", kHit);
   for (const std::string option : {"--proof", "--method", "--tier", "--scalar", "--tolerance"}) {
     expect_one_complaint(folder.graze("cast x.json " + option + " ''"), option);
   }
-  for (const std::string option : {"--save", "--plot", "--guarantees", "--corpus", "--family", "--method"}) {
+  for (const std::string option : {"--save", "--guarantees", "--corpus", "--family", "--method"}) {
     expect_one_complaint(folder.graze("certify x.json " + option + " ''"), option);
   }
+  for (const std::string option : {"laws --law", "laws --report", "stability --plot", "stability --save"})
+    expect_one_complaint(folder.graze(option + " ''"), option.substr(option.find(' ') + 1));
   expect_one_complaint(folder.graze("price --only nothing"), "--only: nothing is no table");
   expect_one_complaint(folder.graze("price --continue"), "--continue: needs --json");
   expect_one_complaint(folder.graze("price --quick --thorough"), "a run is one of the two");
@@ -46,7 +48,7 @@ TEST(Options, an_empty_value_is_none_and_is_not_passed_over) {
   expect_one_complaint(folder.graze("cast ''"), "files");
 }
 
-TEST(Options, a_number_that_is_no_count_is_refused_in_a_short_line) {
+TEST(Options, ANumberThatIsNoCountIsRefusedInAShortLine) {
   const Folder folder;
   folder.write("x.json", kHit);
   for (const std::string count : {"-1", "1.5", "nan", "inf", "1e3", "x", "99999999999999999999",
@@ -63,7 +65,7 @@ TEST(Options, a_number_that_is_no_count_is_refused_in_a_short_line) {
   EXPECT_EQ(folder.graze("generate random --count 1 --seed 18446744073709551615").exit_code, 0);
 }
 
-TEST(Options, nan_and_other_ranges_are_refused_in_a_short_line) {
+TEST(Options, NanAndOtherRangesAreRefusedInAShortLine) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("answers.jsonl", "");
@@ -93,7 +95,7 @@ TEST(Options, nan_and_other_ranges_are_refused_in_a_short_line) {
     expect_one_complaint(folder.graze(command + " --threads 0"), "--threads: 0 is no whole number from 1 to");
 }
 
-TEST(Options, what_is_said_of_an_engine_wants_one) {
+TEST(Options, WhatIsSaidOfAnEngineWantsOne) {
   const Folder folder;
   folder.write("x.json", kHit);
   for (const std::string option : {"--tolerance 1e-30", "--relative-tolerance 1", "--kappa 3"}) {
@@ -122,30 +124,25 @@ TEST(Options, what_is_said_of_an_engine_wants_one) {
                        "banana is no answer; it is verdict,");
 }
 
-TEST(Options, what_has_no_meaning_beside_laws_or_stability_is_refused) {
+// For one version: what moved to a command of its own is said, and nothing is judged.
+TEST(Options, TheOldSpellingsAnswerWithTheNewOnes) {
   const Folder folder;
-  const std::vector<std::string> of_answers = {"--json a.json",    "--junit a.xml",    "--findings found",
-                                               "--full",           "--fail-fast",      "--thorough",
-                                               "--report-cases 3", "--oracle-every 2", "--queries 1"};
-  const auto expect_refused = [&](const std::string& mode, const std::string& option) {
-    const std::string name = option.substr(0, option.find(' '));
-    expect_one_complaint(folder.graze("certify --family random --count 1 " + mode + " " + option),
-                         name + ": has no meaning beside " + mode);
-  };
-  for (const std::string& option : of_answers) {
-    expect_refused("--laws", option);
-    expect_refused("--stability", option);
+  for (const auto& [old, now] :
+       std::vector<std::pair<std::string, std::string>>{{"--laws x.json", "laws"},
+                                                        {"--laws --law swapping --law never_late", "laws"},
+                                                        {"--law swapping", "laws --law"},
+                                                        {"--stability --plot p --family random", "stability"},
+                                                        {"--plot p", "stability --plot"}}) {
+    const CommandRun run = folder.graze("certify " + old);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.out, "");
+    const std::string option = old.substr(0, old.find(' '));
+    EXPECT_EQ(run.err, "graze: " + option + ": is a command of its own now: graze " + now + "\n");
   }
-  for (const std::string option : {"--tolerance 1", "--relative-tolerance 1", "--kappa 1", "--plot p",
-                                   "--stability", "--guarantees g.json"}) {
-    expect_refused("--laws", option);
-  }
-  for (const std::string option : {"--report r", "--corpus c"}) expect_refused("--stability", option);
-  for (const char* name : {"a.json", "a.xml", "r", "found"})
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "p"));
 }
 
-TEST(Options, a_command_that_is_given_nothing_says_what_it_wants) {
+TEST(Options, ACommandThatIsGivenNothingSaysWhatItWants) {
   const Folder folder;
   expect_one_complaint(folder.graze("cast"), "graze: cast: name a case file; see graze cast --help\n");
   expect_one_complaint(folder.graze("check"),
@@ -158,14 +155,14 @@ TEST(Options, a_command_that_is_given_nothing_says_what_it_wants) {
   expect_one_complaint(folder.graze(""), "see graze --help\n");
 }
 
-TEST(Options, the_names_of_families_stand_apart_from_what_they_are) {
+TEST(Options, TheNamesOfFamiliesStandApartFromWhatTheyAre) {
   const Folder folder;
   const std::string help = folder.graze("generate --help").out;
   for (const std::string name : {"grazing_edge", "redundant_vertices", "far_own_frame_turning"})
     EXPECT_NE(help.find("\n  " + name + "  "), std::string::npos) << name;
 }
 
-TEST(Options, a_folder_is_no_file_and_a_file_no_folder) {
+TEST(Options, AFolderIsNoFileAndAFileNoFolder) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("folder/y.json", kHit);
@@ -178,16 +175,13 @@ TEST(Options, a_folder_is_no_file_and_a_file_no_folder) {
   // At once, and not after everything else was judged.
   for (const std::string corpus : {"x.json", "missing"}) {
     expect_one_complaint(folder.graze("certify --corpus " + corpus), corpus + ": is no folder");
-    expect_one_complaint(folder.graze("certify --laws --corpus " + corpus), corpus + ": is no folder");
+    expect_one_complaint(folder.graze("laws --corpus " + corpus), corpus + ": is no folder");
   }
-  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json"),
-                       "x.json: is no folder");
-  // What it drew once, graze price measures.
-  expect_one_complaint(folder.graze("certify x.json --plot p"), "graze price");
-  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/p"), "x.json/p");
+  expect_one_complaint(folder.graze("stability --family random --plot x.json"), "x.json: is no folder");
+  expect_one_complaint(folder.graze("stability --family random --plot x.json/p"), "x.json/p");
 }
 
-TEST(Options, a_name_that_may_be_repeated_takes_no_file_for_another) {
+TEST(Options, ANameThatMayBeRepeatedTakesNoFileForAnother) {
   const Folder folder;
   folder.write("x.json", kHit);
   for (const std::string option : {"--method gjk/double", "--family random --count 1"}) {
@@ -195,7 +189,7 @@ TEST(Options, a_name_that_may_be_repeated_takes_no_file_for_another) {
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.out.find("x.json"), std::string::npos) << run.out;
   }
-  const CommandRun laws = folder.graze("certify --laws --law swapping x.json");
+  const CommandRun laws = folder.graze("laws --law swapping x.json");
   EXPECT_EQ(laws.exit_code, 0) << laws.err;
 }
 

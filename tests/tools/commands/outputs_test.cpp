@@ -51,8 +51,8 @@ const std::vector<Output> kOutputs = {
     {"cast", "--proof", "cast IN --proof OUT"},
     {"certify", "--save", "certify IN --save OUT"},
     {"certify", "--save", "certify --family random --count 1 --guarantees IN --save OUT"},
-    {"certify", "--save", "certify --family random --count 1 --guarantees IN --stability --save OUT"},
-    {"certify", "--save", "certify IN --laws --law swapping --save OUT"},
+    {"stability", "--save", "stability --family random --count 1 --guarantees IN --save OUT"},
+    {"laws", "--save", "laws IN --law swapping --save OUT"},
     {"certify", "--json", "certify IN --json OUT"},
     {"certify", "--junit", "certify IN --junit OUT"},
     {"draw", "--out", "draw IN --out OUT"},
@@ -62,13 +62,13 @@ const std::vector<Output> kOutputs = {
     {"corpus add", "--into", "corpus add IN --into OUT"},
 };
 
-TEST(Outputs, the_list_of_options_is_whole) {
+TEST(Outputs, TheListOfOptionsIsWhole) {
   const Folder folder;
   std::set<std::string> known, found;
   for (const Output& output : kOutputs) known.insert(output.command + " " + output.option);
   for (const std::string command :
-       {"cast", "check", "certify", "merge", "generate", "draw", "laws", "corpus add", "corpus fill",
-        "corpus format", "corpus validate", "corpus verify"}) {
+       {"cast", "check", "certify", "merge", "generate", "draw", "laws", "stability", "corpus add",
+        "corpus fill", "corpus format", "corpus validate", "corpus verify"}) {
     std::istringstream help(folder.graze(command + " --help").out);
     for (std::string line; std::getline(help, line);) {
       std::istringstream words(line);
@@ -83,7 +83,7 @@ TEST(Outputs, the_list_of_options_is_whole) {
   EXPECT_EQ(found, known);
 }
 
-TEST(Outputs, what_a_file_held_is_there_after_a_refused_run) {
+TEST(Outputs, WhatAFileHeldIsThereAfterARefusedRun) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("report/index.html", "of yesterday");
@@ -101,7 +101,7 @@ TEST(Outputs, what_a_file_held_is_there_after_a_refused_run) {
 }
 
 // Nothing was read, or nothing of it was answered: that is no reason to lose what there was.
-TEST(Outputs, what_a_file_held_is_there_after_a_run_that_writes_nothing) {
+TEST(Outputs, WhatAFileHeldIsThereAfterARunThatWritesNothing) {
   const Folder folder;
   folder.write("invalid.json", with(kHit, "1.4]", "1e200]"));
   folder.write("no.json", "{");
@@ -109,7 +109,7 @@ TEST(Outputs, what_a_file_held_is_there_after_a_run_that_writes_nothing) {
   for (const std::string line :
        {"cast missing.json --proof out", "cast invalid.json --proof out", "cast no.json --proof out",
         "scene missing.json --proof out", "scene invalid.json --proof out", "scene no.json --proof out",
-        "certify --stability --family aligned_boxes --count 0 --save out"}) {
+        "stability --family aligned_boxes --count 0 --save out"}) {
     SCOPED_TRACE(line);
     EXPECT_EQ(folder.graze(line).exit_code, 2);
     EXPECT_EQ(folder.read("out"), "of yesterday");
@@ -122,7 +122,7 @@ TEST(Outputs, what_a_file_held_is_there_after_a_run_that_writes_nothing) {
 }
 
 // Standard output is one thing's: a document that goes there is read by another program.
-TEST(Outputs, a_document_on_standard_output_is_there_alone) {
+TEST(Outputs, ADocumentOnStandardOutputIsThereAlone) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("strict.json", kStrict);
@@ -149,7 +149,7 @@ TEST(Outputs, a_document_on_standard_output_is_there_alone) {
   }
 }
 
-TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
+TEST(Outputs, NothingThatIsReadIsWrittenOverHoweverItIsNamed) {
   for (const Output& output : kOutputs) {
     const bool is_table = output.line.find("--guarantees IN") != std::string::npos;
     const std::string given = is_table ? kStrict : kHit;
@@ -174,7 +174,7 @@ TEST(Outputs, nothing_that_is_read_is_written_over_however_it_is_named) {
   }
 }
 
-TEST(Outputs, standard_input_and_standard_output_are_files_like_others) {
+TEST(Outputs, StandardInputAndStandardOutputAreFilesLikeOthers) {
   const Folder folder;
   expect_one_complaint(folder.graze("cast - --proof stdin", kHit), "stdin");
   EXPECT_EQ(folder.read("stdin"), kHit);
@@ -183,7 +183,7 @@ TEST(Outputs, standard_input_and_standard_output_are_files_like_others) {
   EXPECT_EQ(folder.read("x.json"), kHit);
 }
 
-TEST(Outputs, a_file_of_a_folder_that_is_written_or_read_is_no_exception) {
+TEST(Outputs, AFileOfAFolderThatIsWrittenOrReadIsNoException) {
   const Folder folder;
   // The picture of this case would have the name of its file.
   folder.write("pictures/test-hit.svg", kHit);
@@ -198,7 +198,7 @@ TEST(Outputs, a_file_of_a_folder_that_is_written_or_read_is_no_exception) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "cases/new.jsonl"));
 }
 
-TEST(Outputs, two_pictures_or_two_outputs_of_one_name_are_not_one_lost) {
+TEST(Outputs, TwoPicturesOrTwoOutputsOfOneNameAreNotOneLost) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("y.json", with(kHit, "test/hit", "test-hit"));
@@ -208,22 +208,22 @@ TEST(Outputs, two_pictures_or_two_outputs_of_one_name_are_not_one_lost) {
 }
 
 // The lines that print much and little, to a device that is full.
-TEST(Outputs, standard_output_that_is_full_is_an_error) {
+TEST(Outputs, StandardOutputThatIsFullIsAnError) {
   const Folder folder;
   folder.write("x.json", kHit);
   ASSERT_EQ(folder.graze("cast x.json --proof p.jsonl").exit_code, 0);
   for (const std::string line :
        {"cast x.json", "cast x.json --json", "cast x.json --plan", "check p.jsonl",
-        "generate random --count 1", "generate random --count 10000", "draw x.json", "laws", "--help",
+        "generate random --count 1", "generate random --count 10000", "draw x.json", "laws --list", "--help",
         "--version", "cast --help", "corpus validate x.json",
-        "certify x.json --method gjk/double --queries 0", "certify x.json --laws --law swapping"}) {
+        "certify x.json --method gjk/double --queries 0", "laws x.json --law swapping"}) {
     SCOPED_TRACE(line);
     expect_one_complaint(folder.shell("graze " + line + " >/dev/full"), "standard output");
   }
 }
 
 // The answers are on stderr then, and the complaint after them.
-TEST(Outputs, proofs_for_standard_output_that_is_full_are_an_error) {
+TEST(Outputs, ProofsForStandardOutputThatIsFullAreAnError) {
   const Folder folder;
   folder.write("x.json", kHit);
   const CommandRun run = folder.shell("graze cast x.json --proof - >/dev/full");
@@ -232,14 +232,14 @@ TEST(Outputs, proofs_for_standard_output_that_is_full_are_an_error) {
 }
 
 // As other tools end: by SIGPIPE, which a shell shows as 141, and without a word.
-TEST(Outputs, a_reader_that_closes_the_pipe_ends_a_run_silently) {
+TEST(Outputs, AReaderThatClosesThePipeEndsARunSilently) {
   const Folder folder;
   folder.write("x.json", kHit);
   ASSERT_EQ(folder.graze("cast x.json --proof p.jsonl").exit_code, 0);
   for (const std::string line :
        {"generate random --count 20000", "certify --help", "--help", "cast x.json", "cast x.json --json",
-        "check p.jsonl", "laws", "corpus validate x.json", "certify x.json --method gjk/double --queries 0",
-        "certify x.json --queries 0 --json -", "serve"}) {
+        "check p.jsonl", "laws --list", "corpus validate x.json",
+        "certify x.json --method gjk/double --queries 0", "certify x.json --queries 0 --json -", "serve"}) {
     SCOPED_TRACE(line);
     // The reader is gone before the first byte is written.
     const CommandRun run =
@@ -249,7 +249,7 @@ TEST(Outputs, a_reader_that_closes_the_pipe_ends_a_run_silently) {
   }
 }
 
-TEST(Outputs, a_closed_standard_output_is_an_error_and_no_other_file_takes_its_place) {
+TEST(Outputs, AClosedStandardOutputIsAnErrorAndNoOtherFileTakesItsPlace) {
   const Folder folder;
   folder.write("x.json", kHit);
   expect_one_complaint(folder.shell("graze cast x.json >&-"), "standard output");
@@ -257,13 +257,13 @@ TEST(Outputs, a_closed_standard_output_is_an_error_and_no_other_file_takes_its_p
   EXPECT_EQ(folder.read("p.jsonl").find("outcome   "), std::string::npos) << folder.read("p.jsonl");
 }
 
-TEST(Outputs, a_complaint_that_nobody_can_read_is_still_an_error) {
+TEST(Outputs, AComplaintThatNobodyCanReadIsStillAnError) {
   const Folder folder;
   EXPECT_EQ(folder.shell("graze cast missing.json 2>/dev/full").exit_code, 2);
   EXPECT_EQ(folder.shell("graze cast missing.json 2>&-").exit_code, 2);
 }
 
-TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
+TEST(Outputs, AFileThatIsFullOrCannotBeMadeIsAnError) {
   const Folder folder;
   folder.write("x.json", kHit);
   folder.write("strict.json", kStrict);
@@ -273,8 +273,8 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
                                           "price --only 'face gap 2' --rounds 1 --csv OUT",
                                           "certify --family random --count 40 --queries 0 --method "
                                           "mpr/double --guarantees strict.json --save OUT",
-                                          "certify --family random --count 10 --method mpr/double "
-                                          "--guarantees strict.json --stability --save OUT"};
+                                          "stability --family random --count 10 --method mpr/double "
+                                          "--guarantees strict.json --save OUT"};
   for (const std::string& line : lines) {
     for (const std::string name : {"/dev/full", "no/such/folder/out", "."}) {
       const bool is_folder_of_pictures = line.starts_with("draw") && name == ".";
@@ -283,8 +283,7 @@ TEST(Outputs, a_file_that_is_full_or_cannot_be_made_is_an_error) {
       expect_one_complaint(folder.graze(with(line, "OUT", name)), name);
     }
   }
-  expect_one_complaint(folder.graze("certify --stability --family random --plot x.json/folder"),
-                       "x.json/folder");
+  expect_one_complaint(folder.graze("stability --family random --plot x.json/folder"), "x.json/folder");
 }
 
 }  // namespace

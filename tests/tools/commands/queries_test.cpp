@@ -41,13 +41,13 @@ std::string cubes(const std::string& id, double x, const std::string& more = "",
 }
 constexpr const char* kBall = R"({"type": "ellipsoid", "radii": [1, 2, 3]})";
 
-TEST(Ids, the_same_in_two_files_is_one_complaint_that_names_both) {
+TEST(Ids, TheSameInTwoFilesIsOneComplaintThatNamesBoth) {
   const Folder folder;
   folder.write("a.json", cubes("test/one", 3));
   folder.write("b.jsonl", "\n" + cubes("test/other", 3) + cubes("test/one", 4));
   for (const std::string line :
        {"cast --json a.json b.jsonl", "certify a.json b.jsonl --method exact --queries 0",
-        "certify --laws --law swapping a.json b.jsonl", "draw a.json b.jsonl --out pictures",
+        "laws --law swapping a.json b.jsonl", "draw a.json b.jsonl --out pictures",
         "corpus validate a.json b.jsonl", "corpus format a.json b.jsonl", "corpus fill a.json b.jsonl"}) {
     SCOPED_TRACE(line);
     expect_one_complaint(folder.graze(line), {"b.jsonl:3: id: \"test/one\"", "a.json"});
@@ -59,7 +59,7 @@ TEST(Ids, the_same_in_two_files_is_one_complaint_that_names_both) {
   EXPECT_EQ(folder.read("b.jsonl"), "\n" + cubes("test/other", 3) + cubes("test/one", 4));
 }
 
-TEST(Ids, the_same_twice_in_one_file_or_in_a_file_given_twice_names_the_lines) {
+TEST(Ids, TheSameTwiceInOneFileOrInAFileGivenTwiceNamesTheLines) {
   const Folder folder;
   folder.write("a.jsonl", cubes("test/one", 3) + cubes("test/one", 4));
   expect_one_complaint(folder.graze("cast a.jsonl"), {"a.jsonl:2: id:", "a.jsonl:1;"});
@@ -69,7 +69,7 @@ TEST(Ids, the_same_twice_in_one_file_or_in_a_file_given_twice_names_the_lines) {
                        {"standard input:1: id:", "b.jsonl:1;"});
 }
 
-TEST(Tolerance, reaches_every_search_and_widens_its_bracket) {
+TEST(Tolerance, ReachesEverySearchAndWidensItsBracket) {
   const Folder folder;
   // Rounded, so that the portal is refined: Newton's method on a bare ellipsoid ends within any tolerance.
   const std::string rounded = R"({"type": "rounded", "radius": 0.25, "shape": )" + std::string(kBall) + "}";
@@ -111,7 +111,7 @@ TEST(Tolerance, reaches_every_search_and_widens_its_bracket) {
   }
 }
 
-TEST(Tolerance, that_is_none_is_refused) {
+TEST(Tolerance, ThatIsNoneIsRefused) {
   const Folder folder;
   folder.write("x.json", cubes("test/x", 4, "", kBall));
   for (const std::string value : {"-1e-9", "nan", "inf", "-inf", "1e999", "few", "''"}) {
@@ -138,7 +138,7 @@ std::string rows_with(double kappa) {
   return Json{{"schema", "graze.guarantees/1"}, {"rows", rows}}.dump();
 }
 
-TEST(CertifyQueries, a_case_of_any_query_is_judged) {
+TEST(CertifyQueries, ACaseOfAnyQueryIsJudged) {
   const std::string kBox = R"({"type": "box", "half_extents": [1, 1, 1]})";
   for (const std::string query :
        {"line", "overlap", "distance", "penetration", "penetration_along", "swept_overlap"}) {
@@ -164,7 +164,7 @@ TEST(CertifyQueries, a_case_of_any_query_is_judged) {
   }
 }
 
-TEST(CertifyQueries, a_broken_row_of_a_query_alone_is_exit_code_1_and_its_case_is_saved) {
+TEST(CertifyQueries, ABrokenRowOfAQueryAloneIsExitCode1AndItsCaseIsSaved) {
   const Folder folder;
   folder.write("strict.json", rows_with(0));
   // Rotated, so that no arithmetic in doubles is exact.
@@ -181,7 +181,7 @@ TEST(CertifyQueries, a_broken_row_of_a_query_alone_is_exit_code_1_and_its_case_i
   EXPECT_EQ(saved.cases[0].query, corpus::Query::penetration);
 }
 
-TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
+TEST(CertifyQueries, WhatIsNotJudgedIsSaidAndHidesNoExitCode) {
   const Folder folder;
   folder.write("strict.json", rows_with(0));
   std::string unasked = cubes("test/turning-line", 4, R"(, "query": "line")");
@@ -214,7 +214,7 @@ TEST(CertifyQueries, what_is_not_judged_is_said_and_hides_no_exit_code) {
   EXPECT_NE(left.err.find("cast.json"), std::string::npos) << left.err;
 }
 
-TEST(CertifyQueries, what_is_asked_of_bodies_that_turn_is_asked_at_rest) {
+TEST(CertifyQueries, WhatIsAskedOfBodiesThatTurnIsAskedAtRest) {
   const Folder folder;
   std::string turning = cubes("test/turning", 4, R"(, "query": "distance")");
   turning.insert(turning.find("\"displacement\""), "\"rotation\": [0, 0, 1], ");

@@ -28,7 +28,7 @@ corpus::Case rod_past_a_rod() {
   return problem;
 }
 
-TEST(CheckRotating, accepts_every_methods_proof_and_refuses_what_was_made_of_one) {
+TEST(CheckRotating, AcceptsEveryMethodsProofAndRefusesWhatWasMadeOfOne) {
   const Folder folder;
   folder.write("rod.json", corpus::write_case(rod_past_a_rod()));
   folder.write("bar.json", corpus::write_case(test::turning_bar()));
@@ -47,7 +47,7 @@ TEST(CheckRotating, accepts_every_methods_proof_and_refuses_what_was_made_of_one
   }
 }
 
-TEST(CheckRotating, names_the_case_and_the_claim_that_it_refuses) {
+TEST(CheckRotating, NamesTheCaseAndTheClaimThatItRefuses) {
   const Folder folder;
   folder.write("rod.json", corpus::write_case(rod_past_a_rod()));
   ASSERT_EQ(folder.graze("cast rod.json --method bilateral --proofs proofs.jsonl").exit_code, 0);

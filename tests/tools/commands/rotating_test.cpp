@@ -48,7 +48,7 @@ struct Scene : Folder {
   }
 };
 
-TEST(CastRotating, is_answered_by_the_plan_which_the_text_shows) {
+TEST(CastRotating, IsAnsweredByThePlanWhichTheTextShows) {
   const Scene scene;
   const CommandRun run = scene.graze("cast bar.json ball.json");
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -58,7 +58,7 @@ TEST(CastRotating, is_answered_by_the_plan_which_the_text_shows) {
   EXPECT_NE(run.out.find("poses"), std::string::npos);
 }
 
-TEST(CastRotating, json_reads_back_to_the_same_bits) {
+TEST(CastRotating, JsonReadsBackToTheSameBits) {
   const Scene scene;
   for (const std::string scalar : {"double", "float"}) {
     const CommandRun run = scene.graze("cast bar.json --json --method all --scalar " + scalar);
@@ -82,7 +82,7 @@ TEST(CastRotating, json_reads_back_to_the_same_bits) {
   }
 }
 
-TEST(CastRotating, by_a_method_or_a_tier_that_is_named) {
+TEST(CastRotating, ByAMethodOrATierThatIsNamed) {
   const Scene scene;
   for (const std::string choice :
        {"--method certified", "--tier certified", "--method bilateral/float", "--method steps"}) {
@@ -103,7 +103,7 @@ TEST(CastRotating, by_a_method_or_a_tier_that_is_named) {
   expect_one_complaint(scene.graze("cast bar.json --tier good"), {"--tier", "good", "certified"});
 }
 
-TEST(CastRotating, tier_exact_answers_only_where_no_turn_is_seen) {
+TEST(CastRotating, TierExactAnswersOnlyWhereNoTurnIsSeen) {
   const Scene scene;
   expect_one_complaint(scene.graze("cast bar.json --tier exact --json"),
                        {"test/turning-bar", "rotation", "exact"});
@@ -119,7 +119,7 @@ TEST(CastRotating, tier_exact_answers_only_where_no_turn_is_seen) {
   EXPECT_EQ(json["plan"], "static");
 }
 
-TEST(CastRotating, proofs_are_written_and_accepted) {
+TEST(CastRotating, ProofsAreWrittenAndAccepted) {
   const Scene scene;
   ASSERT_EQ(scene.graze("cast bar.json ball.json --tier certified --proofs proofs.jsonl").exit_code, 0);
   EXPECT_EQ(lines_of(scene.read("proofs.jsonl")).size(), 2U);
@@ -128,7 +128,7 @@ TEST(CastRotating, proofs_are_written_and_accepted) {
   EXPECT_EQ(check.out, "2 accepted, 0 refused\n");
 }
 
-TEST(CastRotating, what_is_only_for_linear_motions_is_refused_with_the_reason) {
+TEST(CastRotating, WhatIsOnlyForLinearMotionsIsRefusedWithTheReason) {
   const Scene scene;
   corpus::Case ray = test::turning_bar();
   ray.t_max = std::numeric_limits<double>::infinity();
@@ -136,7 +136,7 @@ TEST(CastRotating, what_is_only_for_linear_motions_is_refused_with_the_reason) {
   expect_one_complaint(scene.graze("cast ray.json --json"), {"ray.json", "t_max", "rotation"});
 }
 
-TEST(CastPlan, says_what_must_be_simulated_and_why_and_casts_nothing) {
+TEST(CastPlan, SaysWhatMustBeSimulatedAndWhyAndCastsNothing) {
   const Scene scene;
   const CommandRun text = scene.graze("cast --plan bar.json straight.json");
   ASSERT_EQ(text.exit_code, 0) << text.err;
@@ -161,7 +161,7 @@ TEST(CastPlan, says_what_must_be_simulated_and_why_and_casts_nothing) {
   }
 }
 
-TEST(CastPlan, goes_with_no_method_no_proof_and_no_other_query) {
+TEST(CastPlan, GoesWithNoMethodNoProofAndNoOtherQuery) {
   const Scene scene;
   expect_one_complaint(scene.graze("cast --plan bar.json --method ca"), {"--plan", "--method"});
   expect_one_complaint(scene.graze("cast --plan bar.json --proof p.jsonl"), {"--plan", "--proof"});
@@ -174,7 +174,7 @@ TEST(CastPlan, goes_with_no_method_no_proof_and_no_other_query) {
   expect_one_complaint(scene.graze("cast --plan negative.json"), {"negative.json", "radius"});
 }
 
-TEST(CertifyRotating, judges_files_and_families_and_can_be_switched_off) {
+TEST(CertifyRotating, JudgesFilesAndFamiliesAndCanBeSwitchedOff) {
   const Scene scene;
   const CommandRun file =
       scene.graze("certify bar.json straight.json --method bilateral --method certified/double --full");
@@ -187,7 +187,7 @@ TEST(CertifyRotating, judges_files_and_families_and_can_be_switched_off) {
   expect_one_complaint(scene.graze("certify bar.json --rotating 0"), {"no case"});
 }
 
-TEST(CertifyRotating, exits_with_1_and_names_row_and_case_if_a_method_breaks_its_row) {
+TEST(CertifyRotating, ExitsWith1AndNamesRowAndCaseIfAMethodBreaksItsRow) {
   const Scene scene;
   scene.write("strict.json", R"({"schema": "graze.guarantees/1", "rows": [
     {"query": "rotating", "method": "bilateral", "scalar": "double", "tier": "standard",

@@ -17,7 +17,7 @@ const std::string kScene =
     R"("displacement": [-8, 0, 0], "rotation": [0, 0, 1]}], )"
     R"("rays": [{"name": "sight", "origin": [-9, 0, 0], "displacement": [1, 0, 0]}]})";
 
-TEST(SceneCommand, tells_events_in_the_order_of_time_and_what_was_simulated) {
+TEST(SceneCommand, TellsEventsInTheOrderOfTimeAndWhatWasSimulated) {
   const Folder folder;
   const CommandRun run = folder.graze("scene - --threads 1", kScene);
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -30,7 +30,7 @@ TEST(SceneCommand, tells_events_in_the_order_of_time_and_what_was_simulated) {
   EXPECT_EQ(plan.out.find("sight"), std::string::npos);
 }
 
-TEST(SceneCommand, writes_the_same_json_in_any_number_of_threads_and_with_any_economies_the_same_events) {
+TEST(SceneCommand, WritesTheSameJsonInAnyNumberOfThreadsAndWithAnyEconomiesTheSameEvents) {
   const Folder folder;
   const CommandRun one = folder.graze("scene - --json --threads 1", kScene);
   EXPECT_EQ(one.exit_code, 0) << one.err;
@@ -47,7 +47,7 @@ TEST(SceneCommand, writes_the_same_json_in_any_number_of_threads_and_with_any_ec
             std::string::npos);
 }
 
-TEST(SceneCommand, writes_proofs_that_are_accepted) {
+TEST(SceneCommand, WritesProofsThatAreAccepted) {
   const Folder folder;
   EXPECT_EQ(folder.graze("scene - --tier certified --proof proofs.jsonl", kScene).exit_code, 0);
   const CommandRun checked = folder.graze("check proofs.jsonl");
@@ -55,7 +55,7 @@ TEST(SceneCommand, writes_proofs_that_are_accepted) {
   EXPECT_NE(checked.out.find("2 accepted"), std::string::npos) << checked.out;
 }
 
-TEST(SceneCommand, refuses_in_one_line) {
+TEST(SceneCommand, RefusesInOneLine) {
   const Folder folder;
   folder.write("bad.json",
                R"({"schema": "graze.scene/1", "id": "x", "bodies": [{"name": "a", "shape": "cube"}]})");

@@ -28,7 +28,7 @@ void expect_complaint(const CommandRun& run, const std::string& part) {
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(Show, writes_a_page_that_holds_the_case_and_asks_for_nothing_else) {
+TEST(Show, WritesAPageThatHoldsTheCaseAndAsksForNothingElse) {
   const Folder folder;
   const CommandRun run = folder.graze("show - --method mpr --out page.html", kCase);
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -40,7 +40,7 @@ TEST(Show, writes_a_page_that_holds_the_case_and_asks_for_nothing_else) {
     EXPECT_FALSE(holds(page, foreign)) << foreign;
 }
 
-TEST(Show, cannot_be_ended_by_what_a_case_says) {
+TEST(Show, CannotBeEndedByWhatACaseSays) {
   const Folder folder;
   std::string bad = kCase;
   bad.insert(bad.find("\"a\""), R"("comment": "</script><script>alert(1)</script><!--", )");
@@ -48,7 +48,7 @@ TEST(Show, cannot_be_ended_by_what_a_case_says) {
   EXPECT_FALSE(holds(folder.read("page.html"), "alert(1)</script>"));
 }
 
-TEST(Show, draws_a_wrong_answer_beside_the_true_one) {
+TEST(Show, DrawsAWrongAnswerBesideTheTrueOne) {
   const Folder folder;
   folder.write("one.json", kCase);
   folder.write("answers.jsonl", kLate + "\n");
@@ -63,7 +63,7 @@ TEST(Show, draws_a_wrong_answer_beside_the_true_one) {
   EXPECT_TRUE(holds(folder.read("right.svg"), "within its limit"));
 }
 
-TEST(Show, says_in_one_line_what_is_wrong) {
+TEST(Show, SaysInOneLineWhatIsWrong) {
   const Folder folder;
   folder.write("one.json", kCase);
   folder.write("two.jsonl", kCase + "\n" + renamed("test/two") + "\n");
@@ -78,7 +78,7 @@ TEST(Show, says_in_one_line_what_is_wrong) {
   expect_complaint(folder.graze("show one.json --out one.json"), "one.json");
 }
 
-TEST(Report, says_which_field_of_a_price_list_is_wrong) {
+TEST(Report, SaysWhichFieldOfAPriceListIsWrong) {
   const Folder folder;
   folder.write("bad.json", "{");
   folder.write("other.json", R"({"schema": "graze.case/1"})");

@@ -1,4 +1,4 @@
-// graze certify --stability, as a user runs it.
+// graze stability, as a user runs it.
 #include <gtest/gtest.h>
 
 #include "run_command.hpp"
@@ -9,9 +9,9 @@ namespace {
 using test::CommandRun;
 using test::Folder;
 
-constexpr const char* kSmall = "certify --stability --family aligned_boxes --count 2 --method gjk ";
+constexpr const char* kSmall = "stability --family aligned_boxes --count 2 --method gjk ";
 
-TEST(StabilityCommand, prints_the_curves_and_writes_what_draws_them) {
+TEST(StabilityCommand, PrintsTheCurvesAndWritesWhatDrawsThem) {
   const Folder folder;
   const CommandRun run = folder.graze(std::string(kSmall) + "--family touching --plot curves");
   EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -25,29 +25,29 @@ TEST(StabilityCommand, prints_the_curves_and_writes_what_draws_them) {
   EXPECT_NE(folder.read("curves/stability_overview.dat").find("0 aligned_boxes"), std::string::npos);
 }
 
-TEST(StabilityCommand, the_threads_and_a_second_run_change_nothing) {
+TEST(StabilityCommand, TheThreadsAndASecondRunChangeNothing) {
   const Folder folder;
   const std::string arguments = std::string(kSmall) + "--seed 7 --threads ";
   EXPECT_EQ(folder.graze(arguments + "1").out, folder.graze(arguments + "3").out);
 }
 
-TEST(StabilityCommand, exits_with_1_where_a_method_is_less_stable_than_its_row) {
+TEST(StabilityCommand, ExitsWith1WhereAMethodIsLessStableThanItsRow) {
   const Folder folder;
   folder.write(
       "strict.json",
       R"({"schema": "graze.guarantees/1", "rows": [{"method": "gjk", "scalar": "double", "tier": "standard",
   "kappa_polytope": 0.001, "kappa_rounded": 0.001, "stall_cap": 0, "mechanism": ""}]})");
   const CommandRun run = folder.graze(
-      "certify --stability --family random --count 2 --method gjk --guarantees strict.json --save bad.jsonl");
+      "stability --family random --count 2 --method gjk --guarantees strict.json --save bad.jsonl");
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_NE(run.out.find("broken: gjk/double standard in random"), std::string::npos) << run.out;
   EXPECT_NE(folder.read("bad.jsonl").find("random/h"), std::string::npos);
 }
 
-TEST(StabilityCommand, a_signal_stops_it_and_shows_what_was_measured) {
+TEST(StabilityCommand, ASignalStopsItAndShowsWhatWasMeasured) {
   const Folder folder;
   const CommandRun run = folder.shell("timeout --preserve-status -s INT 2 '" GRAZE_COMMAND
-                                      "' certify --stability --family aligned_boxes "
+                                      "' stability --family aligned_boxes "
                                       "--family needles --count 5000 --method gjk --save bad.jsonl");
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_NE(run.out.find("Each method on each family"), std::string::npos) << run.out;
@@ -56,12 +56,13 @@ TEST(StabilityCommand, a_signal_stops_it_and_shows_what_was_measured) {
       << run.out;
 }
 
-TEST(StabilityCommand, refuses_files_and_empty_runs_in_one_line) {
+TEST(StabilityCommand, RefusesFilesAndEmptyRunsInOneLine) {
   const Folder folder;
-  const CommandRun file = folder.graze("certify --stability some.jsonl");
+  const CommandRun file = folder.graze("stability some.jsonl");
   EXPECT_EQ(file.exit_code, 2);
-  EXPECT_EQ(file.err, "graze: --stability: takes families, not files: a file has no levels of hardness\n");
-  const CommandRun none = folder.graze("certify --stability --family aligned_boxes --count 0");
+  EXPECT_EQ(file.err,
+            "graze: The following argument was not expected: some.jsonl; see graze stability --help\n");
+  const CommandRun none = folder.graze("stability --family aligned_boxes --count 0");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_EQ(none.err,
             "graze: there is nothing to measure; give a count above 0, and a method for the family\n");

@@ -1,0 +1,84 @@
+// An engine of others: a command that speaks the protocol, its processes, and the methods that it adds to the
+// list of those that are judged.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "certify/external/declaration.hpp"
+#include "certify/external/process.hpp"
+#include "certify/external/terms.hpp"
+
+namespace graze::external {
+
+struct EngineOptions {
+  // Words apart by blanks, "..." and '...' around a word with blanks in it; no shell. One that ends in .so is
+  // a shared library, which `library_host` is given as its last word.
+  std::string command;
+  std::vector<std::string> library_host = {};
+  bool host_takes_frames = false;  // questions and answers of a shared library are bytes, not lines
+  ProcessLimits limits = {};
+  // Held to these lengths, whatever it declares.
+  std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
+  bool measure = false;        // held to no length: its errors are measured
+  bool beyond_limits = false;  // asked what lies beyond its documented limits, too
+  unsigned spares = 1;         // processes that are started before they are needed
+};
+
+// The words of a command. Throws std::runtime_error where a quote has no end, or there is no word.
+[[nodiscard]] std::vector<std::string> words_of(const std::string& command);
+
+class Engine {
+ public:
+  // Starts it and reads what it says of itself. Throws std::runtime_error with one line to show.
+  explicit Engine(EngineOptions options);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  [[nodiscard]] const Declaration& declaration() const { return declaration_; }
+  // A method for each thing that it can be asked. They live as long as the engine.
+  [[nodiscard]] std::span<const engine::Method> methods() const { return methods_; }
+
+  // Asks one question, from any thread; `repeat` > 0 asks for the time of a call.
+  [[nodiscard]] engine::Answer ask(const Offer& offer, const corpus::Case& problem, int repeat = 0);
+  // The same of terms that are not refused.
+  [[nodiscard]] engine::Answer ask(const Offer& offer, const Terms& terms, int repeat = 0);
+
+  // Every process is asked to end. How many processes they left behind, those that were ended before
+  // included; to be asked once, at the end.
+  int finish();
+  [[nodiscard]] std::size_t starts() const { return starts_; }  // processes that were started
+
+ private:
+  std::unique_ptr<Process> take(Line& first);
+  [[nodiscard]] engine::Answer ask(Process& process, const Offer& offer, const Terms& terms, std::uint64_t id,
+                                   int repeat) const;
+  void give_back(std::unique_ptr<Process> process);
+  void add_method(const Offer& offer);
+
+  EngineOptions options_;
+  std::vector<std::string> words_;
+  bool frames_ = false;
+  std::string said_;  // its first line
+  Declaration declaration_;
+  std::vector<engine::Guarantee> guarantees_;
+  std::vector<engine::Method> methods_;
+
+  std::mutex mutex_;
+  struct Waiting {
+    std::unique_ptr<Process> process;
+    bool has_spoken = false;  // its first line is read
+  };
+  std::vector<Waiting> waiting_;
+  std::size_t starts_ = 0;
+  std::atomic<std::uint64_t> asked_ = 0;
+  std::atomic<int> left_behind_ = 0;
+};
+
+}  // namespace graze::external

@@ -1,0 +1,35 @@
+// What an engine of others says it can be asked, as a method that can be judged: all of it but the asking.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "certify/external/declaration.hpp"
+#include "certify/external/terms.hpp"
+#include "engines/guarantees.hpp"
+
+namespace graze::external {
+
+// Limits of the command line, to which an engine is held whatever it declares: where there is one, it declares none.
+struct Held {
+  std::optional<double> tolerance = {}, relative_tolerance = {}, kappa = {};
+  bool measure = false;  // no limit at all: errors are measured, and only what makes no sense is a fault
+};
+
+// The limit of an engine that declares none and is given none, over scale: what a game still shows as touching. A wrong
+// verdict by more than that is a fault whoever made no promise.
+inline constexpr double kAssumedRelativeTolerance = 1e-3;
+
+[[nodiscard]] engine::Guarantee guarantee_of(const Declaration& engine, const Offer& offer, const Held& held);
+
+// The answer to a case in the engine's terms, which are not refused.
+using Answering = std::function<engine::Answer(const Offer&, const Terms&, const corpus::Case&)>;
+
+// Without `time_ns`. What is given outlives it. `beyond`: asked beyond documented limits, too.
+[[nodiscard]] engine::Method method_of(const Declaration& engine, const Offer& offer,
+                                       const engine::Guarantee& row, bool beyond, Answering answering);
+
+// The answer to a case that is not asked.
+[[nodiscard]] engine::Answer declined(const Terms& terms);
+
+}  // namespace graze::external

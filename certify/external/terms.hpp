@@ -1,0 +1,40 @@
+// A case in the terms of an engine: what it is asked, and the case that it then sees.
+//
+//   asked = the case, in the engine's unit of length (a power of two), shapes that it does not take as hulls
+//           of their vertices, relative motion and pivots as it wants them, unit quaternions, every number
+//           rounded to its scalar
+//   seen  = what the engine answers about, in the unit of the case: asked, its margin added to the target
+//           distance, taken back by the power of two (exactly)
+// Errors are measured against `seen`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "certify/external/declaration.hpp"
+#include "corpus/case.hpp"
+
+namespace graze::external {
+
+struct Terms {
+  // Why the engine is not asked; empty if it is, and then the rest holds.
+  std::string refused = {};
+  bool beyond_limits = false;  // beyond a documented limit: refused for that alone, or asked all the same
+
+  corpus::Case asked = {}, seen = {};
+  int exponent = 0;      // lengths of `asked` are those of the case times 2^exponent
+  bool swapped = false;  // of a ray: A of the case is the point, and B stands in A's place
+  // How the margin is shared by the bodies is the engine's own affair: either may be rounded by as much as all of it. So by
+  // how much each of them may reach beyond the one that is seen, lengths of the case.
+  double reach_a = 0, reach_b = 0;
+};
+
+// `beyond`: ask what lies beyond documented limits, too.
+[[nodiscard]] Terms in_terms_of(const Declaration& engine, const Offer& offer, const corpus::Case& problem,
+                                bool beyond);
+
+// graze.question/1, one line without its end. `repeat` > 0 asks for a time.
+[[nodiscard]] std::string write_question(const Offer& offer, const Terms& terms, std::string_view id,
+                                         int repeat = 0);
+
+}  // namespace graze::external

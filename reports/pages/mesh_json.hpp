@@ -1,0 +1,12 @@
+// A mesh in a document: flat arrays, as docs/show.md describes them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "reports/pages/mesh.hpp"
+
+namespace graze::show {
+
+[[nodiscard]] nlohmann::ordered_json mesh_json(const Mesh& mesh);
+
+}  // namespace graze::show

@@ -1,0 +1,27 @@
+// Who stands in a table: a method with what it is asked.
+#pragma once
+
+#include <vector>
+
+#include "reports/price/draw_price.hpp"
+
+namespace graze::price {
+
+struct Contender {
+  const engine::Method* method = nullptr;
+  engine::Ask ask = {};
+  Row head = {};  // who it is; nothing measured yet
+};
+
+// 1e-1 down to what the scalar reaches, over scale, and 0: the least that a method reaches.
+[[nodiscard]] std::vector<double> tolerances_of(const engine::Method& method, bool thorough);
+
+// Ours and `others`, as the topic has it.
+[[nodiscard]] std::vector<Contender> contenders_of(const Topic& topic,
+                                                   const std::vector<const engine::Method*>& others,
+                                                   bool thorough);
+
+// Whether a method is asked a case at all.
+[[nodiscard]] bool takes(const engine::Method& method, const corpus::Case& problem);
+
+}  // namespace graze::price

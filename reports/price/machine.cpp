@@ -1,0 +1,35 @@
+// Where a run was made.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "reports/price/document.hpp"
+
+namespace graze::price {
+
+Machine this_machine() {
+  Machine machine{.processor = "unknown", .compiler = "unknown", .build = "unknown"};
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      machine.processor = line.substr(colon + 2);
+      break;
+    }
+  }
+  machine.cores = std::thread::hardware_concurrency();
+#if defined(__clang__)
+  machine.compiler = fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  machine.compiler = fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#endif
+  machine.build = GRAZE_PRICE_BUILD;
+  double load = 0;
+  if (getloadavg(&load, 1) == 1) machine.load = load;
+  return machine;
+}
+
+}  // namespace graze::price

@@ -1,0 +1,42 @@
+// What the steps of simulations cost: each workload (corpus/workloads.hpp) asked of the three tiers that a
+// simulator chooses among, its answers counted and its casts timed one by one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engines/method.hpp"
+#include "reports/price/document.hpp"
+
+namespace graze::price {
+
+// Of one workload at one place, asked of one method.
+struct WorkloadRow {
+  std::string workload, place, method;
+  std::size_t hits = 0, misses = 0, overlapping = 0, not_converged = 0, refused = 0;
+  // Over the casts that were answered: nanoseconds of processor time, each cast the least of a few.
+  double median_ns = kNone, p99_ns = kNone, p999_ns = kNone;
+  int most_supports = 0;
+  std::string worst = {};  // the case of most_supports
+
+  [[nodiscard]] std::size_t casts() const { return hits + misses + overlapping + not_converged + refused; }
+};
+
+struct WorkloadSettings {
+  std::uint64_t casts = 1000;  // of each workload at each place
+  std::uint64_t seed = 1;
+  std::vector<std::string> only = {};  // workloads by name; empty: all
+  std::function<bool()> stop = [] { return false; };
+};
+
+// By workload, place and method. What is stopped has the rows that were finished.
+[[nodiscard]] std::vector<WorkloadRow> measure_workloads(const WorkloadSettings& settings);
+
+// A table as text, and docs/reports/workloads.md, whole.
+[[nodiscard]] std::string workload_table(const std::vector<WorkloadRow>& rows);
+[[nodiscard]] std::string workload_page(const std::vector<WorkloadRow>& rows,
+                                        const WorkloadSettings& settings, const Machine& machine);
+
+}  // namespace graze::price

@@ -1,0 +1,13 @@
+// What graze price shows: a table a family, curves, requests, and the sentences.
+#pragma once
+
+#include <string>
+
+#include "reports/price/document.hpp"
+
+namespace graze::price {
+
+// `full`: every table; else those of families at their ends and at 1e-3, 1e-6, and all sentences.
+[[nodiscard]] std::string screen_of(const Document& document, bool full);
+
+}  // namespace graze::price

@@ -1,0 +1,48 @@
+// The files of a command line: what was wrong in one goes to stderr, a line each, and the others are read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "corpus/format/case_io.hpp"
+#include "corpus/format/proof_io.hpp"
+#include "engines/method.hpp"
+#include "reports/text/outputs.hpp"
+
+namespace graze::tool {
+
+// `graze: what` on stderr. Where nothing can be written there, nothing is said.
+void complain(const std::string& what);
+
+struct CaseFile {
+  std::string name;
+  std::vector<corpus::Case> cases;
+};
+
+struct CaseFiles {
+  std::vector<CaseFile> files;
+  bool bad = false;  // something was complained about
+};
+
+// "-" is standard input, which may hold one object or one a line. An id is read once: a case that has it
+// again, in the same file or in another, is complained about and left out.
+[[nodiscard]] CaseFiles read_case_files(const std::vector<std::string>& names);
+
+// The whole of standard input. Throws std::runtime_error if it cannot be read to its end.
+[[nodiscard]] std::string read_stdin();
+// The whole of a file, or of standard input for "-". Throws std::runtime_error that names the file.
+[[nodiscard]] std::string read_text(const std::string& name);
+
+// Whether a name on a command line stands for this method: "mpr" for all of that name, whatever their
+// question and scalar, "mpr/float" for those of one scalar, "overlap mpr" and "overlap mpr/float" for those
+// of one query, "all" for every one.
+[[nodiscard]] bool selects(std::string_view name, const engine::Method& method);
+// The methods that `names` select, in the order of the list. Throws std::runtime_error for a name that
+// selects nothing.
+[[nodiscard]] std::vector<const engine::Method*> select_methods(const std::vector<std::string>& names);
+
+// Their names, "ca, gjk, mpr": of the linear casts, of the rotating ones.
+[[nodiscard]] std::string linear_names();
+[[nodiscard]] std::string rotating_names();
+
+}  // namespace graze::tool

@@ -1,0 +1,24 @@
+// Tries every law, over files, families or all that is built in.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tools/commands/judged_options.hpp"
+
+namespace graze::tool {
+
+struct LawArguments : JudgedArguments {
+  std::vector<std::string> laws;  // by name; none: all
+  std::string report;
+};
+
+// Cases of a family: all laws together take tens of milliseconds for one that does not turn, and of one that
+// does the oracle takes a tenth of a second to some.
+inline constexpr std::size_t kLinearLawCases = 40, kRotatingLawCases = 4;
+
+// The exit code: 1 if a law is broken, 2 for bad input or nothing to judge; of a stop by signal 128 and its number.
+[[nodiscard]] int try_laws(const LawArguments& arguments);
+
+}  // namespace graze::tool

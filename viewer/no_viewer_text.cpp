@@ -1,6 +1,0 @@
-// What stands for the viewer in a program that is built without Node.
-#include "viewer/viewer_text.hpp"
-
-namespace graze::show {
-const char* const kViewerText = "";
-}  // namespace graze::show
