@@ -2,10 +2,10 @@
 """Judges the engines of the zoo, and ours beside them, on the same families, and prints how they compare.
 
   ./run zoo                 all that are installed, a minute or two for each; what is judged is kept, and a run that was
-                            stopped goes on; --write makes docs/engines_compared.md of it
+                            stopped goes on; --write makes docs/reports/engines_compared.md of it
   ./run zoo jolt rapier     only engines whose name begins so
   ./run zoo --findings      asks each engine the cases that it was convicted on, and says whether it still is;
-                            --write makes docs/bugs_shrunk.md of it
+                            --write makes docs/reports/bugs_shrunk.md of it
 
 Every engine is held to one length, --relative-tolerance R over the scale of each question (1e-3 unless given): a
 contact deeper than that must not be missed or passed, nor one claimed of bodies that stay farther apart. A list,
@@ -219,8 +219,8 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=int, default=600, metavar="S",
                         help="for one engine; what is judged by then counts (600)")
-    parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_shrunk.md again")
-    parser.add_argument("--write", action="store_true", help="write docs/engines_compared.md")
+    parser.add_argument("--findings", action="store_true", help="show the findings of docs/reports/bugs_shrunk.md again")
+    parser.add_argument("--write", action="store_true", help="write docs/reports/engines_compared.md")
     return parser.parse_args()
 
 
@@ -247,8 +247,8 @@ def main():
     results = {name: judge(options, name, command) for name, command, _ in engines}
     text = page(options, results, left)
     if options.write:
-        (ROOT / "docs/engines_compared.md").write_text(text)
-        print("docs/engines_compared.md is written")
+        (ROOT / "docs/reports/engines_compared.md").write_text(text)
+        print("docs/reports/engines_compared.md is written")
     else:
         print(text[text.index("\n## "):] if "\n## " in text else "no engine was judged")
 

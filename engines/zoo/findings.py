@@ -4,7 +4,7 @@ import re
 import subprocess
 import sys
 
-PAGE = "docs/bugs_shrunk.md"
+PAGE = "docs/reports/bugs_shrunk.md"
 KINDS = ("wrong", "late", "early", "off", "contact off", "failed")
 
 HEAD = """# More findings in other engines, made small

@@ -121,7 +121,7 @@ class QueryJudge {
       convict(judgement_.bad_contact, fmt::format("the normal is {:.2e} of scale off", in_scale(error)));
     }
   }
-  // The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
+  // The coordinates of a witness round by 2 u of its distance from the origin (docs/reference/guarantees.md).
   [[nodiscard]] double rounding(const Vec3<double>& point) const {
     return 2 * limits_.unit_roundoff * point.norm();
   }

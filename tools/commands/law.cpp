@@ -201,7 +201,7 @@ void print_ours(const LawCertification& certification, const LawSettings& settin
   fmt::print(
       "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
       "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
-      "docs/laws.md "
+      "docs/reference/laws.md "
       "says what each law is.\n\n");
   print_idle(certification, settings);
 }
@@ -293,12 +293,11 @@ int run_laws(const LawArguments& arguments) {
 }
 
 void add_laws_options(CLI::App& command, bool& laws, std::vector<std::string>& names) {
-  CLI::Option* all = command.add_flag(
-      "--laws", laws,
-      fmt::format(
-          "Instead: every law of docs/laws.md, a broken case made small; {} cases of a family, {} of a "
-          "rotating one, or as --count and --rotating say",
-          kLinearCases, kRotatingCases));
+  CLI::Option* all = command.add_flag("--laws", laws,
+                                      fmt::format("Instead: every law of docs/reference/laws.md, a broken "
+                                                  "case made small; {} cases of a family, {} of a "
+                                                  "rotating one, or as --count and --rotating say",
+                                                  kLinearCases, kRotatingCases));
   command.add_option("--law", names, "Of the laws, this one (may be repeated)")
       ->type_name("NAME")
       ->allow_extra_args(false)

@@ -33,7 +33,7 @@ constexpr Class kClasses[] = {
 };
 
 constexpr const char* kPreamble =
-    R"(<!-- Made by `graze laws --page > docs/laws.md`; a test compares. -->
+    R"(<!-- Made by `graze laws --page > docs/reference/laws.md`; a test compares. -->
 # Laws
 
 A law is one sentence about every answer of every method. It is a plain function of a case and a method, so that the

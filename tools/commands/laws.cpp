@@ -39,15 +39,15 @@ void add_laws_command(CLI::App& app, int& exit_code) {
   const auto settings = std::make_shared<LawsSettings>();
   CLI::App* command =
       app.add_subcommand("laws", "Lists the laws that every answer of every method must obey.");
-  CLI::Option* page = command->add_flag("--page", settings->page,
-                                        "As docs/laws.md, with the planted defects that each notices");
+  CLI::Option* page = command->add_flag(
+      "--page", settings->page, "As docs/reference/laws.md, with the planted defects that each notices");
   command->add_option("--defects", settings->defects, "The folder of planted defects")
       ->type_name("DIR")
       ->needs(page);
   command->footer(
       "`graze certify --laws` tries them.\n\n"
       "  graze laws\n"
-      "  graze laws --page > docs/laws.md\n\n"
+      "  graze laws --page > docs/reference/laws.md\n\n"
       "Exit codes: 0; 2 for bad input.");
   command->callback([settings, &exit_code] { exit_code = run_laws_command(*settings); });
 }

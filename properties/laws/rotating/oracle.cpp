@@ -49,7 +49,7 @@ LawResult turning_distance_is_stated(const Case& problem, const Method& method) 
   return by_truth(problem, method, &distance_error);
 }
 
-// Tier certified alone promises it; of tier standard a stall has its cap (docs/guarantees.md).
+// Tier certified alone promises it; of tier standard a stall has its cap (docs/reference/guarantees.md).
 LawResult turning_certified_decides(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not of tier certified");
   return by_truth(problem, method, &undecided_error);

@@ -90,7 +90,7 @@ TEST_F(Judge, tells_one_fault_of_an_answer_after_the_table_and_the_others_in_bra
   EXPECT_EQ(run.out.find("0x"), std::string::npos) << run.out;
 }
 
-// docs/engines.md: a hit is at a time above 0.
+// docs/reference/protocol.md: a hit is at a time above 0.
 TEST_F(Judge, takes_a_hit_at_time_0_for_wrong) {
   corpus::Case start = flying_ball("t/start", 0);
   start.b.position = {-1.5, 0, 0};
