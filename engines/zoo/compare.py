@@ -30,7 +30,7 @@ LISTS = ("engines/zoo/zoo.json", "engines/zoo/node/zoo.json")
 OURS = ("gjk", "mpr", "ca", "certified", "exact", "plan", "bilateral", "epa")
 TIME_LIMIT = 0.25  # seconds for an answer; the slowest engine that answers at all takes a hundredth of it
 QUESTIONS = ("cast", "ray", "rotating_cast", "overlap", "distance", "penetration")
-WORDS = {"cast": "Casts", "ray": "Rays", "rotating_cast": "Casts of turning bodies", "overlap": "Overlap",
+WORDS = {"cast": "Casts", "ray": "Rays", "rotating_cast": "Casts of rotating bodies", "overlap": "Overlap",
          "distance": "Distance", "penetration": "Penetration"}
 
 
@@ -177,18 +177,22 @@ def page(options, results, left):
     methods = [(question_of(method), method) for result in results.values() if result for method in result["methods"]]
     parts = [f"""# Engines compared
 
-Made by `./run zoo --write`: every engine that is installed, each as its users call it, by default and in its tightest
-settings, and our own methods through the same protocol ([engines.md](engines.md)), on the same corpus and families:
-{options.count} cases of each, {options.rotating} of each in which bodies turn, queries about the bodies of
-{options.queries}. All are held to {options.relative_tolerance} of the scale of each question: *wrong*, a contact deeper
-than that denied, or one claimed of bodies that stay farther apart; *late*, a time by which the bodies are deeper in each
-other; *early, off*, one at which they are farther apart; *no answer*, what came in its place. *Least over scale* and
-*least kappa* (in units of u · scale) are the limits with which every verdict and time would have passed: they are the
-engine's certificate. An error of a float engine is one against the numbers that its floats held. What an engine does
-not take was not asked. Of engines with a margin, witnesses are held to the bodies as the margin rounds them. Scenes of
-every size are among the cases; an engine that says for which lengths it is made is asked in those.
+A report for authors and users of the engines, made by `./run zoo --write`. It has every engine that is installed, called as
+its users call it, by default and in its tightest settings, and our own methods through the same protocol
+([protocol.md](../reference/protocol.md)). All got the same corpus and families: {options.count} cases of each,
+{options.rotating} of each rotating family, and queries about the bodies of {options.queries}.
 
-Findings, each with its case: [bugs_found.md](bugs_found.md).
+The limit is {options.relative_tolerance} of the scale of each question. *Wrong* is a contact deeper than that denied, or one
+claimed of bodies that stay farther apart. *Late* is a time by which the bodies are deeper in each other. *Early* and *off*
+are times at which they are farther apart. *No answer* counts everything else that came back. *Least over scale* and *least
+kappa* (in units of u · scale) are the limits with which every verdict and time would have passed: the engine's certificate.
+
+- The error of a float engine is measured against the numbers that its floats held.
+- Unsupported questions were not asked.
+- The witnesses of engines with a margin are compared with the bodies as the margin rounds them.
+- The cases include scenes of every size. An engine that states the lengths it is made for is asked in those.
+
+[bugs_found.md](bugs_found.md) has the findings, each with its case.
 """]
     for question in QUESTIONS:
         chosen = sorted((method for q, method in methods if q == question), key=lambda m: m["name"])
