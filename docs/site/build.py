@@ -71,6 +71,8 @@ def stage(page, to, pages):
         at = place(target, pages)
         if at is None:
             return text
+        if text == target.name and target.suffix == ".md":  # in a site, a page is known by its title
+            text = re.search(r"^# (.+)$", target.read_text(), re.M).group(1)
         return f"[{text}]({os.path.relpath(at, Path(to).parent)}{'#' + anchor if anchor else ''})"
 
     (pages / to).parent.mkdir(parents=True, exist_ok=True)
@@ -104,6 +106,12 @@ def make_api(pages, work):
     given += f"USE_MDFILE_AS_MAINPAGE = {SITE / 'api.md'}\nEXAMPLE_PATH = {SOURCE / 'examples'}\n"
     given += f"INPUT = {SITE / 'api.md'} {' '.join(map(str, headers()))}\n"
     given += "".join(f"{key} = {SOURCE / 'core'} {SOURCE / 'scene'}\n" for key in ("STRIP_FROM_PATH", "STRIP_FROM_INC_PATH"))
+    # A tab that leads back to the manual.
+    run(["doxygen", "-l", work / "layout.xml"])
+    layout = (work / "layout.xml").read_text()
+    back = '<navindex>\n    <tab type="user" visible="yes" url="../index.html" title="Manual"/>'
+    (work / "layout.xml").write_text(layout.replace("<navindex>", back, 1))
+    given += f"LAYOUT_FILE = {work / 'layout.xml'}\n"
     (work / "Doxyfile").write_text(given)
     run(["doxygen", work / "Doxyfile"], cwd=work)
 
@@ -145,7 +153,7 @@ def broken_links(out):
     for page in pages + [out / "live/index.html"]:
         for link in of(page).links:
             url = urlsplit(link)
-            if url.scheme or url.netloc or link == "#__":
+            if url.scheme or url.netloc:
                 continue
             # Doxygen links to this section also if all nested classes are private, and leaves it out then.
             if link == "#nested-classes" and page.parent.name == "api":
