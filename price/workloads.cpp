@@ -176,7 +176,7 @@ std::string workload_page(const std::vector<WorkloadRow>& rows, const WorkloadSe
       "each\n"
       "workload is. Standard tier: `plan` in float and in double, tolerance 0. Certified tier: `certified` "
       "in\n"
-      "double. Times are of one cast with normal and witnesses, processor time, the least of {}; `all` has "
+      "double. Times are of one cast with normal and witnesses, processor time, the least of {}. `all` has "
       "the\n"
       "largest of each column. *Refused* counts questions that a tier does not take (the start policy\n"
       "`pass_over`).\n\n",
