@@ -46,7 +46,7 @@ def main():
     text = page.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    page.write_text(before + BEGIN + "\n" + "\n".join(table) + "\n" + END + after, encoding="utf-8")
+    page.write_text(before + BEGIN + "\n\n" + "\n".join(table) + "\n\n" + END + after, encoding="utf-8")
     return 1 if failed else 0
 
 
