@@ -82,15 +82,21 @@ def stage(page, to, pages):
 
 
 def copy_pages(pages):
+    nobodys = []
     for path in sorted((SOURCE / "docs").rglob("*")):
         relative = path.relative_to(SOURCE / "docs")
         if path.is_dir() or relative.parts[0] == "site":
             continue
         if path.suffix == ".md":
+            first = re.search(r"^(?!#|<!--|$).*", path.read_text(), re.M).group()
+            if not first.startswith(("For ", "A report for ")):
+                nobodys.append(relative.as_posix())
             stage(path, relative.as_posix(), pages)
         else:
             (pages / relative).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, pages / relative)
+    if nobodys:
+        sys.exit(f"a page begins with who it is for; these do not: {', '.join(nobodys)}")
     for name, to in ROOT_PAGES.items():
         stage(SOURCE / name, to, pages)
     shutil.copytree(SITE / "live", pages / "live")
