@@ -76,7 +76,8 @@ def stage(page, to, pages):
         return f"[{text}]({os.path.relpath(at, Path(to).parent)}{'#' + anchor if anchor else ''})"
 
     (pages / to).parent.mkdir(parents=True, exist_ok=True)
-    text = re.sub(r"\[([^\]\[]*)\]\(([^)\s]+)\)", lead, page.read_text())
+    parts = re.split(r"(^```.*?^```$)", page.read_text(), flags=re.M | re.S)  # every other one is a block of code
+    text = "".join(part if i % 2 else re.sub(r"\[([^\]\[]*)\]\(([^)\s]+)\)", lead, part) for i, part in enumerate(parts))
     # What a test of the tutorials reads beside a title (tests/docs/tutorial.py) is no option of a block of code.
     (pages / to).write_text(re.sub(r"^(```\w+ title=\"[^\"]*\").*$", r"\1", text, flags=re.M))
 
@@ -104,11 +105,11 @@ def copy_pages(pages):
 
 
 def make_api(pages, work):
-    """Doxygen's pages. Its filter shows it plain comments and hides the inline namespace, which no caller names."""
+    """Doxygen's pages. A filter hides the inline namespace, which no caller names."""
     version = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
     given = (SITE / "Doxyfile").read_text()
     given += f"PROJECT_NUMBER = {version}\nOUTPUT_DIRECTORY = {pages}\nHTML_OUTPUT = api\n"
-    given += f'INPUT_FILTER = "sed -E -f {SITE / "doxygen.sed"}"\n'
+    given += 'INPUT_FILTER = "sed s/graze::inline.GRAZE_LINKAGE/graze/"\n'
     given += f"USE_MDFILE_AS_MAINPAGE = {SITE / 'api.md'}\nEXAMPLE_PATH = {SOURCE / 'examples'}\n"
     given += f"INPUT = {SITE / 'api.md'} {' '.join(map(str, headers()))}\n"
     given += "".join(f"{key} = {SOURCE / 'core'} {SOURCE / 'scene'}\n" for key in ("STRIP_FROM_PATH", "STRIP_FROM_INC_PATH"))
