@@ -187,7 +187,7 @@ std::string certificates(const Certification& certification, const Settings& set
       "with "
       "--measure\nonly failures count as faults. not asked: what it does not take; declined: what it takes "
       "and "
-      "answers\nwith unsupported (docs/engines.md).\n";
+      "answers\nwith unsupported (docs/reference/protocol.md).\n";
   if (!beyond.empty())
     out += "\nBeyond the limits that they document, no part of the above, and held against no engine:\n" +
            table_of(beyond);

@@ -33,7 +33,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/corpus/flags.json ${PROJECT_SOURCE_DIR}/corp
 if(EXISTS ${PROJECT_SOURCE_DIR}/docs/schemas)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/docs/engines.md ${PROJECT_SOURCE_DIR}/docs/case-format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/docs/reference/protocol.md ${PROJECT_SOURCE_DIR}/docs/reference/case-format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/engines/adapter/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/graze)
 # As Debian has it: the text of MIT with a blank before each line, a dot for an empty one.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license_text)

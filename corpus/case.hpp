@@ -1,4 +1,4 @@
-// A case: two bodies, a question, and, where it is known, the answer. The schemas are those of docs/case-format.md.
+// A case: two bodies, a question, and, where it is known, the answer. The schemas are those of docs/reference/case-format.md.
 #pragma once
 
 #include <graze/body.hpp>

@@ -77,7 +77,7 @@ Guarantee parse_row(const Json& row, const std::string& where) {
   const bool rotating = query == kRotating;
   if (!rotating &&
       std::find(corpus::kQueryNames.begin(), corpus::kQueryNames.end(), query) == corpus::kQueryNames.end()) {
-    refuse(where + ".query", "is no query; it is rotating, or one that docs/case-format.md lists");
+    refuse(where + ".query", "is no query; it is rotating, or one that docs/reference/case-format.md lists");
   }
   Guarantee g{
       .query = query,

@@ -1,4 +1,4 @@
-// What each method promises, and what `graze certify` holds it to. docs/guarantees.md explains a row.
+// What each method promises, and what `graze certify` holds it to. docs/reference/guarantees.md explains a row.
 #pragma once
 
 #include <optional>

@@ -26,7 +26,7 @@ struct Interval {
   double lower = 0, upper = 0;
 };
 
-// What kept an engine of others from answering at all (docs/engines.md has a sentence about each).
+// What kept an engine of others from answering at all (docs/reference/protocol.md has a sentence about each).
 enum class Failure : std::uint8_t {
   none,
   crashed,

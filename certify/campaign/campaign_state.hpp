@@ -1,5 +1,5 @@
 // A campaign as far as it has come: its settings, the blocks that are done, their tally. In a file it is both
-// what a run goes on from and what it hands in at the end; docs/campaigns.md describes the fields.
+// what a run goes on from and what it hands in at the end; docs/howto/campaign.md describes the fields.
 #pragma once
 
 #include <boost/icl/interval_set.hpp>

@@ -1,4 +1,4 @@
-// What an engine says of itself, graze.engine/1 (docs/engines.md has a sentence about each field).
+// What an engine says of itself, graze.engine/1 (docs/reference/protocol.md has a sentence about each field).
 #pragma once
 
 #include <optional>

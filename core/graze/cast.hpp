@@ -6,7 +6,7 @@
 // the cast of a Point.
 //
 // Tier standard   the answer is true for some convex set within kappa u scale of C = A - B; kappa per method
-//                 in docs/guarantees.md.
+//                 in docs/reference/guarantees.md.
 // Tier certified  toi_lower <= TOI <= toi_upper for the true shapes, rounding included, at most
 //                 kLinearCertifiedWidth of scale wide.
 // Tier exact      the TOI of the true shapes, correctly rounded: toi_lower the largest S not above it,

@@ -1,7 +1,7 @@
 // distance(A, B) = min |a - b| at t = 0, with the closest points and a separating axis: GJK.
 //
 // Units: the caller's length, world axes. Guarantee: lower <= distance <= upper up to kappa u scale
-// (docs/guarantees.md); both are 0 in contact. Where the bodies are apart by more than kappa u scale, the
+// (docs/reference/guarantees.md); both are 0 in contact. Where the bodies are apart by more than kappa u scale, the
 // normal proves lower: the slab across it between the bodies is so wide. The search stops at the duality gap
 // upper - lower that is asked for. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]
 #pragma once

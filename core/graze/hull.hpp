@@ -138,7 +138,7 @@ Hull(const Points&) -> Hull<typename PointOf<Points>::Scalar>;
 // a map of directions to the few vertices that can be the farthest along them, 60 to 400 bytes a vertex, and answers are
 // the same with it, to the bit, and sooner; below it changes nothing. None is made, and has_adjacency() says so, for
 // vertices in a plane, that are not finite, or with a non-zero coordinate below 2^-280 of the largest. What it saves:
-// docs/costs.md.
+// docs/reports/costs.md.
 template <Scalar S>
 Hull<S> with_adjacency(std::span<const Vec3<S>> vertices);
 template <PointList Points>

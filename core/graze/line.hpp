@@ -3,7 +3,7 @@
 // Nothing is clipped: t may be negative, and [0, t_max] plays no part. At rest (v = 0) it is all of R or
 // nothing. By portals: one where the line {t v} enters C, one where it leaves, seen from behind
 // (search/robust/portal.hpp). Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for
-// some convex set within kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
+// some convex set within kappa u scale of C (docs/reference/guarantees.md), as the MPR sweep's; each end is a bracket.
 #pragma once
 
 #include <graze/body.hpp>

@@ -1,6 +1,6 @@
 // overlap(A, B): do the bodies touch at t = 0? By MPR, or by GJK. Touching counts.
 //
-// Guarantee: right wherever distance or penetration exceeds kappa u scale (docs/guarantees.md).
+// Guarantee: right wherever distance or penetration exceeds kappa u scale (docs/reference/guarantees.md).
 #pragma once
 
 #include <graze/body.hpp>

@@ -6,7 +6,7 @@
 //
 // Units: the caller's length, world axes; the normal from A to B. Touching is contact, of depth 0; a C of
 // fewer dimensions has depth 0 throughout. Apart: outcome miss (how far: distance.hpp). Guarantee: lower <=
-// depth <= upper up to kappa u scale (docs/guarantees.md): lower is the depth of a polytope inside C (a point
+// depth <= upper up to kappa u scale (docs/reference/guarantees.md): lower is the depth of a polytope inside C (a point
 // of C on the line), upper is h(n) of the very normal that is returned (over n.d).
 //
 // The core of C only: C is the core rounded by R, and the least h of the two differ by R for the same n.

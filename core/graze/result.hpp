@@ -58,7 +58,7 @@ enum class Method : std::uint8_t {
 }
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
-// certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
+// certified: a bracket proved for the true shapes, rounding included (docs/reference/guarantees.md says how wide).
 // exact: of the true shapes, correctly rounded (casts/exact_cast.hpp); for polytopes without a target
 // distance.
 enum class Tier : std::uint8_t { standard, certified, exact };
@@ -78,7 +78,7 @@ enum class Tier : std::uint8_t { standard, certified, exact };
 // for some n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
 // other start in contact is reported. Rotating casts instead follow such a start while it is no deeper than kappa u
 // scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more than rounding;
-// without either it is a miss. A start that is deeper is reported (docs/rotating.md).
+// without either it is a miss. A start that is deeper is reported (docs/explanation/rotating.md).
 enum class StartPolicy : std::uint8_t { report, pass_over };
 [[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
   switch (policy) {

@@ -3,7 +3,7 @@
 // Inputs: bodies in world axes, the caller's units, radians (rotating_body.hpp). Everything is
 // computed in double whatever S is; times are rounded outward to S. Without a method the plan decides what is
 // simulated; with one, that method runs whatever moves. No throw, no global state; nothing is allocated but a
-// requested proof. What each method promises: docs/guarantees.md.
+// requested proof. What each method promises: docs/reference/guarantees.md.
 #pragma once
 
 #include <graze/rotating_result.hpp>

@@ -10,7 +10,7 @@
 //                 searches all points of C twice, once where they are before and once where they are after.
 //                 Kept as the baseline that the sum is measured against (bench/queries_bench.cpp).
 // Units: the caller's; world axes. Guarantee: right wherever clearance or depth exceeds kappa u scale
-// (docs/guarantees.md). Touching counts.
+// (docs/reference/guarantees.md). Touching counts.
 #pragma once
 
 #include <graze/body.hpp>

@@ -1,4 +1,4 @@
-// Reading and writing cases, graze.case/1 and graze.case/2 (docs/case-format.md).
+// Reading and writing cases, graze.case/1 and graze.case/2 (docs/reference/case-format.md).
 //
 // Guarantees. A number is the double nearest to its decimal or hexfloat. What a writer wrote reads back to
 // the same bits. Nothing throws. A file gives all its good cases and an error for every bad one.

@@ -1,6 +1,6 @@
 // graze::adapter: what an engine needs to stand under graze's judge, in one header of the C++17 standard library.
 //
-//   questions in, answers out, one line of JSON each (docs/engines.md)
+//   questions in, answers out, one line of JSON each (docs/reference/protocol.md)
 //
 // An engine says what it is, and answers one question at a time:
 //
@@ -159,7 +159,7 @@ struct Answer {
   }
 };
 
-// What an engine answers to one kind of question, and what it promises: docs/engines.md has the meaning of each.
+// What an engine answers to one kind of question, and what it promises: docs/reference/protocol.md has the meaning of each.
 struct Promise {
   std::vector<std::string> answers;  // any of time, normal, witnesses, distance, depth
   std::optional<double> tolerance, relative_tolerance, kappa;

@@ -2,7 +2,7 @@
  *
  *   graze certify --engine "graze_engine_host libmine.so"
  *
- * graze_engine_host opens the library and speaks the protocol of docs/engines.md for it, in a process of its own.
+ * graze_engine_host opens the library and speaks the protocol of docs/reference/protocol.md for it, in a process of its own.
  *
  * Frames: positions, displacements, normals and witnesses are in world axes, shapes in their body's own; quaternions are
  * w, x, y, z. Units: lengths in the question's, angles in radians, times in the question's unit of t.

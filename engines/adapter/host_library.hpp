@@ -1,4 +1,4 @@
-// Opens a shared library behind graze_engine.h and speaks the protocol of docs/engines.md for it on standard input and
+// Opens a shared library behind graze_engine.h and speaks the protocol of docs/reference/protocol.md for it on standard input and
 // output, so that a library is just another program.
 #pragma once
 

@@ -2,10 +2,10 @@
 """Judges the engines of the zoo, and ours beside them, on the same families, and prints how they compare.
 
   ./run zoo                 all that are installed, a minute or two for each; what is judged is kept, and a run that was
-                            stopped goes on; --write makes docs/engines_compared.md of it
+                            stopped goes on; --write makes docs/reports/engines_compared.md of it
   ./run zoo jolt rapier     only engines whose name begins so
   ./run zoo --findings      asks each engine the cases that it was convicted on, and says whether it still is;
-                            --write makes docs/bugs_shrunk.md of it
+                            --write makes docs/reports/bugs_shrunk.md of it
 
 Every engine is held to one length, --relative-tolerance R over the scale of each question (1e-3 unless given): a
 contact deeper than that must not be missed or passed, nor one claimed of bodies that stay farther apart. A list,
@@ -30,7 +30,7 @@ LISTS = ("engines/zoo/zoo.json", "engines/zoo/node/zoo.json")
 OURS = ("gjk", "mpr", "ca", "certified", "exact", "plan", "bilateral", "epa")
 TIME_LIMIT = 0.25  # seconds for an answer; the slowest engine that answers at all takes a hundredth of it
 QUESTIONS = ("cast", "ray", "rotating_cast", "overlap", "distance", "penetration")
-WORDS = {"cast": "Casts", "ray": "Rays", "rotating_cast": "Casts of turning bodies", "overlap": "Overlap",
+WORDS = {"cast": "Casts", "ray": "Rays", "rotating_cast": "Casts of rotating bodies", "overlap": "Overlap",
          "distance": "Distance", "penetration": "Penetration"}
 
 
@@ -177,18 +177,22 @@ def page(options, results, left):
     methods = [(question_of(method), method) for result in results.values() if result for method in result["methods"]]
     parts = [f"""# Engines compared
 
-Made by `./run zoo --write`: every engine that is installed, each as its users call it, by default and in its tightest
-settings, and our own methods through the same protocol ([engines.md](engines.md)), on the same corpus and families:
-{options.count} cases of each, {options.rotating} of each in which bodies turn, queries about the bodies of
-{options.queries}. All are held to {options.relative_tolerance} of the scale of each question: *wrong*, a contact deeper
-than that denied, or one claimed of bodies that stay farther apart; *late*, a time by which the bodies are deeper in each
-other; *early, off*, one at which they are farther apart; *no answer*, what came in its place. *Least over scale* and
-*least kappa* (in units of u · scale) are the limits with which every verdict and time would have passed: they are the
-engine's certificate. An error of a float engine is one against the numbers that its floats held. What an engine does
-not take was not asked. Of engines with a margin, witnesses are held to the bodies as the margin rounds them. Scenes of
-every size are among the cases; an engine that says for which lengths it is made is asked in those.
+A report for authors and users of the engines, made by `./run zoo --write`. It has every engine that is installed, called as
+its users call it, by default and in its tightest settings, and our own methods through the same protocol
+([protocol.md](../reference/protocol.md)). All got the same corpus and families: {options.count} cases of each,
+{options.rotating} of each rotating family, and queries about the bodies of {options.queries}.
 
-Findings, each with its case: [bugs_found.md](bugs_found.md).
+The limit is {options.relative_tolerance} of the scale of each question. *Wrong* is a contact deeper than that denied, or one
+claimed of bodies that stay farther apart. *Late* is a time by which the bodies are deeper in each other. *Early* and *off*
+are times at which they are farther apart. *No answer* counts everything else that came back. *Least over scale* and *least
+kappa* (in units of u · scale) are the limits with which every verdict and time would have passed: the engine's certificate.
+
+- The error of a float engine is measured against the numbers that its floats held.
+- Unsupported questions were not asked.
+- The witnesses of engines with a margin are compared with the bodies as the margin rounds them.
+- The cases include scenes of every size. An engine that states the lengths it is made for is asked in those.
+
+[bugs_found.md](bugs_found.md) has the findings, each with its case.
 """]
     for question in QUESTIONS:
         chosen = sorted((method for q, method in methods if q == question), key=lambda m: m["name"])
@@ -219,8 +223,8 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=int, default=600, metavar="S",
                         help="for one engine; what is judged by then counts (600)")
-    parser.add_argument("--findings", action="store_true", help="show the findings of docs/bugs_shrunk.md again")
-    parser.add_argument("--write", action="store_true", help="write docs/engines_compared.md")
+    parser.add_argument("--findings", action="store_true", help="show the findings of docs/reports/bugs_shrunk.md again")
+    parser.add_argument("--write", action="store_true", help="write docs/reports/engines_compared.md")
     return parser.parse_args()
 
 
@@ -247,8 +251,8 @@ def main():
     results = {name: judge(options, name, command) for name, command, _ in engines}
     text = page(options, results, left)
     if options.write:
-        (ROOT / "docs/engines_compared.md").write_text(text)
-        print("docs/engines_compared.md is written")
+        (ROOT / "docs/reports/engines_compared.md").write_text(text)
+        print("docs/reports/engines_compared.md is written")
     else:
         print(text[text.index("\n## "):] if "\n## " in text else "no engine was judged")
 

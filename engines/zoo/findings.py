@@ -4,26 +4,28 @@ import re
 import subprocess
 import sys
 
-PAGE = "docs/bugs_shrunk.md"
+PAGE = "docs/reports/bugs_shrunk.md"
 KINDS = ("wrong", "late", "early", "off", "contact off", "failed")
 
 HEAD = """# More findings in other engines, made small
 
-[bugs_found.md](bugs_found.md) has the findings that were worked out by hand. These were made small under the engine
-itself, often down to bodies without extent, and are shown again by `./run zoo --findings --write`, which makes this page:
-what is below was seen in that run. Some may share their cause with one there. The cases stand in `corpus/found/`, with
-the answer by an oracle. An engine is called as its users call it, in the settings that its name says
-(`engines/zoo`); *tightest* means the smallest tolerances and the most iterations that it takes. Errors are measured
-against the question as the engine saw it, its numbers rounded to its scalar, and what it documents as a limit is
-granted. Where a mechanism is said *by its behaviour*, its source was not read.
+For authors of these engines, and for readers who want to see small cases. [bugs_found.md](bugs_found.md) has the findings
+that were worked out by hand. The cases here were made small by the engine's own answers, often down to bodies without
+extent. `./run zoo --findings --write` shows each of them again and makes this page. Some may share their cause with a
+finding there.
 
-Any of them alone, with the engine's command from `engines/zoo/zoo.json` or `engines/zoo/node/zoo.json`:
+The cases are in `corpus/found/`, with the answer by an oracle. An engine is called as its users call it, with the settings
+of its name (`engines/zoo`). *Tightest* means the smallest tolerances and the most iterations that it accepts. Errors are
+measured against the question as the engine saw it, with numbers rounded to its scalar. Documented limits are granted. If a
+mechanism is described *by its behaviour*, its source was not read.
+
+To show one of them, take the engine's command from `engines/zoo/zoo.json` or `engines/zoo/node/zoo.json`:
 
     graze certify --engine "COMMAND" --relative-tolerance 1e-3 corpus/found/ID.json
     graze cast --tier exact --proof proof.jsonl corpus/found/ID.json && graze check proof.jsonl
 
-The second line gives the right answer with its proof, of casts of polytopes that do not turn (`--tier certified` of
-the others).
+The second line gives the right answer with its proof, for casts of polytopes without rotation. Use `--tier certified` for
+the others.
 
 """
 
@@ -47,12 +49,17 @@ def convicted(options, engines, finding):
     return ""
 
 
+def capital(text):
+    return text[0].upper() + text[1:]
+
+
 def section(finding, reason, version):
     because = re.sub(r"(file://)?/\S*?/engines/zoo", "engines/zoo", " ".join(reason.split()))  # of no machine
+    because = re.sub(r"; (\w)", lambda match: ". " + match.group(1).upper(), because)
     if len(because) > 330:
         because = because[:327] + "..."
-    lines = [f"## {finding['id']}", "", f"**{finding['title'][0].upper()}{finding['title'][1:]}.** "
-             f"{finding['engine']} {version}; {finding['kind']}.", "",
+    lines = [f"## {finding['id']}", "", f"**{capital(finding['title'])}.** "
+             f"{finding['engine']} {version}. {capital(finding['kind'])}.", "",
              f"- *True:* {finding['truth']}", f"- *The judge:* {finding['fault']}: {because}",
              f"- *Mechanism:* {finding['mechanism']}"]
     if finding["upstream"]:
@@ -76,7 +83,7 @@ def show(options, root, engines, versions):
             continue
         version = versions(finding["engine"])
         rows.append(f"| [{finding['id']}](#{finding['id']}) | {finding['engine']} {version} | {finding['fault']} | "
-                    f"{finding['kind'].split(':')[0]} |")
+                    f"{re.split('[:.]', finding['kind'])[0]} |")
         parts.append(section(finding, reason, version))
     if options.write and not gone:
         table = "| finding | engine | fault | |\n|---|---|---|---|\n" + "\n".join(rows) + "\n\n"

@@ -1,4 +1,4 @@
-"""./run fuzz: a fuzz campaign. docs/fuzzing.md says how to run one for days, and what becomes of findings."""
+"""./run fuzz: a fuzz campaign. docs/howto/fuzz.md says how to run one for days, and what becomes of findings."""
 
 import argparse
 import fcntl

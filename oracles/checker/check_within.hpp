@@ -48,7 +48,7 @@ struct Kappas {
 [[nodiscard]] RecordVerdict check_record_within(const corpus::ProofRecord& record, Kappas kappa,
                                                 bool* exactly = nullptr);
 
-// The scale of docs/guarantees.md from below, in doubles: by no more than a hundredth, unless the bodies' coordinates are
+// The scale of docs/reference/guarantees.md from below, in doubles: by no more than a hundredth, unless the bodies' coordinates are
 // 1e13 times as large.
 [[nodiscard]] double scale_from_below(const corpus::Case& problem);
 

@@ -96,7 +96,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> tables;
   State wanted;
 
-  CLI::App app("Mutates true proofs and judges by the oracles what the checker accepts (docs/checker.md).");
+  CLI::App app(
+      "Mutates true proofs and judges by the oracles what the checker accepts "
+      "(docs/explanation/checker.md).");
   app.add_option("--mutants", goal.mutants,
                  "accepted mutants of another meaning to be judged; a twentieth in each class");
   app.add_option("--state", state_file, "a file to keep the counts in, and to go on from");

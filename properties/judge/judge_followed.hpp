@@ -1,7 +1,7 @@
 // Judges an answer to a rotating case with the start policy pass_over whose bodies are in contact at t = 0.
 //
 // Notation   d = the depth up to which a contact is followed: the method's limit, of tier certified 4,096 u scale, u of
-//            double (docs/rotating.md);   T the end of the motion.
+//            double (docs/explanation/rotating.md);   T the end of the motion.
 // The policy's first time, for contact that is deeper than x or new after a gap of more than x, depends on x. A method is
 // right with any x from d / 8 to d, so the judge holds an answer to what is true for all of them:
 //   toi_lower, a miss     at most d deep until then

@@ -70,7 +70,7 @@ void judge_witnesses(Judgement& judgement, Truth& truth, const Answer& answer, c
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
     if (!point.allFinite()) return add_fault(judgement.bad_contact, "a witness is not finite");
-    // Its coordinates round by 2 u of its distance from the origin (docs/guarantees.md).
+    // Its coordinates round by 2 u of its distance from the origin (docs/reference/guarantees.md).
     const double granted =
         2 * method.unit_roundoff * point.norm() + (body == 'a' ? answer.reach_a : answer.reach_b);
     worst = std::max(worst, distance_from_body(truth, method, body, point) - granted);

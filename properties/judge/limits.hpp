@@ -2,7 +2,7 @@
 // case.
 //
 // Notation   u the unit roundoff of the method, kappa its row's, v a velocity of one body against the other;
-//            scale as docs/guarantees.md has it.
+//            scale as docs/reference/guarantees.md has it.
 //
 //                           standard          certified                     exact
 //   limit                   kappa u scale     0                             0
@@ -54,7 +54,7 @@ struct Limits {
 [[nodiscard]] double kappa(const engine::Method& method, const corpus::Case& problem);
 [[nodiscard]] double contact_kappa(const engine::Method& method, const corpus::Case& problem);
 
-// The scale of docs/guarantees.md, in rounded doubles.
+// The scale of docs/reference/guarantees.md, in rounded doubles.
 [[nodiscard]] double scale_of(const corpus::Case& problem);
 // No point of one body moves faster relative to one of the other: the displacement, and the rotation at the
 // arm of the farthest corner of the body's bounds from the pivot.

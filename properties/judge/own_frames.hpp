@@ -1,5 +1,5 @@
 // What rounding does not see of bodies that lie far out in their own frames, or whose parts do, beyond what
-// the scale says (docs/guarantees.md).
+// the scale says (docs/reference/guarantees.md).
 #pragma once
 
 #include "corpus/case.hpp"

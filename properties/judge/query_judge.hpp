@@ -54,7 +54,7 @@ class QueryJudge {
   [[nodiscard]] bool is_beyond_scalar(const engine::Interval& bracket, const oracle::Enclosure& end) const;
   [[nodiscard]] double largest() const;  // number of the scalar
 
-  // The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
+  // The coordinates of a witness round by 2 u of its distance from the origin (docs/reference/guarantees.md).
   [[nodiscard]] double rounding(const Vec3<double>& point) const {
     return 2 * limits_.unit_roundoff * point.norm();
   }

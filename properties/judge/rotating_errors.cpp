@@ -150,7 +150,7 @@ RotatingError off_its_body(const RotatingTruth& truth, const Answer& answer, con
   RotatingError out{.length = 0};
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
-    // Its coordinates round by 2 u of its distance from the origin (docs/guarantees.md).
+    // Its coordinates round by 2 u of its distance from the origin (docs/reference/guarantees.md).
     const double error = std::max(0.0, truth.distance_from_body(body, answer.toi_lower, point).low -
                                            2 * limits.unit_roundoff * point.norm() -
                                            (body == 'a' ? answer.reach_a : answer.reach_b));

@@ -1,4 +1,4 @@
-// The pictures of docs/families.md: of each family the case that shows its point.
+// The pictures of docs/reference/families.md: of each family the case that shows its point.
 #pragma once
 
 #include <string>

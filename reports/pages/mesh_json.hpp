@@ -1,4 +1,4 @@
-// A mesh in a document: flat arrays, as docs/show.md describes them.
+// A mesh in a document: flat arrays, as docs/reference/page-format.md describes them.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -49,7 +49,7 @@ std::string plain_page(const std::string& title, const nlohmann::ordered_json& d
       "pre{{overflow-x:auto;font-size:13px}}svg{{max-width:100%;height:auto}}</style>\n"
       "<h1>{0}</h1>\n<p>This graze was built without Node, so this page lacks the viewer: no figures to "
       "point at, no\n"
-      "shapes to turn. docs/show.md says how to build it.</p>\n<pre>{1}</pre>\n{2}</html>\n",
+      "shapes to turn. docs/howto/show.md says how to build it.</p>\n<pre>{1}</pre>\n{2}</html>\n",
       corpus::xml_text(title), corpus::xml_text(plain), pictures);
 }
 

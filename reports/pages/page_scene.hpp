@@ -1,7 +1,7 @@
 // A case as a document that a viewer draws: the bodies and their motions, what is true, what is claimed, the proof.
 //
 // Everything a picture needs is computed here, by exact hulls, oracles and the checker of proofs; a viewer places and
-// draws. The document is graze.shown/1, whose fields page_scene.cpp writes and docs/show.md describes. Places are about
+// draws. The document is graze.shown/1, whose fields page_scene.cpp writes and docs/howto/show.md describes. Places are about
 // `origin`, A's position, so that a far offset costs no digits.
 #pragma once
 

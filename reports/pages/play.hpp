@@ -1,6 +1,6 @@
 // A scene of many bodies as a document that a viewer plays: bodies and their motions, the events, what was spared.
 //
-// The document is graze.play/1, which docs/show.md describes. What happens is read from graze.events/1, as `graze scene
+// The document is graze.play/1, which docs/reference/page-format.md describes. What happens is read from graze.events/1, as `graze scene
 // --json` writes it; here every shape gets a mesh, once, and the counts get their words.
 #pragma once
 

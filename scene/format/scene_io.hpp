@@ -1,4 +1,4 @@
-// Reading and writing scenes, graze.scene/1 (docs/scenes.md).
+// Reading and writing scenes, graze.scene/1 (docs/reference/scenes.md).
 //
 // A number is the double nearest to its decimal or hexfloat. What a writer wrote reads back to the same bits.
 // An error names the file and the field, what is wrong there and what would be right.

@@ -8,7 +8,7 @@
 // tier that is asked for, with its guarantee. Rays and casts move among the bodies as these stand at t = 0.
 //
 // What a scene spares never changes a verdict: with every economy off the verdicts are the same and brackets
-// meet (docs/scenes.md says which law holds this, and how it is tried).
+// meet (docs/reference/scenes.md says which law holds this, and how it is tried).
 //
 // Nothing throws but what allocates; nothing is global; the answer is the same to the bit in any number of
 // threads.

@@ -49,7 +49,7 @@ class Tally {
     }
   }
 
-  // Prints the line that docs/bounds.md shows (table.py reads it), and fails for a bound below the truth.
+  // Prints the line that docs/reports/bounds.md shows (table.py reads it), and fails for a bound below the truth.
   // `least_samples`: so many truths above 0 must have been seen, or the test says nothing.
   void finish(std::size_t least_samples) {
     std::sort(ratios_.begin(), ratios_.end());

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the tests of bounds and writes their table into docs/bounds.md, between its two markers.
+"""Runs the tests of bounds and writes their table into docs/reports/bounds.md, between its two markers.
 
     python3 tests/bounds/table.py build/test/tests/bounds
 
@@ -42,11 +42,11 @@ def main():
     table = ["| bound | looked at | below the truth | least | median | worst |", "|---|---|---|---|---|---|"]
     for name, looked_at, below, *ratios in found:
         table.append("| " + " | ".join([name.replace("|", "\\|"), looked_at, below, *map(number, ratios)]) + " |")
-    page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "bounds.md"
+    page = pathlib.Path(__file__).resolve().parents[2] / "docs/reports/bounds.md"
     text = page.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    page.write_text(before + BEGIN + "\n" + "\n".join(table) + "\n" + END + after, encoding="utf-8")
+    page.write_text(before + BEGIN + "\n\n" + "\n".join(table) + "\n\n" + END + after, encoding="utf-8")
     return 1 if failed else 0
 
 

@@ -339,10 +339,10 @@ def main():
     source, graze, reader = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
     check = Check(source / "docs/schemas")
     corpus(check, source / "corpus")
-    examples(check, source / "docs" / "engines.md", {"engine", "answer"})
-    examples(check, source / "docs" / "case-format.md", {"case"})
+    examples(check, source / "docs/reference/protocol.md", {"engine", "answer"})
+    examples(check, source / "docs/reference/case-format.md", {"case"})
     scenes(check, source / "examples" / "scenes", graze)
-    examples(check, source / "docs" / "scenes.md", {"scene"})
+    examples(check, source / "docs/reference/scenes.md", {"scene"})
     refused, unsaid = agreement(check, reader)
     questions(check, graze, pathlib.Path(__file__).resolve().parent)
     price_list(check, graze)

@@ -1,4 +1,4 @@
-// graze campaign: millions of generated casts, each judged. docs/campaigns.md.
+// graze campaign: millions of generated casts, each judged. docs/howto/campaign.md.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -310,7 +310,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
       ->type_name("N");
   command
       ->add_option("--workloads", arguments->workloads,
-                   "Casts of the workloads, the steps of simulations (docs/workloads.md)")
+                   "Casts of the workloads, the steps of simulations (docs/reference/workloads.md)")
       ->check(count_of_casts())
       ->type_name("N");
   command
@@ -380,7 +380,7 @@ void add_campaign_command(CLI::App& app, int& exit_code) {
   add_promise_options(*command, arguments->engines);
   command->footer(
       "An answer is judged by its proof; the exact oracle decides what a proof leaves open, and a sample.\n"
-      "The summary does not depend on threads, stops or shards. docs/campaigns.md says more.\n\n"
+      "The summary does not depend on threads, stops or shards. docs/howto/campaign.md says more.\n\n"
       "  graze campaign --state campaign.json\n"
       "  graze campaign --casts 100000 --family grazing_face --method mpr/float --save hard.jsonl\n"
       "  graze campaign --casts 2000000 --queries 2000 --methods standard --state standard.json\n"

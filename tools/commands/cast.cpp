@@ -128,7 +128,8 @@ class CastRun {
     }
     if (failed_ > 0) complain(fmt::format("{} without an answer, by a fault of the engine", failed_));
     if (not_asked_ > 0)
-      complain(fmt::format("{} not asked: the engine does not take them (docs/engines.md)", not_asked_));
+      complain(fmt::format("{} not asked: the engine does not take them (docs/reference/protocol.md)",
+                           not_asked_));
     if (bad_) return 2;
     return failed_ > 0 ? 1 : 0;
   }
@@ -356,7 +357,8 @@ void add_cast_command(CLI::App& app, int& exit_code) {
       "  graze cast pair.json\n"
       "  graze cast --plan --json cases.jsonl\n"
       "  graze cast cases.jsonl --json --method all --proof proofs.jsonl && graze check proofs.jsonl\n"
-      "  graze cast cases.jsonl --engine ./mine --method gjk    another engine's answers (docs/engines.md), "
+      "  graze cast cases.jsonl --engine ./mine --method gjk    another engine's answers "
+      "(docs/reference/protocol.md), "
       "beside ours\n\n"
       "Exit code: 0, or 2 if a file or a case could not be read or answered, or an output not be written; "
       "the "

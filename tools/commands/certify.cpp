@@ -46,7 +46,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
     }
     if (asked > 0 || !certification.unfinished.empty()) continue;
     is_any = true;
-    complain(fmt::format("{}: no answer of it was judged: of {} it takes none (docs/engines.md)",
+    complain(fmt::format("{}: no answer of it was judged: of {} it takes none (docs/reference/protocol.md)",
                          engine->declaration().name, counted(certification.questions, "case")));
   }
   return is_any;
@@ -222,7 +222,8 @@ void add_certify_command(CLI::App& app, int& exit_code) {
       "Without files or families: the curated corpus and every generated family. An answer is judged by its "
       "proof\n"
       "first; the exact oracle decides what is refused or unproved, and measures the errors on a sample.\n"
-      "docs/guarantees.md says what each column means. Of files, a query beside the cast is judged as it is "
+      "docs/reference/guarantees.md says what each column means. Of files, a query beside the cast is judged "
+      "as it is "
       "asked; what\n"
       "nothing judges (a line of bodies that turn) is said, and leaves the exit code to the others.\n\n"
       "  graze certify\n"

@@ -109,7 +109,7 @@ void CertifyFiles::write(const Certification& certification, const Settings& set
   }
   if (page_) {
     if (!show::has_viewer())
-      complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
+      complain("this graze was built without Node: the report lacks the viewer (docs/howto/show.md)");
     page_->write_line(html.substr(0, html.size() - 1));
     page_->close();
     beside_page_->write_line(certification_json(certification, settings, seconds));

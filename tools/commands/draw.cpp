@@ -167,7 +167,7 @@ void add_draw_command(CLI::App& app, int& exit_code) {
       ->type_name("W");
   command
       ->add_option("--families", settings->families,
-                   "Draws the pictures of docs/families.md into this folder")
+                   "Draws the pictures of docs/reference/families.md into this folder")
       ->type_name("DIR");
   command->footer(
       "A is blue, B orange: strong where they meet or pass nearest, paler at t = 0 and on the way. The "

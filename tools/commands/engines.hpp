@@ -1,4 +1,4 @@
-// The options that name engines of others (docs/engines.md), and the engines that they name.
+// The options that name engines of others (docs/reference/protocol.md), and the engines that they name.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -267,7 +267,7 @@ void add_judge_command(CLI::App& app, int& exit_code) {
       "or a "
       "limit the answers are held\nto 0.001 of scale. A case without an answer, an answer to no case and a "
       "second "
-      "answer are errors.\ndocs/engines.md has the documents.\n\n"
+      "answer are errors.\ndocs/reference/protocol.md has the documents.\n\n"
       "  graze judge answers.jsonl --cases cases.jsonl --tolerance 1e-6\n\n"
       "Exit code: 0 if it keeps what it promises, 1 if it does not, 2 for bad input.");
   command->callback([arguments, &exit_code] { exit_code = run_judge_command(*arguments); });

@@ -22,40 +22,44 @@ struct Class {
 };
 constexpr Class kClasses[] = {
     {Needs::metamorphic, "Metamorphic: the method alone",
-     "The method is asked twice or more, about cases whose true answers are known from each other, or about "
-     "what\nits answer may look like. Microseconds. Where two answers differ, the oracle says which of them "
-     "is beyond its\nrow: at a graze both may be right, and yet far apart."},
+     "The method is called twice or more, for cases whose true answers follow from each other, or its answer "
+     "is checked\nfor consistency. It takes microseconds. If two answers differ, the oracle decides which "
+     "one breaks its "
+     "guarantee. At a\ngraze both may be right, and yet far apart."},
     {Needs::proof, "Proof: the checker of proofs",
      "The answer carries its proof, and the exact checker, which shares no code with the search, decides."},
     {Needs::oracle, "Oracle: the true answer",
-     "The exact oracle, or the bracket oracle where shapes are curved or bodies turn, knows the answer: a\n"
-     "millisecond to a second a case."},
+     "The exact oracle knows the answer, or the bracket oracle if shapes are curved or bodies rotate. It "
+     "takes a "
+     "millisecond to\na second per case."},
 };
 
 constexpr const char* kPreamble =
-    R"(<!-- Made by `graze laws --page > docs/laws.md`; a test compares. -->
+    R"(<!-- Made by `graze laws --page > docs/reference/laws.md`. A test compares. -->
+
 # Laws
 
-A law is one sentence about every answer of every method. It is a plain function of a case and a method, so that the
-tests, the fuzzers, the campaigns and `graze laws` call the same one; it never throws, and it answers: holds,
-broken with a reason, or not applicable. {} laws speak about linear casts, {} about the queries beside the cast, {} about
-casts of bodies that turn. `kappa u scale` is the length that the method's row of [guarantees.md](guarantees.md)
-grants it.
+For developers who want to know which properties every answer must have, and which test checks each.
 
-    graze laws                                               # every law, on the corpus and every family
-    graze laws --law never_late mine.jsonl                   # one law, on cases of your own
-    graze laws --engine ./mine                               # those that an engine of others can be asked (engines.md)
+A law is one sentence about every answer of every method. It is a function of a case and a method. The tests, the fuzzers,
+the campaigns and `graze laws` call the same one. It never throws, and returns one of three results: it holds, it is
+broken (with a reason), or it does not apply. {} laws are about linear casts, {} about the queries beside the cast, {} about
+casts of rotating bodies. `kappa u scale` is the error bound of the method's guarantee ([guarantees.md](guarantees.md)).
+
+    graze laws                                     # every law, on the corpus and every family
+    graze laws --law never_late mine.jsonl         # one law, on cases of your own
+    graze laws --engine ./mine                     # the laws that apply to a third-party engine (protocol.md)
     ctest -L property                                        # the same laws, with shrinking, over drawn cases too
 
-Where a law breaks, the case is made small (few vertices, small integers) by the law and the method that it broke, and
-written as a file for `graze cast`, beside its picture; `graze corpus add` keeps it. `GRAZE_FINDINGS_DIR` names the
-folder of a test run, else it is `findings/` of the build.
+If a law breaks, the case is made small (few vertices, small integers), and written as a file for `graze cast` with its
+picture. `graze corpus add` keeps it. `GRAZE_FINDINGS_DIR` names the folder of a test run. The default is `findings/` in the
+build folder.
 
-A law that sees nothing says nothing. So a run over the families fails, too, if a law never applied, never saw a hit, a
-miss or a start in contact, or was never reached by a family of its kind, but for what is listed [below](#out-of-reach).
+A law that never applies checks nothing. So a run over the families also fails if a law never applied, never saw a hit, a
+miss or a start in contact, or was never reached by a family of its kind. The exceptions are listed [below](#out-of-reach).
 
-And a law that notices nothing is none. Each names planted defects: small patches of `properties/defects/patches/` which, applied
-to a copy of the library, it is known to notice; `./run defects --write` tries them, and writes who notices which.
+Each law names planted defects: small patches in `properties/defects/patches/` that make a copy of the library wrong, and that the
+law notices. `./run defects --write` tries them, and writes which law notices which.
 )";
 
 std::string line_after(const std::filesystem::path& file, const std::string& text, std::string_view key) {
@@ -180,14 +184,14 @@ std::string law_page(std::span<const Law> laws, std::span<const PlantedDefect> d
                             fmt::join(by_law.at(law.name), ", "));
       }
       if (rows.empty()) continue;
-      constexpr const char* kTitles[] = {"Linear casts", "Queries beside the cast", "Bodies that turn"};
+      constexpr const char* kTitles[] = {"Linear casts", "Queries beside the cast", "Rotating bodies"};
       text += fmt::format("\n### {}\n\n| law | says | notices |\n|---|---|---|\n{}",
                           kTitles[static_cast<std::size_t>(kind)], rows);
     }
   }
-  text +=
-      fmt::format("\n## Out of reach\n\nWhat a law cannot see, and which families it never applies to:\n\n{}",
-                  reach_table());
+  text += fmt::format(
+      "\n## Out of reach\n\nThese laws cannot see some outcomes, or never apply to some families:\n\n{}",
+      reach_table());
   if (!law::known_breaches().empty()) {
     text += fmt::format(
         "\n## Broken\n\nKnown failures: `graze laws` reports them and fails; the tests "

@@ -1,4 +1,4 @@
-// The laws as a list to read, and as docs/laws.md: by what they need, with the planted defects that each is
+// The laws as a list to read, and as docs/reference/laws.md: by what they need, with the planted defects that each is
 // known to notice.
 #pragma once
 
@@ -24,7 +24,7 @@ struct PlantedDefect {
 // Name and sentence, by what the laws need.
 [[nodiscard]] std::string law_list(std::span<const law::Law> laws);
 
-// docs/laws.md, whole. Throws std::runtime_error with one line to show for a defect that names no law.
+// docs/reference/laws.md, whole. Throws std::runtime_error with one line to show for a defect that names no law.
 [[nodiscard]] std::string law_page(std::span<const law::Law> laws, std::span<const PlantedDefect> defects);
 
 }  // namespace graze::tool

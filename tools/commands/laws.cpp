@@ -75,19 +75,19 @@ void add_laws_command(CLI::App& app, int& exit_code) {
   command->add_flag("--list", settings->list, "Only list the laws");
   CLI::Option* page =
       command->add_flag("--page", settings->page,
-                        "Only print docs/laws.md: the laws, and the planted defects that each notices");
+                        "Only print docs/reference/laws.md: the laws, and the planted defects that each notices");
   command->add_option("--defects", settings->defects, "The folder of planted defects")
       ->type_name("DIR")
       ->needs(page);
   command->footer(
-      "Without files or families: the curated corpus and every generated family. docs/laws.md says what each "
+      "Without files or families: the curated corpus and every generated family. docs/reference/laws.md says what each "
       "law "
       "is.\n\n"
       "  graze laws --list\n"
       "  graze laws --law never_late my_cases.jsonl\n"
       "  graze laws --family grazing_edge --count 500 --report broken\n"
       "  graze laws --engine ./my_engine                       those that it can be asked\n"
-      "  graze laws --page > docs/laws.md\n\n"
+      "  graze laws --page > docs/reference/laws.md\n\n"
       "Exit code: 0 if every law holds, 1 if one is broken, 2 for bad input, and if there is nothing to "
       "judge.");
   command->callback([settings, command, &exit_code] {

@@ -1,4 +1,4 @@
-// graze merge: the shards of a campaign, joined. docs/campaigns.md.
+// graze merge: the shards of a campaign, joined. docs/howto/campaign.md.
 #include <filesystem>
 #include <memory>
 #include <stdexcept>

@@ -96,7 +96,7 @@ void write_report(const PriceArguments& arguments, const price::Document& docume
       {.command = price_line(arguments), .plain = price::screen_of(document, arguments.full)});
   write_whole((folder / "index.html").string(), page.substr(0, page.size() - 1));
   if (!show::has_viewer())
-    complain("this graze was built without Node: the report lacks the viewer (docs/show.md)");
+    complain("this graze was built without Node: the report lacks the viewer (docs/howto/show.md)");
 }
 
 void write_json(const PriceArguments& arguments, const price::Document& document) {
@@ -149,7 +149,7 @@ int run_price_command(const PriceArguments& arguments) {
       throw std::runtime_error(
           fmt::format("--only: {} is no table, group or series; groups are smooth, rotation, sums, large, "
                       "ties and polytopes, "
-                      "docs/price.md has the others",
+                      "docs/reports/price.md has the others",
                       name));
     }
   }
@@ -232,9 +232,10 @@ void add_price_command(CLI::App& app, int& exit_code) {
           "price.json")
       ->type_name("DIR");
   command
-      ->add_option("--workloads", arguments->workloads,
-                   "Instead: the steps of simulations (docs/workloads.md), N casts of each workload at each "
-                   "place; --only names workloads")
+      ->add_option(
+          "--workloads", arguments->workloads,
+          "Instead: the steps of simulations (docs/reference/workloads.md), N casts of each workload at each "
+          "place; --only names workloads")
       ->check(whole_number(1))
       ->type_name("N");
   command
@@ -249,7 +250,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
       "are "
       "to a\nbaseline that each table names, with the least and the greatest of the rounds. Errors are "
       "against "
-      "the exact or the\nbracket oracle, of turning bodies against a proof. docs/price.md tells the "
+      "the exact or the\nbracket oracle, of turning bodies against a proof. docs/reports/price.md tells the "
       "story.\n\n"
       "  graze price --json price.json\n"
       "  graze price --only smooth --only polytopes --full\n"

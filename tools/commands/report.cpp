@@ -27,7 +27,7 @@ int run_report_command(const ReportArguments& arguments) {
     throw std::runtime_error(arguments.file + ": " + error.what());
   }
   if (!show::has_viewer())
-    complain("this graze was built without Node: the page lacks the viewer (docs/show.md)");
+    complain("this graze was built without Node: the page lacks the viewer (docs/howto/show.md)");
   out.write_line(html.substr(0, html.size() - 1));
   out.close();
   return 0;

@@ -190,7 +190,7 @@ class SceneRun {
     out.write_line(html.substr(0, html.size() - 1));
     out.close();
     if (!show::has_viewer())
-      complain("this graze was built without Node: the page lacks the player (docs/show.md)");
+      complain("this graze was built without Node: the page lacks the player (docs/howto/show.md)");
   }
 
   void show_plan(const std::string& file, const scene::Document& document) {
@@ -366,7 +366,7 @@ void add_scene_command(CLI::App& app, int& exit_code) {
       "time. Rays and casts go among the bodies as these stand at t = 0.\n\n"
       "Economies: " +
       economy_names() +
-      ".\nNone changes a verdict; docs/scenes.md says what each spares.\n\n"
+      ".\nNone changes a verdict; docs/reference/scenes.md says what each spares.\n\n"
       "  graze scene examples/scenes/*.json\n"
       "  graze scene --plan examples/scenes/fan.json\n"
       "  graze scene --ask first --gains examples/scenes/bullets.json\n"

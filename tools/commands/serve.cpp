@@ -1,4 +1,4 @@
-// graze serve: our own methods as an engine is asked, by the protocol of docs/engines.md.
+// graze serve: our own methods as an engine is asked, by the protocol of docs/reference/protocol.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -228,7 +228,7 @@ void add_serve_command(CLI::App& app, int& exit_code) {
   command->add_option("--method", arguments->method, "A method by its name (mpr)")->type_name("NAME");
   command->add_option("--scalar", arguments->scalar, "double (the default) or float")->type_name("NAME");
   command->footer(
-      "docs/engines.md is the protocol. Our methods are judged as any engine is:\n\n"
+      "docs/reference/protocol.md is the protocol. Our methods are judged as any engine is:\n\n"
       "  graze certify --engine \"graze serve --method gjk\"\n\n"
       "Exit code: 0 at the end of its input, or 2 for a line that is no question.");
   command->callback([arguments, &exit_code] { exit_code = run_serve_command(*arguments); });

@@ -139,7 +139,7 @@ class ShowRun {
         {"schema", "graze.page/1"}, {"kind", "show"}, {"title", title}, {"scenes", std::move(scenes)}};
     std::string plain;
     if (!show::has_viewer()) {
-      complain("this graze was built without Node: the page holds still pictures (docs/show.md)");
+      complain("this graze was built without Node: the page holds still pictures (docs/howto/show.md)");
       for (const corpus::Case* problem : cases_) {
         for (const show::Claim& claim : show::claims_of(*problem, claimed(*problem)))
           plain += fmt::format("{}: {}\n", problem->id, claim.words);

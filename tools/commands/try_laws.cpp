@@ -196,7 +196,7 @@ void print_ours(const LawCertification& certification, const LawSettings& settin
   fmt::print(
       "answers: a case and a method, to which the law applies. left open: by the oracle that the law needs. "
       "not for the\nlaw: the method does not answer such a case, or the law does not speak of it. "
-      "docs/laws.md "
+      "docs/reference/laws.md "
       "says what each law is.\n\n");
   print_idle(certification, settings);
 }

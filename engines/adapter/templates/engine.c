@@ -2,7 +2,7 @@
  *   cc -shared -fPIC engine.c -o engine.so -lm && graze certify --engine ./engine.so
  *
  * To change: 1. graze_engine_cast calls your engine, 2. graze_engine_describe names your shapes and what you promise.
- * docs/engines.md has every field. */
+ * docs/reference/protocol.md has every field. */
 #include <graze_engine.h>
 #include <math.h>
 

@@ -1,7 +1,7 @@
 // An engine in C++: casts of balls. c++ -std=c++17 engine.cpp -o engine && graze certify --engine ./engine
 // (with -I and the folder of graze_adapter.hpp where graze is not installed)
 //
-// To change: 1. `cast` calls your engine, 2. `main` names your shapes and what you promise. docs/engines.md has every field.
+// To change: 1. `cast` calls your engine, 2. `main` names your shapes and what you promise. docs/reference/protocol.md has every field.
 #include <cmath>
 #include <graze_adapter.hpp>
 

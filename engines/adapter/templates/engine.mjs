@@ -1,6 +1,6 @@
 // An engine in JavaScript, for Node: casts of balls. graze certify --engine "node engine.mjs"
 //
-// To change: 1. `cast` calls your engine, 2. `says` names your shapes and what you promise. docs/engines.md has every field.
+// To change: 1. `cast` calls your engine, 2. `says` names your shapes and what you promise. docs/reference/protocol.md has every field.
 import readline from 'node:readline';
 
 // 2. shapes: ['sphere', 'capsule', 'box', 'hull']

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """An engine in Python: casts of balls. graze certify --engine "python3 engine.py"
 
-To change: 1. `cast` calls your engine, 2. `SAYS` names your shapes and what you promise. docs/engines.md has every field.
+To change: 1. `cast` calls your engine, 2. `SAYS` names your shapes and what you promise. docs/reference/protocol.md has every field.
 """
 import itertools
 import json

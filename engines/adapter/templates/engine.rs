@@ -1,7 +1,7 @@
 //! An engine in Rust, standard library alone: casts of balls.
 //!   rustc --edition 2021 -O engine.rs && graze certify --engine ./engine
 //!
-//! To change: 1. `cast` calls your engine, 2. `SAYS` names your shapes and what you promise. docs/engines.md has every field.
+//! To change: 1. `cast` calls your engine, 2. `SAYS` names your shapes and what you promise. docs/reference/protocol.md has every field.
 use std::io::{self, BufRead, Write};
 
 // 2. "shapes": ["sphere", "capsule", "box", "hull"]

@@ -1,4 +1,4 @@
-// Speaks graze.engine/1, graze.question/1 and graze.answer/1 (docs/engines.md) on standard input and output.
+// Speaks graze.engine/1, graze.question/1 and graze.answer/1 (docs/reference/protocol.md) on standard input and output.
 //
 // Whoever imports this file prints nothing else on standard output.
 //

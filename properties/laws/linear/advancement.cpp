@@ -307,12 +307,12 @@ LawResult work(const Case& problem, const Method& method) {
 std::vector<Law> linear_advancement_laws() {
   return {
       {"interrupting",
-       "A budget too small leaves a bracket that meets the answer's; a lower end that decreases with "
-       "the budget was right all the same (of ca, an advance cut short may lead farther).",
+       "A budget that is too small leaves a bracket that meets the answer's. A lower end that decreases with "
+       "the budget was right all the same (with ca, an advance cut short may lead farther).",
        Needs::metamorphic, &interrupting},
       {"tightening",
-       "A tighter tolerance never lowers toi_lower and never raises toi_upper; none moves the verdict or "
-       "costs supports.",
+       "A tighter tolerance never lowers toi_lower and never raises toi_upper. No tolerance changes the "
+       "verdict or costs supports.",
        Needs::metamorphic, &tightening},
       {"asking_again",
        "The same question gets the same bits, whatever was asked between, and with adjacency of its hulls or "

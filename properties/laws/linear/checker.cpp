@@ -119,8 +119,9 @@ LawResult overclaims_are_refused(const Case& problem, const engine::Method& meth
 
 std::vector<Law> linear_checker_laws() {
   return {
-      {"overclaims_are_refused", "Of an accepted proof no more is accepted than its bounds leave room for.",
-       Needs::proof, &overclaims_are_refused},
+      {"overclaims_are_refused",
+       "An accepted proof is not accepted for a claim beyond the room that its bounds leave.", Needs::proof,
+       &overclaims_are_refused},
   };
 }
 

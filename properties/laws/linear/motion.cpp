@@ -312,9 +312,9 @@ LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) 
 std::vector<Law> linear_motion_laws() {
   return {
       {"moving_the_horizon",
-       "A longer horizon keeps the contact found within a shorter; one before toi_lower is a miss.",
+       "A longer horizon keeps the contact found within a shorter one. A horizon before toi_lower is a miss.",
        Needs::metamorphic, &moving_the_horizon},
-      {"keeping_distance", "A target distance is a rounding of either body; a larger one is never met later.",
+      {"keeping_distance", "A target distance is a rounding of either body. A larger one is never met later.",
        Needs::metamorphic, &keeping_distance},
       {"changing_the_clock",
        "T times 2^k and velocities by it multiply every time by 2^k and change no normal and no count.",

@@ -161,7 +161,7 @@ std::string proof_fault(const Case& seen, const Answer& answer) {
 std::vector<Law> linear_proof_laws() {
   return {
       {"answer_is_consistent",
-       "Outcome and bracket say one thing; a normal is unit and does not follow the motion.",
+       "Outcome and bracket agree. A normal is a unit vector and does not follow the motion.",
        Needs::metamorphic, &answer_is_consistent},
       {"bad_input_is_refused",
        "A NaN, an infinity, an empty hull, a negative extent or q = 0 is refused at the door.",

@@ -332,15 +332,16 @@ std::vector<Law> query_any_laws() {
        Needs::metamorphic, &query_scaling},
       {"query_translating", "Translating both bodies by an exact amount changes the answer to no query.",
        Needs::metamorphic, &query_translating},
-      {"query_requesting", "Of a query, too, asking for less changes no answer and computes nothing unasked.",
+      {"query_requesting",
+       "A query that requests less has the same answer, and computes nothing that was not requested.",
        Needs::metamorphic, &query_requesting},
       {"query_asking_again",
        "The same query gets the same bits, whatever was asked between, and with adjacency of its hulls or "
        "without.",
        Needs::metamorphic, &query_asking_again},
       {"query_answer_is_consistent",
-       "Outcome and brackets of a query say one thing; normals are unit, points finite, wide brackets "
-       "stalls.",
+       "Outcome and brackets of a query agree. Normals are unit vectors, points are finite, and wide "
+       "brackets are stalls.",
        Needs::metamorphic, &query_answer_is_consistent},
       {"query_bad_input_is_refused",
        "Bad input is refused at the door of every query, a direction of no length among it.",

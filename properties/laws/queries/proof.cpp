@@ -2,7 +2,7 @@
 //
 //   h(n) = max over C of n.c by corpus/support_value.hpp, in rounded doubles, which knows none of the
 //   methods. Witnesses a, b of an axis n are where A and B end along it: n.a = h_A(n), n.b = -h_B(-n).
-// The multiples of the limit follow from what docs/guarantees.md allows the parts: a witness a limit off its
+// The multiples of the limit follow from what docs/reference/guarantees.md allows the parts: a witness a limit off its
 // body, a pair three, a normal one, an end of the bracket one.
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ using engine::Method;
 
 namespace {
 
-// The coordinates of a witness round by 2 u of its distance from the origin (docs/guarantees.md).
+// The coordinates of a witness round by 2 u of its distance from the origin (docs/reference/guarantees.md).
 double rounding(const Vec3<double>& point, double u) { return 2 * u * point.norm(); }
 
 // How far the witness is from ending its body along n, beyond rounding; negative where it is outside.

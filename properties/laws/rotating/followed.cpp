@@ -128,7 +128,7 @@ LawResult apart_start_has_no_policy(const Case& problem, const Method& method) {
 std::vector<Law> rotating_followed_laws() {
   return {
       {"contact_is_followed",
-       "pass_over: until toi_lower the contact of the start gets no deeper; by toi_upper it does, or there "
+       "pass_over: until toi_lower the contact of the start gets no deeper. By toi_upper it does, or there "
        "is a new one.",
        Needs::oracle, &contact_is_followed},
       {"contact_is_left_as_it_came", "The same from where bodies meet, on their way back.", Needs::oracle,
@@ -136,8 +136,8 @@ std::vector<Law> rotating_followed_laws() {
       {"spin_on_the_plane_is_passed_over",
        "pass_over: a body that slides and spins on the plane of its contact gets no hit from it.",
        Needs::oracle, &spin_on_the_plane_is_passed_over},
-      {"apart_start_has_no_policy", "Where the start is apart, pass_over answers as report does.",
-       Needs::oracle, &apart_start_has_no_policy},
+      {"apart_start_has_no_policy", "If the start is apart, pass_over answers as report does.", Needs::oracle,
+       &apart_start_has_no_policy},
   };
 }
 

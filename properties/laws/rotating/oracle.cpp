@@ -49,7 +49,7 @@ LawResult turning_distance_is_stated(const Case& problem, const Method& method) 
   return by_truth(problem, method, &distance_error);
 }
 
-// Tier certified alone promises it; of tier standard a stall has its cap (docs/guarantees.md).
+// Tier certified alone promises it; of tier standard a stall has its cap (docs/reference/guarantees.md).
 LawResult turning_certified_decides(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not of tier certified");
   return by_truth(problem, method, &undecided_error);
@@ -115,8 +115,8 @@ std::vector<Law> rotating_oracle_laws() {
       {"turning_contact_is_right", "A hit's normal separates the bodies, and its witnesses lie in them.",
        Needs::oracle, &turning_contact_is_right},
       {"turning_open_answer_is_near",
-       "Where tier certified leaves a verdict open, the bodies are within the width of contact at toi_lower; "
-       "the answer has a distance of no more, a unit normal and points on the bodies.",
+       "If tier certified leaves a verdict open, the bodies are within the width of contact at toi_lower. "
+       "The answer has a distance of no more, a unit normal and points on the bodies.",
        Needs::oracle, &turning_open_answer_is_near},
   };
 }

@@ -1,4 +1,4 @@
-// Each fault of the bad engine is found and called what docs/engines.md calls it, the next question is asked of a new
+// Each fault of the bad engine is found and called what docs/reference/protocol.md calls it, the next question is asked of a new
 // process, and nothing is left behind.
 #include "certify/external/engine.hpp"
 

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-// What a cast needs at most (docs/guarantees.md), in supports.
+// What a cast needs at most (docs/reference/guarantees.md), in supports.
 constexpr int kMostSupports = 1024;
 
 // Lengths in metres. A floor whose top is z = 0, and a crate that stands on it, unless turned by `tilt` and moved.

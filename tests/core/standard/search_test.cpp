@@ -153,7 +153,7 @@ TEST(SearchParts, RefiningAnAxisCountsItsSupports) {
   const detail::Cso<double> cso(a, b);
   detail::Simplex<double> simplex;
   simplex.add(cso.support(V(-1, 0, 0)));
-  Distance<double> d;
+  detail::Distance<double> d;
   d.upper = 4;
   d.lower = 0;
   Counters counters;
@@ -168,7 +168,7 @@ TEST(SearchParts, RefiningAnAxisCountsItsSupports) {
 TEST(SearchParts, ThePortalsPointIsOnTheLine) {
   Draw draw{222};
   for (int round = 0; round < 500; ++round) {
-    Portal<double> portal;
+    detail::Portal<double> portal;
     portal.size = 3;
     // Corners at thirds of a turn about the line, near and far.
     const double angle = draw.between(0, 6);
@@ -204,7 +204,7 @@ TEST(SearchParts, ASilhouetteIsFoundFromEverySide) {
                            .displacement = {0, 0, 1}};
       const detail::Cso<double> cso(a, b);
       Counters counters;
-      const Frame<double> frame(cso.direction());
+      const detail::Frame<double> frame(cso.direction());
       const detail::PortalView<double> view{cso, frame, 1.0, counters};
       const double unit = power_of_two(-cso.length_exponent());
       EXPECT_EQ(detail::on_silhouette(view, unit * noise), depth < noise) << k << ' ' << depth;
@@ -231,7 +231,7 @@ TEST(SearchParts, ASpentBudgetLeavesAStartOpen) {
       const detail::Start start = detail::start_of(cso, limits, spent);
       EXPECT_NE(start, detail::Start::leaves) << round << ' ' << limits.budget;
       // Open for certain where not even a portal is found, seen from behind.
-      const Frame<double> frame(cso.direction());
+      const detail::Frame<double> frame(cso.direction());
       const detail::PortalView<double> view{cso, frame, -1.0, spent};
       if (detail::find_portal(view, limits.budget).state != detail::PortalSearch<double>::State::exhausted) continue;
       EXPECT_EQ(start, detail::Start::open) << round << ' ' << limits.budget;

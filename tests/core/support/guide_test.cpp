@@ -78,7 +78,7 @@ TEST(PreparedCore, OfFewPointsTheFarthestIsFound) {
     const detail::PreparedCore<double> core(body);
     const std::vector<V> points = points_of(shape);
     std::uint32_t vertex = 99;
-    const V found = core.support(triple(n), vertex).vector();
+    const V found = core.support(detail::triple(n), vertex).vector();
     ASSERT_LT(vertex, points.size());
     EXPECT_EQ(found, core.own(vertex).vector());
     for (const V& x : points)

@@ -172,19 +172,20 @@ TEST(Picture, OfACaseThatIsRefusedSaysSoAndDrawsNothing) {
 TEST(PageOfFamilies, HasASectionAndAPictureOfEachAndOfNothingElse) {
   std::set<std::string> names, sections, shown, pictures;
   for (const FamilyPicture& picture : family_pictures()) names.insert(picture.family);
-  std::istringstream page(text_of(kRoot / "docs/families.md"));
+  std::istringstream page(text_of(kRoot / "docs/reference/families.md"));
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with("### ")) sections.insert(line.substr(4));
     if (line.starts_with("![")) shown.insert(line);
   }
   std::set<std::string> expected_shown;
-  for (const std::string& name : names) expected_shown.insert("![" + name + "](families/" + name + ".svg)");
-  for (const auto& entry : std::filesystem::directory_iterator(kRoot / "docs/families")) {
+  for (const std::string& name : names)
+    expected_shown.insert("![" + name + "](../pictures/families/" + name + ".svg)");
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot / "docs/pictures/families")) {
     pictures.insert(entry.path().stem().string());
   }
   EXPECT_EQ(sections, names);
   EXPECT_EQ(shown, expected_shown);
-  EXPECT_EQ(pictures, names) << "redraw them: graze draw --families docs/families";
+  EXPECT_EQ(pictures, names) << "redraw them: graze draw --families docs/pictures/families";
 }
 
 // The outcome line up to its first number, and that number; the last digits of a time may differ by compiler.
@@ -199,13 +200,13 @@ std::pair<std::string, double> outcome_of(const std::string& svg) {
 
 TEST(PageOfFamilies, ShowsTheCasesThatAreChosenAsTheyAreNowInSmallFiles) {
   for (const FamilyPicture& picture : family_pictures()) {
-    const std::string svg = text_of(kRoot / "docs/families" / (picture.family + ".svg"));
+    const std::string svg = text_of(kRoot / "docs/pictures/families" / (picture.family + ".svg"));
     const std::string id = corpus::find_family(picture.family)->generate(picture.hardness, picture.seed).id;
     expect_picture(svg, id);
     EXPECT_LT(svg.size(), 30000U) << picture.family;
     const auto [words, number] = outcome_of(svg);
     const auto [words_now, number_now] = outcome_of(draw_family(picture));
-    EXPECT_EQ(words, words_now) << id << ": redraw it: graze draw --families docs/families";
+    EXPECT_EQ(words, words_now) << id << ": redraw it: graze draw --families docs/pictures/families";
     EXPECT_NEAR(number, number_now, 1e-6 * std::abs(number)) << id << ": redraw it";
   }
 }

@@ -90,7 +90,7 @@ TEST_F(Judge, TellsOneFaultOfAnAnswerAfterTheTableAndTheOthersInBrackets) {
   EXPECT_EQ(run.out.find("0x"), std::string::npos) << run.out;
 }
 
-// docs/engines.md: a hit is at a time above 0.
+// docs/reference/protocol.md: a hit is at a time above 0.
 TEST_F(Judge, TakesAHitAtTime0ForWrong) {
   corpus::Case start = flying_ball("t/start", 0);
   start.b.position = {-1.5, 0, 0};

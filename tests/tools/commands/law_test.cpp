@@ -13,7 +13,7 @@ using test::CommandRun;
 using test::Folder;
 
 std::string page() {
-  std::ifstream file(GRAZE_SOURCE_DIR "/docs/laws.md");
+  std::ifstream file(GRAZE_SOURCE_DIR "/docs/reference/laws.md");
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
@@ -103,7 +103,7 @@ TEST(PageOfLaws, IsThatOfTheLawsAndThePlantedDefectsAsTheyAre) {
   const Folder folder;
   const CommandRun run = folder.graze("laws --page");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.out, page()) << "make it again: graze laws --page > docs/laws.md";
+  EXPECT_EQ(run.out, page()) << "make it again: graze laws --page > docs/reference/laws.md";
 }
 
 }  // namespace

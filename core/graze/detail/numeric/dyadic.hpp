@@ -8,7 +8,7 @@
 // and more where combinators nest rotations. Beyond kLimbs `valid` turns false and stays so; the caller then
 // refuses the case (too_complex), it never guesses.
 //
-// Why this and neither of the others (bench/exact_bench.cpp): docs/exact.md.
+// Why this and neither of the others (bench/exact_bench.cpp): docs/reports/costs.md.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 
 #include <graze/detail/casts/exact_ends.hpp>
 #include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>

@@ -29,7 +29,7 @@ struct HullGraph {
 };
 
 // From so many vertices on there is a map. Below, casts of shapes that are not in the near caches take as long or longer
-// with one (docs/costs.md).
+// with one (docs/reports/costs.md).
 inline constexpr std::size_t kMapFrom = 192;
 
 class GraphMaker {

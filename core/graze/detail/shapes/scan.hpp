@@ -6,7 +6,7 @@
 // A chunk at a time: its values and their greatest, without a branch; then, only if that is a new greatest,
 // where it is. n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
 //
-// Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/costs.md.
+// Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/reports/costs.md.
 #pragma once
 
 #include <graze/detail/numeric/machine.hpp>
