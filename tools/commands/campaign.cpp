@@ -45,7 +45,7 @@ constexpr std::uint64_t kRotatingOracleEvery = 64;
 // workloads, and of queries one in so many.
 constexpr std::string_view kWorkFamilies[] = {
     "at_rest",     "coaxial", "equal_distances",     "parallel_caps", "rods_and_round",
-    "level_tiles", "wheels",  "flat_plates_turning", "above_a_floor"};
+    "smooth_depths", "level_tiles", "wheels",  "flat_plates_turning", "above_a_floor"};
 constexpr std::uint64_t kWorkloadCasts = 10, kWorkQueries = 100;
 
 struct CampaignArguments {
