@@ -99,13 +99,12 @@ void fill_smooth_depths(Draw& draw, double hardness, Case& problem) {
   switch (random.below(8)) {
     case 0:
     case 1:
-    case 2:
       t0 = 0.5;
       break;
-    case 3:
+    case 2:
       t0 = -0.5;
       break;
-    case 4:
+    case 3:
       meeting[1] += 4 * kReach;
       break;
     default:
@@ -136,7 +135,7 @@ const Family family::smooth_depths{
     .hardness_meaning = "k: they are 10^-k of a size of 4, and of a radian, from symmetric; 17 is symmetric",
     .levels = kSmoothDepthLevels,
     .fill = fill_smooth_depths,
-    .picture = {1, 2},
+    .picture = {1, 5},
 };
 
 }  // namespace graze::corpus
