@@ -117,7 +117,8 @@ void fill_smooth_depths(Draw& draw, double hardness, Case& problem) {
   set_motion(draw, problem, v);
   if (random.once_in(4)) problem.start_policy = StartPolicy::pass_over;
   vary_time_scale(draw, problem);
-  if (draw.coordinates == Coordinates::doubles && random.once_in(2)) {
+  // Most are turned by rotations whose axes round: what is parallel is so up to rounding.
+  if (draw.coordinates == Coordinates::doubles || random.once_in(2)) {
     turn_rounded(draw, problem);
   } else {
     turn_exactly(draw, problem);

@@ -73,7 +73,7 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"equal_distances", 0x480de57eb3ab620fu},
       {"parallel_caps", 0xd953557a72148e71u},
       {"rods_and_round", 0xc89bbc86f5f7f328u},
-      {"smooth_depths", 0x6166a4310d70b0a7u},
+      {"smooth_depths", 0xb17fafe3b63711bu},
       {"spinning_graze", 0xfd73f8f495788929u},
       {"fast_spin", 0x703f147157289fb1u},
       {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u},
