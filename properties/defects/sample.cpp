@@ -44,11 +44,15 @@ std::vector<Case> near_ties(int count) {
   return out;
 }
 
+// And depths of smooth bodies: few of them have a second minimum, or discs that touch all over.
 std::vector<Case> near_touches(int count) {
   std::vector<Case> out;
-  out.reserve(static_cast<std::size_t>(count));
   corpus::Random random(20261125);
-  for (int i = 0; i < count; ++i) out.push_back(draw_near_touch(random));
+  const Family& smooth = *corpus::find_family("smooth_depths");
+  for (int i = 0; i < count; ++i) {
+    out.push_back(draw_near_touch(random));
+    if (i % 4 == 0) out.push_back(of_family(smooth, static_cast<std::size_t>(i / 4)));
+  }
   return out;
 }
 

@@ -16,8 +16,8 @@ struct Sample {
 
 // Linear and query: half drawn, half from the easier half of the families' levels, a few balls on near ties and a few
 // large hulls. Near-ties: of linear laws casts, and among them some on the flanks of round bodies; of queries hulls face to
-// face that hardly touch. Rotating: drawn, every eighth from the rotating families, and a few large hulls; none are
-// near-ties.
+// face that hardly touch, and smooth bodies in each other. Rotating: drawn, every eighth from the rotating families, and
+// a few large hulls; none are near-ties.
 [[nodiscard]] Sample sample_for(Kind kind, int count);
 
 }  // namespace graze::law

@@ -99,7 +99,7 @@ inline void add_fault(std::string& fault, std::string why) {
 
 // Compares the supports with the method's guarantee: Judgement::supports and Judgement::work. A rotating cast under pass_over
 // may take kFollowing times as many: it follows the contact of the start before it searches.
-inline constexpr int kFollowing = 4;
+inline constexpr int kFollowing = 2;
 void judge_work(Judgement& judgement, const engine::Method& method, const corpus::Case& problem,
                 const Counters& counters);
 

@@ -44,8 +44,8 @@ constexpr std::uint64_t kRotatingOracleEvery = 64;
 // --work: the families that ask what a simulation asks on its first day; beside N casts of each, so many times N of the
 // workloads, and of queries one in so many.
 constexpr std::string_view kWorkFamilies[] = {
-    "at_rest",     "coaxial", "equal_distances",     "parallel_caps", "rods_and_round",
-    "level_tiles", "wheels",  "flat_plates_turning", "above_a_floor"};
+    "at_rest",       "coaxial",     "equal_distances", "parallel_caps",       "rods_and_round",
+    "smooth_depths", "level_tiles", "wheels",          "flat_plates_turning", "above_a_floor"};
 constexpr std::uint64_t kWorkloadCasts = 10, kWorkQueries = 100;
 
 struct CampaignArguments {

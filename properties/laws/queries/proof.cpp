@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "corpus/families/draw.hpp"
 #include "properties/edit/case.hpp"
 #include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"
@@ -120,6 +121,47 @@ LawResult depth_is_shown(const Case& problem, const Method& method) {
   return holds({label_of(answer.outcome)});
 }
 
+// The least depth is a least over all directions: many are tried, along the bodies' axes and at random, then ever nearer to
+// the best of them. None may be less deep than the lower end of the bracket.
+LawResult no_direction_is_less_deep(const Case& problem, const Method& method) {
+  constexpr int kAtRandom = 128, kNearTheBest = 128;
+  if (method.query != Query::penetration) return other_query();
+  const auto question = question_of(problem, method);
+  if (!question) return no_question();
+  const Answer answer = method.answer(question->seen);
+  if (answer.outcome != Outcome::initially_overlapping || !answer.depth)
+    return holds({label_of(answer.outcome)});
+  Vec3<double> best = Vec3<double>::UnitX();
+  Reach least{kInfinity<double>, 0};
+  const auto look = [&](const Vec3<double>& n) {
+    const Reach h = reach(question->seen, n);
+    if (h.value + h.error < least.value + least.error) {
+      least = h;
+      best = n;
+    }
+  };
+  for (const Body<double>* body : {&question->seen.a, &question->seen.b}) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3<double> axis = unit(corpus::rotate(body->orientation, Vec3<double>::Unit(i)));
+      look(axis);
+      look(-axis);
+    }
+  }
+  corpus::Random random(hash_of(question->seen));
+  for (int k = 0; k < kAtRandom + kNearTheBest; ++k) {
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+    const Vec3<double> about(x, y, random.uniform(-1, 1));
+    // From a radian to 2^-16 of one.
+    const double size = std::exp2(-(k - kAtRandom) / 8.0);
+    const Vec3<double> n = k < kAtRandom ? about : Vec3<double>(best + size * about);
+    if (n.norm() > 0.01) look(unit(n));
+  }
+  if (const double off = answer.depth->lower - least.value; !(off <= question->limit + least.error)) {
+    return broken(fmt::format("along {} it is {} less deep: {}", decimal(best), off, describe(answer)));
+  }
+  return holds({label_of(answer.outcome)});
+}
+
 LawResult miss_is_shown(const Case& problem, const Method& method) {
   if (method.query == Query::distance) return other_query();
   const auto question = question_of(problem, method);
@@ -195,6 +237,9 @@ std::vector<Law> query_proof_laws() {
        Needs::proof, &distance_is_shown},
       {"depth_is_shown", "The normal of a depth ends C there, and its points meet when B is moved by it.",
        Needs::proof, &depth_is_shown},
+      {"no_direction_is_less_deep",
+       "No direction out of the other body is shorter than the lower end of a depth.", Needs::proof,
+       &no_direction_is_less_deep},
       {"miss_is_shown", "The axis of a miss separates the bodies, for all times that the query is about.",
        Needs::proof, &miss_is_shown},
       {"line_normals_support", "The line's normals support C where the line enters and where it leaves.",

@@ -98,5 +98,35 @@ TEST(SmoothDepth, OfAConeWithoutHeightIsThatOfADisc) {
   EXPECT_GT(contacts, 2000);
 }
 
+// Their points meet wherever the other's middle is, though all of both discs is equally near.
+TEST(SmoothDepth, PointsOfParallelDiscsMeet) {
+  Draw draw{83};
+  int contacts = 0;
+  const auto size = [&] { return draw.between(0.2, 1); };
+  for (int round = 0; round < 3000; ++round) {
+    const auto shape = [&](int kind) -> Shape<double> {
+      if (kind == 0) return Cylinder<double>{size(), 0.1 * size()};
+      if (kind == 1) return Cone<double>{size(), 0.1 * size()};
+      return Ellipsoid<double>{{size(), size(), 0}};
+    };
+    const Quaternion<double> turn = draw.turn<double>();
+    const Body<double> a{.shape = shape(round % 3), .orientation = turn};
+    Body<double> b{.shape = shape(round / 3 % 3), .orientation = turn};
+    const Mat3<double> own = detail::rotation_matrix(turn);
+    b.position = own * Vec3<double>(draw.between(-0.4, 0.4), draw.between(-0.4, 0.4), 0);
+    const auto r = penetration(a, b);
+    if (r.outcome != Outcome::initially_overlapping) continue;
+    ++contacts;
+    EXPECT_NEAR((r.point_a - r.point_b).norm(), r.upper, 1e-12) << round;
+    // Both in their bodies: no farther along any direction of many.
+    for (int k = 0; k < 50; ++k) {
+      const Vec3<double> n = unit(draw.vector<double>(1));
+      EXPECT_LE(n.dot(r.point_a), reach(a, n) + 1e-12) << round;
+      EXPECT_LE(n.dot(Vec3<double>(r.point_b - b.position)), reach(b, n) + 1e-12) << round;
+    }
+  }
+  EXPECT_GT(contacts, 2000);
+}
+
 }  // namespace
 }  // namespace graze::test

@@ -45,7 +45,7 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     // Of boxes along the axes the distance is that of the gaps along each.
     const double truth = unit * (d.cwiseAbs() - h_a - h_b).cwiseMax(0).norm();
     detail::Simplex<double> simplex;
-    Distance<double> found;
+    detail::Distance<double> found;
     Counters counters;
     const double gap = 0x1p-40, noise = boxes.pair.error();
     if (!detail::fast_distance(boxes.pair.cso(), simplex, gap, 0, 256, found, counters)) continue;
@@ -92,7 +92,7 @@ TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
     pair.place(draw.between(0, 1));
     const detail::Nearest warm = detail::nearest(pair, before.simplex, 0, stop, 256, counters);
     detail::Simplex<double> simplex;
-    const Distance<double> robust =
+    const detail::Distance<double> robust =
         detail::gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
     EXPECT_LE(warm.gap, robust.upper) << round;
     EXPECT_GE(warm.apart, robust.lower) << round;
@@ -119,7 +119,7 @@ TEST(FastNearest, ATetrahedronWithoutWeightsIsGivenUp) {
     detail::CsoPoint<double> far;
     far.w = draw.vector<double>(0.5);
     simplex.add(far);
-    Distance<double> found;
+    detail::Distance<double> found;
     Counters counters;
     if (detail::FastClosest(simplex).size() != 4) continue;
     if (!detail::fast_distance(boxes.pair.cso(), simplex, 0, 0, 0, found, counters)) {

@@ -32,7 +32,7 @@ constexpr double kFollowedDepth(Tier tier) {
 inline constexpr double kFollowedErrors = 16;
 // Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
 // thousand. What takes more would take slices as short as the rounding.
-inline constexpr int kMostFollowedSupports = 4096;
+inline constexpr int kMostFollowedSupports = 2048;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 

@@ -89,6 +89,41 @@ class RoundSum {
   }
   [[nodiscard]] int norm_of(int seam) const { return norms_[0].seam == seam ? 0 : 1; }
 
+  static Vec rim(const Norm& o, const Vec& n) {
+    const Vec y = o.m * n;
+    const double f = y.norm();
+    return f > 0 ? Vec(o.m.transpose() * (y / f)) : Vec(Vec::Zero());
+  }
+  // Is every point of it as far along n, up to the rounding of two axes and of n? Of a cone, which has it at its base, if n ends
+  // the base.
+  [[nodiscard]] bool is_disc_across(const Norm& o, const Vec& n) const {
+    return o.flat && (o.m * n).norm() <= 8 * kU * o.most &&
+           (o.seam < 0 || n.dot(seams_[std::size_t(o.seam)].a) < 0);
+  }
+  // Points of discs across n that add up to x, which is across n as well; where their sum does not reach as far, to its end
+  // towards x.
+  static std::array<Vec, 2> shares(const std::array<const Norm*, 2>& disc, const Vec& x, const Vec& n) {
+    std::array<Vec, 2> end = {Vec(Vec::Zero()), Vec(Vec::Zero())};
+    const double length = x.norm();
+    if (disc[0] == nullptr || !(length > 0)) return end;
+    // The sum ends along u at end[0] + end[1]. That turns as u turns: halvings find the u whose end is towards x. Circles end
+    // along u itself.
+    const Vec e = x / length, f = n.cross(e);
+    Vec from = -f, to = f, u = e;
+    constexpr int kMostHalvings = 52;
+    for (int i = 0; i < kMostHalvings; ++i) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (disc[k] != nullptr) end[k] = rim(*disc[k], u);
+      }
+      const double aside = f.dot(end[0] + end[1]);
+      if (std::abs(aside) <= 4 * kU * (end[0] + end[1]).norm()) break;
+      (aside > 0 ? to : from) = u;
+      u = unit(Vec(from + to));
+    }
+    const double part = std::min(1.0, length / (end[0] + end[1]).norm());
+    return {Vec(part * end[0]), Vec(part * end[1])};
+  }
+
   // Points of the cores about the bodies' centres, internal units, world axes.
   [[nodiscard]] std::array<Vec, 2> points(const Contact& at) const {
     struct Part {
@@ -97,11 +132,13 @@ class RoundSum {
     };
     std::array<Part, 10> part;
     std::size_t count = 0;
-    const auto rim = [&](const Norm& o) -> Vec {
-      const Vec y = o.m * at.n;
-      const double f = y.norm();
-      return f > 0 ? Vec(o.m.transpose() * (y / f)) : Vec(Vec::Zero());
-    };
+    std::array<const Norm*, 2> disc{};
+    std::size_t disc_count = 0;
+    for (int i = 0; i < norm_count_; ++i) {
+      const Norm& o = norms_[std::size_t(i)];
+      if (i == at.disc || is_disc_across(o, at.n)) disc[disc_count++] = &o;
+    }
+    const auto is_disc = [&](const Norm& o) { return &o == disc[0] || &o == disc[1]; };
     for (int i = 0; i < seam_count_; ++i) {
       const Seam& s = seams_[std::size_t(i)];
       Part& p = part[count++];
@@ -113,7 +150,7 @@ class RoundSum {
       bool above = u >= 0;
       if (s.cone) {
         const Norm& o = norms_[std::size_t(norm_of(i))];
-        if (norm_of(i) != at.disc) low += rim(o);
+        if (!is_disc(o)) low += rim(o, at.n);
         above = top.dot(at.n) >= low.dot(at.n);
       }
       p.x = above && !is_free ? top : low;
@@ -122,7 +159,7 @@ class RoundSum {
     for (int i = 0; i < norm_count_; ++i) {
       const Norm& o = norms_[std::size_t(i)];
       if (o.seam >= 0) continue;
-      part[count].x = i == at.disc ? Vec(Vec::Zero()) : rim(o);
+      part[count].x = is_disc(o) ? Vec(Vec::Zero()) : rim(o, at.n);
       part[count++].side = o.side;
     }
     Vec rest = center_;
@@ -164,15 +201,8 @@ class RoundSum {
       if (moved <= kStill) break;
     }
     for (std::size_t i = 0; i < count; ++i) part[i].x += k[i] * part[i].along;
-    if (at.disc >= 0) {
-      const Norm& o = norms_[std::size_t(at.disc)];
-      // least <= every radius of the disc
-      const double length = rest.norm();
-      Vec y = -rest;
-      if (length > o.least) y *= o.least / length;
-      part[count].x = y;
-      part[count++].side = o.side;
-    }
+    const std::array<Vec, 2> taken = shares(disc, Vec(-rest), at.n);
+    for (std::size_t i = 0; i < disc_count; ++i) part[count++] = {.x = taken[i], .side = disc[i]->side};
     std::array<Vec, 2> out = {middle_[0], middle_[1]};
     for (std::size_t i = 0; i < count; ++i) {
       if (part[i].side > 0) {
