@@ -68,8 +68,9 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 
-/// The greatest width of a bracket of the certified tier, over scale: 9,000 u. The rounding of support points, which
-/// limits it, is below 100 u for shapes whose numbers are of similar size.
+/// The guaranteed width of a bracket of the certified tier, over scale: 9,000 u. The rounding of support points, which
+/// limits it, is below 100 u for shapes whose numbers are of similar size. Shapes that lie more than 1e12 of the
+/// scale out in their own frames may have wider brackets.
 inline constexpr double kLinearCertifiedWidth = 1e-12;
 
 }  // namespace graze::inline GRAZE_LINKAGE

@@ -23,8 +23,8 @@ enum class Effects : std::uint8_t {
 /// @endcode
 struct Economies {
   bool at_rest = true;  ///< Bodies that do not move relative to each other: a static query.
-  bool unseen_spin =
-      true;  ///< A rotation that leaves the shape as it is, as a ball's about its centre: a linear cast.
+  /// A rotation that leaves the shape as it is, as a ball's about its centre: a linear cast.
+  bool unseen_spin = true;
   bool as_one = true;  ///< Bodies that rotate and move as one: a static query.
   bool bounds = true;  ///< Bounding spheres that never meet: nothing.
 

@@ -348,7 +348,7 @@ struct CastOptions {
   int max_iterations = 256;
 };
 
-/// The work of a query. Equal inputs give equal counts, on any machine.
+/// The work of a query. Equal inputs give equal counts. Nothing depends on timing.
 struct Counters {
   int iterations = 0;       ///< Steps of the method's outer loop.
   int supports = 0;         ///< Support evaluations of C = A - B, in all stages.

@@ -25,8 +25,8 @@ namespace graze::inline GRAZE_LINKAGE {
 template <Scalar S>
 struct RotatingBody {
   Body<S> body;  ///< The shape, the pose at t = 0, and the displacement of the pivot.
-  Vec3<S> rotation =
-      Vec3<S>::Zero();  ///< Rotation vector over one unit of t: radians along the axis, world axes.
+  /// Rotation vector over one unit of t: radians along the axis, world axes.
+  Vec3<S> rotation = Vec3<S>::Zero();
   Vec3<S> pivot = Vec3<S>::Zero();  ///< Centre of the rotation, in the body's own frame.
 };
 

@@ -10,8 +10,9 @@ namespace graze::inline GRAZE_LINKAGE {
 ///
 /// The bodies are in world axes, the caller's units and radians. Without a method, the plan decides what must be
 /// simulated. With one, that method runs for any motion. Everything is computed in double, and times are rounded
-/// outward to S. The standard and the certified tier support all shapes. The exact tier is `invalid_input` if a
-/// rotation is visible. The table of guarantees says what each method guarantees.
+/// outward to S. The standard and the certified tier support all shapes. A certified bracket of rotating bodies is at
+/// most 1e-9 of the scale wide. The exact tier is `invalid_input` if a rotation is visible. The table of guarantees
+/// has the rest.
 ///
 /// Invalid input is the outcome `invalid_input`. Nothing is thrown, and nothing but a requested proof is allocated.
 /// There is no global state. A hit takes some hundred support evaluations, and the cost grows with the angle.

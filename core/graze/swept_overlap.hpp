@@ -50,8 +50,8 @@ struct SweptOverlapOptions {
 /// The answer of swept_overlap() and swept_overlap_exact().
 template <Scalar S>
 struct SweptOverlapResult {
-  Outcome outcome =
-      Outcome::invalid_input;  ///< hit (contact at some t, 0 included), miss, not_converged, invalid_input.
+  /// hit (contact at some t, 0 included), miss, not_converged, invalid_input.
+  Outcome outcome = Outcome::invalid_input;
   Invalid invalid = Invalid::none;  ///< For invalid_input: the reason.
   InvalidAt invalid_at = {};        ///< For invalid_input: the place.
   /// For a miss: unit, from A to B, world axes. It separates the bodies at all t in [0, t_max].

@@ -20,13 +20,13 @@ namespace graze::inline GRAZE_LINKAGE {
 /// assert(warm.has_axis());
 /// @endcode
 struct WarmStart {
-  Vec3<double> axis =
-      Vec3<double>::Zero();                 ///< A direction in world axes, of any length. 0 if there is none.
+  /// A direction in world axes, of a length near 1. 0 if there is none.
+  Vec3<double> axis = Vec3<double>::Zero();
   int size = 0;                             ///< The number of vertices of C = A - B that follow, 0 to 4.
   std::array<std::uint32_t, 4> vertex_a{};  ///< Their indices in the core of A.
   std::array<std::uint32_t, 4> vertex_b{};  ///< Their indices in the core of B.
 
-  /// True if a search can take the axis: it is finite, not 0, and its squares neither vanish nor overflow.
+  /// True if a search can take the axis: it is finite, and its largest component is between 2^-20 and 2^20.
   [[nodiscard]] bool has_axis() const {
     const double most = axis.cwiseAbs().maxCoeff();
     return most > 0x1p-20 && most < 0x1p20 && axis.allFinite();

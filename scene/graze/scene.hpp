@@ -48,8 +48,8 @@ struct Probe {
   RotatingBody<double> body;  ///< Shape, pose and motion.
   double t_max = 1;           ///< The end of the cast. It is finite if the probe rotates.
   Filter filter = {};         ///< Which bodies it may meet.
-  bool first_only =
-      true;  ///< True for its first contact only, and those that may be first. Else one for each body.
+  /// True for its first contact only, and those that may be first. Else one for each body.
+  bool first_only = true;
 };
 /// The probe of a ray from `origin`, along `displacement` for each unit of t. By default it has no end.
 [[nodiscard]] Probe ray(std::string name, const Vec3<double>& origin, const Vec3<double>& displacement,
@@ -144,8 +144,8 @@ struct Report {
   Status status = Status::invalid;  ///< How the run ended.
   std::string wrong;                ///< For invalid and over_budget: the reason, in one line.
   std::vector<Event> events;        ///< By toi_lower, then toi_upper, then the names of a and b.
-  std::vector<Event>
-      probe_events;            ///< Those of the first probe, then of the second, and so on, each as above.
+  /// Those of the first probe, then of the second, and so on, each as above.
+  std::vector<Event> probe_events;
   Counts counts;               ///< How many pairs were simulated or skipped, and why.
   Counters counters;           ///< The work of all casts.
   std::size_t tree_bytes = 0;  ///< The memory that the bounds and their tree took.
