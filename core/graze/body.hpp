@@ -12,20 +12,21 @@ namespace graze::inline GRAZE_LINKAGE {
 ///
 ///     position + R(orientation) x + t displacement.
 ///
-/// Which shape, pose or motion is refused says Invalid. Use body_at() of eigen.hpp if the pose is an
-/// `Eigen::Isometry3d`, and RotatingBody if the body rotates.
+/// Invalid lists what a query refuses. Use body_at() of eigen.hpp if the pose is an `Eigen::Isometry3d`, and
+/// RotatingBody if the body rotates.
 ///
 /// @code
 /// const graze::Body<double> crate{
 ///     .shape = graze::Box<double>{{0.5, 0.5, 0.5}}, .position = {0, 0, 10}, .displacement = {0, 0, -20}};
-/// assert(crate.orientation.is_identity());
+/// const std::vector<graze::Body<double>> bodies = {crate, {.shape = graze::Sphere<double>{1}}, {.position = {1, 0, 0}}};
+/// assert(crate.orientation.is_identity() && bodies[0].position == crate.position);
 /// @endcode
 template <Scalar S>
 struct Body {
-  Shape<S> shape = {};                 ///< In the body's own frame. By default a point.
-  Vec3<S> position = Vec3<S>::Zero();  ///< Where the origin of the body's frame is at t = 0.
-  Quaternion<S> orientation = {};  ///< Any quaternion other than 0. An `Eigen::Quaternion` converts to it.
-  Vec3<S> displacement = Vec3<S>::Zero();  ///< Length per unit of t.
+  Shape<S> shape = {};               ///< In the body's own frame. By default a point.
+  Vec3<S> position = {0, 0, 0};      ///< Where the origin of the body's frame is at t = 0.
+  Quaternion<S> orientation = {};    ///< Any quaternion other than 0. An `Eigen::Quaternion` converts to it.
+  Vec3<S> displacement = {0, 0, 0};  ///< Length per unit of t.
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE

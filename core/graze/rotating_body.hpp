@@ -26,8 +26,8 @@ template <Scalar S>
 struct RotatingBody {
   Body<S> body;  ///< The shape, the pose at t = 0, and the displacement of the pivot.
   /// Rotation vector over one unit of t: radians along the axis, world axes.
-  Vec3<S> rotation = Vec3<S>::Zero();
-  Vec3<S> pivot = Vec3<S>::Zero();  ///< Centre of the rotation, in the body's own frame.
+  Vec3<S> rotation = {0, 0, 0};
+  Vec3<S> pivot = {0, 0, 0};  ///< Centre of the rotation, in the body's own frame.
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE

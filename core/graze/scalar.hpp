@@ -83,7 +83,9 @@ struct Quaternion {
   S y = 0;  ///< Imaginary part along y.
   S z = 0;  ///< Imaginary part along z.
 
-  constexpr Quaternion() = default;
+  // g++ 12 crashes on a list of bodies in braces if it has to find out noexcept here or in Shape, and on Vec3's Zero() as
+  // the default of their fields.
+  constexpr Quaternion() noexcept = default;
   /// real + i, j and k times the imaginary units.
   constexpr Quaternion(S real, S i, S j, S k) : w(real), x(i), y(j), z(k) {}
   /// The same quaternion from Eigen.

@@ -134,7 +134,7 @@ class Shape
   using Kinds::Kinds;
   using Kinds::operator=;
 
-  Shape() = default;  ///< A point.
+  Shape() noexcept = default;  ///< A point.
   /// @cond
   Shape(const Shape&);
   Shape(Shape&&) noexcept;
