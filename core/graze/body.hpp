@@ -4,7 +4,7 @@
 
 #include <graze/shape.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// A body that moves without rotation. All vectors are in world axes and in the caller's units.
 ///
@@ -29,4 +29,4 @@ struct Body {
   Vec3<S> displacement = {0, 0, 0};  ///< Length per unit of t.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -16,7 +16,7 @@
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// Casts A against B in the tier of the options. This is the function to call.
 ///
@@ -73,8 +73,8 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
 /// scale out in their own frames may have wider brackets.
 inline constexpr double kLinearCertifiedWidth = 1e-12;
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/standard/cast.hpp>
+#include <graze/detail/casts/standard_cast.hpp>
 #endif

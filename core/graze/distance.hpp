@@ -10,7 +10,7 @@
 #include <graze/result.hpp>
 #include <graze/warm_start.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The options of distance().
 template <Scalar S>
@@ -61,8 +61,8 @@ template <Scalar S>
 DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
                            const DistanceOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/queries/distance.hpp>
+#include <graze/detail/queries/distance_query.hpp>
 #endif

@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
-struct HullGraph;  // support/hull_graph.hpp
+struct HullGraph;  // shapes/hull_graph.hpp
 
 /// The type of the points in a list of points.
 template <class Points>
@@ -92,7 +92,7 @@ class Hull {
     return from.data() + static_cast<std::size_t>(axis) * data_->padded;
   }
   // The same in float, for a first guess.
-  [[nodiscard]] const float* guess_scan(int axis) const {
+  [[nodiscard]] const float* approximate_scan(int axis) const {
     if constexpr (std::same_as<S, float>) {
       return choice_scan(axis);
     } else {
@@ -196,9 +196,9 @@ auto with_faces(const Points& vertices, std::span<const std::vector<std::uint32_
   return with_faces<S>(std::span<const Vec3<S>>(vertices), faces);
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/hull_data.hpp>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_data.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #endif

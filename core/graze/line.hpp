@@ -9,7 +9,7 @@
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The options of line() and line_exact().
 template <Scalar S>
@@ -59,9 +59,9 @@ LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& opt
 template <Scalar S>
 LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/exact/queries.hpp>
-#include <graze/queries/line.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
+#include <graze/detail/queries/line_query.hpp>
 #endif

@@ -17,7 +17,7 @@
 #include <graze/prepared.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The options of penetration() and penetration_along().
 template <Scalar S>
@@ -87,8 +87,8 @@ template <Scalar S>
 PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const Vec3<S>& direction,
                                        const PenetrationOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/queries/penetration.hpp>
+#include <graze/detail/queries/penetration_query.hpp>
 #endif

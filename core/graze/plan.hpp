@@ -5,7 +5,7 @@
 #include <graze/result.hpp>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// What must be simulated, from the cheapest to the most expensive.
 enum class Effects : std::uint8_t {
@@ -107,4 +107,4 @@ struct Plan {
   }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

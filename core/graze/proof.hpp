@@ -21,7 +21,7 @@
 #include <graze/scalar.hpp>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The most curved parts that a feature can name.
 inline constexpr std::size_t kCurvedParts = 2;
@@ -89,4 +89,4 @@ struct Proof {
   std::array<SupportPair, 4> portal;  ///< The support pairs.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

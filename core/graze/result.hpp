@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// What a query found out. T is `t_max`, and TOI the time of impact.
 enum class Outcome : std::uint8_t {
@@ -398,4 +398,4 @@ struct CastResult {
   Counters counters;  ///< The work that was done.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -4,7 +4,7 @@
 
 #include <graze/body.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// A body that moves and rotates at a constant rate about one axis. World axes, the caller's units, radians.
 ///
@@ -30,4 +30,4 @@ struct RotatingBody {
   Vec3<S> pivot = {0, 0, 0};  ///< Centre of the rotation, in the body's own frame.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

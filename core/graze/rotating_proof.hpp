@@ -29,7 +29,7 @@
 #include <graze/proof.hpp>
 #include <vector>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// What the axis of a slice rotates with.
 enum class AxisFrame : std::uint8_t {
@@ -79,4 +79,4 @@ struct RotatingProof {
   std::array<double, kContactPairs> weight = {};  ///< The weights l_i.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -6,7 +6,7 @@
 #include <graze/rotating_body.hpp>
 #include <graze/rotating_proof.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The search that answers a rotating cast.
 enum class RotatingMethod : std::uint8_t {
@@ -86,4 +86,4 @@ struct RotatingResult {
   Counters counters;                   ///< The work that was done.
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

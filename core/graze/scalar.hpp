@@ -14,10 +14,10 @@
 #include <limits>
 
 #ifndef GRAZE_COMPILED
-#include <graze/numeric/flags.hpp>
+#include <graze/detail/numeric/flags.hpp>
 #endif
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// A scalar of graze: float or double.
 template <class S>
@@ -97,4 +97,4 @@ struct Quaternion {
   [[nodiscard]] bool is_identity() const { return x == 0 && y == 0 && z == 0; }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

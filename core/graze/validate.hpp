@@ -9,7 +9,7 @@
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// The least magnitude of a number other than 0. Every float is in the range.
 inline constexpr double kLeastMagnitude = 1e-60;
@@ -33,8 +33,8 @@ Invalid validate(const CastOptions<S>& options);
 template <Scalar S>
 Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options);
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/validate.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #endif

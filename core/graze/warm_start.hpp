@@ -5,7 +5,7 @@
 #include <array>
 #include <graze/scalar.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 /// Where a search ended. Pass the `warm` of a result to the next query about the pair.
 ///
@@ -33,4 +33,4 @@ struct WarmStart {
   }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
