@@ -1,17 +1,16 @@
-// cast(A, B) = when do two linearly moving convex shapes first touch?
-//
-//   TOI = the least t in [0, t_max] with  A + t v_A  and  B + t v_B  in contact (touching counts), or none.
-//
-// Inputs: bodies in world axes, the caller's units. No throw, no allocation, no global state. A ray cast is
-// the cast of a Point.
-//
-// Tier standard   the answer is true for some convex set within kappa u scale of C = A - B; kappa per method
-//                 in docs/reference/guarantees.md.
-// Tier certified  toi_lower <= TOI <= toi_upper for the true shapes, rounding included, at most
-//                 kLinearCertifiedWidth of scale wide.
-// Tier exact      the TOI of the true shapes, correctly rounded: toi_lower the largest S not above it,
-//                 toi_upper the least not below. Of points, segments, triangles, boxes, hulls, and what
-//                 posed, sum and swept make of them, without a target distance (casts/exact_cast.hpp).
+/// @file
+/// Casts: when do two linearly moving convex shapes first touch? Rays too, as a ray is the cast of a Point.
+///
+/// The time of impact (TOI) is the least t in [0, t_max] at which A + t v_A and B + t v_B are in contact, if there is
+/// one. Touching counts. What the answer guarantees depends on CastOptions::tier:
+///
+/// - *standard*, for all shapes: the answer is true for some convex set within kappa u scale of C = A - B. u is the
+///   unit roundoff, and scale the size of the scene. The table of guarantees has kappa for each method.
+/// - *certified*, for all shapes: toi_lower <= TOI <= toi_upper for the true shapes, rounding included. The bracket
+///   is at most kLinearCertifiedWidth of scale wide.
+/// - *exact*, for points, segments, triangles, boxes, hulls, and what posed(), sum() and swept() make of them,
+///   without a target distance: the TOI of the true shapes, correctly rounded. `toi_lower` is the largest S not above
+///   it, and `toi_upper` the least not below it.
 #pragma once
 
 #include <graze/body.hpp>
@@ -19,27 +18,59 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-// By options.tier, and in tier standard by options.method, or the one that result.hpp says is best.
+/// Casts A against B in the tier of the options. This is the function to call.
+///
+/// The bodies are in world axes and the caller's units. Invalid input is the outcome `invalid_input`. Nothing is
+/// thrown or allocated, and there is no global state, so any number of threads may cast at once. The normal points
+/// from A to B.
+///
+/// It evaluates the support function 5 to 20 times typically, and at most `max_iterations` times in the standard
+/// tier. One evaluation is constant for simple shapes. For a hull it is linear in the vertices, or sublinear with
+/// adjacency.
+///
+/// @code
+/// const graze::Body<double> floor{.shape = graze::Box<double>{{50, 50, 1}}, .position = {0, 0, -1}};
+/// const graze::Body<double> ball{
+///     .shape = graze::Sphere<double>{0.5}, .position = {3, 2, 10.5}, .displacement = {0, 0, -20}};
+///
+/// const graze::CastResult<double> r = graze::cast(floor, ball);
+/// assert(r.outcome == graze::Outcome::hit && r.normal[2] == 1);
+/// assert(r.toi_lower <= 0.5 && 0.5 - r.toi_lower < 1e-12);
+///
+/// const graze::CastResult<double> proved = graze::cast(floor, ball, {.tier = graze::Tier::certified});
+/// assert(proved.toi_lower <= 0.5 && 0.5 <= proved.toi_upper);
+///
+/// // A ray: a point whose displacement is the direction. The time is the distance along it.
+/// const graze::Body<double> ray{.position = {0, 0, 7}, .displacement = {0, 0, -1}};
+/// assert(std::abs(graze::cast(floor, ray, {.t_max = graze::kInfinity<double>}).toi_lower - 7) < 1e-12);
+/// @endcode
 template <Scalar S>
 CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 
-// The methods of tier standard, whatever tier and method the options name.
+/// The standard tier by conservative advancement, whatever tier and method the options name. A baseline for
+/// comparison: it takes a distance search for each step, and slows down if the bodies graze.
 template <Scalar S>
 CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
                                             const CastOptions<S>& options = {});
+/// The standard tier by the GJK ray cast, whatever tier and method the options name.
 template <Scalar S>
 CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
+/// The standard tier by the MPR sweep, whatever tier and method the options name.
 template <Scalar S>
 CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 
-// The tiers above it.
+/// The certified tier, whatever tier and method the options name. It computes in double, and rounds times outward to
+/// S. A tie may take a second search in pairs of doubles.
 template <Scalar S>
 CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
+/// The exact tier, whatever tier and method the options name. Curved and rounded shapes, hulls of shapes and target
+/// distances are `invalid_input` (Invalid::not_exact).
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 
-// Convergence target of tier certified, over scale: 9,000 u. The rounding of support points, which limits it,
-// is below 100 u for shapes whose numbers are of similar size.
+/// The guaranteed width of a bracket of the certified tier, over scale: 9,000 u. The rounding of support points, which
+/// limits it, is below 100 u for shapes whose numbers are of similar size. Shapes that lie more than 1e12 of the
+/// scale out in their own frames may have wider brackets.
 inline constexpr double kLinearCertifiedWidth = 1e-12;
 
 }}  // namespace graze::GRAZE_LINKAGE

@@ -1,9 +1,8 @@
-// distance(A, B) = min |a - b| at t = 0, with the closest points and a separating axis: GJK.
-//
-// Units: the caller's length, world axes. Guarantee: lower <= distance <= upper up to kappa u scale
-// (docs/reference/guarantees.md); both are 0 in contact. Where the bodies are apart by more than kappa u scale, the
-// normal proves lower: the slab across it between the bodies is so wide. The search stops at the duality gap
-// upper - lower that is asked for. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]
+/// @file
+/// Distance: how far apart are two bodies at t = 0, and where are they closest?
+///
+/// distance(A, B) = min |a - b| over a in A and b in B, by GJK. The search stops at the requested duality gap upper -
+/// lower. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]
 #pragma once
 
 #include <graze/body.hpp>
@@ -13,29 +12,51 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// The options of distance().
 template <Scalar S>
 struct DistanceOptions {
-  Request request = Request::normal | Request::witnesses;
-  S tolerance = 0;           // of the gap, over scale; 0: the rounding bound
-  int max_iterations = 256;  // support evaluations
-  WarmStart start = {};      // of a former answer about the pair
+  Request request = Request::normal | Request::witnesses;  ///< The results to compute. There is no proof.
+  S tolerance = 0;  ///< The width upper - lower, over scale, at which to stop. 0 stops at the rounding bound.
+  int max_iterations = 256;  ///< The largest number of support evaluations.
+  WarmStart start = {};      ///< What an earlier answer about the pair returned as `warm`.
 };
 
+/// The answer of distance().
 template <Scalar S>
 struct DistanceResult {
-  Invalid invalid = Invalid::none;  // other than none: nothing but invalid_at is valid
-  InvalidAt invalid_at = {};
-  S lower = 0, upper = kInfinity<S>;
-  bool stalled = false;  // the gap asked for was not reached; the bracket is what is known
-  // Where lower > 0, when asked for: unit, from A to B, and the closest points, in world coordinates.
+  Invalid invalid = Invalid::none;  ///< If it is not none, nothing else but `invalid_at` is valid.
+  InvalidAt invalid_at = {};        ///< The place of an invalid input.
+  S lower = 0;                      ///< The lower end of the bracket of the distance, a length. 0 in contact.
+  S upper = kInfinity<S>;           ///< The upper end. 0 in contact.
+  bool stalled = false;             ///< The requested width was not reached. The bracket is valid.
+  /// If lower > 0, and if requested: unit, from A to B, world axes.
   Vec3<S> normal = Vec3<S>::Zero();
-  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
-  WarmStart warm;  // for the next question about the pair; empty where there is nothing to keep
-  Counters counters;
+  /// If lower > 0, and if requested: the closest point of A, in world coordinates.
+  Vec3<S> point_a = Vec3<S>::Zero();
+  Vec3<S> point_b = Vec3<S>::Zero();  ///< That of B.
+  WarmStart warm;     ///< For the next query about the pair. It is empty if there is nothing to keep.
+  Counters counters;  ///< The work that was done.
 };
 
+/// The distance of two bodies at t = 0, in the caller's length and in world axes. Motion is ignored.
+///
+/// The guarantee is lower <= distance <= upper up to kappa u scale (in the table of guarantees). If the bodies are
+/// apart by more than that, the normal proves `lower`: the slab between the bodies across it is at least that wide.
+/// Nothing is thrown or allocated. It evaluates the support function a few times to some ten times.
+///
+/// @code
+/// const graze::Body<double> floor{.shape = graze::Box<double>{{50, 50, 1}}, .position = {0, 0, -1}};
+/// graze::Body<double> ball{.shape = graze::Sphere<double>{0.5}, .position = {3, 2, 2.5}};
+/// graze::DistanceResult<double> r = graze::distance(floor, ball);
+/// assert(r.lower <= 2 && 2 <= r.upper && r.upper - r.lower < 1e-12 && r.normal[2] == 1);
+///
+/// ball.position[2] = 2.4;  // the next step begins where the last one ended
+/// r = graze::distance(floor, ball, {.start = r.warm});
+/// assert(std::abs(r.lower - 1.9) < 1e-12);
+/// @endcode
 template <Scalar S>
 DistanceResult<S> distance(const Body<S>& a, const Body<S>& b, const DistanceOptions<S>& options = {});
+/// The same for prepared bodies, which saves preparing them again.
 template <Scalar S>
 DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
                            const DistanceOptions<S>& options = {});

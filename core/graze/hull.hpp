@@ -1,10 +1,5 @@
-// The convex hull of finitely many points. Duplicates, interior points and every order are allowed; nothing
-// is ever simplified. A hull owns its vertices: what it was made from may be changed or thrown away. Copies
-// of a hull share them, and never change them.
-//
-//   std::vector<Eigen::Vector3d> points = ...;
-//   graze::Hull hull(points);                     // its scalar is that of the points
-//   graze::Hull quick = graze::with_adjacency(points);  // a map beside them, for large hulls
+/// @file
+/// The convex hull of finitely many points, and hulls with adjacency, which are searched faster.
 //
 // A hull also keeps its vertices coordinate by coordinate, prepared for the support scan:
 //   scan_i = (vertex_i - center) 2^-exponent.
@@ -26,35 +21,57 @@ template <Scalar S>
 struct HullGraph;  // detail/shapes/hull_graph.hpp
 }
 
-// Points one after the other in memory: a vector, an array or a span of Vec3<float> or Vec3<double>, which
-// are Eigen::Vector3f and Eigen::Vector3d.
+/// The type of the points in a list of points.
 template <class Points>
 using PointOf = typename decltype(std::span(std::declval<const Points&>()))::value_type;
+/// Points one after the other in memory: a vector, an array or a span of `Vec3<float>` or `Vec3<double>`, which are
+/// `Eigen::Vector3f` and `Eigen::Vector3d`.
 template <class Points>
 concept PointList = std::same_as<PointOf<Points>, Vec3<float>> || std::same_as<PointOf<Points>, Vec3<double>>;
 
+/// The convex hull of finitely many points, in any order. Use it for meshes: a hull is a Shape.
+///
+/// Duplicates and interior points are allowed, and nothing is ever simplified. A hull copies its points. Copies of a
+/// hull share them and never change them. A hull without points, or with a NaN or an infinite number, is
+/// `invalid_input` in every query.
+///
+/// Coordinates are in the body's own frame and the caller's length unit. A support query scans all n vertices, 8 at a
+/// time, unless the hull has adjacency (with_adjacency()).
+///
+/// @code
+/// const std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+/// const graze::Hull hull(points);  // its scalar is that of the points
+/// assert(hull.size() == 4 && hull.finite() && !hull.has_adjacency());
+/// @endcode
 template <Scalar S>
 class Hull {
  public:
+  /// @cond
   // Scans run over whole blocks; the padding repeats vertex 0, which can win no tie against it.
   static constexpr std::size_t kBlock = 8;
+  /// @endcond
 
-  Hull() = default;  // empty: invalid_input
+  Hull() = default;  ///< A hull without vertices, which every query refuses.
 
+  /// The hull of these points, which are copied: O(n) time and memory.
   explicit Hull(std::span<const Vec3<S>> vertices);
+  /// The same from a list in braces.
   Hull(std::initializer_list<Vec3<S>> vertices)
       : Hull(std::span<const Vec3<S>>(vertices.begin(), vertices.size())) {}
 
+  /// The number of vertices, duplicates and interior points included.
   [[nodiscard]] std::size_t size() const { return data_ ? data_->vertices.size() : 0; }
+  /// The vertex with this index, i < size().
   [[nodiscard]] const Vec3<S>& vertex(std::size_t i) const { return data_->vertices[i]; }
-  // A view, valid while a copy of the hull lives: so not of a hull that ends with the statement.
+  /// A view of all vertices, valid while a copy of the hull lives. A temporary hull has none.
   [[nodiscard]] std::span<const Vec3<S>> vertices() const& {
     return data_ ? std::span<const Vec3<S>>(data_->vertices) : std::span<const Vec3<S>>();
   }
   std::span<const Vec3<S>> vertices() const&& = delete;
 
-  // The boundary's edges and the map of directions, where it was derived or verified: see with_adjacency, with_faces.
+  /// True if the boundary was derived by with_adjacency(), or verified by with_faces().
   [[nodiscard]] bool has_adjacency() const { return graph_ != nullptr; }
+  /// @cond
   [[nodiscard]] const detail::HullGraph<S>& graph() const { return *graph_; }
   // Is there such a map? Known without reading the graph, which may be in no cache.
   [[nodiscard]] bool has_map() const { return has_map_; }
@@ -99,12 +116,14 @@ class Hull {
   // Of the bounding box, in the caller's unit: the largest magnitude of a coordinate about `center`, and a bound of |x|.
   [[nodiscard]] double size_about_center() const { return data_->size; }
   [[nodiscard]] double reach_about_center() const { return data_->reach; }
-  // False if any vertex is NaN or infinite.
+  /// @endcond
+  /// False if the hull is empty, or a coordinate is NaN or infinite.
   [[nodiscard]] bool finite() const { return data_ && data_->finite; }
-  // The largest magnitude of a coordinate, and the least that is not zero.
+  /// The largest magnitude of a coordinate, a length. The hull is not empty.
   [[nodiscard]] S largest() const { return data_->largest; }
+  /// The least magnitude of a coordinate that is not 0, a length, or 0. The hull is not empty.
   [[nodiscard]] S smallest_nonzero() const { return data_->smallest; }
-  // True if the machine takes a coordinate for 0 that is not (denormals-are-zero).
+  /// True if the machine takes a coordinate for 0 that is not 0 (denormals-are-zero). The hull is not empty.
   [[nodiscard]] bool flushed() const { return data_->flushed; }
 
  private:
@@ -131,26 +150,48 @@ class Hull {
   bool has_map_ = false;
 };
 
+/// The scalar of a hull is that of its points.
 template <PointList Points>
 Hull(const Points&) -> Hull<typename PointOf<Points>::Scalar>;
 
-// A hull with adjacency derived from its vertices: about O(n log n) time, O(n) memory. From 192 vertices on it comes with
-// a map of directions to the few vertices that can be the farthest along them, 60 to 400 bytes a vertex, and answers are
-// the same with it, to the bit, and sooner; below it changes nothing. None is made, and has_adjacency() says so, for
-// vertices in a plane, that are not finite, or with a non-zero coordinate below 2^-280 of the largest. What it saves:
-// docs/reports/costs.md.
+/// A hull with adjacency, for hulls that are cast often. Answers are the same, to the bit.
+///
+/// From 192 vertices on, the hull gets a map from each direction to the few vertices that can be the farthest along
+/// it. A support query then takes sublinear time (measured in costs.md). Smaller hulls are unaffected.
+///
+/// It takes about O(n log n) time to build, and 60 to 400 bytes a vertex. No adjacency is made for vertices that lie
+/// in a plane, are not finite, or have a non-zero coordinate below 2^-280 of the largest. Then has_adjacency() is
+/// false, and the hull works without it.
+///
+/// @code
+/// std::vector<graze::Vec3<double>> points;
+/// for (int k = 0; k < 1000; ++k) points.push_back({std::cos(0.1 * k), std::sin(0.1 * k), std::cos(0.37 * k)});
+/// const graze::Hull hull = graze::with_adjacency(points);
+/// assert(hull.size() == 1000 && hull.has_adjacency());
+/// @endcode
 template <Scalar S>
 Hull<S> with_adjacency(std::span<const Vec3<S>> vertices);
+/// The same from any list of points.
 template <PointList Points>
 auto with_adjacency(const Points& vertices) {
   using S = typename PointOf<Points>::Scalar;
   return with_adjacency<S>(std::span<const Vec3<S>>(vertices));
 }
 
-// The same from faces: lists of vertex indices, anticlockwise from outside. A hint: unless it is, exactly,
-// the boundary of the hull of the vertices, it is ignored.
+/// A hull with adjacency from faces that are known, which is cheaper than to derive it.
+///
+/// A face is a list of three or more vertex indices, anticlockwise as seen from outside. The faces are a hint: they
+/// are verified, and ignored unless they are exactly the boundary of the hull of the vertices (has_adjacency()).
+///
+/// @code
+/// const std::vector<graze::Vec3<double>> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+/// const std::vector<std::vector<std::uint32_t>> faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+/// assert(graze::with_faces(corners, faces).has_adjacency());
+/// assert(!graze::with_faces(corners, std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}).has_adjacency());
+/// @endcode
 template <Scalar S>
 Hull<S> with_faces(std::span<const Vec3<S>> vertices, std::span<const std::vector<std::uint32_t>> faces);
+/// The same from any list of points.
 template <PointList Points>
 auto with_faces(const Points& vertices, std::span<const std::vector<std::uint32_t>> faces) {
   using S = typename PointOf<Points>::Scalar;

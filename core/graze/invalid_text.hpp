@@ -1,6 +1,7 @@
-// Why and where an input was refused, in one line: "body b: shape.half_extents[1] is negative".
+/// @file
+/// Messages: why and where an input was refused, in one line.
 //
-// Apart from result.hpp, as it makes strings; a cast that is not asked for words does without.
+// It is apart from result.hpp because it makes strings. A cast without messages does not need it.
 #pragma once
 
 #include <graze/result.hpp>
@@ -58,7 +59,16 @@ namespace detail {
 
 }  // namespace detail
 
-// Empty where nothing is wrong.
+/// Why and where an input was refused, in one line. It is empty if nothing is wrong. It allocates.
+///
+/// @code
+/// const graze::InvalidAt at{.why = graze::Invalid::negative_extent,
+///                           .body = graze::InvalidBody::b,
+///                           .field = graze::InvalidField::half_extents,
+///                           .part = 0,
+///                           .index = 1};
+/// assert(to_text(at) == "body b: shape.half_extents[1] is negative");
+/// @endcode
 [[nodiscard]] inline std::string to_text(const InvalidAt& at) {
   std::string text;
   if (at.body != InvalidBody::none) text.append(to_text(at.body)).append(": ");

@@ -1,9 +1,9 @@
-// line(A, B) = {t in R : the bodies touch at t} = [t_in, t_out]: the signed answer of a linear motion.
-//
-// Nothing is clipped: t may be negative, and [0, t_max] plays no part. At rest (v = 0) it is all of R or
-// nothing. By portals: one where the line {t v} enters C, one where it leaves, seen from behind
-// (search/robust/portal.hpp). Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for
-// some convex set within kappa u scale of C (docs/reference/guarantees.md), as the MPR sweep's; each end is a bracket.
+/// @file
+/// Lines: from when to when do two linearly moving bodies touch, over all times?
+///
+/// line(A, B) = {t in R : the bodies touch at t} = [t_in, t_out]. Nothing is clipped, so t may be negative. The
+/// search finds one portal where the line {t v} enters C = A - B, and one where it leaves. The answer is true for
+/// some convex set within kappa u scale of C (in the table of guarantees).
 #pragma once
 
 #include <graze/body.hpp>
@@ -11,32 +11,51 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// The options of line() and line_exact().
 template <Scalar S>
 struct LineOptions {
-  Request request = Request::normal;
-  S target_distance = 0;     // m: contact is when the distance reaches m (length)
-  S tolerance = 0;           // of the search, over scale; 0: the rounding bound
-  int max_iterations = 256;  // portal steps of each end
+  Request request = Request::normal;  ///< The results to compute. There are no witnesses and no proof.
+  S target_distance = 0;              ///< m, a length: contact is when the distance reaches m.
+  S tolerance = 0;           ///< Convergence target, a length over scale. 0 stops at the rounding bound.
+  int max_iterations = 256;  ///< The largest number of portal steps of each end.
 };
 
+/// The answer of line() and line_exact().
 template <Scalar S>
 struct LineResult {
-  // hit: [t_in, t_out] is not empty; miss: it is; not_converged: the brackets are what is known;
-  // invalid_input.
+  /// hit ([t_in, t_out] is not empty), miss (it is empty), not_converged (the brackets are what is known) or
+  /// invalid_input.
   Outcome outcome = Outcome::invalid_input;
-  Invalid invalid = Invalid::none;
-  InvalidAt invalid_at = {};
-  // hit: in_lower <= t_in <= in_upper, out_lower <= t_out <= out_upper; at rest -infinity and infinity.
-  S in_lower = -kInfinity<S>, in_upper = kInfinity<S>, out_lower = -kInfinity<S>, out_upper = kInfinity<S>;
-  // hit, when asked for: unit, from A to B, supporting normals of C where the line enters and where it
-  // leaves; zero at rest. miss: normal_in is an axis that separates the bodies for all t.
-  Vec3<S> normal_in = Vec3<S>::Zero(), normal_out = Vec3<S>::Zero();
-  Counters counters;
+  Invalid invalid = Invalid::none;  ///< For invalid_input: the reason.
+  InvalidAt invalid_at = {};        ///< For invalid_input: the place.
+  /// For a hit: in_lower <= t_in <= in_upper and out_lower <= t_out <= out_upper. At rest -infinity and infinity.
+  S in_lower = -kInfinity<S>;
+  S in_upper = kInfinity<S>;    ///< The upper end of t_in.
+  S out_lower = -kInfinity<S>;  ///< The lower end of t_out.
+  S out_upper = kInfinity<S>;   ///< The upper end of t_out.
+  /// For a hit, if requested: unit, from A to B, world axes. They are supporting normals of C where the line enters
+  /// and leaves, and 0 at rest. For a miss, normal_in is an axis that separates the bodies at all times.
+  Vec3<S> normal_in = Vec3<S>::Zero();
+  Vec3<S> normal_out = Vec3<S>::Zero();  ///< Where the line leaves.
+  Counters counters;                     ///< The work that was done.
 };
 
+/// From when to when do the bodies touch? World axes, the caller's units, and t in units of the displacement.
+///
+/// Bodies at rest relative to each other touch at all times or at none. Nothing is thrown or allocated. It takes
+/// about as long as two casts.
+///
+/// @code
+/// const graze::Body<double> wall{.shape = graze::Box<double>{{1, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> ball{.shape = graze::Sphere<double>{1}, .displacement = {4, 0, 0}};
+/// const graze::LineResult<double> r = graze::line(wall, ball);
+/// assert(r.outcome == graze::Outcome::hit);
+/// assert(std::abs(r.in_lower - 2) < 1e-12 && std::abs(r.out_upper - 3) < 1e-12);
+/// @endcode
 template <Scalar S>
 LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
-// The same of the true shapes: each end between two neighbouring S, or known as one.
+/// The same for the true shapes: each end is between two neighbouring numbers S, or is one. Only for the shapes of
+/// the exact tier (cast.hpp), without a target distance. Others are `invalid_input`.
 template <Scalar S>
 LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 

@@ -1,22 +1,25 @@
-// Which graze this translation unit sees. Both have the same files and the same answers.
+/// @file
+/// Which graze this translation unit uses: header-only or compiled. Both have the same files and the same answers.
+///
+/// - `graze::core` is header-only: a public header brings its definitions.
+/// - `graze::graze` is compiled for float and double: the public headers only declare, and the CMake target defines
+///   GRAZE_COMPILED.
+///
+/// The two are in inline namespaces of their own, so one program may hold both.
+///
+/// If GRAZE_ASSERTIONS is defined, functions check what they rely on, and a broken invariant ends the program with
+/// one line. Define GRAZE_ASSERTION_FAILED(text, file, line), the same in every file, to do something else. CMake's
+/// option of that name defines it for our tests and fuzzers. Users do not need it.
 //
-//   graze::core   header-only: a public header brings its definitions.
-//   graze::graze  compiled for float and double: the public headers only declare, and the CMake target
-//                 defines GRAZE_COMPILED.
-// The two are in namespaces of their own, both inline, so that one program may hold both.
-//
-// Where GRAZE_ASSERTIONS is defined, functions check what they rely on, and a broken invariant ends the
-// program with one line (or does what GRAZE_ASSERTION_FAILED(text, file, line) is defined as, the same in
-// every file). CMake's option of that name defines it for our tests and fuzzers; users need it for none.
-// Assertions stand behind the public headers only. So a compiled library holds its own, whatever its user
-// defines; and headers that assert are in a namespace of their own, so that files with and without may be
-// linked together.
+// Assertions stand behind the public headers only. So a compiled library holds its own, whatever its user defines. Headers
+// that assert are in a namespace of their own, so that files with and without may be linked together.
 #pragma once
 
 #if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
 #include "graze needs C++20: compile with -std=c++20 (CMake: target_link_libraries asks for it)"
 #endif
 
+/// @cond
 #ifdef GRAZE_COMPILED
 #define GRAZE_LINKAGE compiled
 #elif defined(GRAZE_ASSERTIONS)
@@ -45,3 +48,4 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 #else
 #define GRAZE_ASSERT(...) static_cast<void>(sizeof((__VA_ARGS__) ? 1 : 0))
 #endif
+/// @endcond

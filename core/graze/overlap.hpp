@@ -1,6 +1,7 @@
-// overlap(A, B): do the bodies touch at t = 0? By MPR, or by GJK. Touching counts.
-//
-// Guarantee: right wherever distance or penetration exceeds kappa u scale (docs/reference/guarantees.md).
+/// @file
+/// Overlap: do two bodies touch at t = 0? By MPR, by GJK, or exactly. Touching counts.
+///
+/// The answer is right if distance or penetration exceeds kappa u scale (in the table of guarantees).
 #pragma once
 
 #include <graze/body.hpp>
@@ -10,29 +11,45 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// The answer of an overlap query.
 template <Scalar S>
 struct OverlapResult {
-  // initially_overlapping, miss, not_converged or invalid_input.
-  Outcome outcome = Outcome::invalid_input;
-  Invalid invalid = Invalid::none;
-  InvalidAt invalid_at = {};
-  Vec3<S> normal = Vec3<S>::Zero();  // of a miss: unit, from A to B, world axes; separates the bodies
-  // mpr, gjk: for the next question about the pair; without an axis and vertices where there is nothing to keep.
+  Outcome outcome = Outcome::invalid_input;  ///< initially_overlapping, miss, not_converged or invalid_input.
+  Invalid invalid = Invalid::none;           ///< For invalid_input: the reason.
+  InvalidAt invalid_at = {};                 ///< For invalid_input: the place.
+  Vec3<S> normal = Vec3<S>::Zero();  ///< For a miss: unit, from A to B, world axes. It separates the bodies.
+  /// For the next query about the pair, by MPR or GJK. It is empty if there is nothing to keep.
   WarmStart warm;
-  Counters counters;
+  Counters counters;  ///< The work that was done.
 };
 
-// By MPR: does the ray from an interior point of C = A - B through the origin leave C beyond the origin?
+/// Do the bodies touch at t = 0? By MPR, which is the fastest: does the ray from an interior point of C = A - B
+/// through the origin leave C beyond the origin?
+///
+/// World axes, the caller's units. Motion is ignored. Nothing is thrown or allocated. It evaluates the support
+/// function a few times to some ten times. `start` is the `warm` of an earlier answer.
+///
+/// @code
+/// const graze::Body<double> box{.shape = graze::Box<double>{{1, 1, 1}}};
+/// const graze::Body<double> touching{.shape = graze::Box<double>{{1, 1, 1}}, .position = {2, 0, 0}};
+/// const graze::Body<double> apart{.shape = graze::Sphere<double>{1}, .position = {3, 0, 0}};
+/// assert(graze::overlap_exact(box, touching).outcome == graze::Outcome::initially_overlapping);
+/// const graze::OverlapResult<double> r = graze::overlap_mpr(box, apart);
+/// assert(r.outcome == graze::Outcome::miss && r.normal[0] > 0);
+/// @endcode
 template <Scalar S>
 OverlapResult<S> overlap_mpr(const Body<S>& a, const Body<S>& b, const WarmStart& start = {});
+/// The same for prepared bodies, which saves preparing them again.
 template <Scalar S>
 OverlapResult<S> overlap_mpr(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start = {});
-// By GJK: is the distance zero?
+/// The same by GJK: is the distance zero? The warm start of distance() serves here too.
 template <Scalar S>
 OverlapResult<S> overlap_gjk(const Body<S>& a, const Body<S>& b, const WarmStart& start = {});
+/// The same for prepared bodies, which saves preparing them again.
 template <Scalar S>
 OverlapResult<S> overlap_gjk(const Prepared<S>& a, const Prepared<S>& b, const WarmStart& start = {});
-// Of the true shapes, decided exactly: see tier exact (cast.hpp).
+/// The same for the true shapes, decided exactly. Only for the shapes of the exact tier (cast.hpp). Others are
+/// `invalid_input`.
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);
 

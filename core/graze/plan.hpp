@@ -1,4 +1,5 @@
-// What must be simulated for a pair, and why: a value, with names that print.
+/// @file
+/// Plans: what must be simulated for a pair of bodies that may rotate, and why.
 #pragma once
 
 #include <graze/result.hpp>
@@ -6,36 +7,46 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-// From the cheapest to the dearest.
+/// What must be simulated, from the cheapest to the most expensive.
 enum class Effects : std::uint8_t {
-  nothing,   // the answer is known from the bounds
-  at_rest,   // one static query: nothing moves relative to the other
-  linear,    // a linear cast
-  rotating,  // a rotating cast
+  nothing,   ///< Nothing: the bounds show the answer.
+  at_rest,   ///< One static query: the bodies do not move relative to each other.
+  linear,    ///< A linear cast.
+  rotating,  ///< A rotating cast.
 };
 
-// Each can be switched off; none changes a verdict (properties/: plan laws).
+/// What a plan may save. Each can be switched off alone, and none changes a verdict.
+///
+/// @code
+/// const graze::Economies all, no_bounds{.bounds = false};
+/// assert(all.bounds && no_bounds.unseen_spin && !graze::Economies::none().as_one);
+/// @endcode
 struct Economies {
-  bool at_rest = true;      // nothing moves: a static query
-  bool unseen_spin = true;  // a turn that leaves the shape as it is: a ball's about its centre, ...
-  bool as_one = true;       // both bodies turn and move as one
-  bool bounds = true;       // bounding volumes that never meet
+  bool at_rest = true;  ///< Bodies that do not move relative to each other: a static query.
+  /// A rotation that leaves the shape as it is, as a ball's about its centre: a linear cast.
+  bool unseen_spin = true;
+  bool as_one = true;  ///< Bodies that rotate and move as one: a static query.
+  bool bounds = true;  ///< Bounding spheres that never meet: nothing.
 
+  /// With everything off, every pair is cast as it moves.
   [[nodiscard]] static constexpr Economies none() { return {false, false, false, false}; }
 };
 
+/// Why a plan is what it is.
 enum class PlanReason : std::uint8_t {
-  nothing_moves,  // neither body moves relative to the other
-  no_rotation,    // neither body turns
-  unseen_spin_a,  // A turns, and its shape does not show it
-  unseen_spin_b,
-  as_one,             // the bodies turn together
-  bounds_never_meet,  // the bounding spheres of the bodies stay apart
-  rotation_a,         // A's turn can be seen
-  rotation_b,
+  nothing_moves,      ///< The bodies do not move relative to each other.
+  no_rotation,        ///< Neither body rotates.
+  unseen_spin_a,      ///< A rotates, and its shape stays as it is.
+  unseen_spin_b,      ///< B rotates, and its shape stays as it is.
+  as_one,             ///< The bodies rotate and move as one.
+  bounds_never_meet,  ///< The bounding spheres of the bodies stay apart.
+  rotation_a,         ///< A rotates visibly.
+  rotation_b,         ///< B rotates visibly.
 };
+/// The number of reasons.
 inline constexpr int kPlanReasons = 8;
 
+/// "nothing", "static", "linear" or "rotating".
 [[nodiscard]] constexpr std::string_view to_text(Effects effects) {
   switch (effects) {
     case Effects::nothing:
@@ -50,6 +61,7 @@ inline constexpr int kPlanReasons = 8;
   return {};
 }
 
+/// The reason in words.
 [[nodiscard]] constexpr std::string_view to_text(PlanReason reason) {
   switch (reason) {
     case PlanReason::nothing_moves:
@@ -72,13 +84,24 @@ inline constexpr int kPlanReasons = 8;
   return {};
 }
 
+/// What must be simulated for a pair, and why. A rotating cast returns it, and plan() of rotating_cast.hpp computes
+/// it alone.
+///
+/// @code
+/// graze::Plan plan;
+/// plan.add(graze::PlanReason::rotation_b);
+/// assert(plan.has(graze::PlanReason::rotation_b) && !plan.has(graze::PlanReason::rotation_a));
+/// assert(to_text(plan.effects) == "rotating");
+/// @endcode
 struct Plan {
-  Effects effects = Effects::rotating;
-  std::uint16_t reasons = 0;  // bit k: PlanReason k
+  Effects effects = Effects::rotating;  ///< What is simulated.
+  std::uint16_t reasons = 0;            ///< Bit k is set if PlanReason k holds.
 
+  /// True if the reason holds.
   [[nodiscard]] constexpr bool has(PlanReason reason) const {
     return (reasons >> static_cast<unsigned>(reason) & 1u) != 0;
   }
+  /// Adds a reason.
   constexpr void add(PlanReason reason) {
     reasons = static_cast<std::uint16_t>(reasons | 1u << static_cast<unsigned>(reason));
   }

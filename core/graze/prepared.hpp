@@ -1,9 +1,5 @@
-// A body prepared for many queries: checked, its bounds taken and its rotation formed, once.
-//
-// A value, never changed; copies share it. overlap, distance and penetration take two of them in place of two bodies,
-// and answer the same, to the bit: a query then pays for the pair alone. It holds the body, and through it the hull; a
-// body that has moved is prepared anew. It pays from the second query about a pose on.
-// Where the body is refused, so is every query with it, as it would be with the body.
+/// @file
+/// Bodies prepared for many queries at one pose.
 #pragma once
 
 #include <graze/body.hpp>
@@ -17,16 +13,32 @@ template <Scalar S>
 struct PreparedBody;  // detail/pairs/prepared_body.hpp
 }
 
+/// A body that is validated once, with its bounds and its rotation computed. It pays from the second query about a
+/// pose on.
+///
+/// overlap_mpr(), overlap_gjk(), distance() and penetration() accept two prepared bodies instead of two bodies. The
+/// answers are the same, to the bit. A prepared body never changes, and copies share it. It holds the body, and
+/// through it the hull. A body that has moved is prepared anew. If the body is invalid, so is every query with it.
+///
+/// @code
+/// const graze::Body<float> crate{.shape = graze::Box<float>{{1, 1, 1}}};
+/// const graze::Prepared<float> prepared(crate);  // allocates
+/// assert(prepared.invalid() == graze::Invalid::none && prepared.body().position == crate.position);
+/// @endcode
 template <Scalar S>
 class Prepared {
  public:
+  /// Validates and prepares the body, in the time of its vertices.
   explicit Prepared(const Body<S>& body);
 
+  /// The body as it was given.
   [[nodiscard]] const Body<S>& body() const;
-  // Invalid::none, or why the body is refused.
+  /// Invalid::none, or why the body is refused.
   [[nodiscard]] Invalid invalid() const;
+  /// @cond
   // For the queries.
   [[nodiscard]] const detail::PreparedBody<S>& inner() const { return *inner_; }
+  /// @endcond
 
  private:
   std::shared_ptr<const detail::PreparedBody<S>> inner_;

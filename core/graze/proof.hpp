@@ -1,18 +1,20 @@
-// The proof of a linear answer: an axis bounds the time of impact from below, a portal from above.
-//
-// Notation (world axes, t = 0)   C = A - B + ball(m), m the target distance;   v = v_B - v_A, exact;
-//   h(n) = max over C of n.c;   contact at t iff t v in C;   TOI = the least such t in [0, T], or infinity.
-//
-// Axis n != 0, not normalised: a triple of doubles or, as the axis of an exact answer rarely is one,
-// symbolic: plus or minus the cross product of two factors. It proves
-//   TOI >= h(n) / (n.v)          when n.v < 0 (every t below lies outside the half-space n.c <= h(n));
-//   TOI = infinity, a miss       when h(n) < min(0, T n.v)  (T * 0 = 0, for T = infinity too).
-// Portal: k support pairs (a_i, b_i), k <= 3, or <= 4 for contact at t = 0. If some convex combination of the
-// a_i - b_i is s v (within m of it) with 0 <= s <= T, then TOI <= s.
-//
-// Every number is a double whatever scalar made the proof, so it says exactly what it says. A proof states
-// only bounds that hold without condition for the true shapes; the checker lives in
-// oracles/checker/check_proof.hpp and shares no code with the search.
+/// @file
+/// Proofs of linear casts: an axis bounds the time of impact from below, and a portal bounds it from above.
+///
+/// Notation, in world axes at t = 0: C = A - B + ball(m) with m the target distance. v = v_B - v_A, exact. h(n) = max
+/// over C of n.c. The bodies touch at t if t v is in C, and the TOI is the least such t in [0, T], or infinity.
+///
+/// **Axis** n, not 0 and not normalised. It is a triple of doubles, or symbolic: plus or minus the cross product of
+/// two factors. The axis of an exact answer is rarely a triple of doubles. It proves
+///
+/// - TOI >= h(n) / (n.v) if n.v < 0: every earlier t v is outside the half-space n.c <= h(n);
+/// - TOI = infinity, a miss, if h(n) < min(0, T n.v), with T 0 = 0 for T = infinity too.
+///
+/// **Portal**: k support pairs (a_i, b_i), k <= 3, or k <= 4 for contact at t = 0. If some convex combination of the
+/// a_i - b_i is s v (within m of it) with 0 <= s <= T, then TOI <= s.
+///
+/// Every number is a double, whatever scalar made the proof. A proof states only bounds that hold without condition
+/// for the true shapes. The checker shares no code with the search.
 #pragma once
 
 #include <array>
@@ -21,32 +23,41 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-// A point of a posed body at t = 0, named so that it is exact:
-//   position + R(orientation) x + offset,    x the vertex of the shape's core with that index (shape.hpp).
-// `offset` is in world axes; |offset| <= the radius there: of a sphere or a capsule, and of every rounding
-// and sphere that was chosen on the way to the vertex of a combinator; otherwise it is zero. Where that way
-// ends in ellipsoids, cylinders or cones, `curved` holds a point of each in its own frame, in the order of
-// the parts; a feature with more than kCurvedParts of them cannot be named.
+/// The most curved parts that a feature can name.
 inline constexpr std::size_t kCurvedParts = 2;
 
+/// A point of a posed body at t = 0, named so that it is exact: position + R(orientation) x + offset, where x is the
+/// vertex of the shape's core with that index (shape.hpp).
 struct Feature {
-  std::uint32_t vertex = 0;
+  std::uint32_t vertex = 0;  ///< The index of a vertex of the shape's core.
+  /// World axes. Its length is at most the radius there: that of a sphere or a capsule, and of every rounding and
+  /// sphere on the way to the vertex of a combinator. Otherwise it is 0.
   Vec3<double> offset = Vec3<double>::Zero();
+  /// If the way to the vertex ends in ellipsoids, cylinders or cones: a point of each in its own frame, in the order
+  /// of the parts. A feature with more than kCurvedParts of them cannot be named.
   std::array<Vec3<double>, kCurvedParts> curved = {Vec3<double>::Zero(), Vec3<double>::Zero()};
 };
 
+/// A point of A and a point of B. Their difference is a point of C = A - B.
 struct SupportPair {
-  Feature a, b;
+  Feature a;  ///< The point of A.
+  Feature b;  ///< The point of B.
 };
 
-// One factor of a symbolic axis: a triple of doubles, v, or the difference of two support pairs,
-// (a_to - b_to) - (a_from - b_from), where one offset or both may stand for a curved or rounded point.
+/// One factor of a symbolic axis.
 struct AxisFactor {
-  enum class Kind : std::uint8_t { given, motion, difference };
-  Kind kind = Kind::given;
-  Vec3<double> given = Vec3<double>::Zero();
-  SupportPair from, to;
+  /// What the factor is made of.
+  enum class Kind : std::uint8_t {
+    given,   ///< A triple of doubles.
+    motion,  ///< The relative motion v.
+    difference,  ///< (a_to - b_to) - (a_from - b_from). One offset or both may stand for a curved or rounded point.
+  };
+  Kind kind = Kind::given;                    ///< Which of them it is.
+  Vec3<double> given = Vec3<double>::Zero();  ///< For Kind::given.
+  SupportPair from;                           ///< For Kind::difference.
+  SupportPair to;                             ///< For Kind::difference.
 };
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(AxisFactor::Kind kind) {
   switch (kind) {
     case AxisFactor::Kind::given:
@@ -59,20 +70,23 @@ struct AxisFactor {
   return {};
 }
 
+/// The proof of a linear cast: what it claims, and what the claims rest on. CastResult::proof holds it, if requested.
+///
+/// `graze cast --proof` writes it to a file, and `graze check` verifies it.
 struct Proof {
-  // Claim: TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
+  /// The claim TOI >= toi_lower. Infinity claims a miss. 0 claims nothing and needs no axis.
   double toi_lower = 0;
-  bool has_axis = false;
-  // Symbolic: n = axis_sign (factor[0] x factor[1]), axis_sign 1 or -1; and `axis` is not read.
+  bool has_axis = false;  ///< True if there is an axis.
+  /// True if the axis is n = axis_sign (factor[0] x factor[1]). Then `axis` is not read.
   bool symbolic = false;
-  Vec3<double> axis = Vec3<double>::Zero();
-  int axis_sign = 1;
-  std::array<AxisFactor, 2> factor;
+  Vec3<double> axis = Vec3<double>::Zero();  ///< n, if it is not symbolic.
+  int axis_sign = 1;                         ///< 1 or -1, for a symbolic axis.
+  std::array<AxisFactor, 2> factor;          ///< The factors of a symbolic axis.
 
-  // Claim: TOI <= toi_upper. Infinity claims nothing and needs no portal.
+  /// The claim TOI <= toi_upper. Infinity claims nothing and needs no portal.
   double toi_upper = kInfinity<double>;
-  int portal_size = 0;
-  std::array<SupportPair, 4> portal;
+  int portal_size = 0;                ///< The number of support pairs, 0 to 4.
+  std::array<SupportPair, 4> portal;  ///< The support pairs.
 };
 
 }}  // namespace graze::GRAZE_LINKAGE

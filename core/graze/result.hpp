@@ -1,7 +1,8 @@
-// What a cast is asked, and what it answers. One aggregate each; every field says when it is valid.
-//
-// Every enumeration of graze has a to_text: its enumerators' names, or, where a reason is given, the reason
-// in words. A value that is no enumerator has an empty text.
+/// @file
+/// The options and the result of a cast. Each is one aggregate, and every field says when it is valid.
+///
+/// Every enumeration of graze has a `to_text`. It returns the enumerator's name, or a reason in words. A value that
+/// is no enumerator has an empty text.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -10,14 +11,17 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// What a query found out. T is `t_max`, and TOI the time of impact.
 enum class Outcome : std::uint8_t {
-  initially_overlapping,  // contact at t = 0, touching included; TOI 0
-  hit,                    // TOI in (0, T]
-  miss,                   // no contact in [0, T]
-  not_converged,  // neither is shown; the bracket is what is known. Tier certified of linear casts: a tie,
-                  // the bodies within the promised width of contact at toi_lower (casts/certified_cast.hpp)
-  invalid_input,  // CastResult::invalid says why, invalid_at where
+  initially_overlapping,  ///< Contact at t = 0, touching included. TOI = 0.
+  hit,                    ///< First contact at a TOI in (0, T].
+  miss,                   ///< No contact in [0, T].
+  /// Neither contact nor a miss is shown. The bracket is what is known. A linear cast of the certified tier answers
+  /// so only for a tie: at `toi_lower` the bodies are within the guaranteed width of contact.
+  not_converged,
+  invalid_input,  ///< The input was refused: `invalid` says why, and `invalid_at` where.
 };
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
   switch (outcome) {
     case Outcome::initially_overlapping:
@@ -34,13 +38,15 @@ enum class Outcome : std::uint8_t {
   return {};
 }
 
+/// The search that answers a linear cast.
 enum class Method : std::uint8_t {
-  conservative_advancement,
-  gjk_ray_cast,
-  mpr_sweep,
-  exact_portal,
-  certified_portal,  // the search of tier certified, where that is not the exact one
+  conservative_advancement,  ///< Advances by distance over speed. A baseline, slow if the bodies graze.
+  gjk_ray_cast,              ///< GJK along the ray of the motion.
+  mpr_sweep,                 ///< Portals along the ray of the motion. The fastest for polytopes.
+  exact_portal,              ///< The search of the exact tier.
+  certified_portal,          ///< The search of the certified tier, if that is not the exact one.
 };
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(Method method) {
   switch (method) {
     case Method::conservative_advancement:
@@ -57,11 +63,14 @@ enum class Method : std::uint8_t {
   return {};
 }
 
-// standard: true for some convex set within kappa u scale of C, by the method that the options name.
-// certified: a bracket proved for the true shapes, rounding included (docs/reference/guarantees.md says how wide).
-// exact: of the true shapes, correctly rounded (casts/exact_cast.hpp); for polytopes without a target
-// distance.
-enum class Tier : std::uint8_t { standard, certified, exact };
+/// How much an answer guarantees. scale is the size of the scene, and u the unit roundoff.
+enum class Tier : std::uint8_t {
+  /// True for some convex set within kappa u scale of C = A - B. The table of guarantees has kappa for each method.
+  standard,
+  certified,  ///< A bracket that is proved for the true shapes and motions, rounding included.
+  exact,      ///< The answer for the true shapes, correctly rounded. Polytopes without a target distance.
+};
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(Tier tier) {
   switch (tier) {
     case Tier::standard:
@@ -74,12 +83,20 @@ enum class Tier : std::uint8_t { standard, certified, exact };
   return {};
 }
 
-// What a start in contact means. pass_over, linear motions: where the motion leaves or slides as it begins, n.v >= 0
-// for some n != 0 with h(n) <= 0 (h of C without the target distance), it is a miss, as no contact is made anew; any
-// other start in contact is reported. Rotating casts instead follow such a start while it is no deeper than kappa u
-// scale. The hit is where it gets deeper, or where the bodies touch again after they were apart by more than rounding;
-// without either it is a miss. A start that is deeper is reported (docs/explanation/rotating.md).
-enum class StartPolicy : std::uint8_t { report, pass_over };
+/// What a start in contact means.
+enum class StartPolicy : std::uint8_t {
+  report,  ///< It is the answer: initially_overlapping.
+  /// A start that the motion leaves, or along which it slides, does not count.
+  ///
+  /// *Linear casts*: the answer is a miss if n.v >= 0 for some n != 0 with h(n) <= 0, where v is the relative motion
+  /// and h the support function of C without the target distance. Any other start in contact is reported.
+  ///
+  /// *Rotating casts* follow a start that is no deeper than kappa u scale. The hit is where the contact gets deeper,
+  /// or where the bodies touch again after they were apart by more than rounding. Without either, the answer is a
+  /// miss. A deeper start is reported.
+  pass_over,
+};
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(StartPolicy policy) {
   switch (policy) {
     case StartPolicy::report:
@@ -90,15 +107,30 @@ enum class StartPolicy : std::uint8_t { report, pass_over };
   return {};
 }
 
-// What is wanted; what is not asked for is not computed. The verdict (outcome and bracket) always is.
-enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proof = 4, everything = 7 };
+/// The results to compute, joined by |. The verdict (outcome and bracket) is always computed. A cast that needs
+/// nothing else is cheaper.
+///
+/// @code
+/// const graze::Request request = graze::Request::normal | graze::Request::proof;
+/// assert(graze::asks_for(request, graze::Request::proof));
+/// assert(!graze::asks_for(request, graze::Request::witnesses));
+/// @endcode
+enum class Request : std::uint8_t {
+  verdict = 0,     ///< Outcome and bracket alone.
+  normal = 1,      ///< The normal at the contact.
+  witnesses = 2,   ///< The contact points `point_a` and `point_b`.
+  proof = 4,       ///< A proof of the bracket, which a checker can verify.
+  everything = 7,  ///< All of these.
+};
+/// Both requests together.
 [[nodiscard]] constexpr Request operator|(Request l, Request r) {
   return static_cast<Request>(static_cast<unsigned>(l) | static_cast<unsigned>(r));
 }
+/// True if `request` includes something of `what`.
 [[nodiscard]] constexpr bool asks_for(Request request, Request what) {
   return (static_cast<unsigned>(request) & static_cast<unsigned>(what)) != 0;
 }
-// Of several: each, with a comma between them.
+/// The names of all that is requested, with a comma between them.
 [[nodiscard]] constexpr std::string_view to_text(Request request) {
   switch (request) {
     case Request::verdict:
@@ -118,27 +150,30 @@ enum class Request : std::uint8_t { verdict = 0, normal = 1, witnesses = 2, proo
   return {};
 }
 
-// Why an input was refused.
+/// Why an input was refused. In words, with the place: to_text(const InvalidAt&) of invalid_text.hpp.
 enum class Invalid : std::uint8_t {
-  none,
-  not_finite,       // a NaN or an infinite coordinate, extent or displacement
-  out_of_range,     // a magnitude outside the range of core/graze/validate.hpp
-  empty_hull,       // a hull without a vertex
-  negative_extent,  // a radius or a half extent below zero
-  zero_quaternion,  // an orientation (0, 0, 0, 0)
-  missing_part,     // a combinator without parts, or with one that has no shape
-  too_complex,      // combinators nested deeper than 16, of more than 4096 parts or 2^32 - 1 vertices
-  rounding_mode,    // the machine does not round to nearest
-  unsafe_math,      // compiled with a part of -ffast-math (validate.hpp)
-  bad_horizon,      // t_max below zero or NaN
-  bad_target,       // target_distance below zero, infinite or NaN
-  bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
-  not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
-                    // shapes, a target distance, a rotation that is seen
-  not_linear,       // a visible rotation with an infinite t_max
-  not_followed,  // the start policy pass_over with a visible rotation: the method does not follow the contact of the
-                 // start, or tier certified cannot prove what becomes of it
+  none,             ///< Nothing is wrong.
+  not_finite,       ///< A NaN, or an infinite coordinate, extent or displacement.
+  out_of_range,     ///< A magnitude other than 0 outside kLeastMagnitude to kGreatestMagnitude.
+  empty_hull,       ///< A hull without a vertex.
+  negative_extent,  ///< A radius or a half extent below zero.
+  zero_quaternion,  ///< An orientation (0, 0, 0, 0).
+  missing_part,     ///< A combinator without parts, or with one that has no shape.
+  too_complex,      ///< Combinators nested deeper than 16, or with more than 4096 parts or 2^32 - 1 vertices.
+  rounding_mode,    ///< The thread does not round to nearest.
+  unsafe_math,      ///< graze was compiled with a part of -ffast-math.
+  bad_horizon,      ///< `t_max` is below zero or NaN.
+  bad_target,       ///< `target_distance` is below zero, infinite or NaN.
+  bad_tolerance,    ///< `tolerance` is below zero, infinite or NaN, or a budget is below one.
+  /// The exact tier does not support the input: a curved or rounded shape, a hull of shapes, a target distance, or a
+  /// visible rotation.
+  not_exact,
+  not_linear,  ///< A visible rotation with an infinite `t_max`.
+  /// The start policy pass_over with a visible rotation: the method does not follow the contact of the start, or the
+  /// certified tier cannot prove what becomes of it.
+  not_followed,
 };
+/// The reason in words, without the place.
 [[nodiscard]] constexpr std::string_view to_text(Invalid invalid) {
   switch (invalid) {
     case Invalid::none:
@@ -180,8 +215,13 @@ enum class Invalid : std::uint8_t {
   return {};
 }
 
-// Whose input it was; none: the options', the machine's, or both bodies'.
-enum class InvalidBody : std::uint8_t { none, a, b };
+/// Whose input was refused.
+enum class InvalidBody : std::uint8_t {
+  none,  ///< That of the options, of the machine, or of both bodies.
+  a,     ///< That of the first body.
+  b,     ///< That of the second body.
+};
+/// "body a", "body b" or "neither body".
 [[nodiscard]] constexpr std::string_view to_text(InvalidBody body) {
   switch (body) {
     case InvalidBody::none:
@@ -194,30 +234,31 @@ enum class InvalidBody : std::uint8_t { none, a, b };
   return {};
 }
 
-// Which number it was: a body's, a shape's, or an option.
+/// The field that was refused: a body's, a shape's, or an option.
 enum class InvalidField : std::uint8_t {
-  none,
-  shape,  // as a whole
-  position,
-  orientation,
-  displacement,
-  rotation,
-  pivot,
-  radius,
-  radii,
-  half_height,
-  half_extents,
-  vertex,  // of a segment, a triangle or a hull
-  part,    // of a combinator that has none
-  t_max,
-  target_distance,
-  tolerance,
-  max_iterations,
-  time_steps,
-  tier,
-  start_policy,
-  direction,  // of penetration_along
+  none,             ///< No field: the machine or the compiler.
+  shape,            ///< A shape as a whole.
+  position,         ///< A body's or a part's position.
+  orientation,      ///< A body's or a part's orientation.
+  displacement,     ///< A body's displacement.
+  rotation,         ///< A rotating body's rotation.
+  pivot,            ///< A rotating body's pivot.
+  radius,           ///< The radius of a round shape.
+  radii,            ///< The radii of an ellipsoid.
+  half_height,      ///< The half height of a capsule, a cylinder or a cone.
+  half_extents,     ///< The half extents of a box.
+  vertex,           ///< A vertex of a segment, a triangle or a hull.
+  part,             ///< The missing part of a combinator.
+  t_max,            ///< An option.
+  target_distance,  ///< An option.
+  tolerance,        ///< An option.
+  max_iterations,   ///< An option.
+  time_steps,       ///< An option of rotating casts.
+  tier,             ///< An option.
+  start_policy,     ///< An option.
+  direction,        ///< The direction of penetration_along().
 };
+/// The field's name.
 [[nodiscard]] constexpr std::string_view to_text(InvalidField field) {
   switch (field) {
     case InvalidField::none:
@@ -266,45 +307,57 @@ enum class InvalidField : std::uint8_t {
   return {};
 }
 
-// Where an input was refused: the first place that is wrong. In words: graze/invalid_text.hpp.
+/// Where an input was refused: the first place that is wrong. invalid_text.hpp puts it in words.
 struct InvalidAt {
-  Invalid why = Invalid::none;
-  InvalidBody body = InvalidBody::none;
-  InvalidField field = InvalidField::none;
-  // Whose field it is: -1 the body's own; 0 its shape's; k the k-th part's of a shape that is a combinator,
-  // each part counted before its own parts.
+  Invalid why = Invalid::none;              ///< The reason.
+  InvalidBody body = InvalidBody::none;     ///< Whose input.
+  InvalidField field = InvalidField::none;  ///< Which field.
+  /// Whose field it is: -1 for the body's own, 0 for its shape's, and k for that of the k-th part of a combinator.
+  /// Each part is counted before its own parts.
   int part = -1;
-  int index = -1;  // the vertex, or the component of a vector; -1: the field has none, or all are meant
+  int index = -1;  ///< The vertex, or the component of a vector. -1 if the field has none, or all are meant.
 };
 
+/// The options of a linear cast. The defaults suit a first call.
+///
+/// @code
+/// const graze::CastOptions<float> for_a_game{.request = graze::Request::normal, .tolerance = 1e-3F};
+/// const graze::CastOptions<double> for_a_robot{.tier = graze::Tier::certified, .target_distance = 0.005};
+/// const graze::CastOptions<double> for_a_ray{.t_max = graze::kInfinity<double>};
+/// assert(for_a_game.t_max == 1 && for_a_robot.tolerance == 0 && for_a_ray.max_iterations == 256);
+/// @endcode
 template <Scalar S>
 struct CastOptions {
-  Tier tier = Tier::standard;
-  // Of tier standard; the others have one each. None: mpr_sweep for points, segments, triangles, boxes and hulls
-  // without a target distance, and for ellipsoids, cylinders and cones beside each other or any of these, spheres
-  // and capsules; gjk_ray_cast for every other pair. Measured, time of gjk over mpr: 1.0 to 2.2 on polytopes
-  // (1.3 random, 2.2 grazing); 0.05 to 0.5 on spheres, capsules and rounded shapes.
+  Tier tier = Tier::standard;  ///< What the answer guarantees.
+  /// The method of the standard tier. The other tiers have one each. Without a method, it is mpr_sweep for points,
+  /// segments, triangles, boxes and hulls without a target distance, and for ellipsoids, cylinders and cones beside
+  /// each other or beside any of these, spheres and capsules. For every other pair it is gjk_ray_cast.
+  //
+  // Measured, time of gjk over mpr: 1.0 to 2.2 on polytopes (1.3 random, 2.2 grazing); 0.05 to 0.5 on spheres, capsules
+  // and rounded shapes.
   std::optional<Method> method = {};
-  Request request = Request::normal | Request::witnesses;
-  S t_max = 1;            // T; infinity makes it a ray
-  S target_distance = 0;  // m: contact is when the distance reaches m (length)
-  // Convergence target (length over scale): the search may stop once the path is this near to contact.
-  // 0 stops at the rounding bound of the method, where nothing is left to gain.
+  Request request = Request::normal | Request::witnesses;  ///< The results to compute.
+  S t_max = 1;            ///< T, the end of the cast. Infinity makes it a ray.
+  S target_distance = 0;  ///< m, a length: contact is when the distance reaches m.
+  /// Convergence target, a length over scale: the search may stop once the path is this near to contact. 0 stops at
+  /// the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
-  StartPolicy start_policy = StartPolicy::report;
-  // Support evaluations of the search: typically 5 to 20, the worst seen in certify's table.
+  StartPolicy start_policy = StartPolicy::report;  ///< What a start in contact means.
+  /// The largest number of support evaluations. A cast needs 5 to 20 typically. When they are used up, the outcome is
+  /// not_converged, and the bracket is valid.
   int max_iterations = 256;
 };
 
-// How much was done. Nothing here depends on timing; equal inputs give equal counts.
+/// The work of a query. Equal inputs give equal counts. Nothing depends on timing.
 struct Counters {
-  int iterations = 0;       // steps of the method's outer loop
-  int supports = 0;         // support evaluations of the CSO, all stages
-  int gjk_iterations = 0;   // closest-point solves
-  int portal_steps = 0;     // portal discovery and refinement steps
-  int exact_decisions = 0;  // tier exact: signs that pairs of doubles did not decide
-  int poses = 0;            // rotating casts: times at which the turning bodies were placed
+  int iterations = 0;       ///< Steps of the method's outer loop.
+  int supports = 0;         ///< Support evaluations of C = A - B, in all stages.
+  int gjk_iterations = 0;   ///< Closest-point solves.
+  int portal_steps = 0;     ///< Steps of portal discovery and refinement.
+  int exact_decisions = 0;  ///< Exact tier: signs that pairs of doubles did not decide.
+  int poses = 0;            ///< Rotating casts: times at which the bodies were placed.
 
+  /// Adds the work of another query.
   Counters& operator+=(const Counters& more) {
     iterations += more.iterations;
     supports += more.supports;
@@ -316,29 +369,33 @@ struct Counters {
   }
 };
 
+/// The answer of a linear cast. Advance a simulation to `toi_lower`.
 template <Scalar S>
 struct CastResult {
-  Outcome outcome = Outcome::invalid_input;
-  Invalid invalid = Invalid::none;  // for invalid_input
-  InvalidAt invalid_at = {};
-  Method method = Method::gjk_ray_cast;
-  // toi_lower <= TOI <= toi_upper in the sense of the tier (standard: true for some convex set within
-  // kappa u scale of C). Both 0 for initially_overlapping; both infinite for miss; NaN for invalid_input.
+  Outcome outcome = Outcome::invalid_input;  ///< Contact or no contact.
+  Invalid invalid = Invalid::none;           ///< For invalid_input: the reason.
+  InvalidAt invalid_at = {};                 ///< For invalid_input: the place.
+  Method method = Method::gjk_ray_cast;      ///< The method that answered.
+  /// The bracket, toi_lower <= TOI <= toi_upper, as the tier guarantees it. Both are 0 for initially_overlapping,
+  /// infinite for miss, and NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();
-  S toi_upper = std::numeric_limits<S>::quiet_NaN();
-  // hit, not_converged: at toi_lower the bodies' distance exceeds the target distance by no more (length). Of a tie
-  // that tier certified leaves open it is at most kLinearCertifiedWidth of scale: the caller may take it for contact.
+  S toi_upper = std::numeric_limits<S>::quiet_NaN();  ///< The upper end of the bracket.
+  /// For hit and not_converged, a length: at `toi_lower` the bodies' distance exceeds the target distance by no more.
+  /// For a tie that the certified tier leaves open it is at most kLinearCertifiedWidth of scale, and a caller may
+  /// treat it as contact.
   S distance = 0;
-  // miss, by StartPolicy::pass_over: in contact at t = 0, and leaving or sliding. Has no proof.
+  /// For a miss by StartPolicy::pass_over: the bodies are in contact at t = 0, and leave or slide. It has no proof.
   bool passed_over = false;
-  // hit, and not_converged of tier certified, when asked for: unit, from A to B, world axes, a supporting normal of C at
-  // the contact.
+  /// For hit, and not_converged of the certified tier, if requested: unit, from A to B, world axes. It is a
+  /// supporting normal of C at the contact.
   Vec3<S> normal = Vec3<S>::Zero();
-  // The same outcomes, when asked for: world points of A and of B at toi_lower.
-  Vec3<S> point_a = Vec3<S>::Zero(), point_b = Vec3<S>::Zero();
-  // hit, miss, not_converged, when asked for; bounds are absent where rounding leaves nothing unconditional.
+  /// For the same outcomes, if requested: the contact point of A at `toi_lower`, in world coordinates.
+  Vec3<S> point_a = Vec3<S>::Zero();
+  Vec3<S> point_b = Vec3<S>::Zero();  ///< That of B.
+  /// For hit, miss and not_converged, if requested. A bound is absent if rounding leaves nothing that holds without
+  /// condition.
   std::optional<Proof> proof;
-  Counters counters;
+  Counters counters;  ///< The work that was done.
 };
 
 }}  // namespace graze::GRAZE_LINKAGE

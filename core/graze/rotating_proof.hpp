@@ -1,26 +1,29 @@
-// The proof of a rotating answer: a chain of axes, each with its slice of time, and proved contact at its
-// end.
-//
-// Slice (t_0, t_1, n): for every t in [t_0, t_1] the bodies are more than the target distance m apart along
-// n(t),
-//   max over a in A(t) of n(t).a  +  m |n|  <  min over b in B(t) of n(t).b,
-// where n(t) is n itself (frame world) or turns with a body: n(t) = R(t rotation_A) n (frame a), and so b.
-// The chain's slices follow each other from t = 0, so together they say: no contact before toi_lower.
-//
-// Contact at toi_upper: k <= 6 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. With c_i = a_i -
-// b_i at that time, offsets included, and r_i what the offsets leave of the radii that the vertices of the
-// two cores carry (sphere, capsule, rounded), contact is proved if either
-//   |sum l_i c_i| <= sum l_i (r_i + m),
-// or k >= 4 and four points hold the origin strictly inside their hull: c_0, c_1, c_2, and c_3 or, of more, the mean of
-// c_3 .. c_(k-1) by their weights (the middle of an octahedron needs all six corners, a point below its tip five), or at
-// toi_upper 0, where nothing has turned and all is exact, the hull of k <= 4 points, grown by m, holds it, boundary
-// included; of four pairs no weights are read.
-// A flat A - B holds nothing strictly: there contact is a crossing. Three pairs, and a time contact_from:
-// seen along some direction the triangle of the c_i has the origin inside at every t in [contact_from,
-// toi_upper], and the origin is on one side of it at the beginning, on the other at the end.
-//
-// Every number is a double whatever scalar made the proof, so it says exactly what it says; the checker lives
-// in oracles/checker/check_rotating_proof.hpp and shares no code with the search.
+/// @file
+/// Proofs of rotating casts: a chain of axes, each with its slice of time, and proved contact at its end.
+///
+/// **Slice** (t_0, t_1, n): for every t in [t_0, t_1] the bodies are more than the target distance m apart along
+/// n(t),
+///
+///     max over a in A(t) of n(t).a  +  m |n|  <  min over b in B(t) of n(t).b.
+///
+/// n(t) is n itself (frame world), or rotates with a body: n(t) = R(t rotation_A) n (frame a), and likewise for b.
+/// The slices follow each other from t = 0. Together they say that there is no contact before toi_lower.
+///
+/// **Contact** at toi_upper: k <= 6 support pairs (a_i, b_i) with weights l_i >= 0, not all 0. Let c_i = a_i - b_i at
+/// that time, offsets included. Let r_i be what the offsets leave of the radii that the vertices of the two cores
+/// carry (sphere, capsule, rounded). Contact is proved in one of these ways:
+///
+/// - |sum l_i c_i| <= sum l_i (r_i + m).
+/// - k >= 4, and four points hold the origin strictly inside their hull. They are c_0, c_1, c_2, and c_3, or for k >
+///   4 the mean of c_3 .. c_(k-1) by their weights. (The middle of an octahedron needs all six corners, a point below
+///   its tip five.) For four pairs no weights are read.
+/// - toi_upper = 0, where nothing has rotated and all is exact: the hull of k <= 4 points, grown by m, holds the
+///   origin, boundary included.
+/// - A crossing, for a flat A - B, which holds nothing strictly inside: three pairs, and a time contact_from. Seen
+///   along some direction, the triangle of the c_i has the origin inside at every t in [contact_from, toi_upper]. The
+///   origin is on one side of the triangle at the beginning, and on the other at the end.
+///
+/// Every number is a double, whatever scalar made the proof. The checker shares no code with the search.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -28,7 +31,13 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-enum class AxisFrame : std::uint8_t { world, a, b };
+/// What the axis of a slice rotates with.
+enum class AxisFrame : std::uint8_t {
+  world,  ///< It does not rotate.
+  a,      ///< It rotates with A.
+  b,      ///< It rotates with B.
+};
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(AxisFrame frame) {
   switch (frame) {
     case AxisFrame::world:
@@ -41,29 +50,33 @@ enum class AxisFrame : std::uint8_t { world, a, b };
   return {};
 }
 
+/// A slice of time in which an axis separates the bodies.
 struct TimeSlice {
-  double end = 0;                            // the slice begins where the one before it ends, the first at 0
-  Vec3<double> axis = Vec3<double>::Zero();  // world axes (of t = 0, where it turns); not normalised
-  AxisFrame frame = AxisFrame::world;
+  double end = 0;                            ///< It begins where the slice before it ends, the first at 0.
+  Vec3<double> axis = Vec3<double>::Zero();  ///< World axes, at t = 0 if it rotates. Not normalised.
+  AxisFrame frame = AxisFrame::world;        ///< What the axis rotates with.
 };
 
+/// The most support pairs that prove contact.
 inline constexpr std::size_t kContactPairs = 6;
 
+/// The proof of a rotating cast: what it claims, and what the claims rest on. RotatingResult::proof holds it, if
+/// requested.
 struct RotatingProof {
-  // Claim: TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.
+  /// The claim TOI >= toi_lower. Infinity claims a miss: no contact in [0, t_max]. 0 claims nothing.
   double toi_lower = 0;
-  std::vector<TimeSlice> chain;  // the last slice ends at toi_lower or later; of a miss, at t_max or later
+  std::vector<TimeSlice> chain;  ///< The last slice ends at toi_lower or later, for a miss at t_max or later.
 
-  // Claim: contact at toi_upper, or by it (crossing), so TOI <= toi_upper. Infinity claims nothing and needs
-  // no pairs.
+  /// The claim of contact at toi_upper, or by then for a crossing, so TOI <= toi_upper. Infinity claims nothing and
+  /// needs no pairs.
   double toi_upper = kInfinity<double>;
-  bool crossing = false;
-  double contact_from = 0;  // of a crossing
-  int contact_size = 0;
-  // Placed at toi_upper as the body moves; an offset, in world axes, is of the ball about the placed point,
-  // and of a crossing zero.
+  bool crossing = false;    ///< True if contact is proved by a crossing.
+  double contact_from = 0;  ///< For a crossing: when it begins.
+  int contact_size = 0;     ///< The number of support pairs.
+  /// The support pairs, placed at toi_upper as the body moves. An offset, in world axes, is within the ball about the
+  /// placed point. It is 0 for a crossing.
   std::array<SupportPair, kContactPairs> contact;
-  std::array<double, kContactPairs> weight = {};
+  std::array<double, kContactPairs> weight = {};  ///< The weights l_i.
 };
 
 }}  // namespace graze::GRAZE_LINKAGE

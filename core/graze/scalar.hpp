@@ -1,6 +1,8 @@
-// The scalars graze computes in, and the two vectors that everything else is written with.
-//
-// S is float or double, IEEE 754, round to nearest. u = kUnitRoundoff<S> = 2^-24 or 2^-53.
+/// @file
+/// The scalars that graze computes in, and the vectors, matrices and quaternions that everything else is written
+/// with.
+///
+/// S is float or double, IEEE 754, round to nearest. u = 2^-24 or 2^-53 is kUnitRoundoff.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,41 +19,45 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// A scalar of graze: float or double.
 template <class S>
 concept Scalar = std::same_as<S, float> || std::same_as<S, double>;
 
+/// A point or a direction: `Eigen::Vector3f` or `Eigen::Vector3d`.
 template <Scalar S>
 using Vec3 = Eigen::Matrix<S, 3, 1>;
 
+/// A matrix: `Eigen::Matrix3f` or `Eigen::Matrix3d`.
 template <Scalar S>
 using Mat3 = Eigen::Matrix<S, 3, 3>;
 
-// u, the unit roundoff: |fl(x op y) - (x op y)| <= u |x op y|.
+/// u, the unit roundoff: |fl(x op y) - (x op y)| <= u |x op y|.
 template <Scalar S>
 inline constexpr S kUnitRoundoff = std::numeric_limits<S>::epsilon() / 2;
 
+/// Infinity, for instance as the `t_max` of a ray.
 template <Scalar S>
 inline constexpr S kInfinity = std::numeric_limits<S>::infinity();
 
-// 2^e.
+/// 2^e, also where it is subnormal, 0 or infinite.
 [[nodiscard]] inline double power_of_two(int e) {
   if (e < -1022 || e > 1023) return std::ldexp(1.0, e);
   return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
-// floor(log2 |x|) for a finite x != 0.
+/// floor(log2 |x|) for a finite x != 0.
 [[nodiscard]] inline int exponent_of(double x) {
   const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
   return biased == 0 ? std::ilogb(x) : biased - 1023;
 }
 
-// Does the machine take this subnormal for 0 (denormals-are-zero)? Then it is not what the caller gave.
+/// True if the machine takes the subnormal x for 0 (denormals-are-zero). Then x is not what the caller gave.
 template <Scalar S>
 [[nodiscard]] inline bool is_flushed(S x) {
   using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
   return x == 0 && static_cast<Bits>(std::bit_cast<Bits>(x) << 1) != 0;
 }
 
-// n / |n| for any finite n != 0: scaled first, so that no square vanishes or overflows.
+/// The direction n / |n| of a finite n, or 0 for n = 0. n is scaled first, so no square vanishes or overflows.
 template <Scalar S>
 Vec3<S> unit(const Vec3<S>& n) {
   const S most = n.cwiseAbs().maxCoeff();
@@ -60,21 +66,34 @@ Vec3<S> unit(const Vec3<S>& n) {
   return scaled / scaled.norm();
 }
 
-// A rotation x -> q x conj(q) / |q|^2 for any q != 0: rational in q, so a posed vertex is an exact rational.
-// (1, 1, 0, 0) is exactly 90 degrees about x. |q| = 1 is neither needed nor assumed. An Eigen::Quaternion of
-// the same scalar, or a Map of one, converts to it, number by number; whoever has one has included
-// <Eigen/Geometry>, which graze does not need.
+/// An orientation: the rotation x -> q x conj(q) / |q|^2 for any q = (w, x, y, z) other than 0.
+///
+/// The length of q does not matter. The rotation is rational in q, so a posed vertex is an exact rational. For
+/// example, (1, 1, 0, 0) is exactly 90 degrees about x. An `Eigen::Quaternion` of the same scalar, or a Map of one,
+/// converts to it number by number. graze itself does not include <Eigen/Geometry>.
+///
+/// @code
+/// const graze::Quaternion<double> quarter_turn(1, 1, 0, 0), none;
+/// assert(none.is_identity() && !quarter_turn.is_identity());
+/// @endcode
 template <Scalar S>
 struct Quaternion {
-  S w = 1, x = 0, y = 0, z = 0;
+  S w = 1;  ///< Real part. The default is no rotation.
+  S x = 0;  ///< Imaginary part along x.
+  S y = 0;  ///< Imaginary part along y.
+  S z = 0;  ///< Imaginary part along z.
 
-  constexpr Quaternion() = default;
+  // g++ 12 crashes on a list of bodies in braces if it has to find out noexcept here or in Shape, and on Vec3's Zero() as
+  // the default of their fields.
+  constexpr Quaternion() noexcept = default;
+  /// real + i, j and k times the imaginary units.
   constexpr Quaternion(S real, S i, S j, S k) : w(real), x(i), y(j), z(k) {}
+  /// The same quaternion from Eigen.
   template <class Derived>
   requires std::same_as<typename Derived::Scalar, S> Quaternion(const Eigen::QuaternionBase<Derived>& q)
       : Quaternion(q.w(), q.x(), q.y(), q.z()) {}
 
-  // True also for (w, 0, 0, 0) with any w != 0, and for its negative.
+  /// True for (w, 0, 0, 0) with any w, negative ones included.
   [[nodiscard]] bool is_identity() const { return x == 0 && y == 0 && z == 0; }
 };
 

@@ -1,11 +1,11 @@
-// Shapes: closed convex sets given by finite numbers, in the body's own frame, in the caller's length unit.
-//
-// The set is exactly the one that the numbers define; zero extents and radii are valid. A shape is a value:
-// copies share hulls and the parts of combinators, which are immutable.
-//
-// A shape is the Minkowski sum of its core and a ball: of `radius` for spheres and capsules, of radius 0 for
-// the others. Proofs name a vertex of the core by its index; how vertices are counted is said with each
-// shape.
+/// @file
+/// Shapes: closed convex sets given by finite numbers, in the body's own frame and the caller's length unit.
+///
+/// The set is exactly the one that the numbers define. Zero extents and radii are valid, negative ones are
+/// `invalid_input`. A shape is a value. Copies share hulls and the parts of combinators, which never change.
+///
+/// A shape is the Minkowski sum of its core and a ball: of `radius` for spheres and capsules, of radius 0 for the
+/// others. Proofs name a vertex of the core by its index. Each shape says how its vertices are counted.
 #pragma once
 
 #include <graze/hull.hpp>
@@ -13,146 +13,183 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-// {0}. Vertex 0.
+/// The point {0}. The cast of a point is a ray. Vertex 0.
 template <Scalar S>
 struct Point {};
 
-// The segment between a and b. Vertices a, b.
+/// The segment between a and b. Vertices a, b.
 template <Scalar S>
 struct Segment {
-  Vec3<S> a = Vec3<S>::Zero(), b = Vec3<S>::Zero();
+  Vec3<S> a = Vec3<S>::Zero();  ///< One end.
+  Vec3<S> b = Vec3<S>::Zero();  ///< The other end.
 };
 
-// The triangle a b c. Vertices a, b, c.
+/// The triangle a b c, without a thickness or an inner side. Vertices a, b, c.
 template <Scalar S>
 struct Triangle {
-  Vec3<S> a = Vec3<S>::Zero(), b = Vec3<S>::Zero(), c = Vec3<S>::Zero();
+  Vec3<S> a = Vec3<S>::Zero();  ///< A corner. Their order has no meaning.
+  Vec3<S> b = Vec3<S>::Zero();  ///< A corner.
+  Vec3<S> c = Vec3<S>::Zero();  ///< A corner.
 };
 
-// {x : |x| <= radius}. Vertex 0, the centre.
+/// The ball {x : |x| <= radius}. Vertex 0, the centre.
 template <Scalar S>
 struct Sphere {
-  S radius = 0;
+  S radius = 0;  ///< 0 or more, a length.
 };
 
-// Within `radius` of the segment from -half_height to +half_height on z. Vertex 0 below, 1 above.
+/// All points within `radius` of the segment from -half_height to +half_height on z. Vertex 0 below, 1 above.
 template <Scalar S>
 struct Capsule {
-  S radius = 0, half_height = 0;
+  S radius = 0;       ///< 0 or more, a length.
+  S half_height = 0;  ///< 0 or more. The capsule is 2 (half_height + radius) high.
 };
 
-// {x : |x_i| <= half_extents_i}. Vertex k of 0..7 has x_i = +half_extents_i where bit i of k is set, else -.
+/// The box {x : |x_i| <= half_extents_i}. Vertex k of 0..7 has x_i = +half_extents_i if bit i of k is set, else the
+/// negative.
 template <Scalar S>
 struct Box {
-  Vec3<S> half_extents = Vec3<S>::Zero();
+  Vec3<S> half_extents = Vec3<S>::Zero();  ///< Half the length of each side, 0 or more.
 };
 
-// {x : sum (x_i / radii_i)^2 <= 1}; x_i = 0 where radii_i = 0. Curved: vertex 0 stands for all its points, as
-// it does for the cylinder and the cone.
+/// The ellipsoid {x : sum (x_i / radii_i)^2 <= 1}, with x_i = 0 where radii_i = 0. It is curved: vertex 0 stands for
+/// all its points, as it does for the cylinder and the cone.
 template <Scalar S>
 struct Ellipsoid {
-  Vec3<S> radii = Vec3<S>::Zero();
+  Vec3<S> radii = Vec3<S>::Zero();  ///< The half axes, 0 or more.
 };
 
-// {x : x^2 + y^2 <= radius^2, |z| <= half_height}. Curved.
+/// The cylinder about z, {x : x^2 + y^2 <= radius^2, |z| <= half_height}. Curved.
 template <Scalar S>
 struct Cylinder {
-  S radius = 0, half_height = 0;
+  S radius = 0;       ///< 0 or more, a length.
+  S half_height = 0;  ///< 0 or more. With 0 it is a disc.
 };
 
-// The hull of the apex (0, 0, half_height) and the disk x^2 + y^2 <= radius^2 at z = -half_height. Curved.
+/// The cone about z: the hull of the apex (0, 0, half_height) and the disc x^2 + y^2 <= radius^2 at z = -half_height.
+/// Curved.
 template <Scalar S>
 struct Cone {
-  S radius = 0, half_height = 0;
+  S radius = 0;       ///< Radius of the base, 0 or more.
+  S half_height = 0;  ///< 0 or more. With 0 it is a disc.
 };
 
 template <Scalar S>
 struct ShapeNode;
 
-// A part of a combinator. Without a shape it is invalid_input.
+/// A part of a combinator, made by share(). A null pointer is `invalid_input`.
 template <Scalar S>
 using SharedShape = std::shared_ptr<const ShapeNode<S>>;
 
-// {position + R(orientation) x : x in shape}. The vertices of the shape.
+/// A shape at a pose of its own, {position + R(orientation) x : x in shape}. The vertices of the shape.
 template <Scalar S>
 struct Posed {
-  SharedShape<S> shape;
-  Vec3<S> position = Vec3<S>::Zero();
-  Quaternion<S> orientation = {};
+  SharedShape<S> shape;                ///< The shape that is placed.
+  Vec3<S> position = Vec3<S>::Zero();  ///< Where its origin is, a length.
+  Quaternion<S> orientation = {};      ///< Any quaternion other than 0.
 };
 
-// {x + y : x in shape, |y| <= radius}. The vertices of the shape.
+/// A shape grown by a ball, {x + y : x in shape, |y| <= radius}. The vertices of the shape.
 template <Scalar S>
 struct Rounded {
-  SharedShape<S> shape;
-  S radius = 0;
+  SharedShape<S> shape;  ///< The shape that is grown.
+  S radius = 0;          ///< 0 or more, a length.
 };
 
-// {x_1 + ... + x_n : x_i in shapes_i}, the Minkowski sum. A vertex for each choice of one vertex from every
-// part; the last part's index counts fastest.
+/// The Minkowski sum {x_1 + ... + x_n : x_i in shapes_i}. It has a vertex for each choice of one vertex from every
+/// part, and the last part's index counts fastest.
 template <Scalar S>
 struct Sum {
-  std::vector<SharedShape<S>> shapes;
+  std::vector<SharedShape<S>> shapes;  ///< One or more.
 };
 
-// The convex hull of the union. The vertices of the first part, then those of the second, ...
+/// The convex hull of the union of shapes. The vertices of the first part, then those of the second, and so on.
 template <Scalar S>
 struct HullOf {
-  std::vector<SharedShape<S>> shapes;
+  std::vector<SharedShape<S>> shapes;  ///< One or more.
 };
 
-// One of these. It is used as the std::variant that it is derived from: std::visit, std::get, std::get_if and
-// std::holds_alternative take it. What copies, moves and destroys fourteen kinds is compiled with the library,
-// and not again in every file that holds a shape.
+/// Any shape: one of fourteen kinds. Every kind converts to it.
+///
+/// Use it as the `std::variant` that it derives from, with `std::visit`, `std::get`, `std::get_if` and
+/// `std::holds_alternative`. Combinators may nest 16 deep and have 4096 parts. Beyond that a query answers
+/// `invalid_input` (Invalid::too_complex). A support query takes constant time for a simple shape, the time of its
+/// vertices for a hull, and the sum of its parts for a combinator.
+///
+/// @code
+/// const graze::Shape<double> box = graze::Box<double>{{1, 2, 3}};
+/// const graze::Shape<double> die = graze::rounded<double>(box, 0.1);
+/// assert(std::get<graze::Box<double>>(box).half_extents[1] == 2);
+/// assert(std::holds_alternative<graze::Rounded<double>>(die));
+/// @endcode
+//
+// What copies, moves and destroys fourteen kinds is compiled with the library, and not again in every file that holds a
+// shape.
 template <Scalar S>
 class Shape
     : public std::variant<Point<S>, Segment<S>, Triangle<S>, Sphere<S>, Capsule<S>, Box<S>, Ellipsoid<S>,
                           Cylinder<S>, Cone<S>, Hull<S>, Posed<S>, Rounded<S>, Sum<S>, HullOf<S>> {
  public:
-  using Kinds = typename Shape::variant;
+  using Kinds = typename Shape::variant;  ///< The variant of all kinds.
   using Kinds::Kinds;
   using Kinds::operator=;
 
-  Shape() = default;
+  Shape() noexcept = default;  ///< A point.
+  /// @cond
   Shape(const Shape&);
   Shape(Shape&&) noexcept;
   Shape& operator=(const Shape&);
   Shape& operator=(Shape&&) noexcept;
   ~Shape();
+  /// @endcond
 };
 
+/// What a SharedShape points to.
 template <Scalar S>
 struct ShapeNode {
-  Shape<S> shape;
+  Shape<S> shape;  ///< The part.
 };
 
+/// Makes a part of a combinator from a shape.
 template <Scalar S>
 SharedShape<S> share(Shape<S> shape) {
   return std::make_shared<const ShapeNode<S>>(ShapeNode<S>{std::move(shape)});
 }
 
-// What the combinators are made with.
+/// The shape at a pose: {position + R(orientation) x : x in shape}.
+///
+/// @code
+/// // A T from two boxes: the bar, and the stem below it.
+/// const graze::Shape<double> bar = graze::Box<double>{{1, 0.1, 0.1}};
+/// const graze::Shape<double> stem = graze::posed<double>(bar, {0, 0, -1}, {1, 0, 1, 0});
+/// const graze::Shape<double> filled_t = graze::hull_of<double>(bar, stem);  // convex, so not the T itself
+/// assert(std::get<graze::HullOf<double>>(filled_t).shapes.size() == 2);
+/// @endcode
 template <Scalar S>
 Shape<S> posed(Shape<S> shape, const Vec3<S>& position, const Quaternion<S>& orientation) {
   return Posed<S>{share<S>(std::move(shape)), position, orientation};
 }
+/// The shape moved by `position`: {position + x : x in shape}.
 template <Scalar S>
 Shape<S> translated(Shape<S> shape, const Vec3<S>& position) {
   return Posed<S>{share<S>(std::move(shape)), position, {}};
 }
+/// The shape grown by a ball of this radius.
 template <Scalar S>
 Shape<S> rounded(Shape<S> shape, S radius) {
   return Rounded<S>{share<S>(std::move(shape)), radius};
 }
+/// The Minkowski sum of two shapes. For more than two, fill a Sum.
 template <Scalar S>
 Shape<S> sum(Shape<S> first, Shape<S> second) {
   return Sum<S>{{share<S>(std::move(first)), share<S>(std::move(second))}};
 }
+/// The convex hull of two shapes. For more than two, fill a HullOf.
 template <Scalar S>
 Shape<S> hull_of(Shape<S> first, Shape<S> second) {
   return HullOf<S>{{share<S>(std::move(first)), share<S>(std::move(second))}};
 }
-// {x + s displacement : x in shape, 0 <= s <= 1}: a sum with a segment.
+/// What a shape sweeps along a displacement, {x + s displacement : x in shape, 0 <= s <= 1}: its sum with a segment.
 template <Scalar S>
 Shape<S> swept(Shape<S> shape, const Vec3<S>& displacement) {
   return sum<S>(std::move(shape), Segment<S>{Vec3<S>::Zero(), displacement});

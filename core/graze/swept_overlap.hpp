@@ -1,4 +1,7 @@
-// swept_overlap(A, B): do the bodies touch at any t in [0, t_max]? Only whether, not when.
+/// @file
+/// Swept overlap: do two linearly moving bodies touch at any t in [0, t_max]? Only whether, not when.
+///
+/// The answer is right if clearance or depth exceeds kappa u scale (in the table of guarantees). Touching counts.
 //
 // Contact at t iff t v in C, so contact at some t iff 0 is in C swept by -v:
 //   D = C + segment(0, -t_max v),   h_D(n) = h_C(n) + max(0, -t_max n.v).
@@ -9,8 +12,6 @@
 //   before_after  the lecture's slow version: D as the hull of C at t = 0 and C at t_max. Each support
 //                 searches all points of C twice, once where they are before and once where they are after.
 //                 Kept as the baseline that the sum is measured against (bench/queries_bench.cpp).
-// Units: the caller's; world axes. Guarantee: right wherever clearance or depth exceeds kappa u scale
-// (docs/reference/guarantees.md). Touching counts.
 #pragma once
 
 #include <graze/body.hpp>
@@ -18,7 +19,13 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-enum class SweptMethod : std::uint8_t { gjk, mpr, before_after };
+/// The search of swept_overlap().
+enum class SweptMethod : std::uint8_t {
+  gjk,           ///< The distance of 0 from C, swept by -v.
+  mpr,           ///< The MPR sweep without its time.
+  before_after,  ///< Searches the points of both ends of the motion. Slower, kept for comparison.
+};
+/// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(SweptMethod method) {
   switch (method) {
     case SweptMethod::gjk:
@@ -31,33 +38,45 @@ enum class SweptMethod : std::uint8_t { gjk, mpr, before_after };
   return {};
 }
 
+/// The options of swept_overlap() and swept_overlap_exact().
 template <Scalar S>
 struct SweptOverlapOptions {
-  SweptMethod method = SweptMethod::gjk;
-  S t_max = 1;               // infinity for a ray
-  S target_distance = 0;     // m: contact is when the distance reaches m (length)
-  int max_iterations = 256;  // support evaluations
+  SweptMethod method = SweptMethod::gjk;  ///< The search. swept_overlap_exact() does not read it.
+  S t_max = 1;                            ///< The end of the motion. Infinity makes it a ray.
+  S target_distance = 0;                  ///< m, a length: contact is when the distance reaches m.
+  int max_iterations = 256;               ///< The largest number of support evaluations.
 };
 
+/// The answer of swept_overlap() and swept_overlap_exact().
 template <Scalar S>
 struct SweptOverlapResult {
-  // hit: contact at some t in [0, t_max], 0 included; miss; not_converged; invalid_input.
+  /// hit (contact at some t, 0 included), miss, not_converged, invalid_input.
   Outcome outcome = Outcome::invalid_input;
-  Invalid invalid = Invalid::none;
-  InvalidAt invalid_at = {};
-  // miss: unit, from A to B, world axes; separates the bodies for all these t.
+  Invalid invalid = Invalid::none;  ///< For invalid_input: the reason.
+  InvalidAt invalid_at = {};        ///< For invalid_input: the place.
+  /// For a miss: unit, from A to B, world axes. It separates the bodies at all t in [0, t_max].
   Vec3<S> normal = Vec3<S>::Zero();
-  Counters counters;
+  Counters counters;  ///< The work that was done.
 };
 
+/// Do the bodies touch at any t in [0, t_max]? World axes, the caller's units. It is cheaper than a cast, which also
+/// says when. Nothing is thrown or allocated.
+///
+/// @code
+/// const graze::Body<double> sheet{.shape = graze::Box<double>{{1e-4, 5, 5}}, .position = {10, 0, 0}};
+/// const graze::Body<double> bullet{.shape = graze::Sphere<double>{0.01}, .displacement = {20, 0, 0}};
+/// assert(graze::swept_overlap(sheet, bullet).outcome == graze::Outcome::hit);
+/// assert(graze::swept_overlap(sheet, bullet, {.t_max = 0.4}).outcome == graze::Outcome::miss);
+/// @endcode
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap(const Body<S>& a, const Body<S>& b,
                                     const SweptOverlapOptions<S>& options = {});
-// The verdict of the lecture's slow version.
+/// The same by SweptMethod::before_after, whatever method the options name.
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_before_after(const Body<S>& a, const Body<S>& b,
                                                  SweptOverlapOptions<S> options = {});
-// Of the true shapes, decided exactly: see tier exact (cast.hpp). options.method is not read.
+/// The same for the true shapes, decided exactly. Only for the shapes of the exact tier (cast.hpp), without a target
+/// distance. Others are `invalid_input`.
 template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                                           const SweptOverlapOptions<S>& options = {});

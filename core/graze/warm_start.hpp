@@ -1,9 +1,5 @@
-// What the caller may keep of one answer about a pair for the next: where its search ended.
-//
-// A value: every result of a query that knows it hands one out, and the options of the next take it. Nothing is kept
-// anywhere else. It is a guess, and tried like any other: whatever it says (of another pair, out of date, NaN, vertices
-// that the shapes do not have), the guarantee is the same; a good one saves supports, a bad one costs one or a few. The
-// bits of an answer may depend on it, as they depend on the order of A and B.
+/// @file
+/// Warm starts: what a caller may keep of one answer about a pair for the next.
 #pragma once
 
 #include <array>
@@ -11,12 +7,26 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
+/// Where a search ended. Pass the `warm` of a result to the next query about the pair.
+///
+/// A stale, unrelated or NaN warm start never invalidates a guarantee. It is a guess that is tried: a good one saves
+/// support evaluations, a bad one costs one or a few. The last bits of an answer may depend on it, as they depend on
+/// the order of A and B. It is a value, and nothing is kept anywhere else.
+///
+/// @code
+/// graze::WarmStart warm;  // empty
+/// assert(!warm.has_axis() && warm.size == 0);
+/// warm.axis = {0, 0, 1};  // a guess of your own
+/// assert(warm.has_axis());
+/// @endcode
 struct WarmStart {
-  Vec3<double> axis = Vec3<double>::Zero();  // world axes, any length; 0: none
-  int size = 0;                              // vertices of C = A - B that follow: 0 to 4
-  std::array<std::uint32_t, 4> vertex_a{}, vertex_b{};
+  /// A direction in world axes, of a length near 1. 0 if there is none.
+  Vec3<double> axis = Vec3<double>::Zero();
+  int size = 0;                             ///< The number of vertices of C = A - B that follow, 0 to 4.
+  std::array<std::uint32_t, 4> vertex_a{};  ///< Their indices in the core of A.
+  std::array<std::uint32_t, 4> vertex_b{};  ///< Their indices in the core of B.
 
-  // An axis that a search can take: not 0, not NaN, of a length near 1 or any that its squares allow.
+  /// True if a search can take the axis: it is finite, and its largest component is between 2^-20 and 2^20.
   [[nodiscard]] bool has_axis() const {
     const double most = axis.cwiseAbs().maxCoeff();
     return most > 0x1p-20 && most < 0x1p20 && axis.allFinite();

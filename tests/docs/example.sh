@@ -6,7 +6,7 @@ source=$1 page=$2 name=$3 executable=$4
 shift 4
 shown=$(mktemp -d)
 trap 'rm -rf "$shown"' EXIT
-awk -v to="$shown" '/^```cpp$/ {file = to "/" ++k; next} /^```$/ {file = ""} file {print > file}' "$source/$page"
+awk -v begin='^```cpp$' -v end='^```$' -v to="$shown/" -f "$(dirname "$0")/blocks.awk" "$source/$page"
 found=
 for block in "$shown"/*; do
   if cmp -s "$block" "$source/examples/$name.cpp"; then found=1; fi

@@ -1,33 +1,35 @@
-// What the caller keeps of one step for the next: of each pair that was looked at the axis that parted it, or a few
-// directions whose supports showed that it was in contact; and of bodies at rest what their overlap was.
-//
-//   Memory memory;
-//   for (each step) report = run(scene, options, memory);
-//
-// A step that follows a step is much like it. A pair that missed is asked along its last axis first: where that
-// parts the two for the whole step, proved with every rounding counted, the pair is a miss, and not cast. A pair that
-// began in contact is, where the same directions still show it. The overlap of two bodies that rest as they did, to the
-// bit, is the one that is known. All else is cast as without a memory, so the events are the same: times, normals and
-// points to the bit. Only what an event says of how it was known, effects and reasons, is "nothing" where no cast was.
-//
-// A value: nothing is kept anywhere else. It may be of another scene, out of date or empty; a good one saves time. A
-// body is known by its index. Copies are independent.
+/// @file
+/// Memories: what a caller keeps of one step of a scene for the next, to save casts.
 #pragma once
 
 #include <graze/scene.hpp>
 
 namespace graze::scene {
 
+/// @cond
 // Directions, in world axes, along which points of A - B lie whose hull, with the balls about them, holds the origin.
 struct Touching {
   int size = 0;
   std::array<Vec3<double>, 4> direction;
 };
+/// @endcond
 
+/// What is known of the pairs after a step: the axis that separated a pair, a few directions whose support points
+/// showed contact, or for bodies at rest their overlap.
+///
+/// A step is much like the one before. A pair that missed is tested along its last axis first. If that separates the
+/// two for the whole step, proved with every rounding counted, the pair is a miss without a cast. Likewise for a pair
+/// that begins in contact, and for two bodies that rest as they did, to the bit. Everything else is cast as without a
+/// memory. So the events are the same: times, normals and points to the bit. Only the effects and reasons of an event
+/// that needed no cast differ.
+///
+/// A memory is a value. It may be empty, out of date or of another scene. A good one saves time, and none changes an
+/// answer. A body is known by its index.
 class Memory {
  public:
-  // Pairs of which something is known, and what that takes.
+  /// The number of pairs of which something is known.
   [[nodiscard]] std::size_t pairs() const { return pairs_.size(); }
+  /// The memory that it takes.
   [[nodiscard]] std::size_t bytes() const {
     return pairs_.capacity() * sizeof(Pair) + slots_.capacity() * sizeof(std::uint32_t) +
            touching_.capacity() * sizeof(Touching) + resting_.capacity() * sizeof(Resting) +
@@ -68,10 +70,24 @@ class Memory {
   Settings settings_;
 };
 
+/// run() with a memory of the step before, which it updates.
+///
+/// @code
+/// graze::scene::Scene scene;
+/// const graze::Body<double> ball{.shape = graze::Sphere<double>{1}};
+/// const graze::Body<double> other{
+///     .shape = graze::Sphere<double>{1}, .position = {2.5, 2.5, 0}, .displacement = {-1, 1, 0}};
+/// scene.bodies = {{.body = {.body = ball}}, {.body = {.body = other}}};
+/// graze::scene::Memory memory;
+/// for (int step = 0; step < 2; ++step) {
+///   const graze::scene::Report report = graze::scene::run(scene, {}, memory);
+///   assert(report.events.empty());
+/// }
+/// @endcode
 [[nodiscard]] Report run(const Scene& scene, const Options& options, Memory& memory);
 
-// The scene as it stands at t, moving on as it does, whatever it meets: what a longer step is cut into. Poses are
-// rounded; what does not move keeps every bit.
+/// The scene as it is at time t if nothing stops its bodies, for cutting a longer step into parts. Poses are rounded.
+/// Bodies that do not move keep every bit.
 [[nodiscard]] Scene at_time(const Scene& scene, double t);
 
 }  // namespace graze::scene

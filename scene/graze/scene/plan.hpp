@@ -1,4 +1,5 @@
-// What a scene simulates and what it spares: pair by pair, and in sum. Values that print, count and compare.
+/// @file
+/// The plan of a scene: what is simulated and what is skipped, pair by pair and in sum.
 #pragma once
 
 #include <array>
@@ -7,42 +8,54 @@
 
 namespace graze::scene {
 
+/// What is simulated for a pair of bodies, and why.
 struct PairPlan {
-  std::uint32_t a = 0, b = 0;  // bodies, a < b
-  graze::Plan plan;
-  double begin = 0;  // the swept bounds do not meet before this time
+  std::uint32_t a = 0;  ///< The index of a body.
+  std::uint32_t b = 0;  ///< The index of another, a < b.
+  graze::Plan plan;     ///< What is simulated.
+  double begin = 0;     ///< The swept bounds do not meet before this time.
 
+  /// True if all of both plans is the same, their reasons included.
   friend bool operator==(const PairPlan& l, const PairPlan& r) {
     return l.a == r.a && l.b == r.b && l.begin == r.begin && l.plan.effects == r.plan.effects &&
            l.plan.reasons == r.plan.reasons;
   }
 };
 
-// Every pair of bodies is counted once: filtered, apart at rest, never_meet, moot, parted, held or kept by a memory,
-// unfinished, or by what was simulated. Probes are counted by themselves.
+/// How many pairs were simulated or skipped, and why.
+///
+/// Every pair of bodies is counted once: as filtered, apart, never_meet, moot, parted, held, kept or unfinished, or
+/// in `effects` by what was simulated. Probes are counted separately.
 struct Counts {
-  std::uint64_t bodies = 0, resting = 0, turning = 0;
-  std::uint64_t pairs = 0;       // n (n - 1) / 2
-  std::uint64_t filtered = 0;    // by groups and masks
-  std::uint64_t apart = 0;       // at rest, bounds apart
-  std::uint64_t never_meet = 0;  // one moves, swept bounds never meet
-  std::uint64_t moot = 0;        // an earlier event had settled what was asked
-  std::uint64_t parted = 0;      // an axis parts them that did in the step before, or one near it
-  std::uint64_t held = 0;        // in contact along the directions of the step before
-  std::uint64_t kept = 0;        // they rest as in the step before, and so does their overlap
-  std::uint64_t unfinished = 0;  // interrupted before
-  std::uint64_t shortened = 0;   // cast with a horizon that an earlier event had bounded
-  std::array<std::uint64_t, 4> effects = {};                  // by graze::Effects
-  std::array<std::uint64_t, kPlanReasons> reasons = {};       // by graze::PlanReason
-  std::uint64_t probes = 0, probe_casts = 0, probe_moot = 0;  // probes; pairs with a body: cast, moot
+  std::uint64_t bodies = 0;      ///< Bodies.
+  std::uint64_t resting = 0;     ///< Bodies that neither move nor rotate.
+  std::uint64_t turning = 0;     ///< Bodies that rotate.
+  std::uint64_t pairs = 0;       ///< n (n - 1) / 2.
+  std::uint64_t filtered = 0;    ///< Pairs that groups and masks separate.
+  std::uint64_t apart = 0;       ///< Pairs at rest whose bounds are apart.
+  std::uint64_t never_meet = 0;  ///< Pairs of which one moves, and whose swept bounds never meet.
+  std::uint64_t moot = 0;        ///< Pairs that an earlier event made unnecessary.
+  std::uint64_t parted = 0;      ///< With a memory: an axis separates them, as in the step before.
+  std::uint64_t held = 0;  ///< With a memory: they are in contact along the directions of the step before.
+  std::uint64_t kept = 0;  ///< With a memory: they rest as in the step before, and so does their overlap.
+  std::uint64_t unfinished = 0;                          ///< The run was interrupted before.
+  std::uint64_t shortened = 0;                           ///< Cast only up to the time of an earlier event.
+  std::array<std::uint64_t, 4> effects = {};             ///< Simulated pairs, by graze::Effects.
+  std::array<std::uint64_t, kPlanReasons> reasons = {};  ///< Simulated pairs, by graze::PlanReason.
+  std::uint64_t probes = 0;                              ///< Probes.
+  std::uint64_t probe_casts = 0;                         ///< Casts of a probe against a body.
+  std::uint64_t probe_moot = 0;  ///< Pairs of a probe and a body that an earlier contact made unnecessary.
 
+  /// The number of pairs that were simulated.
   [[nodiscard]] std::uint64_t simulated() const { return effects[0] + effects[1] + effects[2] + effects[3]; }
+  /// Counts a simulated pair.
   void add(const graze::Plan& plan);
 
+  /// True if all counts are the same.
   friend bool operator==(const Counts&, const Counts&) = default;
 };
 
-// A line for each number that is not 0, and what it stands for.
+/// A line for each number that is not 0, with its meaning.
 [[nodiscard]] std::string to_text(const Counts& counts);
 
 }  // namespace graze::scene

@@ -58,7 +58,7 @@ TEST(Help, EveryCommandExplainsItselfAndItsExitCode) {
     EXPECT_NE(help.out.find("  graze " + command), std::string::npos) << help.out;
     EXPECT_GT(lines_of(help.out).size(), 8U);
   }
-  EXPECT_EQ(folder.graze("--version").out, "graze 0.2.0\n");
+  EXPECT_EQ(folder.graze("--version").out, "graze 0.3.0\n");
   expect_one_complaint(folder.graze(""), {"--help"});
   expect_one_complaint(folder.graze("cats"), {"cats"});
 }
