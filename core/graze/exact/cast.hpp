@@ -10,6 +10,7 @@
 
 #include <graze/cast.hpp>
 #include <graze/exact/answer_cast.hpp>
+#include <graze/exact/round_answer.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -19,6 +20,10 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   out.method = Method::exact_portal;
   out.invalid = exact::refusal(a, b, options);
   if (exact::refused(out, a, b, options)) return out;
+  if (!exact::is_sharp(a, b, options.target_distance)) {
+    exact::answer_round_cast(a, b, options, out);
+    return out;
+  }
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
   exact::answer_cast(cast, answer, options, out);

@@ -13,22 +13,18 @@ template <Scalar S>
 Invalid refusal(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   const Invalid invalid = validate(a, b, options);
   if (invalid != Invalid::none) return invalid;
-  const auto takes = [](const Shape<S>& shape) { return detail::is_quick(shape) || is_exact(shape); };
-  const bool known = takes(a.shape) && takes(b.shape) && !(options.target_distance > 0);
-  return known ? Invalid::none : Invalid::not_exact;
+  const auto takes = [](const Shape<S>& shape) { return detail::is_quick(shape) || is_exact(shape, true); };
+  return takes(a.shape) && takes(b.shape) ? Invalid::none : Invalid::not_exact;
 }
 
 // Was it refused, and if so, where?
 template <class Result, Scalar S>
 bool refused(Result& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
   if (out.invalid != Invalid::not_exact) return detail::refused(out, a, b, options);
-  const bool of_a = !is_exact(a.shape), of_b = !of_a && !is_exact(b.shape);
   out.invalid_at = {.why = Invalid::not_exact,
-                    .body = of_a   ? InvalidBody::a
-                            : of_b ? InvalidBody::b
-                                   : InvalidBody::none,
-                    .field = of_a || of_b ? InvalidField::shape : InvalidField::target_distance,
-                    .part = of_a || of_b ? 0 : -1};
+                    .body = is_exact(a.shape, true) ? InvalidBody::b : InvalidBody::a,
+                    .field = InvalidField::shape,
+                    .part = 0};
   return true;
 }
 // A number outgrew its room (dyadic.hpp): no body alone is to blame.

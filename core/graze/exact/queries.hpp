@@ -7,6 +7,7 @@
 
 #include <graze/exact/answer.hpp>
 #include <graze/exact/ends.hpp>
+#include <graze/exact/round_answer.hpp>
 #include <graze/line.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/overlap.hpp>
@@ -33,6 +34,45 @@ Result finished(const Scene<S>& scene, Result result) {
   return refused;
 }
 
+template <Scalar S, class Result>
+Result finished(const RoundSearch<S>& search, Result result) {
+  ++result.counters.exact_decisions;
+  if (search.valid()) return result;
+  Result refused;
+  refuse_as_too_complex(refused);
+  return refused;
+}
+
+// A line of rounded shapes, not at rest: t_in, or t_out as that of the opposite motion.
+template <Scalar S>
+LineResult<S> round_line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options) {
+  using Path = typename RoundSearch<S>::Path;
+  LineResult<S> out;
+  RoundSearch<S> search(a, b, double(options.target_distance));
+  const Dyadic from = search.begin();
+  const Path path = search.path(from, search.end(kInfinity<double>));
+  out.outcome = path == Path::misses ? Outcome::miss : Outcome::hit;
+  if (path == Path::misses) {
+    out.normal_in = unit_of(search.separating()).template cast<S>();
+    return finished(search, out);
+  }
+  const RoundContact in = search.first_contact(path, 0);
+  Body<S> back_a = a, back_b = b;
+  std::swap(back_a.displacement, back_b.displacement);
+  RoundSearch<S> back(back_a, back_b, double(options.target_distance));
+  const RoundContact leave = back.first_contact(back.path(back.begin(), back.end(kInfinity<double>)), 0);
+  if (!back.valid()) return finished(back, out);
+  out.in_lower = round_down<S>(in.toi.lower);
+  out.in_upper = round_up<S>(in.toi.upper);
+  out.out_lower = round_down<S>(-leave.toi.upper);
+  out.out_upper = round_up<S>(-leave.toi.lower);
+  if (asks_for(options.request, Request::normal)) {
+    out.normal_in = unit_of(in.normal).template cast<S>();
+    out.normal_out = unit_of(leave.normal).template cast<S>();
+  }
+  return finished(search, out);
+}
+
 }  // namespace exact
 
 template <Scalar S>
@@ -43,6 +83,12 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   const CastOptions<S> options;
   out.invalid = exact::refusal(a, b, options);
   if (exact::refused(out, a, b, options)) return out;
+  if (!exact::is_sharp(a, b, S(0))) {
+    exact::RoundSearch<S> search(a, b, 0);
+    out.outcome = search.start() <= 0 ? Outcome::initially_overlapping : Outcome::miss;
+    if (out.outcome == Outcome::miss) out.normal = exact::unit_of(search.separating()).template cast<S>();
+    return exact::finished(search, out);
+  }
   exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
   const exact::Answer answer = cast.pass();
   out.outcome = Outcome::miss;
@@ -70,6 +116,16 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   SweptOverlapResult<S> out;
   out.invalid = exact::refusal(a, b, as_cast);
   if (exact::refused(out, a, b, as_cast)) return out;
+  if (!exact::is_sharp(a, b, options.target_distance)) {
+    exact::RoundSearch<S> search(a, b, double(options.target_distance));
+    bool meets = search.start() <= 0;
+    if (!meets && search.moves() && options.t_max > 0) {
+      meets = search.path({}, search.end(double(options.t_max))) != exact::RoundSearch<S>::Path::misses;
+    }
+    out.outcome = meets ? Outcome::hit : Outcome::miss;
+    if (!meets) out.normal = exact::unit_of(search.separating()).template cast<S>();
+    return exact::finished(search, out);
+  }
   exact::PassageSearch<S> cast(a, b, out.counters);
   const double t_max = static_cast<double>(options.t_max);
   const exact::Answer answer = cast.pass(t_max);
@@ -96,6 +152,14 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   LineResult<S> out;
   out.invalid = exact::refusal(a, b, checked);
   if (exact::refused(out, a, b, checked)) return out;
+  if (!exact::is_sharp(a, b, options.target_distance)) {
+    exact::RoundSearch<S> search(a, b, double(options.target_distance));
+    if (!search.is_rounded()) return line_exact(detail::flat(a), detail::flat(b), options);
+    if (search.moves()) return exact::round_line(a, b, options);
+    out.outcome = search.start() <= 0 ? Outcome::hit : Outcome::miss;
+    if (out.outcome == Outcome::miss) out.normal_in = exact::unit_of(search.separating()).template cast<S>();
+    return exact::finished(search, out);
+  }
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Scene<S>& scene = cast.scene();
   if (!cast.pair().moves()) {

@@ -1,0 +1,165 @@
+// What tier exact answers of rounded polytopes, and of polytopes at a target distance: verdict, time, normal, witnesses.
+//
+// Verdict and bracket are those of exact/cast.hpp, decided by round_search.hpp. The normal is within 2 u per component of
+// the direction between the cores' nearest points at TOI. Witnesses are a + r_A n and b - r_B n for the cores' nearest
+// points a and b: so m apart at TOI. A round walk goes first; pairs of doubles prove most of its answers (round_proof.hpp).
+#pragma once
+
+#include <graze/certified/degenerate.hpp>
+#include <graze/exact/ends.hpp>
+#include <graze/exact/passage.hpp>
+#include <graze/exact/round_proof.hpp>
+#include <graze/exact/round_search.hpp>
+#include <graze/numeric/rounding.hpp>
+
+namespace graze::inline GRAZE_LINKAGE::exact {
+
+// For the walk of the exact polytopes: no ball about either shape, and no target distance.
+template <Scalar S>
+bool is_sharp(const Body<S>& a, const Body<S>& b, S target_distance) {
+  return !(target_distance > 0) && is_exact(a.shape) && is_exact(b.shape);
+}
+
+inline Vec3<double> unit_of(const Dyadic3& n) { return over_length(detail::direction_of(n)); }
+
+// A start in contact, pass_over: does the motion leave or slide? The target distance does not count.
+template <Scalar S>
+bool leaves_or_slides(const Body<S>& a, const Body<S>& b, RoundSearch<S>& search, Counters& counters) {
+  if (search.has_balls()) return search.ray_without_target() >= 0;
+  // The cores are the bodies, and they may be apart.
+  const Body<S> core_a = detail::flat(a), core_b = detail::flat(b);
+  PassageSearch<S> cast(core_a, core_b, counters);
+  const Passage passage = cast.pass().passage;
+  if (passage == Passage::contact) return cast.leaves_or_slides();
+  return passage != Passage::ahead || !cast.pair().moves() || cast.slides();
+}
+
+// Of one body at time t: the contact's point of its core, and its ball.
+template <Scalar S>
+Vec3<double> round_witness(const Body<S>& body, const RoundContact& contact, bool of_a, double t,
+                           const Vec3<double>& n) {
+  bool valid = true;
+  const double radius = detail::ratio(detail::exact_ball<S>(body.shape, valid), Dyadic(1));
+  Vec3<double> out = t * detail::wide(body.displacement) + (of_a ? radius : -radius) * n;
+  for (std::size_t i = 0; i < std::size_t(contact.size); ++i) {
+    Feature feature;
+    feature.vertex = of_a ? contact.corner[i].a : contact.corner[i].b;
+    const Exact x = detail::exact_point(body, feature);
+    for (int k = 0; k < 3; ++k) out[k] += contact.share[i] * detail::ratio(x.x[std::size_t(k)], x.weight);
+  }
+  return out;
+}
+
+template <Scalar S>
+[[nodiscard]] RoundProof prove_plain(const GuidedPair<S>& pair, const Scene<S>& scene,
+                                     const CastOptions<S>& options, const RoundWalk<S>& walk,
+                                     const RoundSweep& found) {
+  return RoundProver<S, false>(pair, scene, options).prove(walk, found);
+}
+template <Scalar S>
+GRAZE_FUSED RoundProof prove_fused(const GuidedPair<S>& pair, const Scene<S>& scene,
+                                   const CastOptions<S>& options, const RoundWalk<S>& walk,
+                                   const RoundSweep& found) {
+  return RoundProver<S, true>(pair, scene, options).prove(walk, found);
+}
+
+// The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there: a corner of F
+// is within sqrt(3) point_error of one of K; the weights are >= 0 and sum up to 1 within 4 u, and p's own sums round by
+// 4 u M; |p| is up to 4 u of itself, R 3 u, and |p| <= M. False: nothing is claimed, and of `out` only the counters have
+// changed.
+template <Scalar S>
+[[nodiscard]] bool quick_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                    CastResult<S>& out) {
+  if (!detail::is_round(a.shape) || !detail::is_round(b.shape) || !(options.t_max > 0)) return false;
+  const GuidedPair<S> pair(a, b, double(options.target_distance));
+  if (!pair.moves() || !(pair.radius() > 0)) return false;
+  const double t_max = double(options.t_max);
+  RoundWalk<S> walk(pair, t_max * power_of_two(pair.speed_exponent() - pair.length_exponent()), 0,
+                    kRoundSteps, out.counters, kUnitRoundoff<double>);
+  const RoundSweep& found = walk.run();
+  const double doubt =
+      2 * point_error(pair) + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
+  if (found.outcome == Outcome::initially_overlapping) {
+    if (options.start_policy == StartPolicy::pass_over || !(found.length + doubt <= pair.radius()))
+      return false;
+    out.outcome = found.outcome;
+    out.toi_lower = out.toi_upper = 0;
+    return true;
+  }
+  if (found.outcome == Outcome::not_converged) return false;
+  RoundProof proof;
+  if (found.outcome == Outcome::hit) {
+    const Scene<S> scene(a, b, pair.length_exponent(), pair.speed_exponent());
+    proof = fuses() ? prove_fused(pair, scene, options, walk, found)
+                    : prove_plain(pair, scene, options, walk, found);
+    out.counters.exact_decisions += scene.exact_decisions();
+    if (!proof.proved) return false;
+  }
+  if (found.outcome == Outcome::miss || proof.toi.lower >= t_max) {
+    out.outcome = Outcome::miss;
+    out.toi_lower = out.toi_upper = kInfinity<S>;
+    return true;
+  }
+  out.outcome = Outcome::hit;
+  out.toi_lower = round_down<S>(proof.toi.lower);
+  out.toi_upper = round_up<S>(proof.toi.upper);
+  const Triple& r = pair.direction();
+  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * std::sqrt(dot(r, r)) *
+                                power_of_two(pair.speed_exponent()));
+  RoundSweep then = found;
+  then.n = proof.normal;
+  then.length = 1;
+  then.lambda = proof.lambda;
+  detail::fill_round_contact(a, b, options, pair, walk, proof.normal, then, double(out.toi_lower), out);
+  return true;
+}
+
+// The bodies have passed refusal(), and are not sharp. `out`: of the method that says it.
+template <Scalar S>
+void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                       CastResult<S>& out) {
+  using Path = typename RoundSearch<S>::Path;
+  if (quick_round_cast(a, b, options, out)) return;
+  RoundSearch<S> search(a, b, double(options.target_distance));
+  if (!search.is_rounded()) {
+    const Method method = out.method;
+    out = *detail::cast_flat(a, b, options);
+    out.method = method;
+    return;
+  }
+  ++out.counters.exact_decisions;
+  out.outcome = Outcome::miss;
+  out.toi_lower = out.toi_upper = kInfinity<S>;
+  if (search.start() <= 0) {
+    out.passed_over =
+        options.start_policy == StartPolicy::pass_over && leaves_or_slides(a, b, search, out.counters);
+    if (!out.passed_over) {
+      out.outcome = Outcome::initially_overlapping;
+      out.toi_lower = out.toi_upper = 0;
+    }
+  } else if (search.moves() && options.t_max > 0) {
+    const Path path = search.path({}, search.end(double(options.t_max)));
+    if (path != Path::misses) {
+      const RoundContact contact = search.first_contact(path, 0);
+      out.outcome = Outcome::hit;
+      out.toi_lower = round_down<S>(contact.toi.lower);
+      out.toi_upper = round_up<S>(contact.toi.upper);
+      const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+      out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * v.norm());
+      const Vec3<double> n = unit_of(contact.normal);
+      if (asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
+      if (asks_for(options.request, Request::witnesses)) {
+        const double t = double(out.toi_lower);
+        out.point_a = round_witness(a, contact, true, t, n).template cast<S>();
+        out.point_b = round_witness(b, contact, false, t, n).template cast<S>();
+      }
+    }
+  }
+  if (search.valid()) return;
+  const Method method = out.method;
+  out = {};
+  out.method = method;
+  refuse_as_too_complex(out);
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE::exact

@@ -1,0 +1,275 @@
+// Proves in pairs of doubles between which two doubles a round walk's contact lies. Use it first: what it leaves open is
+// decided by round_search.hpp.
+//
+//   F     the feature that the walk ended with: corners c_i of K, all times the weight W of the bodies' rotations
+//   z     = s W v - c_0;   e, g = c_1 - c_0, c_2 - c_0;   N = e x g;   the quadratic q has the sign of f - R^2:
+//         vertex z.z - (R W)^2      edge |z x e|^2 - (R W)^2 e.e      face (z.N)^2 - (R W)^2 N.N
+//   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI is
+//          above that double
+//   upper: q < 0 with the foot inside of F: TOI is below that double
+//
+// Every number carries a bound of its error. With |x| <= X within x', |y| <= Y within y', pairs kept normal:
+//   dot    3 (X y' + x' Y + x' y') + 2^-94 3 X Y,  as products are within 2^-97 X Y and their sums within 2^-101 of theirs
+//   cross  2 (X y' + x' Y + x' y') + 2^-94 2 X Y
+//   z      2^-91 of what is added up, the terms being within 2^-92 (vectors.hpp)
+// Units and frame: internal, prepared_pair.hpp.
+#pragma once
+
+#include <graze/exact/beyond.hpp>
+#include <graze/exact/passage.hpp>
+#include <graze/standard/round_cast.hpp>
+
+namespace graze::inline GRAZE_LINKAGE::exact {
+
+template <bool kFused>
+class BoundedNumbers {
+ public:
+  using P = PairOf<kFused>;
+  struct Number {
+    P x;
+    double size, error;  // |x| <= size, within error
+  };
+  struct Vector {
+    Pair3Of<kFused> x;
+    double size, error;  // of each component
+    [[nodiscard]] Vec3<double> value() const { return {x[0].hi, x[1].hi, x[2].hi}; }
+  };
+
+  static Vector vector(const Pair3Of<kFused>& x, double error) {
+    Vector out{{normal(x[0]), normal(x[1]), normal(x[2])}, 0, error};
+    for (const P& one : out.x) out.size = greater(out.size, std::abs(one.hi));
+    out.size = out.size * (1 + 0x1p-50) + error;
+    return out;
+  }
+  static Number number(const P& x, double error) {
+    const P out = normal(x);
+    return {out, std::abs(out.hi) * (1 + 0x1p-50) + error, error};
+  }
+  static double lost(const Vector& a, const Vector& b) {
+    return a.size * b.error + a.error * b.size + a.error * b.error + 0x1p-94 * a.size * b.size;
+  }
+  static P dot_of(const Vector& a, const Vector& b, double& error) {
+    error = 3 * lost(a, b);
+    return dot(a.x, b.x);
+  }
+  static Vector cross_of(const Vector& a, const Vector& b) {
+    return vector(cross(a.x, b.x), 2 * lost(a, b));
+  }
+  static P normal(const P& x) {
+    const detail::TwoDoubles s = detail::two_sum(x.hi, x.lo);
+    return {s.hi, s.lo};
+  }
+};
+
+// Between two neighbouring doubles, of the caller's time; the normal and the weights of the walk's corners.
+struct RoundProof {
+  bool proved = false;
+  TimeBracket toi;
+  Triple normal{0, 0, 0};
+  std::array<double, 3> lambda{};
+};
+
+template <Scalar S, bool kFused>
+class RoundProver {
+  using B = BoundedNumbers<kFused>;
+  using P = typename B::P;
+  using Vector = typename B::Vector;
+
+ public:
+  RoundProver(const GuidedPair<S>& pair, const Scene<S>& scene, const CastOptions<S>& options)
+      : pair_(pair), scene_(scene) {
+    const double unit = scene.unit();
+    const detail::TwoDoubles balls = detail::two_sum(unit * pair.radius_a(), unit * pair.radius_b());
+    const detail::TwoDoubles all = detail::two_sum(balls.hi, unit * double(options.target_distance));
+    radius_ = B::normal({all.hi, all.lo + balls.lo});
+  }
+
+  [[nodiscard]] RoundProof prove(const RoundWalk<S>& walk, const RoundSweep& found) {
+    RoundProof out;
+    for (std::size_t i = 0; i < std::size_t(found.size); ++i) {
+      if (!(found.lambda[i] > 0)) continue;
+      const PairVertex& c = walk.corner(i);
+      at_[size_] = i;
+      name_[size_++] = {c.vertex_a, c.vertex_b};
+    }
+    if (size_ == 0 || !take_corners()) return out;
+    // Its quadratic's root.
+    double s = found.upper;
+    for (int round = 0; round < 2; ++round) {
+      const Value q = at(s);
+      const double step = -q.value / q.slope;
+      if (!(q.slope < 0) || !(std::abs(step) < 0x1p-20 * s)) return out;
+      s += step;
+    }
+    const Value here = at(s);
+    const bool up = here.value > 0;
+    double lower = up ? s : next_down(s), upper = up ? next_up(s) : s;
+    for (int round = 0; round < 3 && !out.proved; ++round) {
+      const Value low = up && round == 0 ? here : at(lower), high = !up && round == 0 ? here : at(upper);
+      if (low.sign > 0 && high.sign < 0) {
+        if (!low.inside || !high.inside) return out;
+        out.proved = true;
+        if (!finish(low, out)) return {};
+      } else if (low.sign < 0) {
+        upper = lower;
+        lower = next_down(lower);
+      } else if (high.sign > 0) {
+        lower = upper;
+        upper = next_up(upper);
+      } else {
+        return out;
+      }
+    }
+    const double time = power_of_two(pair_.length_exponent() - pair_.speed_exponent());
+    out.toi = {lower * time, upper * time};
+    // Scaling is exact.
+    out.proved = out.proved && out.toi.lower > 0x1p-900 && out.toi.upper < 0x1p900;
+    return out;
+  }
+
+ private:
+  struct Value {
+    double value, slope;  // of the quadratic, rounded
+    int sign;             // 0: in doubt
+    bool inside;          // the foot, beyond doubt
+    Vec3<double> w;       // a positive multiple of t v minus the foot, within `error` per component
+    double error;
+    Vec3<double> across;  // how w moves with s
+    std::array<double, 2> share;
+  };
+
+  [[nodiscard]] bool take_corners() {
+    const Fine v = scene_.fine(Term::motion());
+    double size = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Fine c = scene_.fine(Term::point(name_[i]));
+      size = std::max(size, c.size);
+      c_[i] = B::vector(pairs_as<kFused>(c.x), 0x1p-92 * c.size);
+      if (i == 0) weight_ = c.weighted ? pair_as<kFused>(c.weight) : P{1, 0};
+    }
+    Pair3Of<kFused> motion;
+    for (std::size_t i = 0; i < 3; ++i) motion[i] = pair_as<kFused>(v.x[i]) * weight_;
+    v_ = B::vector(motion, 0x1p-91 * v.size * weight_.hi);
+    const P reach = radius_ * weight_;
+    square_ = B::number(reach * reach, 0x1p-92 * reach.hi * reach.hi);
+    if (size_ > 1) e_ = step(1);
+    if (size_ > 2) {
+      g_ = step(2);
+      n_ = B::cross_of(e_, g_);
+    }
+    // In the range where products are exact, and what they lose below it is little beside the bounds.
+    return size < 0x1p100 && radius_.hi > 0x1p-100 && (size_ < 2 || e_.size > 0x1p-100) &&
+           (size_ < 3 || (g_.size > 0x1p-100 && n_.size > 0x1p-250));
+  }
+  [[nodiscard]] Vector step(std::size_t i) const {
+    return B::vector({c_[i].x[0] - c_[0].x[0], c_[i].x[1] - c_[0].x[1], c_[i].x[2] - c_[0].x[2]},
+                     c_[i].error + c_[0].error + 0x1p-99 * (c_[i].size + c_[0].size));
+  }
+  // square - (R W)^2 scale
+  [[nodiscard]] int sign_of(const P& square, double error, const P& scale, double scale_error,
+                            double& value) const {
+    const P rest = square - square_.x * scale;
+    value = rounded(rest);
+    const double doubt = error + square_.size * scale_error + square_.error * (std::abs(scale.hi) + scale_error) +
+                         0x1p-92 * (std::abs(square.hi) + square_.size * std::abs(scale.hi));
+    return value > doubt ? 1 : value < -doubt ? -1 : 0;
+  }
+
+  [[nodiscard, gnu::flatten]] Value at(double s) const {
+    Value out{0, 0, 0, true, Vec3<double>::Zero(), 0, Vec3<double>::Zero(), {}};
+    Pair3Of<kFused> x;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = v_.x[i] * P{s, 0} - c_[0].x[i];
+    const Vector z = B::vector(x, s * v_.error + c_[0].error + 0x1p-96 * (s * v_.size + c_[0].size));
+    double error = 0, scale_error = 0;
+    if (size_ == 1) {
+      const P square = B::dot_of(z, z, error);
+      out.sign = sign_of(square, error, P{1, 0}, 0, out.value);
+      out.w = z.value();
+      out.error = z.error + 0x1p-52 * z.size;
+      out.across = v_.value();
+      out.slope = 2 * out.w.dot(out.across);
+      return out;
+    }
+    if (size_ == 2) {
+      const Vector m = B::cross_of(z, e_);
+      const P square = B::dot_of(m, m, error), length = B::dot_of(e_, e_, scale_error);
+      out.sign = sign_of(square, error, length, scale_error, out.value);
+      // w e.e = e x (z x e)
+      const Vector w = B::cross_of(e_, m);
+      out.w = w.value();
+      out.error = w.error + 0x1p-52 * w.size;
+      const Vec3<double> e = e_.value(), v = v_.value();
+      out.across = e.dot(e) * v - e.dot(v) * e;
+      out.slope = 2 * m.value().dot(v.cross(e));
+      double along_error = 0;
+      const P along = B::dot_of(z, e_, along_error);
+      const double a = rounded(along), l = rounded(length), doubt = along_error + scale_error + 0x1p-50 * l;
+      out.inside = a > doubt && a < l - doubt;
+      out.share = {a / l, 0};
+      return out;
+    }
+    double height_error = 0, to_e_error = 0, to_g_error = 0;
+    const P height = B::dot_of(z, n_, height_error), area = B::dot_of(n_, n_, scale_error);
+    const double h = std::abs(rounded(height));
+    out.sign = sign_of(height * height, (2 * h + height_error) * height_error + 0x1p-92 * h * h, area,
+                       scale_error, out.value);
+    const double side = rounded(height) < 0 ? -1 : 1;
+    out.w = side * n_.value();
+    out.error = n_.error + 0x1p-52 * n_.size;
+    out.slope = 2 * rounded(height) * n_.value().dot(v_.value());
+    const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
+                 to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
+    const double doubt = to_e_error + to_g_error + scale_error + 0x1p-50 * all;
+    out.inside = h > height_error && to_e > doubt && to_g > doubt && to_e + to_g < all - doubt;
+    out.share = {to_e / all, to_g / all};
+    return out;
+  }
+  // No vertex beyond, and the path approaches; then normal and weights.
+  [[nodiscard]] bool finish(const Value& low, RoundProof& out) const {
+    const double size = low.w.cwiseAbs().maxCoeff();
+    const double rate = low.w.dot(v_.value());
+    if (!(low.error < 0x1p-30 * size) || !(rate < -0x1p-20 * size * v_.size)) return false;
+    Direction n = unknown_direction(Term::motion(), Term::motion(), 1);
+    if (size_ == 3) {
+      n.f1 = Term::difference(name_[0], name_[1]);
+      n.f2 = Term::difference(name_[0], name_[2]);
+      n.sign = low.w.dot(n_.value()) < 0 ? -1 : 1;
+    }
+    n.rounded = size_ < 3;
+    n.approx = low.w;
+    n.error.setConstant(low.error);
+    const BeyondSearch<S> beyond(scene_, pair_);
+    Vertex other;
+    if (beyond.find(n, name_[0], std::span<const Vertex>(name_.data() + 1, size_ - 1), other) ||
+        beyond.in_doubt())
+      return false;
+    // w at TOI, a little later; as small a step as leaves w's direction.
+    Vec3<double> w = low.w;
+    if (size_ < 3) {
+      // value + slope d + ... = 0 in the quadratic's own units, and w moves by across d.
+      const double delta = low.value / -low.slope;
+      const Vec3<double> moved = delta * low.across;
+      if (!(moved.cwiseAbs().maxCoeff() < 0x1p-20 * size)) return false;
+      w += moved;
+    }
+    const Vec3<double> unit = over_length_as<kFused>(w);
+    out.normal = triple(unit);
+    out.lambda = {};
+    if (size_ > 1) out.lambda[at_[1]] = low.share[0];
+    if (size_ > 2) out.lambda[at_[2]] = low.share[1];
+    out.lambda[at_[0]] = 1 - low.share[0] - low.share[1];
+    return true;
+  }
+
+  const GuidedPair<S>& pair_;
+  const Scene<S>& scene_;
+  P radius_{0, 0}, weight_{1, 0};
+  typename B::Number square_{};
+  std::size_t size_ = 0;
+  std::array<std::size_t, 3> at_{};
+  std::array<Vertex, 3> name_{};
+  std::array<Vector, 3> c_;
+  Vector v_, e_, g_, n_;
+};
+
+}  // namespace graze::inline GRAZE_LINKAGE::exact
