@@ -6,8 +6,8 @@
 //   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
 //
 // Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
-// the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
-// exact tier, whose bracket is narrower still.
+// the end (for float that comes on top of the width). Polytopes, and rounded ones, are answered by the exact tier, whose
+// bracket is narrower still.
 //   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
 //   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
 //                          arithmetic (exact_start.hpp): bodies that touch;
@@ -21,8 +21,8 @@
 //                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
-// How. Spheres, capsules and polytopes at a distance: certified/round_bracket.hpp, wherever it decides; with a
-// cylinder, a cone or an ellipsoid: certified/curved_bracket.hpp. Else:
+// How. Spheres, capsules and polytopes at a distance: by the exact tier, and so are other rounded polytopes where all else
+// leaves them open; with a cylinder, a cone or an ellipsoid: certified/curved_bracket.hpp. Else:
 // upper half: a portal of exactly named points (certified/portal.hpp), its decisions beyond doubt. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
 // face that is nearly along the path and another), the axis from C to a point of the path a little before
@@ -590,16 +590,24 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
   }
   const bool proof = asks_for(options.request, Request::proof);
   const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
-  const bool quick = round    ? detail::round_certified(a, b, options, out)
-                     : curved ? detail::curved_certified(a, b, options, out)
-                              : false;
+  if (round) {
+    const CastResult<S> exactly = cast_exact(a, b, options);
+    // A number that outgrew its room is left to the wider search.
+    if (exactly.invalid == Invalid::none) out = exactly;
+  }
+  const bool quick =
+      out.outcome != Outcome::invalid_input || (curved && detail::curved_certified(a, b, options, out));
   if (quick && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);
   quick || !(round || curved) ? cast.run() : cast.run_open();
   if (quick) {
-    if (cast.outcome == out.outcome) out.proof = cast.proof;
+    if (cast.outcome == out.outcome && !out.passed_over) out.proof = under_policy(cast.proof, options.start_policy);
     return out;
+  }
+  if (cast.outcome == Outcome::not_converged && exact::is_exact(a.shape, true) && exact::is_exact(b.shape, true)) {
+    const CastResult<S> exactly = cast_exact(a, b, options);
+    if (exactly.invalid == Invalid::none) return exactly;
   }
   if (options.start_policy == StartPolicy::pass_over) {
     detail::pass_over_start(a, b, options, cast, out);

@@ -66,10 +66,10 @@ GRAZE_FUSED RoundProof prove_fused(const GuidedPair<S>& pair, const Scene<S>& sc
 // The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there: a corner of F
 // is within sqrt(3) point_error of one of K; the weights are >= 0 and sum up to 1 within 4 u, and p's own sums round by
 // 4 u M; |p| is up to 4 u of itself, R 3 u, and |p| <= M. False: nothing is claimed, and of `out` only the counters have
-// changed.
+// changed; `guess` is a hit's time.
 template <Scalar S>
 [[nodiscard]] bool quick_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                                    CastResult<S>& out) {
+                                    CastResult<S>& out, double& guess) {
   if (!detail::is_round(a.shape) || !detail::is_round(b.shape) || !(options.t_max > 0)) return false;
   const GuidedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves() || !(pair.radius() > 0)) return false;
@@ -93,6 +93,7 @@ template <Scalar S>
     proof = fuses() ? prove_fused(pair, scene, options, walk, found)
                     : prove_plain(pair, scene, options, walk, found);
     out.counters.exact_decisions += scene.exact_decisions();
+    guess = found.upper * power_of_two(pair.length_exponent() - pair.speed_exponent());
     if (!proof.proved) return false;
   }
   if (found.outcome == Outcome::miss || proof.toi.lower >= t_max) {
@@ -114,12 +115,27 @@ template <Scalar S>
   return true;
 }
 
+template <Scalar S>
+void answer_contact(const Body<S>& a, const Body<S>& b, const RoundContact& contact,
+                    const CastOptions<S>& options, CastResult<S>& out) {
+  out.toi_lower = round_down<S>(contact.toi.lower);
+  out.toi_upper = round_up<S>(contact.toi.upper);
+  const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+  out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * v.norm());
+  const Vec3<double> n = unit_of(contact.normal);
+  if (asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
+  if (!asks_for(options.request, Request::witnesses)) return;
+  const double t = double(out.toi_lower);
+  out.point_a = round_witness(a, contact, true, t, n).template cast<S>();
+  out.point_b = round_witness(b, contact, false, t, n).template cast<S>();
+}
+
 // The bodies have passed refusal(), and are not sharp. `out`: of the method that says it.
 template <Scalar S>
 void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                        CastResult<S>& out) {
-  using Path = typename RoundSearch<S>::Path;
-  if (quick_round_cast(a, b, options, out)) return;
+  double guess = 0;
+  if (quick_round_cast(a, b, options, out, guess)) return;
   RoundSearch<S> search(a, b, double(options.target_distance));
   if (!search.is_rounded()) {
     const Method method = out.method;
@@ -128,32 +144,24 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
     return;
   }
   ++out.counters.exact_decisions;
-  out.outcome = Outcome::miss;
-  out.toi_lower = out.toi_upper = kInfinity<S>;
-  if (search.start() <= 0) {
+  std::optional<RoundContact> contact;
+  if (guess > 0 && guess < kInfinity<double>) contact = search.contact_near(guess);
+  const bool is_sure = contact.has_value();
+  if (!is_sure && search.start() <= 0) {
     out.passed_over =
         options.start_policy == StartPolicy::pass_over && leaves_or_slides(a, b, search, out.counters);
-    if (!out.passed_over) {
-      out.outcome = Outcome::initially_overlapping;
-      out.toi_lower = out.toi_upper = 0;
+    out.outcome = out.passed_over ? Outcome::miss : Outcome::initially_overlapping;
+    out.toi_lower = out.toi_upper = out.passed_over ? kInfinity<S> : S(0);
+  } else {
+    if (!is_sure && search.moves() && options.t_max > 0) {
+      const auto path = search.path({}, search.end(double(options.t_max)));
+      if (path != RoundSearch<S>::Path::misses) contact = search.first_contact(path, guess);
     }
-  } else if (search.moves() && options.t_max > 0) {
-    const Path path = search.path({}, search.end(double(options.t_max)));
-    if (path != Path::misses) {
-      const RoundContact contact = search.first_contact(path, 0);
-      out.outcome = Outcome::hit;
-      out.toi_lower = round_down<S>(contact.toi.lower);
-      out.toi_upper = round_up<S>(contact.toi.upper);
-      const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
-      out.distance = static_cast<S>((double(out.toi_upper) - double(out.toi_lower)) * v.norm());
-      const Vec3<double> n = unit_of(contact.normal);
-      if (asks_for(options.request, Request::normal)) out.normal = n.template cast<S>();
-      if (asks_for(options.request, Request::witnesses)) {
-        const double t = double(out.toi_lower);
-        out.point_a = round_witness(a, contact, true, t, n).template cast<S>();
-        out.point_b = round_witness(b, contact, false, t, n).template cast<S>();
-      }
-    }
+    // A time that is no double is above t_max iff the next double is.
+    if (contact && !(contact->toi.upper <= double(options.t_max))) contact.reset();
+    out.outcome = contact ? Outcome::hit : Outcome::miss;
+    out.toi_lower = out.toi_upper = kInfinity<S>;
+    if (contact) answer_contact(a, b, *contact, options, out);
   }
   if (search.valid()) return;
   const Method method = out.method;

@@ -7,6 +7,8 @@
 //   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI is
 //          above that double
 //   upper: q < 0 with the foot inside of F: TOI is below that double
+// All is formed once, at the walk's time; q is a quadratic in s, so that a step of a few units in the last place to the
+// two doubles takes plain doubles.
 //
 // Every number carries a bound of its error. With |x| <= X within x', |y| <= Y within y', pairs kept normal:
 //   dot    3 (X y' + x' Y + x' y') + 2^-94 3 X Y,  as products are within 2^-97 X Y and their sums within 2^-101 of theirs
@@ -93,49 +95,43 @@ class RoundProver {
       name_[size_++] = {c.vertex_a, c.vertex_b};
     }
     if (size_ == 0 || !take_corners()) return out;
-    // Its quadratic's root.
-    double s = found.upper;
-    for (int round = 0; round < 2; ++round) {
-      const Value q = at(s);
-      const double step = -q.value / q.slope;
-      if (!(q.slope < 0) || !(std::abs(step) < 0x1p-20 * s)) return out;
-      s += step;
-    }
-    const Value here = at(s);
-    const bool up = here.value > 0;
-    double lower = up ? s : next_down(s), upper = up ? next_up(s) : s;
-    for (int round = 0; round < 3 && !out.proved; ++round) {
-      const Value low = up && round == 0 ? here : at(lower), high = !up && round == 0 ? here : at(upper);
-      if (low.sign > 0 && high.sign < 0) {
-        if (!low.inside || !high.inside) return out;
-        out.proved = true;
-        if (!finish(low, out)) return {};
-      } else if (low.sign < 0) {
-        upper = lower;
-        lower = next_down(lower);
-      } else if (high.sign > 0) {
-        lower = upper;
-        upper = next_up(upper);
-      } else {
-        return out;
-      }
-    }
+    // Where q(s + d) = q + slope d + rise d^2 is 0, d being a few units in the last place of s.
+    const double s = found.upper;
+    const Value q = at(s);
+    const double first = -q.value / q.slope;
+    const double d = -(q.value + q.rise * first * first) / q.slope;
+    if (!(q.slope < 0) || !(std::abs(d) < kFar / 2 * s) || q.size == 0) return out;
+    const double near = s + d;
+    const bool up = (s - near) + d > 0;
+    double lower = up ? near : next_down(near), upper = up ? next_up(near) : near;
+    if (q.sign_after(lower - s) <= 0 || q.sign_after(upper - s) >= 0 || !q.inside) return out;
+    if (!finish(q, d, out)) return out;
     const double time = power_of_two(pair_.length_exponent() - pair_.speed_exponent());
     out.toi = {lower * time, upper * time};
     // Scaling is exact.
-    out.proved = out.proved && out.toi.lower > 0x1p-900 && out.toi.upper < 0x1p900;
+    out.proved = out.toi.lower > 0x1p-900 && out.toi.upper < 0x1p900;
     return out;
   }
 
  private:
+  // The foot and w are asked for at s + d, |d| < kFar s.
+  static constexpr double kFar = 0x1p-40;
   struct Value {
-    double value, slope;  // of the quadratic, rounded
-    int sign;             // 0: in doubt
-    bool inside;          // the foot, beyond doubt
-    Vec3<double> w;       // a positive multiple of t v minus the foot, within `error` per component
-    double error;
-    Vec3<double> across;  // how w moves with s
-    std::array<double, 2> share;
+    double value = 0, error = 0;  // q(s)
+    double slope = 0, slope_error = 0, rise = 0;
+    bool inside = true;                     // the foot, beyond doubt
+    Vec3<double> w = Vec3<double>::Zero();  // a positive multiple of s v minus the foot
+    double size = 0, w_error = 0;           // of its components; the error is of all s + d
+    Vec3<double> across = Vec3<double>::Zero();  // dw / ds
+    std::array<double, 2> share{};
+
+    // Of q(s + d), d exact; 0: in doubt. rise is rounded by 2^-48, and so are products and sums.
+    [[nodiscard]] int sign_after(double d) const {
+      const double rest = value + d * (slope + rise * d);
+      const double doubt = error + std::abs(d) * slope_error +
+                           0x1p-48 * (std::abs(d * slope) + rise * d * d) + 0x1p-51 * std::abs(value);
+      return rest > doubt ? 1 : rest < -doubt ? -1 : 0;
+    }
   };
 
   [[nodiscard]] bool take_corners() {
@@ -165,100 +161,119 @@ class RoundProver {
     return B::vector({c_[i].x[0] - c_[0].x[0], c_[i].x[1] - c_[0].x[1], c_[i].x[2] - c_[0].x[2]},
                      c_[i].error + c_[0].error + 0x1p-99 * (c_[i].size + c_[0].size));
   }
-  // square - (R W)^2 scale
-  [[nodiscard]] int sign_of(const P& square, double error, const P& scale, double scale_error,
-                            double& value) const {
-    const P rest = square - square_.x * scale;
-    value = rounded(rest);
-    const double doubt = error + square_.size * scale_error + square_.error * (std::abs(scale.hi) + scale_error) +
-                         0x1p-92 * (std::abs(square.hi) + square_.size * std::abs(scale.hi));
-    return value > doubt ? 1 : value < -doubt ? -1 : 0;
+  // q = square - (R W)^2 scale
+  void set_value(const P& square, double error, const P& scale, double scale_error, Value& out) const {
+    out.value = rounded(square - square_.x * scale);
+    out.error = error + square_.size * scale_error + square_.error * (std::abs(scale.hi) + scale_error) +
+                0x1p-92 * (std::abs(square.hi) + square_.size * std::abs(scale.hi));
+  }
+  void set_w(const Vec3<double>& w, double size, double error, double moved, Value& out) const {
+    out.w = w;
+    out.size = w.cwiseAbs().maxCoeff();
+    out.w_error = error + 0x1p-51 * size + moved;
   }
 
   [[nodiscard, gnu::flatten]] Value at(double s) const {
-    Value out{0, 0, 0, true, Vec3<double>::Zero(), 0, Vec3<double>::Zero(), {}};
+    Value out;
     Pair3Of<kFused> x;
     for (std::size_t i = 0; i < 3; ++i) x[i] = v_.x[i] * P{s, 0} - c_[0].x[i];
     const Vector z = B::vector(x, s * v_.error + c_[0].error + 0x1p-96 * (s * v_.size + c_[0].size));
+    const Vec3<double> v = v_.value();
+    const double far = kFar * s * v_.size;  // how far z moves
     double error = 0, scale_error = 0;
     if (size_ == 1) {
       const P square = B::dot_of(z, z, error);
-      out.sign = sign_of(square, error, P{1, 0}, 0, out.value);
-      out.w = z.value();
-      out.error = z.error + 0x1p-52 * z.size;
-      out.across = v_.value();
-      out.slope = 2 * out.w.dot(out.across);
-      return out;
-    }
-    if (size_ == 2) {
+      set_value(square, error, P{1, 0}, 0, out);
+      set_w(z.value(), z.size, z.error, far, out);
+      out.across = v;
+      out.slope = 2 * out.w.dot(v);
+      out.slope_error = 8 * v_.size * (z.error + 0x1p-50 * z.size);
+      out.rise = v.dot(v);
+    } else if (size_ == 2) {
       const Vector m = B::cross_of(z, e_);
       const P square = B::dot_of(m, m, error), length = B::dot_of(e_, e_, scale_error);
-      out.sign = sign_of(square, error, length, scale_error, out.value);
+      set_value(square, error, length, scale_error, out);
       // w e.e = e x (z x e)
       const Vector w = B::cross_of(e_, m);
-      out.w = w.value();
-      out.error = w.error + 0x1p-52 * w.size;
-      const Vec3<double> e = e_.value(), v = v_.value();
+      set_w(w.value(), w.size, w.error, 6 * e_.size * e_.size * far, out);
+      const Vec3<double> e = e_.value(), turned = v.cross(e);
       out.across = e.dot(e) * v - e.dot(v) * e;
-      out.slope = 2 * m.value().dot(v.cross(e));
+      out.slope = 2 * m.value().dot(turned);
+      out.slope_error = 16 * v_.size * e_.size * (m.error + 0x1p-50 * m.size);
+      out.rise = turned.dot(turned);
       double along_error = 0;
       const P along = B::dot_of(z, e_, along_error);
-      const double a = rounded(along), l = rounded(length), doubt = along_error + scale_error + 0x1p-50 * l;
+      const double a = rounded(along), l = rounded(length),
+                   doubt = along_error + scale_error + 0x1p-50 * l + 4 * far * e_.size;
       out.inside = a > doubt && a < l - doubt;
       out.share = {a / l, 0};
-      return out;
+    } else {
+      double height_error = 0, to_e_error = 0, to_g_error = 0;
+      const P height = B::dot_of(z, n_, height_error), area = B::dot_of(n_, n_, scale_error);
+      const double h = std::abs(rounded(height)), side = rounded(height) < 0 ? -1 : 1,
+                   rate = side * n_.value().dot(v), most = 3 * n_.size * v_.size;
+      set_value(height * height, (2 * h + height_error) * height_error + 0x1p-92 * h * h, area, scale_error,
+                out);
+      set_w(side * n_.value(), n_.size, n_.error, 0, out);
+      out.slope = 2 * h * rate;
+      out.slope_error = 2 * (height_error * most + h * 3 * v_.size * (n_.error + 0x1p-50 * n_.size));
+      out.rise = rate * rate;
+      const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
+                   to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
+      const double doubt = to_e_error + to_g_error + scale_error + 0x1p-50 * all +
+                           6 * far * n_.size * (e_.size + g_.size);
+      out.inside = h > height_error + kFar * s * most && to_e > doubt && to_g > doubt && to_e + to_g < all - doubt;
+      out.share = {to_e / all, to_g / all};
     }
-    double height_error = 0, to_e_error = 0, to_g_error = 0;
-    const P height = B::dot_of(z, n_, height_error), area = B::dot_of(n_, n_, scale_error);
-    const double h = std::abs(rounded(height));
-    out.sign = sign_of(height * height, (2 * h + height_error) * height_error + 0x1p-92 * h * h, area,
-                       scale_error, out.value);
-    const double side = rounded(height) < 0 ? -1 : 1;
-    out.w = side * n_.value();
-    out.error = n_.error + 0x1p-52 * n_.size;
-    out.slope = 2 * rounded(height) * n_.value().dot(v_.value());
-    const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
-                 to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
-    const double doubt = to_e_error + to_g_error + scale_error + 0x1p-50 * all;
-    out.inside = h > height_error && to_e > doubt && to_g > doubt && to_e + to_g < all - doubt;
-    out.share = {to_e / all, to_g / all};
     return out;
   }
   // No vertex beyond, and the path approaches; then normal and weights.
-  [[nodiscard]] bool finish(const Value& low, RoundProof& out) const {
-    const double size = low.w.cwiseAbs().maxCoeff();
-    const double rate = low.w.dot(v_.value());
-    if (!(low.error < 0x1p-30 * size) || !(rate < -0x1p-20 * size * v_.size)) return false;
+  [[nodiscard]] bool finish(const Value& q, double d, RoundProof& out) const {
+    if (!(q.w_error < 0x1p-30 * q.size) || !(q.w.dot(v_.value()) < -0x1p-20 * q.size * v_.size)) return false;
     Direction n = unknown_direction(Term::motion(), Term::motion(), 1);
     if (size_ == 3) {
       n.f1 = Term::difference(name_[0], name_[1]);
       n.f2 = Term::difference(name_[0], name_[2]);
-      n.sign = low.w.dot(n_.value()) < 0 ? -1 : 1;
+      n.sign = q.w.dot(n_.value()) < 0 ? -1 : 1;
     }
     n.rounded = size_ < 3;
-    n.approx = low.w;
-    n.error.setConstant(low.error);
+    n.approx = q.w;
+    n.error.setConstant(q.w_error);
+    // Across an edge along an axis, w is level.
+    if (const int axis = size_ == 2 ? axis_of_edge() : -1; axis >= 0) n.approx[axis] = n.error[axis] = 0;
     const BeyondSearch<S> beyond(scene_, pair_);
     Vertex other;
     if (beyond.find(n, name_[0], std::span<const Vertex>(name_.data() + 1, size_ - 1), other) ||
         beyond.in_doubt())
       return false;
-    // w at TOI, a little later; as small a step as leaves w's direction.
-    Vec3<double> w = low.w;
+    // In a face w keeps its direction. By as small a step as leaves w's direction the rounding of d does not count.
+    Vec3<double> w = q.w;
     if (size_ < 3) {
-      // value + slope d + ... = 0 in the quadratic's own units, and w moves by across d.
-      const double delta = low.value / -low.slope;
-      const Vec3<double> moved = delta * low.across;
-      if (!(moved.cwiseAbs().maxCoeff() < 0x1p-20 * size)) return false;
+      const Vec3<double> moved = d * q.across;
+      if (!(moved.cwiseAbs().maxCoeff() < 0x1p-20 * q.size)) return false;
       w += moved;
     }
-    const Vec3<double> unit = over_length_as<kFused>(w);
-    out.normal = triple(unit);
+    out.normal = triple(over_length_as<kFused>(w));
     out.lambda = {};
-    if (size_ > 1) out.lambda[at_[1]] = low.share[0];
-    if (size_ > 2) out.lambda[at_[2]] = low.share[1];
-    out.lambda[at_[0]] = 1 - low.share[0] - low.share[1];
+    if (size_ > 1) out.lambda[at_[1]] = q.share[0];
+    if (size_ > 2) out.lambda[at_[2]] = q.share[1];
+    out.lambda[at_[0]] = 1 - q.share[0] - q.share[1];
     return true;
+  }
+  // The one along which an edge leads, of bodies that do not turn; or -1.
+  [[nodiscard]] int axis_of_edge() const {
+    int axis = -1;
+    const Vertex &p = name_[0], &q = name_[1];
+    for (int i = 0; i < 3; ++i) {
+      bool level = true;
+      for (const Leaf<S>& leaf : scene_.leaves()) {
+        level = level && !leaf.turned && leaf.point(leaf.vertex(p))[i] == leaf.point(leaf.vertex(q))[i];
+      }
+      if (level) continue;
+      if (axis >= 0) return -1;
+      axis = i;
+    }
+    return axis;
   }
 
   const GuidedPair<S>& pair_;

@@ -80,6 +80,24 @@ class RoundSearch {
     const int sign = near_->sign_of_f();
     return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
   }
+  // The first contact, if it is within two doubles of t > 0: f falls from R^2 or above at one double, and is not above R^2
+  // at the next. No more need be asked: neither the start nor the verdict.
+  [[nodiscard]] std::optional<RoundContact> contact_near(double t) {
+    std::optional<double> lower, upper;
+    for (int step = 0; step < 4 && valid_; ++step) {
+      const bool falls = is_falling_at(t);
+      const int sign = near_->sign_of_f();
+      if (sign == 0 && falls) return contact_in({t, t});
+      if (sign > 0 && !falls) return {};
+      (sign > 0 ? lower : upper) = t;
+      if (lower && upper) {
+        if (sign <= 0) settle(Dyadic(*lower), Dyadic(*lower), radius_);
+        return contact_in({*lower, *upper});
+      }
+      t = next(t, sign > 0);
+    }
+    return {};
+  }
   // The first contact of a path that does not miss; `guess`: a time near it.
   [[nodiscard]] RoundContact first_contact(Path path, double guess) {
     return path == Path::grazes ? graze() : enter(guess);
@@ -148,10 +166,11 @@ class RoundSearch {
     near_.emplace(*points_, radius);
     valid_ = near_->settle(seeds_) && valid_;
   }
-  [[nodiscard]] bool is_before(double t) {
+  [[nodiscard]] bool is_falling_at(double t) {
     settle(Dyadic(t), Dyadic(t), radius_);
-    return near_->sign_of_f() >= 0 && dot(near_->p(), v_).sign() > 0;
+    return dot(near_->p(), v_).sign() > 0;
   }
+  [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
   // After is_before(t): Newton's step from there, as rounded.
   [[nodiscard]] double newton(double t) const {
     const Dyadic reach = radius_ * near_->weight(), below = near_->below() * near_->weight() * near_->weight();
@@ -202,8 +221,12 @@ class RoundSearch {
       (is_before(t) ? lower : upper) = t;
     }
     settle(Dyadic(lower), Dyadic(lower), radius_);
+    return contact_in({lower, upper});
+  }
+  // As the lower end was settled last.
+  [[nodiscard]] RoundContact contact_in(const TimeBracket& toi) {
     RoundContact out;
-    out.toi = {lower, near_->sign_of_f() == 0 ? lower : upper};
+    out.toi = {toi.lower, near_->sign_of_f() == 0 ? toi.lower : toi.upper};
     out.normal = normal_at_contact();
     take_corners(out);
     return out;
