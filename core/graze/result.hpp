@@ -59,8 +59,8 @@ enum class Method : std::uint8_t {
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
 // certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
-// exact: of the true shapes, correctly rounded (exact/cast.hpp); for polytopes without a target
-// distance.
+// exact: of the true shapes, correctly rounded (exact/cast.hpp); for polytopes, spheres, capsules and rounded polytopes,
+// at any target distance.
 enum class Tier : std::uint8_t { standard, certified, exact };
 [[nodiscard]] constexpr std::string_view to_text(Tier tier) {
   switch (tier) {
@@ -133,9 +133,9 @@ enum class Invalid : std::uint8_t {
   bad_horizon,      // t_max below zero or NaN
   bad_target,       // target_distance below zero, infinite or NaN
   bad_tolerance,    // tolerance below zero, infinite or NaN, or a budget below one
-  not_exact,        // tier exact asked for where it does not exist: a shape that is no polytope, a hull of
-                    // shapes, a target distance, a rotation that is seen
-  not_linear,       // a visible rotation with an infinite t_max
+  not_exact,   // tier exact asked for where it does not exist: an ellipsoid, a cylinder, a cone, a hull of
+               // shapes, a rotation that is seen
+  not_linear,  // a visible rotation with an infinite t_max
   not_followed,  // the start policy pass_over with a visible rotation: the method does not follow the contact of the
                  // start, or tier certified cannot prove what becomes of it
 };
@@ -169,8 +169,9 @@ enum class Invalid : std::uint8_t {
     case Invalid::bad_tolerance:
       return "a tolerance below zero or beyond the scalar's range, or a budget below one";
     case Invalid::not_exact:
-      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
-             "which tier exact does not know";
+      return "an ellipsoid, a cylinder, a cone, a hull of shapes or a rotation that is seen, which tier "
+             "exact "
+             "does not know";
     case Invalid::not_linear:
       return "an infinite t_max with a visible rotation: it is for linear motions";
     case Invalid::not_followed:

@@ -602,10 +602,12 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
                                 static_cast<double>(options.target_distance), out.counters);
   quick || !(round || curved) ? cast.run() : cast.run_open();
   if (quick) {
-    if (cast.outcome == out.outcome && !out.passed_over) out.proof = under_policy(cast.proof, options.start_policy);
+    if (cast.outcome == out.outcome && !out.passed_over)
+      out.proof = under_policy(cast.proof, options.start_policy);
     return out;
   }
-  if (cast.outcome == Outcome::not_converged && exact::is_exact(a.shape, true) && exact::is_exact(b.shape, true)) {
+  if (cast.outcome == Outcome::not_converged && exact::is_exact(a.shape, true) &&
+      exact::is_exact(b.shape, true)) {
     const CastResult<S> exactly = cast_exact(a, b, options);
     if (exactly.invalid == Invalid::none) return exactly;
   }

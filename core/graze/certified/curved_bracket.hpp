@@ -41,7 +41,7 @@ struct CurvedBracket {
 // Of a hit that the walk found.
 template <Scalar S>
 [[nodiscard]] CurvedBracket bracket_curved(const CurvedPair<S>& pair, CurvedWalk<S>& walk,
-                                          const CurvedSweep& found, double horizon) {
+                                           const CurvedSweep& found, double horizon) {
   constexpr double u = kUnitRoundoff<double>;
   // Tilts: of what is curved as the bodies are large, and of rims and edges a thousandth as large.
   constexpr double kTilt = 0x1p-25, kMoreTilt = 0x1p-20;

@@ -443,9 +443,8 @@ std::vector<std::uint32_t> exact_farthest(const Shape<S>& shape, const exact::Dy
                  [&](const auto&) {
                    Body<S> leaf;
                    leaf.shape = shape;
-                   return of_points(
-                       static_cast<std::uint32_t>(vertex_count(shape)),
-                       [&](std::uint32_t k) { return exact::given_vertex(leaf, k); }, {});
+                   return of_points(static_cast<std::uint32_t>(vertex_count(shape)),
+                                    [&](std::uint32_t k) { return exact::given_vertex(leaf, k); }, {});
                  }},
       shape);
 }

@@ -77,8 +77,7 @@ template <Scalar S>
   RoundWalk<S> walk(pair, t_max * power_of_two(pair.speed_exponent() - pair.length_exponent()), 0,
                     kRoundSteps, out.counters, kUnitRoundoff<double>);
   const RoundSweep& found = walk.run();
-  const double doubt =
-      2 * point_error(pair) + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
+  const double doubt = 2 * point_error(pair) + 32 * kUnitRoundoff<double> * (pair.extent() + pair.radius());
   if (found.outcome == Outcome::initially_overlapping) {
     if (options.start_policy == StartPolicy::pass_over || !(found.length + doubt <= pair.radius()))
       return false;

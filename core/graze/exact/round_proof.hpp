@@ -54,9 +54,7 @@ class BoundedNumbers {
     error = 3 * lost(a, b);
     return dot(a.x, b.x);
   }
-  static Vector cross_of(const Vector& a, const Vector& b) {
-    return vector(cross(a.x, b.x), 2 * lost(a, b));
-  }
+  static Vector cross_of(const Vector& a, const Vector& b) { return vector(cross(a.x, b.x), 2 * lost(a, b)); }
   static P normal(const P& x) {
     const detail::TwoDoubles s = detail::two_sum(x.hi, x.lo);
     return {s.hi, s.lo};
@@ -119,9 +117,9 @@ class RoundProver {
   struct Value {
     double value = 0, error = 0;  // q(s)
     double slope = 0, slope_error = 0, rise = 0;
-    bool inside = true;                     // the foot, beyond doubt
-    Vec3<double> w = Vec3<double>::Zero();  // a positive multiple of s v minus the foot
-    double size = 0, w_error = 0;           // of its components; the error is of all s + d
+    bool inside = true;                          // the foot, beyond doubt
+    Vec3<double> w = Vec3<double>::Zero();       // a positive multiple of s v minus the foot
+    double size = 0, w_error = 0;                // of its components; the error is of all s + d
     Vec3<double> across = Vec3<double>::Zero();  // dw / ds
     std::array<double, 2> share{};
 
@@ -220,9 +218,10 @@ class RoundProver {
       out.rise = rate * rate;
       const double to_e = rounded(B::dot_of(B::cross_of(z, g_), n_, to_e_error)),
                    to_g = rounded(B::dot_of(B::cross_of(e_, z), n_, to_g_error)), all = rounded(area);
-      const double doubt = to_e_error + to_g_error + scale_error + 0x1p-50 * all +
-                           6 * far * n_.size * (e_.size + g_.size);
-      out.inside = h > height_error + kFar * s * most && to_e > doubt && to_g > doubt && to_e + to_g < all - doubt;
+      const double doubt =
+          to_e_error + to_g_error + scale_error + 0x1p-50 * all + 6 * far * n_.size * (e_.size + g_.size);
+      out.inside =
+          h > height_error + kFar * s * most && to_e > doubt && to_g > doubt && to_e + to_g < all - doubt;
       out.share = {to_e / all, to_g / all};
     }
     return out;

@@ -173,7 +173,8 @@ class RoundSearch {
   [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
   // After is_before(t): Newton's step from there, as rounded.
   [[nodiscard]] double newton(double t) const {
-    const Dyadic reach = radius_ * near_->weight(), below = near_->below() * near_->weight() * near_->weight();
+    const Dyadic reach = radius_ * near_->weight(),
+                 below = near_->below() * near_->weight() * near_->weight();
     const Dyadic along = dot(near_->p(), v_);
     const double excess = detail::ratio(near_->above() - reach * reach * near_->below(), below);
     const double length = std::sqrt(detail::ratio(near_->above(), below)) + detail::ratio(radius_, Dyadic(1));

@@ -27,8 +27,7 @@ bool is_exact(const Shape<S>& shape, bool rounded = false) {
   return std::visit(
       detail::Overloaded{[](const Point<S>&) { return true; }, [](const Segment<S>&) { return true; },
                          [](const Triangle<S>&) { return true; }, [](const Box<S>&) { return true; },
-                         [](const Hull<S>&) { return true; },
-                         [&](const Sphere<S>&) { return rounded; },
+                         [](const Hull<S>&) { return true; }, [&](const Sphere<S>&) { return rounded; },
                          [&](const Capsule<S>&) { return rounded; },
                          [&](const Rounded<S>& s) { return rounded && all(std::span(&s.shape, 1)); },
                          [&](const Posed<S>& s) { return all(std::span(&s.shape, 1)); },

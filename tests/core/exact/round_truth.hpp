@@ -28,7 +28,8 @@ inline Point3 cross(const Point3& x, const Point3& y) {
 }
 template <class S>
 Point3 rational(const Vec3<S>& x) {
-  return {Rational(static_cast<double>(x[0])), Rational(static_cast<double>(x[1])), Rational(static_cast<double>(x[2]))};
+  return {Rational(static_cast<double>(x[0])), Rational(static_cast<double>(x[1])),
+          Rational(static_cast<double>(x[2]))};
 }
 template <class S>
 Point3 turned(const Quaternion<S>& q, const Point3& x) {
@@ -107,7 +108,9 @@ class RoundTruth {
     }
   }
 
-  [[nodiscard]] bool starts_in_contact() const { return meets(v_, radius_, 0, Rational(0)) || holds_origin(); }
+  [[nodiscard]] bool starts_in_contact() const {
+    return meets(v_, radius_, 0, Rational(0)) || holds_origin();
+  }
   // Is there contact at some t in [0, end]; `before`: in [0, end)? Not in contact at 0. No end: a ray.
   [[nodiscard]] bool contact_until(const std::optional<Rational>& end, bool before = false) const {
     return meets(v_, radius_, 0, end, before);
@@ -121,7 +124,10 @@ class RoundTruth {
     return toward < 0 ? meets(v_, radius_, std::nullopt, end, before)
                       : meets(Rational(-1) * v_, radius_, std::nullopt, Rational(-end), before);
   }
-  [[nodiscard]] bool line_meets() const { return meets(v_, radius_, std::nullopt, std::nullopt); }
+  [[nodiscard]] bool line_meets() const {
+    return meets(v_, radius_, std::nullopt, std::nullopt) || holds_origin();
+  }
+  [[nodiscard]] bool moves() const { return dot(v_, v_) > 0; }
 
   // The greatest n.c over K.
   [[nodiscard]] Rational reach(const Point3& n) const {
@@ -174,7 +180,8 @@ class RoundTruth {
     return meets(aside, 0, 0, std::nullopt) && meets(Rational(-1) * aside, 0, 0, std::nullopt);
   }
   [[nodiscard]] bool meets(const Point3& v, const Rational& radius, const std::optional<Rational>& from,
-                           const std::optional<Rational>& to, bool before = false, bool strictly = false) const {
+                           const std::optional<Rational>& to, bool before = false,
+                           bool strictly = false) const {
     Piece whole;
     whole.low = from;
     whole.high = whole.end = to;
