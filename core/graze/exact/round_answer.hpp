@@ -5,6 +5,7 @@
 // points a and b: so m apart at TOI. A round walk goes first; pairs of doubles prove most of its answers (round_proof.hpp).
 #pragma once
 
+#include <graze/cast.hpp>
 #include <graze/certified/degenerate.hpp>
 #include <graze/exact/ends.hpp>
 #include <graze/exact/passage.hpp>
@@ -32,6 +33,29 @@ bool leaves_or_slides(const Body<S>& a, const Body<S>& b, RoundSearch<S>& search
   const Passage passage = cast.pass().passage;
   if (passage == Passage::contact) return cast.leaves_or_slides();
   return passage != Passage::ahead || !cast.pair().moves() || cast.slides();
+}
+
+// By the GJK ray cast of the standard tier, for shapes that the round walk does not take.
+template <Scalar S>
+RoundGuess guess_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                         Counters& counters) {
+  CastOptions<S> plain;
+  plain.request = Request::verdict;
+  plain.t_max = options.t_max;
+  plain.target_distance = options.target_distance;
+  const CastResult<S> found = cast_gjk_ray(a, b, plain);
+  counters += found.counters;
+  RoundGuess out;
+  if (found.outcome != Outcome::hit) return out;
+  out.time = double(found.toi_lower);
+  const Cso<double> cso(a, b, options.target_distance);
+  Simplex<double> simplex;
+  gjk_distance(cso, Vec3<double>(cso.to_parameter(out.time) * cso.direction()), simplex, 0.0, 0.0,
+               plain.max_iterations, counters);
+  out.size = std::min(simplex.size, 3);
+  for (std::size_t i = 0; i < std::size_t(out.size); ++i)
+    out.corner[i] = {simplex.point[i].vertex_a, simplex.point[i].vertex_b};
+  return out;
 }
 
 // Of one body at time t: the contact's point of its core, and its ball.
@@ -66,10 +90,10 @@ GRAZE_FUSED RoundProof prove_fused(const GuidedPair<S>& pair, const Scene<S>& sc
 // The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there: a corner of F
 // is within sqrt(3) point_error of one of K; the weights are >= 0 and sum up to 1 within 4 u, and p's own sums round by
 // 4 u M; |p| is up to 4 u of itself, R 3 u, and |p| <= M. False: nothing is claimed, and of `out` only the counters have
-// changed; `guess` is a hit's time.
+// changed; `guess` is of a hit.
 template <Scalar S>
 [[nodiscard]] bool quick_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                                    CastResult<S>& out, double& guess) {
+                                    CastResult<S>& out, RoundGuess& guess) {
   if (!detail::is_round(a.shape) || !detail::is_round(b.shape) || !(options.t_max > 0)) return false;
   const GuidedPair<S> pair(a, b, double(options.target_distance));
   if (!pair.moves() || !(pair.radius() > 0)) return false;
@@ -92,10 +116,13 @@ template <Scalar S>
     proof = fuses() ? prove_fused(pair, scene, options, walk, found)
                     : prove_plain(pair, scene, options, walk, found);
     out.counters.exact_decisions += scene.exact_decisions();
-    guess = found.upper * power_of_two(pair.length_exponent() - pair.speed_exponent());
+    guess.time = found.upper * power_of_two(pair.length_exponent() - pair.speed_exponent());
+    guess.size = found.size;
+    for (std::size_t i = 0; i < std::size_t(found.size); ++i)
+      guess.corner[i] = {walk.corner(i).vertex_a, walk.corner(i).vertex_b};
     if (!proof.proved) return false;
   }
-  if (found.outcome == Outcome::miss || proof.toi.lower >= t_max) {
+  if (found.outcome == Outcome::miss || proof.toi.upper > t_max) {
     out.outcome = Outcome::miss;
     out.toi_lower = out.toi_upper = kInfinity<S>;
     return true;
@@ -133,7 +160,7 @@ void answer_contact(const Body<S>& a, const Body<S>& b, const RoundContact& cont
 template <Scalar S>
 void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                        CastResult<S>& out) {
-  double guess = 0;
+  RoundGuess guess;
   if (quick_round_cast(a, b, options, out, guess)) return;
   RoundSearch<S> search(a, b, double(options.target_distance));
   if (!search.is_rounded()) {
@@ -144,7 +171,8 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
   }
   ++out.counters.exact_decisions;
   std::optional<RoundContact> contact;
-  if (guess > 0 && guess < kInfinity<double>) contact = search.contact_near(guess);
+  if (!(guess.time > 0)) guess = guess_contact(a, b, options, out.counters);
+  if (guess.time > 0 && guess.time < kInfinity<double>) contact = search.contact_near(guess);
   const bool is_sure = contact.has_value();
   if (!is_sure && search.start() <= 0) {
     out.passed_over =
@@ -154,7 +182,7 @@ void answer_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>&
   } else {
     if (!is_sure && search.moves() && options.t_max > 0) {
       const auto path = search.path({}, search.end(double(options.t_max)));
-      if (path != RoundSearch<S>::Path::misses) contact = search.first_contact(path, guess);
+      if (path != RoundSearch<S>::Path::misses) contact = search.first_contact(path, guess.time);
     }
     // A time that is no double is above t_max iff the next double is.
     if (contact && !(contact->toi.upper <= double(options.t_max))) contact.reset();

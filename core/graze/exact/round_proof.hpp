@@ -6,7 +6,8 @@
 //         vertex z.z - (R W)^2      edge |z x e|^2 - (R W)^2 e.e      face (z.N)^2 - (R W)^2 N.N
 //   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI is
 //          above that double
-//   upper: q < 0 with the foot inside of F: TOI is below that double
+//   upper: q < 0 with the foot inside of F: TOI is below that double; and q = 0 there, under the same terms as at the lower,
+//          TOI is that double
 // All is formed once, at the walk's time; q is a quadratic in s, so that a step of a few units in the last place to the
 // two doubles takes plain doubles.
 //
@@ -100,10 +101,16 @@ class RoundProver {
     const double d = -(q.value + q.rise * first * first) / q.slope;
     if (!(q.slope < 0) || !(std::abs(d) < kFar / 2 * s) || q.size == 0) return out;
     const double near = s + d;
-    const bool up = (s - near) + d > 0;
-    double lower = up ? near : next_down(near), upper = up ? next_up(near) : near;
-    if (q.sign_after(lower - s) <= 0 || q.sign_after(upper - s) >= 0 || !q.inside) return out;
-    if (!finish(q, d, out)) return out;
+    double lower = near, upper = near;
+    // Of bodies that do not turn q is a multiple of a power of two: what is below that is 0.
+    double doubt = 0;
+    const double rest = q.after(near - s, doubt);
+    const int grid = scene_.is_unturned() ? grid_at(near) : -1000;
+    if (!(grid > -900 && std::abs(rest) + doubt < power_of_two(std::min(grid, 0)))) {
+      ((s - near) + d > 0 ? upper : lower) = next(near, (s - near) + d > 0);
+      if (q.sign_after(lower - s) <= 0 || q.sign_after(upper - s) >= 0) return out;
+    }
+    if (!q.inside || !finish(q, d, out)) return out;
     const double time = power_of_two(pair_.length_exponent() - pair_.speed_exponent());
     out.toi = {lower * time, upper * time};
     // Scaling is exact.
@@ -123,15 +130,28 @@ class RoundProver {
     Vec3<double> across = Vec3<double>::Zero();  // dw / ds
     std::array<double, 2> share{};
 
-    // Of q(s + d), d exact; 0: in doubt. rise is rounded by 2^-48, and so are products and sums.
+    // q(s + d), d exact. rise is rounded by 2^-48, and so are products and sums.
+    [[nodiscard]] double after(double d, double& doubt) const {
+      doubt = error + std::abs(d) * slope_error + 0x1p-48 * (std::abs(d * slope) + rise * d * d) +
+              0x1p-51 * std::abs(value);
+      return value + d * (slope + rise * d);
+    }
+    // Its sign; 0: in doubt.
     [[nodiscard]] int sign_after(double d) const {
-      const double rest = value + d * (slope + rise * d);
-      const double doubt = error + std::abs(d) * slope_error +
-                           0x1p-48 * (std::abs(d * slope) + rise * d * d) + 0x1p-51 * std::abs(value);
+      double doubt = 0;
+      const double rest = after(d, doubt);
       return rest > doubt ? 1 : rest < -doubt ? -1 : 0;
     }
   };
 
+  // Without a rotation z is a multiple of 2^g, and e and g of 2^h: q is one of 2^(2 (g + (corners - 1) h)).
+  [[nodiscard]] int grid_at(double s) const {
+    int corner = 0;
+    for (std::size_t i = 0; i < size_; ++i) corner = std::min(corner, scene_.grid_of(Term::point(name_[i])));
+    const int z = std::min({corner, trailing_exponent(s) + scene_.grid_of(Term::motion()),
+                            trailing_exponent(radius_.hi), trailing_exponent(radius_.lo)});
+    return 2 * (z + (static_cast<int>(size_) - 1) * corner);
+  }
   [[nodiscard]] bool take_corners() {
     const Fine v = scene_.fine(Term::motion());
     double size = 0;

@@ -32,6 +32,13 @@ struct RoundContact {
   std::array<double, 3> share{};
 };
 
+// About when and where, by a search in doubles; time 0: not known.
+struct RoundGuess {
+  double time = 0;
+  int size = 0;
+  std::array<Vertex, 3> corner{};
+};
+
 template <Scalar S>
 class RoundSearch {
  public:
@@ -80,21 +87,27 @@ class RoundSearch {
     const int sign = near_->sign_of_f();
     return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
   }
-  // The first contact, if it is within two doubles of t > 0: f falls from R^2 or above at one double, and is not above R^2
-  // at the next. No more need be asked: neither the start nor the verdict.
-  [[nodiscard]] std::optional<RoundContact> contact_near(double t) {
-    std::optional<double> lower, upper;
-    for (int step = 0; step < 4 && valid_; ++step) {
+  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the next.
+  // No more need be asked: neither the start nor the verdict.
+  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
+    seeds_.clear();
+    for (std::size_t i = 0; i < std::size_t(guess.size); ++i)
+      seeds_.push_back({guess.corner[i].a, guess.corner[i].b, false});
+    if (seeds_.empty()) seeds_ = {Id{}};
+    double t = guess.time, lower = -kInfinity<double>, upper = kInfinity<double>;
+    for (int step = 0; step < kSteps && valid_; ++step) {
       const bool falls = is_falling_at(t);
       const int sign = near_->sign_of_f();
+      if (!valid_ || (sign > 0 && !falls)) return {};
       if (sign == 0 && falls) return contact_in({t, t});
-      if (sign > 0 && !falls) return {};
       (sign > 0 ? lower : upper) = t;
-      if (lower && upper) {
-        if (sign <= 0) settle(Dyadic(*lower), Dyadic(*lower), radius_);
-        return contact_in({*lower, *upper});
+      if (next_up(lower) == upper) {
+        if (sign <= 0) settle(Dyadic(lower), Dyadic(lower), radius_);
+        return contact_in({lower, upper});
       }
-      t = next(t, sign > 0);
+      const double root = falls ? newton(t) : t, beside = next(t, sign > 0);
+      t = std::abs(root - t) > std::abs(beside - t) && root > lower && root < upper ? root : beside;
+      if (!(t > 0 && t < kInfinity<double>)) return {};
     }
     return {};
   }
@@ -353,6 +366,8 @@ class RoundSearch {
 
   // A few are needed, and 54 at a graze, where each halves what is left.
   static constexpr int kNewton = 64;
+  // From a time that is right to a float: two of Newton's steps, and the neighbours.
+  static constexpr int kSteps = 8;
 
   const Body<S>&a_, &b_;
   Dyadic radius_, balls_, from_, to_;
