@@ -111,7 +111,8 @@ std::string fault(const Question<S>& q, const CastResult<S>& r, const RoundTruth
   if (abs(above) > 32 * double(kUnitRoundoff<S>) * size) return "the normal";
   // The balls' nearest points are the target distance apart, and what the bodies move in the bracket.
   const double between = (r.point_b - r.point_a).template cast<double>().norm() - double(q.target);
-  const double reach = double(q.a.position.norm()) + double(q.b.position.norm()) + size.get_d();
+  const double reach = double(q.a.position.norm()) + double(q.b.position.norm()) + double(r.point_a.norm()) +
+                       double(r.point_b.norm()) + size.get_d();
   if (!(std::abs(between) <= double(r.distance) + 64 * double(kUnitRoundoff<S>) * reach))
     return "the witnesses";
   return "";
@@ -313,13 +314,13 @@ TEST(ExactRounds, LatticesTie) {
   const Tally tally = judge_lattice<double>(5, 1500);
   EXPECT_GT(tally.starts, 100);
   EXPECT_GT(tally.hits, 200);
-  EXPECT_GT(tally.exact_times, 40);
+  EXPECT_GT(tally.exact_times, 20);
   EXPECT_GT(tally.at_end, 50);
   EXPECT_GT(tally.passed_over, 20);
 }
 TEST(ExactRounds, LatticesOfFloatsTie) {
   const Tally tally = judge_lattice<float>(6, 400);
-  EXPECT_GT(tally.exact_times, 8);
+  EXPECT_GT(tally.exact_times, 3);
 }
 
 // A path that grazes by a Pythagorean placement: columns of an integer rotation, all lengths times |q|^2. One radius
