@@ -1,8 +1,8 @@
 #include <graze/cast_all.hpp>
 
+#include <graze/detail/pairs/prepared_pair.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/scene/swept_box.hpp>
-#include <graze/support/prepared_pair.hpp>
-#include <graze/support/validate.hpp>
 
 #include <algorithm>
 #include <new>
@@ -31,7 +31,7 @@ void answer_by(CastResult<double>& answer, const Make& make) {
 
 // The exact tier refuses curved bodies, however far apart.
 bool is_known_to(Tier tier, const Body<double>& body) {
-  return tier != Tier::exact || detail::is_quick(body.shape);
+  return tier != Tier::exact || detail::has_fast_search(body.shape);
 }
 
 // Is "miss" the whole answer of a cast of the body against anything that stays clear of it? A proof has an axis, too.
