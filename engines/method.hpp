@@ -165,8 +165,10 @@ struct Method {
 
 // Whether a case, as a method of tier exact sees it, is one that the tier answers; from any other it hands
 // back invalid_input with Invalid::not_exact. Written from the documentation of the tier, not from its code:
-// points, segments, triangles, boxes, hulls, posed and summed, and no target distance.
+// points, segments, triangles, boxes, hulls, spheres, capsules, posed, summed and rounded, at any target distance.
 [[nodiscard]] bool is_exact_question(const corpus::Case& seen);
+// Of these: whether the answer has a proof. Those of rounded shapes and of target distances have none.
+[[nodiscard]] bool has_exact_proof(const corpus::Case& seen);
 
 // Is a body given a rotation, seen or not?
 [[nodiscard]] bool turns(const corpus::Case& problem);

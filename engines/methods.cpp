@@ -121,15 +121,21 @@ bool turns(const corpus::Case& problem) {
 
 namespace {
 
-bool is_polytope(const Shape<double>& shape) {
+// rounded: or one with a ball about it.
+bool is_polytope(const Shape<double>& shape, bool rounded) {
+  const auto part_is = [&](const SharedShape<double>& part) {
+    return part && is_polytope(part->shape, rounded);
+  };
   return std::visit(
-      []<class T>(const T& s) {
+      [&]<class T>(const T& s) {
         if constexpr (std::same_as<T, Posed<double>>) {
-          return s.shape && is_polytope(s.shape->shape);
+          return part_is(s.shape);
+        } else if constexpr (std::same_as<T, Rounded<double>>) {
+          return rounded && part_is(s.shape);
         } else if constexpr (std::same_as<T, Sum<double>>) {
-          return std::all_of(s.shapes.begin(), s.shapes.end(), [](const SharedShape<double>& part) {
-            return part && is_polytope(part->shape);
-          });
+          return std::all_of(s.shapes.begin(), s.shapes.end(), part_is);
+        } else if constexpr (std::same_as<T, Sphere<double>> || std::same_as<T, Capsule<double>>) {
+          return rounded;
         } else {
           return std::same_as<T, Point<double>> || std::same_as<T, Segment<double>> ||
                  std::same_as<T, Triangle<double>> || std::same_as<T, Box<double>> ||
@@ -142,7 +148,11 @@ bool is_polytope(const Shape<double>& shape) {
 }  // namespace
 
 bool is_exact_question(const corpus::Case& seen) {
-  return is_polytope(seen.a.shape) && is_polytope(seen.b.shape) && seen.target_distance == 0;
+  return is_polytope(seen.a.shape, true) && is_polytope(seen.b.shape, true);
+}
+
+bool has_exact_proof(const corpus::Case& seen) {
+  return is_polytope(seen.a.shape, false) && is_polytope(seen.b.shape, false) && seen.target_distance == 0;
 }
 
 }  // namespace graze::engine

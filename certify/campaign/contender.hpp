@@ -27,7 +27,7 @@ using Contenders = std::vector<const engine::Method*>;
 // Of ours, by question_name(): nullptr if there is none.
 [[nodiscard]] const engine::Method* find_contender(std::string_view name);
 
-// Whether a case is asked of these: of tier exact, pairs of polytopes without a target distance; of queries,
+// Whether a case is asked of these: of tier exact, pairs of polytopes and rounded ones; of queries,
 // bodies that the exact oracles represent; of turning bodies, what the oracle has an answer to; of engines of others,
 // what they take.
 [[nodiscard]] bool is_question(const Contenders& contenders, const corpus::Case& problem);

@@ -8,8 +8,8 @@
 ///   unit roundoff, and scale the size of the scene. The table of guarantees has kappa for each method.
 /// - *certified*, for all shapes: toi_lower <= TOI <= toi_upper for the true shapes, rounding included. The bracket
 ///   is at most kLinearCertifiedWidth of scale wide.
-/// - *exact*, for points, segments, triangles, boxes, hulls, and what posed(), sum() and swept() make of them,
-///   without a target distance: the TOI of the true shapes, correctly rounded. `toi_lower` is the largest S not above
+/// - *exact*, for points, segments, triangles, boxes, hulls, spheres, capsules, and what posed(), rounded(), sum() and
+///   swept() make of them, at any target distance: the TOI of the true shapes, correctly rounded. `toi_lower` is the largest S not above
 ///   it, and `toi_upper` the least not below it.
 #pragma once
 
@@ -63,8 +63,8 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
 /// S. A tie may take a second search in pairs of doubles.
 template <Scalar S>
 CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
-/// The exact tier, whatever tier and method the options name. Curved and rounded shapes, hulls of shapes and target
-/// distances are `invalid_input` (Invalid::not_exact).
+/// The exact tier, whatever tier and method the options name. Ellipsoids, cylinders, cones and hulls of
+/// shapes are `invalid_input` (Invalid::not_exact). Answers about rounded shapes or a target distance have no proof yet.
 template <Scalar S>
 CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options = {});
 

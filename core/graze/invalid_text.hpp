@@ -45,8 +45,7 @@ namespace detail {
       return at.field == InvalidField::tolerance ? " is negative, NaN or infinite" : " is below one";
     case Invalid::not_exact:
       if (at.field == InvalidField::tier) return " is exact, which knows no rotation that can be seen";
-      if (at.field == InvalidField::target_distance) return " is not 0, which tier exact does not know";
-      return " is curved, rounded or a hull of shapes, which tier exact does not know";
+      return " is curved or a hull of shapes, which tier exact does not know";
     case Invalid::not_linear:
       return " is infinite, and a rotation can be seen";
     case Invalid::not_followed:

@@ -68,7 +68,7 @@ enum class Tier : std::uint8_t {
   /// True for some convex set within kappa u scale of C = A - B. The table of guarantees has kappa for each method.
   standard,
   certified,  ///< A bracket that is proved for the true shapes and motions, rounding included.
-  exact,      ///< The answer for the true shapes, correctly rounded. Polytopes without a target distance.
+  exact,      ///< The answer for the true shapes, correctly rounded. Polytopes and rounded ones.
 };
 /// The enumerator's name.
 [[nodiscard]] constexpr std::string_view to_text(Tier tier) {
@@ -165,8 +165,8 @@ enum class Invalid : std::uint8_t {
   bad_horizon,      ///< `t_max` is below zero or NaN.
   bad_target,       ///< `target_distance` is below zero, infinite or NaN.
   bad_tolerance,    ///< `tolerance` is below zero, infinite or NaN, or a budget is below one.
-  /// The exact tier does not support the input: a curved or rounded shape, a hull of shapes, a target distance, or a
-  /// visible rotation.
+  /// The exact tier does not support the input: an ellipsoid, a cylinder, a cone, a hull of shapes, or a visible
+  /// rotation.
   not_exact,
   not_linear,  ///< A visible rotation with an infinite `t_max`.
   /// The start policy pass_over with a visible rotation: the method does not follow the contact of the start, or the
@@ -204,8 +204,9 @@ enum class Invalid : std::uint8_t {
     case Invalid::bad_tolerance:
       return "a tolerance below zero or beyond the scalar's range, or a budget below one";
     case Invalid::not_exact:
-      return "a curved or rounded shape, a hull of shapes, a target distance or a rotation that is seen, "
-             "which tier exact does not know";
+      return "an ellipsoid, a cylinder, a cone, a hull of shapes or a rotation that is seen, which tier "
+             "exact "
+             "does not know";
     case Invalid::not_linear:
       return "an infinite t_max with a visible rotation: it is for linear motions";
     case Invalid::not_followed:

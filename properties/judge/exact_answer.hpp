@@ -7,8 +7,8 @@
 // the same proof with either end moved to the other. So the axis proves less than the upper end and the
 // portal lies beyond the lower one. Left open is a TOI that is an end itself, where axis and portal are not
 // of one facet; the exact oracle, asked on a sample, leaves nothing open. It also decides what a proof does
-// not say: a start that is passed over, or reported under the policy pass_over, and a hit whose lower bound
-// is 0.
+// not say: a start that is passed over, or reported under the policy pass_over, a hit whose lower bound
+// is 0, and every answer of rounded shapes or of a target distance, which has none.
 #pragma once
 
 #include <cmath>
@@ -65,6 +65,8 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
     case Outcome::hit:
       break;
   }
+  // The oracle decides all of an answer that has no proof.
+  if (!engine::has_exact_proof(seen)) return {};
   if (!answer.proof) return fault("no proof");
   const Proof& proof = *answer.proof;
   oracle::MovedBounds moved;

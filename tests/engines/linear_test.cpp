@@ -101,9 +101,11 @@ TEST(Methods, ExactOnesRefuseWhatIsNotForTheirTier) {
     return is_exact_question(problem);
   };
   EXPECT_TRUE(asked(falling_cube()));
-  EXPECT_FALSE(asked(falling_ball()));
+  EXPECT_TRUE(asked(falling_ball()));
   corpus::Case problem = falling_cube();
   problem.target_distance = 0.5;
+  EXPECT_TRUE(asked(problem));
+  problem.b.shape = Cylinder<double>{1, 1};
   EXPECT_FALSE(asked(problem));
   problem = falling_cube();
   problem.a.shape = swept<double>(problem.a.shape, Vec3<double>(0, 0, 0.5));
@@ -123,7 +125,7 @@ TEST(Queries, ExactOnesAnswerOverlapSweptOverlapAndLine) {
     const Answer answer = method.answer(problem);
     EXPECT_EQ(answer.outcome, method.query == corpus::Query::overlap ? Outcome::miss : Outcome::hit);
     EXPECT_EQ(answer.t_in.has_value(), method.query == corpus::Query::line);
-    problem.b.shape = Sphere<double>{0.3};
+    problem.b.shape = Cylinder<double>{0.3, 0.3};
     EXPECT_EQ(method.answer(problem).invalid, Invalid::not_exact);
   }
   EXPECT_EQ(exact, 6);

@@ -65,7 +65,9 @@ std::string query_fault(const Case& seen, const Method& method, const Answer& ca
   const Answer swept = ask(Query::swept_overlap), overlap = ask(Query::overlap), line = ask(Query::line);
   if (swept.outcome != (contact ? Outcome::hit : Outcome::miss)) return "the swept overlap is not the cast's";
   const bool starts = cast.outcome == Outcome::initially_overlapping;
-  if (overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
+  // An overlap knows no target distance.
+  if (seen.target_distance == 0 &&
+      overlap.outcome != (starts ? Outcome::initially_overlapping : Outcome::miss))
     return "the overlap is not the cast's";
   if (line.outcome != Outcome::hit && line.outcome != Outcome::miss) return "the line has no verdict";
   if (contact && line.outcome != Outcome::hit) return "the line misses what the cast meets";

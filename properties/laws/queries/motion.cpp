@@ -247,7 +247,7 @@ LawResult motion_at_rest(const Case& problem, const Method& method) {
 
 LawResult target_is_rounding(const Case& problem, const Method& method) {
   if (method.query != Query::line && method.query != Query::swept_overlap) return other_query();
-  if (method.is_exact()) return not_applicable("tier exact knows no target distance");
+  if (method.is_exact()) return not_applicable("the oracle decides tier exact to the last bit");
   auto question = question_of(problem, method);
   if (!question) return no_question();
   Case target = question->seen, round = question->seen;

@@ -347,7 +347,7 @@ TEST(JudgeExact, RoundsTheProvedBracketOutwardToFloat) {
 
 TEST(JudgeExact, CountsApartWhatTheTierIsNotAsked) {
   corpus::Case problem = falling_by_three();
-  problem.b.shape = Sphere<double>{1};
+  problem.b.shape = Cylinder<double>{1, 1};
   engine::Answer refusal;
   refusal.outcome = Outcome::invalid_input;
   refusal.invalid = Invalid::not_exact;

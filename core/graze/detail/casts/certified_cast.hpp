@@ -6,8 +6,8 @@
 //   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
 //
 // Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
-// the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
-// exact tier, whose bracket is narrower still.
+// the end (for float that comes on top of the width). Polytopes, and rounded ones, are answered by the exact tier, whose
+// bracket is narrower still.
 //   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
 //   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
 //                          arithmetic (exact_start.hpp): bodies that touch;
@@ -21,8 +21,8 @@
 //                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
 //                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
 //
-// How. Spheres, capsules and polytopes at a distance: casts/round_bracket.hpp, wherever it decides; with a
-// cylinder, a cone or an ellipsoid: casts/curved_bracket.hpp. Else:
+// How. Spheres, capsules and polytopes at a distance: by the exact tier, and so are other rounded polytopes where all else
+// leaves them open; with a cylinder, a cone or an ellipsoid: casts/curved_bracket.hpp. Else:
 // upper half: a portal of exactly named points (proving/certified_portal.hpp), its decisions beyond predicate_error. Lower
 // half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
 // face that is nearly along the path and another), the axis from C to a point of the path a little before
@@ -35,7 +35,7 @@
 
 #include <graze/detail/casts/curved_bracket.hpp>
 #include <graze/detail/casts/degenerate_round.hpp>
-#include <graze/detail/casts/exact_cast.hpp>
+#include <graze/detail/casts/exact_round_answer.hpp>
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/proving/prove.hpp>
 #include <graze/detail/proving/surround.hpp>
@@ -607,29 +607,23 @@ void fill_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& op
   }
 }
 
-// The certified search as a rung. It always answers. `open`: a fast search has not found a bracket that is proved, so
-// contact is unlikely to be decided by its portals.
-template <bool open, Scalar S>
-bool certified_search(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
-                        static_cast<double>(options.target_distance), out.counters);
-  open ? cast.run_open() : cast.run();
-  fill_certified(a, b, options, cast, out);
-  return true;
-}
-
-// The rungs of a fast search with a proved bracket. A proof is that of the certified search.
+// A fast or an exact answer with the proof of the certified search, if one is requested.
 template <Scalar S>
 void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  if (!asks_for(options.request, Request::proof)) return;
+  if (!asks_for(options.request, Request::proof) || out.passed_over) return;
   CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                         static_cast<double>(options.target_distance), out.counters);
   cast.run();
-  if (cast.outcome == out.outcome) out.proof = cast.proof;
+  if (cast.outcome == out.outcome) out.proof = under_policy(cast.proof, options.start_policy);
 }
+
+// The rung of the exact tier for rounded polytopes in the certified one. A number that outgrew its room is left to the
+// certified search. The exact tier proves nothing about rounded shapes yet, so a proof is that of the certified search.
 template <Scalar S>
-bool round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  if (!round_certified(a, b, options, out)) return false;
+bool exact_round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  CastResult<S> exactly;
+  if (!exact_round_cast(a, b, options, exactly) || exactly.invalid != Invalid::none) return false;
+  out = exactly;
   add_certified_proof(a, b, options, out);
   return true;
 }
@@ -637,6 +631,26 @@ template <Scalar S>
 bool curved_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   if (!curved_certified(a, b, options, out)) return false;
   add_certified_proof(a, b, options, out);
+  return true;
+}
+
+// The certified search as a rung. It always answers. `open`: a fast search has not found a bracket that is proved, so
+// contact is unlikely to be decided by its portals. A tie of rounded polytopes is decided by the exact tier.
+template <bool open, Scalar S>
+bool certified_search(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
+                        static_cast<double>(options.target_distance), out.counters);
+  open ? cast.run_open() : cast.run();
+  if constexpr (!open) {
+    CastResult<S> exactly;
+    if (cast.outcome == Outcome::not_converged && exact::is_exact(a.shape, true) &&
+        exact::is_exact(b.shape, true) && exact_round_cast(a, b, options, exactly) &&
+        exactly.invalid == Invalid::none) {
+      out = exactly;
+      return true;
+    }
+  }
+  fill_certified(a, b, options, cast, out);
   return true;
 }
 

@@ -11,19 +11,35 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
+template <Scalar S>
+std::optional<Shape<S>> flat(const Shape<S>& shape);
+
 // Nothing for a shape that has roundness, or is a polytope already.
 template <Scalar S>
 std::optional<Shape<S>> as_polytope(const Shape<S>& shape) {
   const auto along = [](const Vec3<S>& end) { return Segment<S>{-end, end}; };
+  const bool is_rounded = exact::is_exact(shape, true);
   return std::visit(Overloaded{[](const Sphere<S>& s) -> std::optional<Shape<S>> {
                                  if (s.radius > 0) return {};
                                  return Point<S>{};
                                },
                                [](const Rounded<S>& s) -> std::optional<Shape<S>> {
                                  if (s.radius > 0) return {};
-                                 const Shape<S>& inner = s.shape->shape;
-                                 return exact::is_exact(inner) ? std::optional<Shape<S>>(inner)
-                                                               : as_polytope(inner);
+                                 return flat(s.shape->shape);
+                               },
+                               [&](const Posed<S>& s) -> std::optional<Shape<S>> {
+                                 const auto inner = is_rounded ? flat(s.shape->shape) : std::nullopt;
+                                 if (!inner) return {};
+                                 return Posed<S>{share<S>(*inner), s.position, s.orientation};
+                               },
+                               [&](const Sum<S>& s) -> std::optional<Shape<S>> {
+                                 Sum<S> out;
+                                 for (const SharedShape<S>& part : s.shapes) {
+                                   const auto inner = is_rounded ? flat(part->shape) : std::nullopt;
+                                   if (!inner) return {};
+                                   out.shapes.push_back(share<S>(*inner));
+                                 }
+                                 return out;
                                },
                                [&](const Ellipsoid<S>& s) -> std::optional<Shape<S>> {
                                  if ((s.radii.array() > 0).count() > 1) return {};
@@ -38,6 +54,20 @@ std::optional<Shape<S>> as_polytope(const Shape<S>& shape) {
                                  }
                                }},
                     shape);
+}
+
+// The polytope that a shape is; nothing if it has roundness.
+template <Scalar S>
+std::optional<Shape<S>> flat(const Shape<S>& shape) {
+  return exact::is_exact(shape) ? std::optional<Shape<S>>(shape) : as_polytope(shape);
+}
+
+// Of a body whose shape is one.
+template <Scalar S>
+Body<S> flat(const Body<S>& body) {
+  Body<S> out = body;
+  out.shape = *flat(body.shape);
+  return out;
 }
 
 // Vertex k of the polytope as a feature of the given shape.
@@ -68,8 +98,7 @@ bool exact_walk_if_flat(const Body<S>& a, const Body<S>& b, const CastOptions<S>
   if (options.target_distance > 0) return false;
   const bool known_a = exact::is_exact(a.shape), known_b = exact::is_exact(b.shape);
   if (known_a && known_b) return exact_walk(a, b, options, out);
-  const std::optional<Shape<S>> flat_a = known_a ? a.shape : as_polytope(a.shape);
-  const std::optional<Shape<S>> flat_b = known_b ? b.shape : as_polytope(b.shape);
+  const std::optional<Shape<S>> flat_a = flat(a.shape), flat_b = flat(b.shape);
   if (!flat_a || !flat_b) return false;
   const Body<S> as_a{*flat_a, a.position, a.orientation, a.displacement};
   const Body<S> as_b{*flat_b, b.position, b.orientation, b.displacement};

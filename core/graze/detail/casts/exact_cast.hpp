@@ -1,10 +1,11 @@
-// Tier exact: the first contact of two moving polytopes, correctly rounded.
+// Tier exact: the first contact of two moving polytopes, rounded ones and a target distance included, correctly rounded.
 //
 //   toi_lower = the largest S not above the exact TOI of the true shapes, toi_upper = the least not below it;
 //   the verdict is exact, touching included. For every valid input: point, segment, triangle, box, hull,
-//   posed and summed (so swept), any orientation; no target distance. It never stalls.
+//   posed and summed (so swept), any orientation. It never stalls. Spheres, capsules, roundings, and polytopes at a
+//   target distance: casts/exact_round_answer.hpp; these answers have no proof.
 //
-// The proof of every answer is accepted to the last bit: its axis is symbolic, its times are the double
+// The proof of every answer of polytopes is accepted to the last bit: its axis is symbolic, its times are the double
 // bracket (for S = float the closer one). queries/exact_queries.hpp has the other questions.
 #pragma once
 
@@ -20,12 +21,6 @@ bool exact_walk(const Body<S>& a, const Body<S>& b, const CastOptions<S>& option
   const exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
   exact::answer_cast(cast, answer, options, out);
   return true;
-}
-
-// The same for pairs of any kind: those that are not polytopes, or keep a target distance, are refused.
-template <Scalar S>
-bool exact_walk_or_refuse(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  return exact::refused(out, a, b, options) || exact_walk(a, b, options, out);
 }
 
 }}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -10,17 +10,14 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 
 // Does tier exact refuse this valid input? If so, `out` says where.
 template <class Result, Scalar S>
-bool refused(Result& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
-  const auto takes = [](const Shape<S>& shape) { return has_fast_search(shape) || is_exact(shape); };
-  const bool of_a = !takes(a.shape), of_b = !of_a && !takes(b.shape);
-  if (!of_a && !of_b && !(options.target_distance > 0)) return false;
+bool refused(Result& out, const Body<S>& a, const Body<S>& b) {
+  const auto takes = [](const Shape<S>& shape) { return has_fast_search(shape) || is_exact(shape, true); };
+  if (takes(a.shape) && takes(b.shape)) return false;
   out.invalid = Invalid::not_exact;
   out.invalid_at = {.why = Invalid::not_exact,
-                    .body = of_a   ? InvalidBody::a
-                            : of_b ? InvalidBody::b
-                                   : InvalidBody::none,
-                    .field = of_a || of_b ? InvalidField::shape : InvalidField::target_distance,
-                    .part = of_a || of_b ? 0 : -1};
+                    .body = is_exact(a.shape, true) ? InvalidBody::b : InvalidBody::a,
+                    .field = InvalidField::shape,
+                    .part = 0};
   return true;
 }
 // A number outgrew its room (dyadic.hpp): no body alone is to blame.

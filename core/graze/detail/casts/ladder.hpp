@@ -4,11 +4,14 @@
 //   kind of pair   MPR                  GJK ray              certified                              exact
 //   polytopes      fast_cast            fast_ray_cast        exact_walk                             exact_walk
 //                  robust_mpr_sweep     robust_gjk_ray
-//   round          robust_mpr_sweep     round_cast           exact_walk_if_flat, round_bracket,     exact_walk_or_refuse
-//                                       robust_gjk_ray       certified_search
-//   curved         curved_cast          robust_gjk_ray       exact_walk_if_flat, curved_bracket,    exact_walk_or_refuse
-//                  robust_mpr_sweep                          certified_search
-//   other          robust_mpr_sweep     robust_gjk_ray       exact_walk_if_flat, certified_search   exact_walk_or_refuse
+//   round          robust_mpr_sweep     round_cast           exact_walk_if_flat                     exact_round_cast
+//                                       robust_gjk_ray       exact_round_bracket
+//                                                            certified_search
+//   curved         curved_cast          robust_gjk_ray       exact_walk_if_flat                     exact_or_refused
+//                  robust_mpr_sweep                          curved_bracket
+//                                                            certified_search
+//   other          robust_mpr_sweep     robust_gjk_ray       exact_walk_if_flat                     exact_or_refused
+//                                                            certified_search
 //
 // Conservative advancement has the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes
 // and curved pairs, and the GJK ray for the rest. fast_cast and fast_ray_cast hand what rounding decides to the exact
@@ -56,12 +59,12 @@ inline constexpr Ladders<S> kAdvancementLadders{
 template <Scalar S>
 inline constexpr Ladders<S> kCertifiedLadders{
     {{exact_walk<S>},
-     {exact_walk_if_flat<S>, round_bracket<S>, certified_search<true, S>},
+     {exact_walk_if_flat<S>, exact_round_bracket<S>, certified_search<true, S>},
      {exact_walk_if_flat<S>, curved_bracket<S>, certified_search<true, S>},
      {exact_walk_if_flat<S>, certified_search<false, S>}}};
 template <Scalar S>
 inline constexpr Ladders<S> kExactLadders{
-    {{exact_walk<S>}, {exact_walk_or_refuse<S>}, {exact_walk_or_refuse<S>}, {exact_walk_or_refuse<S>}}};
+    {{exact_walk<S>}, {exact_round_cast<S>}, {exact_or_refused<S>}, {exact_or_refused<S>}}};
 
 template <Scalar S>
 [[nodiscard]] CastResult<S> climb(Method method, const Ladders<S>& ladders, const Body<S>& a, const Body<S>& b,

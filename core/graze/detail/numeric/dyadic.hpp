@@ -24,7 +24,8 @@ class Dyadic {
  public:
   static constexpr int kLimbs = 160;
 
-  Dyadic() = default;
+  // NOLINTNEXTLINE(modernize-use-equals-default): a defaulted one would have Dyadic() clear all limbs
+  Dyadic() {}
   // A finite double, read from its bits: no mode of the machine can change it.
   explicit Dyadic(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);

@@ -9,6 +9,7 @@
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
+#include <graze/detail/casts/exact_round_answer.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
@@ -34,6 +35,45 @@ Result finished(const Scene<S>& scene, Result result) {
   return refused;
 }
 
+template <Scalar S, class Result>
+Result finished(const RoundSearch<S>& search, Result result) {
+  ++result.counters.exact_decisions;
+  if (search.valid()) return result;
+  Result refused;
+  refuse_as_too_complex(refused);
+  return refused;
+}
+
+// A line of rounded shapes, not at rest: t_in, or t_out as that of the opposite motion.
+template <Scalar S>
+LineResult<S> round_line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options) {
+  using Path = typename RoundSearch<S>::Path;
+  LineResult<S> out;
+  RoundSearch<S> search(a, b, double(options.target_distance));
+  const Dyadic from = search.begin();
+  const Path path = search.path(from, search.end(kInfinity<double>));
+  out.outcome = path == Path::misses ? Outcome::miss : Outcome::hit;
+  if (path == Path::misses) {
+    out.normal_in = unit_of(search.separating()).template cast<S>();
+    return finished(search, out);
+  }
+  const RoundContact in = search.first_contact(path, 0);
+  Body<S> back_a = a, back_b = b;
+  std::swap(back_a.displacement, back_b.displacement);
+  RoundSearch<S> back(back_a, back_b, double(options.target_distance));
+  const RoundContact leave = back.first_contact(back.path(back.begin(), back.end(kInfinity<double>)), 0);
+  if (!back.valid()) return finished(back, out);
+  out.in_lower = round_down<S>(in.toi.lower);
+  out.in_upper = round_up<S>(in.toi.upper);
+  out.out_lower = round_down<S>(-leave.toi.upper);
+  out.out_upper = round_up<S>(-leave.toi.lower);
+  if (asks_for(options.request, Request::normal)) {
+    out.normal_in = unit_of(in.normal).template cast<S>();
+    out.normal_out = unit_of(leave.normal).template cast<S>();
+  }
+  return finished(search, out);
+}
+
 }}  // namespace detail::exact
 
 template <Scalar S>
@@ -43,7 +83,13 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   fixed_a.displacement = fixed_b.displacement = Vec3<S>::Zero();
   const CastOptions<S> options;
   out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options) || detail::exact::refused(out, a, b, options)) return out;
+  if (detail::refused(out, a, b, options) || detail::exact::refused(out, a, b)) return out;
+  if (!detail::exact::is_sharp(a, b, S(0))) {
+    detail::exact::RoundSearch<S> search(a, b, 0);
+    out.outcome = search.start() <= 0 ? Outcome::initially_overlapping : Outcome::miss;
+    if (out.outcome == Outcome::miss) out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
+    return detail::exact::finished(search, out);
+  }
   detail::exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
   const detail::exact::Answer answer = cast.pass();
   out.outcome = Outcome::miss;
@@ -71,7 +117,17 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
   as_cast.max_iterations = options.max_iterations;
   SweptOverlapResult<S> out;
   out.invalid = validate(a, b, as_cast);
-  if (detail::refused(out, a, b, as_cast) || detail::exact::refused(out, a, b, as_cast)) return out;
+  if (detail::refused(out, a, b, as_cast) || detail::exact::refused(out, a, b)) return out;
+  if (!detail::exact::is_sharp(a, b, options.target_distance)) {
+    detail::exact::RoundSearch<S> search(a, b, double(options.target_distance));
+    bool meets = search.start() <= 0;
+    if (!meets && search.moves() && options.t_max > 0) {
+      meets = search.path({}, search.end(double(options.t_max))) != detail::exact::RoundSearch<S>::Path::misses;
+    }
+    out.outcome = meets ? Outcome::hit : Outcome::miss;
+    if (!meets) out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
+    return detail::exact::finished(search, out);
+  }
   detail::exact::PassageSearch<S> cast(a, b, out.counters);
   const double t_max = static_cast<double>(options.t_max);
   const detail::exact::Answer answer = cast.pass(t_max);
@@ -97,7 +153,15 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
   checked.max_iterations = options.max_iterations;
   LineResult<S> out;
   out.invalid = validate(a, b, checked);
-  if (detail::refused(out, a, b, checked) || detail::exact::refused(out, a, b, checked)) return out;
+  if (detail::refused(out, a, b, checked) || detail::exact::refused(out, a, b)) return out;
+  if (!detail::exact::is_sharp(a, b, options.target_distance)) {
+    detail::exact::RoundSearch<S> search(a, b, double(options.target_distance));
+    if (!search.is_rounded()) return line_exact(detail::flat(a), detail::flat(b), options);
+    if (search.moves()) return detail::exact::round_line(a, b, options);
+    out.outcome = search.start() <= 0 ? Outcome::hit : Outcome::miss;
+    if (out.outcome == Outcome::miss) out.normal_in = detail::exact::unit_of(search.separating()).template cast<S>();
+    return detail::exact::finished(search, out);
+  }
   detail::exact::PassageSearch<S> cast(a, b, out.counters);
   const detail::exact::Scene<S>& scene = cast.scene();
   if (!cast.pair().moves()) {

@@ -29,6 +29,8 @@ struct Direction {
   // The same of R^T n, in the axes of one body, or of both where they are turned alike: where f_1 and f_2 are
   // differences of vertices of that body alone, no rotation is in it. of_body: whose axes.
   std::array<bool, 2> of_body = {false, false};
+  // There is no f_1 x f_2: what doubles leave open stays so (BeyondSearch::in_doubt).
+  bool rounded = false;
   Vec3<double> own = Vec3<double>::Zero(), own_error = Vec3<double>::Zero();
 };
 
@@ -104,6 +106,8 @@ class BeyondSearch {
     }
     return found;
   }
+  // Of a rounded direction: was a vertex met that may be beyond?
+  [[nodiscard]] bool in_doubt() const { return in_doubt_; }
 
  private:
   struct Search {
@@ -189,6 +193,10 @@ class BeyondSearch {
     s.best = k;
   }
   [[nodiscard, gnu::noinline]] bool rises_exactly(Search& s, std::uint32_t from, std::uint32_t to) const {
+    if (s.n.rounded) {
+      in_doubt_ = true;
+      return false;
+    }
     static_assert(std::is_trivially_destructible_v<Heights<S>>);
     if (s.heights == nullptr) s.heights = ::new (s.room) Heights<S>(scene_, s.index, s.n.f1, s.n.f2);
     return s.heights->sign(from, to) * s.n.sign > 0;
@@ -318,6 +326,7 @@ class BeyondSearch {
 
   const Scene<S>& scene_;
   const PreparedPair<S>& pair_;
+  mutable bool in_doubt_ = false;
 };
 
 }}}}  // namespace graze::GRAZE_LINKAGE::detail::exact

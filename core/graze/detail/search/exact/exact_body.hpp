@@ -342,6 +342,123 @@ exact::Dyadic exact_ball(const Shape<S>& shape, bool& valid) {
                     shape);
 }
 
+// The vertices of a polytope, or of a rounded one's core, that reach farthest along n, exactly; one of them unless `all`
+// are wanted. n: the shape's own axes, of any length but 0. A step between two vertices of a leaf takes no rotation.
+template <Scalar S>
+std::vector<std::uint32_t> exact_farthest(const Shape<S>& shape, const exact::Dyadic3& n, bool all,
+                                          bool& valid) {
+  using exact::Dyadic;
+  using exact::Exact;
+  using List = std::vector<std::uint32_t>;
+  // height(k): n.x of the k-th of `count`, minus that of the best so far.
+  const auto best_of = [&](const List& candidates, const auto& rise) {
+    List out;
+    for (const std::uint32_t k : candidates) {
+      const int sign = out.empty() ? 1 : rise(out.front(), k);
+      if (sign > 0) out = {k};
+      if (sign == 0 && all) out.push_back(k);
+    }
+    return out;
+  };
+  const auto sign_of = [&](const Dyadic& x) {
+    valid = valid && x.valid();
+    return x.sign();
+  };
+  const auto of_points = [&](std::uint32_t count, const auto& point, const List& candidates) {
+    List every;
+    for (std::uint32_t k = 0; candidates.empty() && k < count; ++k) every.push_back(k);
+    return best_of(candidates.empty() ? every : candidates, [&](std::uint32_t from, std::uint32_t to) {
+      return sign_of(exact::dot(n, Exact::of(point(to), point(from)).x));
+    });
+  };
+  return std::visit(
+      Overloaded{[&](const Posed<S>& s) {
+                   const Quaternion<double> q = as_double(s.orientation);
+                   Exact own;
+                   own.x = n;
+                   if (!q.is_identity()) exact::ExactTurn{{q.w, -q.x, -q.y, -q.z}}(own);
+                   return exact_farthest<S>(s.shape->shape, own.x, all, valid);
+                 },
+                 [&](const Rounded<S>& s) { return exact_farthest<S>(s.shape->shape, n, all, valid); },
+                 [&](const Sum<S>& s) {
+                   List out = {0};
+                   for (const auto& part : s.shapes) {
+                     const auto count = static_cast<std::uint32_t>(vertex_count<S>(part->shape));
+                     const List own = exact_farthest<S>(part->shape, n, all, valid);
+                     List more;
+                     for (const std::uint32_t before : out) {
+                       for (const std::uint32_t k : own) more.push_back(before * count + k);
+                     }
+                     out = std::move(more);
+                   }
+                   return out;
+                 },
+                 [&](const HullOf<S>& s) {
+                   List candidates;
+                   std::uint32_t before = 0;
+                   for (const auto& part : s.shapes) {
+                     for (const std::uint32_t k : exact_farthest<S>(part->shape, n, all, valid))
+                       candidates.push_back(before + k);
+                     before += static_cast<std::uint32_t>(vertex_count<S>(part->shape));
+                   }
+                   return best_of(candidates, [&](std::uint32_t from, std::uint32_t to) {
+                     const Vec3<double>* no_curve = nullptr;
+                     Exact step = exact_point<S>(shape, to, no_curve);
+                     step.add(exact_point<S>(shape, from, no_curve), true);
+                     return sign_of(exact::dot(n, step.x));
+                   });
+                 },
+                 [&](const Box<S>& s) {
+                   List out = {0};
+                   for (std::size_t i = 0; i < 3; ++i) {
+                     const int sign = s.half_extents[static_cast<int>(i)] > 0 ? sign_of(n[i]) : 0;
+                     const std::uint32_t bit = 1u << i;
+                     const std::size_t size = out.size();
+                     for (std::size_t j = 0; j < size; ++j) {
+                       if (sign == 0 && all) out.push_back(out[j] | bit);
+                       if (sign > 0) out[j] |= bit;
+                     }
+                   }
+                   return out;
+                 },
+                 [&](const Hull<S>& s) {
+                   // Doubles leave those whose heights about the centre may tie: the direction is within 2^-51 per
+                   // coordinate of at most 2, and three products and sums round.
+                   const Vec3<double> d = direction_of(n), center = wide(s.center());
+                   const auto count = static_cast<std::uint32_t>(s.size());
+                   std::vector<double> height(count);
+                   double most = -kInfinity<double>;
+                   for (std::uint32_t k = 0; k < count; ++k) {
+                     height[k] = d.dot(wide(s.vertex(k)) - center);
+                     most = std::max(most, height[k]);
+                   }
+                   const double slack = 0x1p-45 * s.reach_about_center();
+                   List near;
+                   for (std::uint32_t k = 0; k < count; ++k) {
+                     if (height[k] >= most - slack) near.push_back(k);
+                   }
+                   return of_points(
+                       count, [&](std::uint32_t k) { return wide(s.vertex(k)); }, near);
+                 },
+                 [&](const auto&) {
+                   Body<S> leaf;
+                   leaf.shape = shape;
+                   return of_points(static_cast<std::uint32_t>(vertex_count(shape)),
+                                    [&](std::uint32_t k) { return exact::given_vertex(leaf, k); }, {});
+                 }},
+      shape);
+}
+// Of a body, along n in world axes.
+template <Scalar S>
+std::vector<std::uint32_t> exact_farthest(const Body<S>& body, const exact::Dyadic3& n, bool all,
+                                          bool& valid) {
+  const Quaternion<double> q = as_double(body.orientation);
+  exact::Exact own;
+  own.x = n;
+  if (!q.is_identity()) exact::ExactTurn{{q.w, -q.x, -q.y, -q.z}}(own);
+  return exact_farthest<S>(body.shape, own.x, all, valid);
+}
+
 template <Scalar S>
 class ExactBody {
  public:
@@ -386,20 +503,7 @@ class ExactBody {
   }
   // A vertex that reaches farthest along n, exactly.
   [[nodiscard]] std::uint32_t farthest(const exact::Dyadic3& n, bool& valid) const {
-    // Both heights are within a few of the point's rounding, and the direction within 2^-51.
-    const std::vector<std::uint32_t> near = farthest(direction_of(n), rounding_);
-    std::uint32_t best = near.front();
-    if (near.size() == 1) return best;
-    exact::Exact x = vertex(best);
-    for (std::size_t i = 1; i < near.size(); ++i) {
-      exact::Exact y = vertex(near[i]);
-      const exact::Dyadic more = exact::dot(n, y.x) * x.weight - exact::dot(n, x.x) * y.weight;
-      valid = valid && more.valid();
-      if (more.sign() <= 0) continue;
-      best = near[i];
-      x = std::move(y);
-    }
-    return best;
+    return exact_farthest(body_, n, false, valid).front();
   }
   // Of the core, along n in world axes.
   [[nodiscard]] ExactReach reach(const exact::Dyadic3& n, bool& valid) const {

@@ -11,7 +11,7 @@
 //
 // Of a simplex that feature is nearest whose foot is inside and that no other corner lies beyond: p.(c - X) >= 0.
 // A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. Either feature is right
-// on a tie.
+// on a tie. A decision stops once it is sure; `settle` goes on to the nearest point of K.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -43,6 +43,12 @@ inline exact::Dyadic3 difference(const exact::Dyadic3& x, const exact::Dyadic3& 
 }
 inline exact::Dyadic3 times(const exact::Dyadic& k, const exact::Dyadic3& x) {
   return {k * x[0], k * x[1], k * x[2]};
+}
+
+// x / y as a double, within 2^-50 of itself. For y != 0.
+inline double ratio(const exact::Dyadic& x, const exact::Dyadic& y) {
+  if (x.sign() == 0) return 0;
+  return std::ldexp(x.leading() / y.leading(), std::clamp(x.order() - y.order(), -1000, 1000));
 }
 
 // What is known of a start. `n` is a positive multiple of a normal from A to B, with h(n) over C and the balls:
@@ -101,6 +107,34 @@ class ExactNearest {
     }
     return {};
   }
+
+  // The nearest point of K, however far it is. False if a number outgrew its room.
+  [[nodiscard]] bool settle(std::span<const Id> first) {
+    for (const Id& id : first) add(id);
+    while (choose_feature()) {
+      if (is_zero(p_)) return true;
+      const std::optional<Id> next = points_.lowest(p_);
+      if (!next || !is_valid()) return false;
+      const exact::Exact c = points_.at(*next);
+      const Dyadic beyond = exact::dot(p_, c.x) * weight_ - exact::dot(p_, x_[0]) * c.weight;
+      if (!beyond.valid()) return false;
+      if (beyond.sign() >= 0) return true;
+      add(*next);
+    }
+    return false;
+  }
+  // After settle(). The feature's corners: all of the hull's four if the origin is inside.
+  [[nodiscard]] std::span<const Id> corners() const { return {id_.data(), size_}; }
+  // A corner times the weight W of all; p is below W times the nearest point unless that is in a face.
+  [[nodiscard]] const Dyadic3& corner(std::size_t i) const { return x_[i]; }
+  [[nodiscard]] const Dyadic& weight() const { return weight_; }
+  [[nodiscard]] const Dyadic3& p() const { return p_; }
+  [[nodiscard]] int sign_of_f() const { return sign_of_f_; }
+  // |p|^2 = above / below, in units of W: the table above.
+  [[nodiscard]] const Dyadic& above() const { return above_; }
+  [[nodiscard]] const Dyadic& below() const { return below_; }
+  // The nearest point's barycentric coordinate of a corner.
+  [[nodiscard]] double share(std::size_t i) const { return size_ == 1 ? 1 : ratio(share_[i], below_); }
 
  private:
   // GJK takes about as many as K's features have corners; far more means that something is wrong.
@@ -163,6 +197,8 @@ class ExactNearest {
   }
   // |p|^2 = above / below against R^2, x having the weight W.
   void compare(const Dyadic& above, const Dyadic& below) {
+    above_ = above;
+    below_ = below;
     const Dyadic reach = radius_ * weight_;
     sign_of_f_ = sign(above - reach * reach * below);
   }
@@ -184,6 +220,7 @@ class ExactNearest {
         p_ = {at[0] + by[0], at[1] + by[1], at[2] + by[2]};
         const Dyadic3 across = exact::cross(x_[i], e);
         if (!is_nearest({i, j, 0}, 2)) continue;
+        share_ = {length - along, along, Dyadic()};
         compare(exact::dot(across, across), length);
         return valid_;
       }
@@ -207,6 +244,7 @@ class ExactNearest {
       const int side = sign(height);
       p_ = side == 0 ? Dyadic3{} : side > 0 ? n : minus(n);
       if (!is_nearest(at, 3)) continue;
+      share_ = {area - to_e - to_g, to_e, to_g};
       compare(height * height, area);
       return valid_;
     }
@@ -223,7 +261,8 @@ class ExactNearest {
   std::array<Id, 4> id_{};
   std::array<exact::Exact, 4> given_;
   std::array<Dyadic3, 4> x_;
-  Dyadic3 p_;
+  Dyadic3 p_, share_;
+  Dyadic above_, below_;
   int sign_of_f_ = 0;
   bool valid_ = true;
 };

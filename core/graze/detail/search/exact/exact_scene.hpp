@@ -61,6 +61,8 @@ class Scene {
 
   // No combinators: a body is a leaf.
   [[nodiscard]] bool is_of_two_leaves() const { return leaves_.data() == own_.data(); }
+  // Two leaves, neither of which turns.
+  [[nodiscard]] bool is_unturned() const { return unturned_; }
   // Two leaves by the same rotation.
   [[nodiscard]] bool turned_alike() const { return alike_; }
 

@@ -318,10 +318,6 @@ class StartDecision {
     out.world.add(origin, false);
     return out;
   }
-  static double ratio(const Dyadic& x, const Dyadic& y) {
-    if (x.sign() == 0) return 0;
-    return std::ldexp(x.leading() / y.leading(), std::clamp(x.order() - y.order(), -1000, 1000));
-  }
 
   // Is a point of the plane inside of the hull of the corners in it? On a side of the triangle, if another lies beyond.
   static bool is_inside(const Plane& plane, const OnPlane& at, const std::vector<Corner>& corners) {

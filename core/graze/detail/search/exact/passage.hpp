@@ -87,8 +87,10 @@ class PassageSearch {
       const Answer in = end(-1);
       if (compare_time(scene(), in.facet, v(), 0.0) == 0) return true;
     }
-    return !PortalWalk<S>(pair_, scene(), motion(), counters_).find(true);
+    return slides();
   }
+  // Does the line run along C's border, or pass it by?
+  [[nodiscard]] bool slides() { return !PortalWalk<S>(pair_, scene(), motion(), counters_).find(true); }
 
   [[nodiscard]] const PreparedPair<S>& pair() const { return pair_; }
   [[nodiscard]] const Scene<S>& scene() const {

@@ -17,17 +17,19 @@ struct Vertex {
   friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
-// Is the shape one that the exact tier knows?
+// Is the shape a polytope that the exact tier knows? `rounded`: or one with a ball about it.
 template <Scalar S>
-bool is_exact(const Shape<S>& shape) {
-  const auto all = [](std::span<const SharedShape<S>> parts) {
+bool is_exact(const Shape<S>& shape, bool rounded = false) {
+  const auto all = [&](std::span<const SharedShape<S>> parts) {
     return std::all_of(parts.begin(), parts.end(),
-                       [](const SharedShape<S>& part) { return is_exact<S>(part->shape); });
+                       [&](const SharedShape<S>& part) { return is_exact<S>(part->shape, rounded); });
   };
   return std::visit(
       Overloaded{[](const Point<S>&) { return true; }, [](const Segment<S>&) { return true; },
                  [](const Triangle<S>&) { return true; }, [](const Box<S>&) { return true; },
-                 [](const Hull<S>&) { return true; },
+                 [](const Hull<S>&) { return true; }, [&](const Sphere<S>&) { return rounded; },
+                 [&](const Capsule<S>&) { return rounded; },
+                 [&](const Rounded<S>& s) { return rounded && all(std::span(&s.shape, 1)); },
                  [&](const Posed<S>& s) { return all(std::span(&s.shape, 1)); },
                  [&](const Sum<S>& s) { return all(s.shapes); }, [](const auto&) { return false; }},
       shape);
@@ -64,6 +66,11 @@ struct Leaf {
     } else if (const auto* segment = std::get_if<Segment<S>>(shape)) {
       kind = Kind::few;
       few = {segment->a, segment->b, segment->b};
+      count = 2;
+    } else if (const auto* capsule = std::get_if<Capsule<S>>(shape)) {
+      kind = Kind::few;  // of its core
+      few[1] = few[2] = Vec3<S>(0, 0, capsule->half_height);
+      few[0] = -few[1];
       count = 2;
     } else if (const auto* triangle = std::get_if<Triangle<S>>(shape)) {
       kind = Kind::few;

@@ -1,0 +1,381 @@
+// Decides exactly when two moving rounded polytopes are first in contact: spheres, capsules, roundings of polytopes, and
+// polytopes at a target distance.
+//
+//   K the hull of the differences c = a - b of the cores' posed vertices;   v = v_B - v_A;   R = r_A + r_B + m, exact
+//   p(t) the point of K nearest to t v;   w(t) = t v - p(t);   f = w.w, which is convex, f' = 2 w.v
+// Contact at t is f(t) <= R^2. Every decision is the sign of a rational number at a double t (exact_nearest.hpp):
+//   start    f(0) against R^2
+//   verdict  w*.w* against R^2, w* the shortest vector from K to the path: the nearest point of K swept by -v
+//   time     t <= TOI iff f(t) >= R^2 and w(t).v < 0, where w*.w* < R^2: before TOI f falls strictly, as it gets below R^2
+//            later, and after TOI f is at R^2 only where it grows. TOI is the largest such double iff f is R^2 there
+//   graze    w*.w* = R^2: contacts are the t with t v - w* in K. If w*.v != 0 that is the path's end, else a line in the
+//            plane of K's face towards w*, which is cut in two dimensions. TOI is rational then
+//   leaving  (pass_over, r = r_A + r_B > 0) iff the ray from the start keeps w*.w* >= r^2; at rest, f(0) >= r^2
+// A path without end is cut where v.(t v - c) >= 0 for every c: f does not fall from there on.
+//
+// Search: Newton's steps from below for the root of |w| - R, which is convex, so that they do not pass it but for
+// rounding; then doubling steps and bisection over the doubles. A guess changes the cost and never the answer.
+// Frame: world axes, the caller's units.
+#pragma once
+
+#include <graze/detail/search/exact/exact_answer.hpp>
+#include <graze/detail/search/exact/exact_body.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
+
+// Where the path meets C: the normal, and the contact's weights in up to three pairs of vertices.
+struct RoundContact {
+  TimeBracket toi;
+  Dyadic3 normal;  // from A to B, of any length
+  int size = 0;
+  std::array<Vertex, 3> corner{};
+  std::array<double, 3> share{};
+};
+
+// About when and where, by a search in doubles; time 0: not known.
+struct RoundGuess {
+  double time = 0;
+  int size = 0;
+  std::array<Vertex, 3> corner{};
+};
+
+template <Scalar S>
+class RoundSearch {
+ public:
+  RoundSearch(const Body<S>& a, const Body<S>& b, double target_distance) : a_(a), b_(b) {
+    balls_ = exact_ball<S>(a.shape, valid_) + exact_ball<S>(b.shape, valid_);
+    radius_ = balls_ + Dyadic(target_distance);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int k = static_cast<int>(i);
+      v_[i] = Dyadic(double(b.displacement[k])) - Dyadic(double(a.displacement[k]));
+    }
+  }
+
+  // False: a number outgrew its room.
+  [[nodiscard]] bool valid() const { return valid_; }
+  [[nodiscard]] bool is_rounded() const { return radius_.sign() > 0; }
+  [[nodiscard]] bool has_balls() const { return balls_.sign() > 0; }
+  [[nodiscard]] bool moves() const { return !is_zero(v_); }
+
+  // The sign of f(0) - R^2.
+  [[nodiscard]] int start() {
+    settle(Dyadic(), Dyadic(), radius_);
+    return near_->sign_of_f();
+  }
+  // At rest or on the ray from the start: the sign of w*.w* - r^2.
+  [[nodiscard]] int ray_without_target() {
+    settle(Dyadic(), moves() ? end(kInfinity<double>) : Dyadic(), balls_);
+    return near_->sign_of_f();
+  }
+  // From A to B, of any length, of the last question; zero where the cores overlap.
+  [[nodiscard]] Dyadic3 separating() const { return minus(near_->p()); }
+
+  // No f falls beyond it: the earlier of it and t_max is a path's end.
+  [[nodiscard]] Dyadic end(double t_max) {
+    const Dyadic cut = power_beyond(v_, false);
+    return t_max < kInfinity<double> && (Dyadic(t_max) - cut).sign() < 0 ? Dyadic(t_max) : cut;
+  }
+  // Before it a line has no contact, and f does not grow.
+  [[nodiscard]] Dyadic begin() { return -power_beyond(minus(v_), true); }
+
+  enum class Path : std::uint8_t { misses, grazes, enters };
+  // Of t in [from, to], not in contact at `from`.
+  [[nodiscard]] Path path(const Dyadic& from, const Dyadic& to) {
+    from_ = from;
+    to_ = to;
+    settle(from, to, radius_);
+    const int sign = near_->sign_of_f();
+    return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
+  }
+  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the next.
+  // No more need be asked: neither the start nor the verdict.
+  [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
+    seeds_.clear();
+    for (std::size_t i = 0; i < std::size_t(guess.size); ++i)
+      seeds_.push_back({guess.corner[i].a, guess.corner[i].b, false});
+    if (seeds_.empty()) seeds_ = {Id{}};
+    double t = guess.time, lower = -kInfinity<double>, upper = kInfinity<double>;
+    for (int step = 0; step < kSteps && valid_; ++step) {
+      const bool falls = is_falling_at(t);
+      const int sign = near_->sign_of_f();
+      if (!valid_ || (sign > 0 && !falls)) return {};
+      if (sign == 0 && falls) return contact_in({t, t});
+      (sign > 0 ? lower : upper) = t;
+      if (next_up(lower) == upper) {
+        if (sign <= 0) settle(Dyadic(lower), Dyadic(lower), radius_);
+        return contact_in({lower, upper});
+      }
+      const double root = falls ? newton(t) : t, beside = next(t, sign > 0);
+      t = std::abs(root - t) > std::abs(beside - t) && root > lower && root < upper ? root : beside;
+      if (!(t > 0 && t < kInfinity<double>)) return {};
+    }
+    return {};
+  }
+  // The first contact of a path that does not miss; `guess`: a time near it.
+  [[nodiscard]] RoundContact first_contact(Path path, double guess) {
+    return path == Path::grazes ? graze() : enter(guess);
+  }
+
+ private:
+  struct Id {
+    std::uint32_t a = 0, b = 0;
+    bool late = false;
+  };
+  // K - t v for the t between two times.
+  struct Points {
+    using Id = RoundSearch::Id;
+    RoundSearch& own;
+    Dyadic from, to;
+    [[nodiscard]] Exact at(const Id& id) const {
+      Exact c = own.difference(id);
+      const Dyadic t = (id.late ? to : from) * c.weight;
+      for (std::size_t i = 0; i < 3; ++i) c.x[i] = c.x[i] - t * own.v_[i];
+      return c;
+    }
+    [[nodiscard]] std::optional<Id> lowest(const Dyadic3& p) const {
+      Id out{own.farthest(own.a_, minus(p)), own.farthest(own.b_, p), false};
+      out.late = dot(p, own.v_).sign() > 0 && (to - from).sign() > 0;
+      return own.valid_ ? std::optional<Id>(out) : std::nullopt;
+    }
+  };
+  using Nearest = ExactNearest<Points>;
+
+  static bool is_zero(const Dyadic3& x) { return x[0].sign() == 0 && x[1].sign() == 0 && x[2].sign() == 0; }
+  int check(const Dyadic& x) {
+    valid_ = valid_ && x.valid();
+    return x.sign();
+  }
+  // A power of two above max c.n / n.n, n = v or -v; `apart`: above that and R / |n|. Or 0.
+  [[nodiscard]] Dyadic power_beyond(const Dyadic3& n, bool apart) {
+    const Exact c = difference({farthest(a_, n), farthest(b_, detail::minus(n)), false});
+    const Dyadic far = dot(c.x, n), speed = dot(n, n);
+    check(far);
+    std::optional<int> order;
+    if (far.sign() > 0) order = far.order() - (speed * c.weight).order() + 1;
+    // |n| >= 2^(half the order of n.n, rounded down). The sum of both is below twice the larger.
+    if (apart) order = 1 + std::max(order.value_or(-100000), radius_.order() + 1 - (speed.order() >> 1));
+    return order ? Dyadic(1).times_power_of_two(*order) : Dyadic();
+  }
+  [[nodiscard]] std::uint32_t farthest(const Body<S>& body, const Dyadic3& n) {
+    return exact_farthest(body, n, false, valid_).front();
+  }
+  [[nodiscard]] Exact posed(const Body<S>& body, std::uint32_t k) const {
+    Feature feature;
+    feature.vertex = k;
+    return exact_point(body, feature);
+  }
+  [[nodiscard]] Exact difference(const Id& id) const {
+    Exact c = posed(a_, id.a);
+    c.add(posed(b_, id.b), true);
+    return c;
+  }
+  // The nearest point of K swept by -v over these times, from the last one's corners.
+  void settle(const Dyadic& from, const Dyadic& to, const Dyadic& radius) {
+    if (near_) {
+      seeds_.assign(near_->corners().begin(), near_->corners().end());
+      for (Id& id : seeds_) id.late = false;
+    }
+    points_.emplace(Points{*this, from, to});
+    near_.emplace(*points_, radius);
+    valid_ = near_->settle(seeds_) && valid_;
+  }
+  [[nodiscard]] bool is_falling_at(double t) {
+    settle(Dyadic(t), Dyadic(t), radius_);
+    return dot(near_->p(), v_).sign() > 0;
+  }
+  [[nodiscard]] bool is_before(double t) { return is_falling_at(t) && near_->sign_of_f() >= 0; }
+  // After is_before(t): Newton's step from there, as rounded.
+  [[nodiscard]] double newton(double t) const {
+    const Dyadic reach = radius_ * near_->weight(),
+                 below = near_->below() * near_->weight() * near_->weight();
+    const Dyadic along = dot(near_->p(), v_);
+    const double excess = ratio(near_->above() - reach * reach * near_->below(), below);
+    const double length = std::sqrt(ratio(near_->above(), below)) + ratio(radius_, Dyadic(1));
+    const double rate = std::sqrt(ratio(along * along, dot(near_->p(), near_->p())));
+    return t + excess / length / rate;
+  }
+
+  // Doubles in their order, and back.
+  static std::int64_t key_of(double t) {
+    const auto bits = std::bit_cast<std::int64_t>(t);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  }
+  static double at_key(std::int64_t key) {
+    return std::bit_cast<double>(key < 0 ? std::numeric_limits<std::int64_t>::min() - key : key);
+  }
+  // Exactly: the path's ends are doubles.
+  static double as_double(const Dyadic& t) { return near_quotient(t, Dyadic(1)); }
+
+  RoundContact enter(double guess) {
+    const double first = as_double(from_), last = as_double(to_);
+    double lower = first, upper = last;
+    double t = guess > first && guess < last ? guess : first;
+    for (int step = 0; step < kNewton && valid_; ++step) {
+      if (!is_before(t)) {
+        upper = t;
+        break;
+      }
+      lower = t;
+      const double next = std::min(newton(t), last);
+      if (!(next > t)) break;
+      t = next;
+    }
+    // Doubling steps away from the end that the guess is at; the other end is the path's.
+    const bool up = lower > first;
+    for (std::int64_t step = 1; valid_ && key_of(upper) - key_of(lower) > 1; step *= 2) {
+      const std::int64_t low = key_of(lower), high = key_of(upper);
+      if (step >= high - low) break;
+      t = at_key(up ? low + step : high - step);
+      const bool before = is_before(t);
+      (before ? lower : upper) = t;
+      if (before != up) break;
+    }
+    while (valid_ && key_of(upper) - key_of(lower) > 1) {
+      t = at_key(key_of(lower) + (key_of(upper) - key_of(lower)) / 2);
+      (is_before(t) ? lower : upper) = t;
+    }
+    settle(Dyadic(lower), Dyadic(lower), radius_);
+    return contact_in({lower, upper});
+  }
+  // As the lower end was settled last.
+  [[nodiscard]] RoundContact contact_in(const TimeBracket& toi) {
+    RoundContact out;
+    out.toi = {toi.lower, near_->sign_of_f() == 0 ? toi.lower : toi.upper};
+    out.normal = normal_at_contact();
+    take_corners(out);
+    return out;
+  }
+  void take_corners(RoundContact& out) const {
+    const auto corners = near_->corners();
+    out.size = static_cast<int>(std::min<std::size_t>(corners.size(), 3));
+    for (std::size_t i = 0; i < std::size_t(out.size); ++i) {
+      out.corner[i] = {corners[i].a, corners[i].b};
+      out.share[i] = near_->share(i);
+    }
+  }
+  // w at TOI, from what is nearest at toi_lower, where a radius far below |v| of a double's time leaves nothing of it:
+  // the feature's w moves by V = v across the feature, so that |w + delta V| = R. In units of `below` and W, W delta =
+  // c / (-b + root(b^2 - a c)) with a = V.V, b = w.V, c = w.w - R^2. In a face w keeps its direction.
+  Dyadic3 normal_at_contact() {
+    const Dyadic3 w = minus(near_->p());
+    if (near_->corners().size() > 2) return w;
+    Dyadic3 across = v_;
+    if (near_->corners().size() == 2) {
+      const Dyadic3 e = detail::difference(near_->corner(1), near_->corner(0));
+      across = detail::difference(detail::times(near_->below(), v_), detail::times(dot(v_, e), e));
+    }
+    const Dyadic reach = radius_ * near_->weight() * near_->below();
+    const Dyadic a = dot(across, across), b = dot(w, across), c = dot(w, w) - reach * reach;
+    const Dyadic root = root_up(b * b - a * c);
+    const Dyadic3 kept = detail::times(root - b, w), moved = detail::times(c, across);
+    Dyadic3 out;
+    for (std::size_t i = 0; i < 3; ++i) {
+      out[i] = kept[i] + moved[i];
+      check(out[i]);
+    }
+    return out;
+  }
+
+  // ---- a graze ----
+
+  // A vertex of one body in the plane of v and u: x = (c.v, c.u).
+  struct Flat {
+    std::uint32_t vertex;
+    Exact x;
+  };
+  [[nodiscard]] std::vector<Flat> face_of(const Body<S>& body, const Dyadic3& n, const Dyadic3& u) {
+    std::vector<Flat> out;
+    for (const std::uint32_t k : exact_farthest(body, n, true, valid_)) {
+      Exact x = posed(body, k);
+      x.x = {dot(x.x, v_), dot(x.x, u), Dyadic()};
+      out.push_back({k, x});
+    }
+    return out;
+  }
+  // The farthest along d, and of these along d_2.
+  [[nodiscard]] const Flat& extreme(const std::vector<Flat>& face, const Dyadic3& d, const Dyadic3& d_2) {
+    const Flat* best = &face.front();
+    for (const Flat& one : face) {
+      Exact step = one.x;
+      step.add(best->x, true);
+      const int sign = check(dot(step.x, d));
+      if (sign > 0 || (sign == 0 && check(dot(step.x, d_2)) > 0)) best = &one;
+    }
+    return *best;
+  }
+  RoundContact graze() {
+    const Dyadic3 w = minus(near_->p());
+    RoundContact out;
+    out.normal = w;
+    if (dot(w, v_).sign() != 0) {
+      const double end = as_double(to_);
+      out.toi = {end, end};
+      take_corners(out);
+      return out;
+    }
+    // K's face towards w, in its plane: c.v is a time times v.v, and c.u is 0 on the path. First contact: the least c.v
+    // on the hull's cut with c.u = 0, between a point low and one high along u.
+    const Dyadic3 u = cross(w, v_);
+    const std::vector<Flat> of_a = face_of(a_, w, u), of_b = face_of(b_, minus(w), u);
+    struct Corner {
+      Vertex name;
+      Exact x;
+    };
+    const auto corner = [&](const Dyadic3& d, const Dyadic3& d_2) {
+      const Flat& a = extreme(of_a, d, d_2);
+      const Flat& b = extreme(of_b, minus(d), minus(d_2));
+      Corner c{{a.vertex, b.vertex}, a.x};
+      c.x.add(b.x, true);
+      return c;
+    };
+    const Dyadic one(1), none(0);
+    const Dyadic3 early = {-one, none, none};
+    Corner low = corner({none, -one, none}, early), high = corner({none, one, none}, early);
+    if (low.x.x[1].sign() == 0) high = low;
+    if (high.x.x[1].sign() == 0) low = high;
+    while (valid_ && low.x.x[1].sign() < 0) {
+      // Across the line from low to high, towards earlier.
+      Exact e = high.x;
+      e.add(low.x, true);
+      const Dyadic3 d = {-e.x[1], e.x[0], none};
+      const Corner next = corner(d, early);
+      Exact step = next.x;
+      step.add(low.x, true);
+      if (check(dot(step.x, d)) <= 0) break;
+      const int side = next.x.x[1].sign();
+      if (side <= 0) low = next;
+      if (side >= 0) high = next;
+    }
+    out.corner = {low.name, high.name};
+    if (low.x.x[1].sign() == 0) {
+      out.size = 1;
+      out.share = {1, 0, 0};
+      out.toi = bracket_of({low.x.x[0], dot(v_, v_) * low.x.weight});
+      return out;
+    }
+    const Dyadic before = -low.x.x[1] * high.x.weight, after = high.x.x[1] * low.x.weight;
+    const Dyadic all = before + after;
+    out.size = 2;
+    out.share = {ratio(after, all), ratio(before, all), 0};
+    const ExactTime time{(low.x.x[0] * high.x.x[1]) - (high.x.x[0] * low.x.x[1]), all * dot(v_, v_)};
+    check(time.numerator);
+    check(time.denominator);
+    if (valid_) out.toi = bracket_of(time);
+    return out;
+  }
+
+  // A few are needed, and 54 at a graze, where each halves what is left.
+  static constexpr int kNewton = 64;
+  // From a time that is right to a float: two of Newton's steps, and the neighbours.
+  static constexpr int kSteps = 8;
+
+  const Body<S>&a_, &b_;
+  Dyadic radius_, balls_, from_, to_;
+  Dyadic3 v_;
+  std::optional<Points> points_;
+  std::optional<Nearest> near_;
+  std::vector<Id> seeds_ = {Id{}};
+  bool valid_ = true;
+};
+
+}}}}  // namespace graze::GRAZE_LINKAGE::detail::exact
