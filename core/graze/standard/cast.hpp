@@ -5,6 +5,7 @@
 #include <graze/certified/cast.hpp>
 #include <graze/exact/cast.hpp>
 #include <graze/portal/leaving.hpp>
+#include <graze/rays/cast.hpp>
 #include <graze/standard/advancement.hpp>
 #include <graze/standard/curved_cast.hpp>
 #include <graze/standard/polytope_cast.hpp>
@@ -164,7 +165,7 @@ CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions
   CastResult<S> out;
   out.method = Method::gjk_ray_cast;
   out.invalid = validate(a, b, options);
-  if (detail::refused(out, a, b, options)) return out;
+  if (detail::refused(out, a, b, options) || detail::ray_cast(a, b, options, out)) return out;
   const bool answered = detail::is_round_pair(a, b, options) ? detail::round_cast(a, b, options, out)
                                                              : detail::quick_ray_cast(a, b, options, out);
   if (!answered) detail::careful_gjk_ray(a, b, options, out);
@@ -176,8 +177,8 @@ CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptio
   CastResult<S> out;
   out.method = Method::mpr_sweep;
   out.invalid = validate(a, b, options);
-  if (!detail::refused(out, a, b, options) && !detail::quick_cast(a, b, options, out) &&
-      !detail::curved_cast(a, b, options, out))
+  if (!detail::refused(out, a, b, options) && !detail::ray_cast(a, b, options, out) &&
+      !detail::quick_cast(a, b, options, out) && !detail::curved_cast(a, b, options, out))
     detail::careful_mpr_sweep(a, b, options, out);
   return out;
 }

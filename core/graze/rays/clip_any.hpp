@@ -1,0 +1,76 @@
+// A ray against a body of any shape that has a direct answer: box, triangle, sphere, capsule, cylinder, cone, ellipsoid.
+//
+// Another shape, a target distance beside anything but a sphere or a capsule, and a shape without roundness where it
+// should have some, are left open.
+#pragma once
+
+#include <graze/rays/box.hpp>
+#include <graze/rays/capsule.hpp>
+#include <graze/rays/cone.hpp>
+#include <graze/rays/cylinder.hpp>
+#include <graze/rays/ellipsoid.hpp>
+#include <graze/rays/triangle.hpp>
+
+namespace graze::inline GRAZE_LINKAGE::detail {
+
+// The path of a point.
+template <Scalar S>
+struct RayPath {
+  const Vec3<S>&origin, &displacement;
+  double t_max, target_distance;
+};
+
+// answer(solid, ray), if the shape is a solid of rays/clip.hpp; else what `otherwise` is.
+template <Scalar S, class Result, class Go>
+[[nodiscard, gnu::always_inline]] inline Result with_solid(const RayTarget<S>& target, const RayPath<S>& path,
+                                                           Result otherwise, const Go& go) {
+  const Shape<S>& shape = target.body().shape;
+  const auto answer = [&](const auto& solid) {
+    return go(solid, target.ray(path.origin, path.displacement, solid.reach(), path.t_max));
+  };
+  const double m = path.target_distance;
+  if (const auto* sphere = std::get_if<Sphere<S>>(&shape))
+    return sphere->radius > 0 ? answer(RayCapsule{double(sphere->radius) + m, 0}) : otherwise;
+  if (const auto* capsule = std::get_if<Capsule<S>>(&shape))
+    return capsule->radius > 0 ? answer(RayCapsule{double(capsule->radius) + m, double(capsule->half_height)})
+                               : otherwise;
+  if (m > 0) return otherwise;
+  if (const auto* cylinder = std::get_if<Cylinder<S>>(&shape))
+    return cylinder->radius > 0 ? answer(RayCylinder{double(cylinder->radius), double(cylinder->half_height)})
+                                : otherwise;
+  if (const auto* cone = std::get_if<Cone<S>>(&shape))
+    return cone->radius > 0 && cone->half_height > 0
+               ? answer(RayCone(double(cone->radius), double(cone->half_height)))
+               : otherwise;
+  if (const auto* ellipsoid = std::get_if<Ellipsoid<S>>(&shape))
+    return ellipsoid->radii.minCoeff() > 0 ? answer(RayEllipsoid(triple(ellipsoid->radii))) : otherwise;
+  return otherwise;
+}
+
+// Box and triangle: every answer but `open` is that of the true shapes.
+template <Scalar S>
+[[nodiscard, gnu::always_inline]] inline RayHit clip_polytope(const RayTarget<S>& target, const RayPath<S>& path) {
+  if (path.target_distance > 0) return {};
+  if (const auto* box = std::get_if<Box<S>>(&target.body().shape)) {
+    const Triple h = triple(box->half_extents);
+    return clip_box(h, target.ray(path.origin, path.displacement, sum(h), path.t_max), target.turned());
+  }
+  if (const auto* triangle = std::get_if<Triangle<S>>(&target.body().shape)) {
+    const std::array<Triple, 3> own = {triple(triangle->a), triple(triangle->b), triple(triangle->c)};
+    const auto length = [](const Triple& x) { return sum(magnitude(x)); };
+    const double reach = greater(greater(length(own[0]), length(own[1])), length(own[2]));
+    if (!(reach <= 4 * greater(length(own[1] - own[0]), length(own[2] - own[0])))) return {};
+    return clip_triangle(own, target.ray(path.origin, path.displacement, reach, path.t_max));
+  }
+  return {};
+}
+
+template <Scalar S>
+[[nodiscard]] RayHit clip_any(const RayTarget<S>& target, const RayPath<S>& path) {
+  const RayHit sharp = clip_polytope(target, path);
+  if (sharp.kind != RayHit::Kind::open) return sharp;
+  return with_solid(target, path, sharp,
+                    [](const auto& solid, const Ray& ray) { return SolidClip(solid, ray).run(); });
+}
+
+}  // namespace graze::inline GRAZE_LINKAGE::detail
