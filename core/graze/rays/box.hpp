@@ -1,61 +1,110 @@
 // A ray against a box, |x_i| <= h_i: where it enters the last of the three slabs, if it has left none before.
 //
-// Every answer but `open` is that of the true shapes. With e = doubt (ray.hpp), each coordinate of a point near the box is
-// known within e, so a plane x_i = +-h_i is crossed within e (1 + 2^-8) / |w_i| of the time that is computed, where
-// |w_i| > 2^-40 |w|_1: w_i is within 24 u |w|_2 of itself. At that time the other coordinates are known within
-//   slack = 1.01 e |w|_1 / |w_i|.
-// A coordinate that does not change at all, of a box that does not turn, is exact: w_i = 0 is a difference of equal
-// numbers, and o_i - h_i > e says that the ray stays outside.
+// Every answer but `open` is that of the true shapes, up to rounding of t. With e = doubt (ray.hpp), each coordinate of a
+// point near the box is known within e. So a plane x_i = +-h_i is crossed within late_i = 1.01 e / |w_i| of the time that
+// is computed, where |w_i| > 2^-40 |w|_1: w_i is within 24 u |w|_2 of itself. Of the last entry and the first exit each
+// both bounds are then known.
 #pragma once
 
 #include <graze/rays/ray.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-[[nodiscard]] inline RayHit clip_box(const Triple& h, const Ray& ray, bool turned) {
+// A ray that runs nearly along a face, |w_i| <= 2^-40 |w|_1. At the time when it enters slab i the other coordinates are
+// known within
+//   slack = 1.01 e |w|_1 / |w_i|.
+// A coordinate that does not change at all, of a box that does not turn, is exact: w_i = 0 is a difference of equal
+// numbers, and o_i - h_i > e says that the ray stays outside.
+[[nodiscard, gnu::noinline]] inline RayHit clip_level_ray(const Triple& h, const Ray& ray, bool turned) {
+  using Kind = RayHit::Kind;
+  RayHit out;
+  const double e = ray.doubt, all = sum(magnitude(ray.w));
+  double enter = -kInfinity<double>, exit = kInfinity<double>, late_in = 0, late_out = 0;
+  int axis = -1;
+  for (int i = 0; i < 3; ++i) {
+    const double w = ray.w[i], outside = std::abs(ray.o[i]) - h[i];
+    if (!(std::abs(w) > 0x1p-40 * all)) {
+      if (w == 0 && !turned && outside > e) {
+        out.kind = Kind::miss;
+        return out;
+      }
+      continue;
+    }
+    const double far = std::copysign(h[i], w), late = 1.01 * e / std::abs(w);
+    const double in = (-far - ray.o[i]) / w, leave = (far - ray.o[i]) / w;
+    if (in > enter) {
+      enter = in;
+      late_in = late;
+      axis = i;
+    }
+    if (leave < exit) {
+      exit = leave;
+      late_out = late;
+    }
+  }
+  if (axis < 0) return out;
+  if (enter - exit > late_in + late_out || exit < -late_out || enter - late_in > ray.t_max) {
+    out.kind = Kind::miss;
+    return out;
+  }
+  const double slack = late_in * all;
+  std::array<double, 3> x, n{};
+  for (int i = 0; i < 3; ++i) {
+    x[std::size_t(i)] = ray.o[i] + enter * ray.w[i];
+    if (i != axis && !(h[i] - std::abs(x[std::size_t(i)]) > slack)) return out;
+  }
+  if (!(enter > late_in && enter + late_in < ray.t_max)) return out;
+  out.kind = Kind::hit;
+  out.t = enter;
+  n[std::size_t(axis)] = std::copysign(1.0, -ray.w[axis]);
+  x[std::size_t(axis)] = std::copysign(h[axis], -ray.w[axis]);
+  out.n = {n[0], n[1], n[2]};
+  out.x = {x[0], x[1], x[2]};
+  return out;
+}
+
+[[nodiscard, gnu::always_inline]] inline RayHit clip_box(const Triple& h, const Ray& ray, bool turned) {
   using Kind = RayHit::Kind;
   RayHit out;
   const Triple &o = ray.o, &w = ray.w;
-  const double e = ray.doubt, all = sum(magnitude(w));
-  const Triple out_of = magnitude(o) - h;  // how far the start is outside of each slab
-  const double outside = greater(greater(out_of.x, out_of.y), out_of.z);
-  if (!(all > 0 && all < kInfinity<double> && ray.t_max > 0)) return out;
-  if (outside <= -e) {
-    if (outside < -e) out.kind = Kind::start;
+  const Triple speed = magnitude(w), out_of = magnitude(o) - h;
+  const double all = sum(speed);
+  if (greater(greater(out_of.x, out_of.y), out_of.z) < -ray.doubt && ray.t_max > 0 && all > 0) {
+    out.kind = Kind::start;
     return out;
   }
-  const Triple one{1 / w.x, 1 / w.y, 1 / w.z};
-  const auto plane = [](double half, double speed) { return std::copysign(half, speed); };
-  const Triple far{plane(h.x, w.x), plane(h.y, w.y), plane(h.z, w.z)};
-  const auto times = [](const Triple& a, const Triple& b) { return Triple{a.x * b.x, a.y * b.y, a.z * b.z}; };
-  // A NaN, of a ray that runs in a plane of the box, fails every test below.
-  const Triple in = times(-far - o, one), leave = times(far - o, one);
-  const double enter = greater(greater(in.x, in.y), in.z), exit = lesser(lesser(leave.x, leave.y), leave.z);
-  const Triple late = 1.01 * e * magnitude(one);  // of the crossings of either plane of a slab
-  const int i = in.x == enter ? 0 : in.y == enter ? 1 : 2, j = leave.x == exit ? 0 : leave.y == exit ? 1 : 2;
-  const auto is_steep = [&](int axis) { return std::abs(w[axis]) > 0x1p-40 * all; };
-  if (enter <= exit && is_steep(i)) {
-    const double slack = late[i] * all;
-    const Triple at = ray.at(enter), inside = h - magnitude(at);
-    const bool known = (i == 0 || inside.x > slack) && (i == 1 || inside.y > slack) && (i == 2 || inside.z > slack);
-    if (known && enter > late[i]) {
-      if (enter - late[i] > ray.t_max) {
-        out.kind = Kind::miss;
-      } else if (enter + late[i] < ray.t_max) {
-        out.kind = Kind::hit;
-        out.t = enter;
-        out.x = {i == 0 ? -far.x : at.x, i == 1 ? -far.y : at.y, i == 2 ? -far.z : at.z};
-        out.n = {i == 0 ? std::copysign(1.0, -w.x) : 0, i == 1 ? std::copysign(1.0, -w.y) : 0,
-                 i == 2 ? std::copysign(1.0, -w.z) : 0};
-      }
-      return out;
-    }
+  if (!(lesser(lesser(speed.x, speed.y), speed.z) > 0x1p-40 * all && ray.t_max > 0)) {
+    if (all > 0 && ray.t_max > 0) return clip_level_ray(h, ray, turned);
+    return out;
   }
-  const bool passes = enter - exit > late[i] + late[j] && is_steep(i) && is_steep(j);
-  const bool behind = exit < -late[j] && is_steep(j), beyond = enter - late[i] > ray.t_max && is_steep(i);
-  // From a start outside of a slab that the ray does not move towards.
-  const bool away = !turned && ((w.x == 0 && out_of.x > e) || (w.y == 0 && out_of.y > e) || (w.z == 0 && out_of.z > e));
-  if (passes || behind || beyond || away) out.kind = Kind::miss;
+  // In units of its speed the box is c +- d along each axis.
+  const Triple one{1 / w.x, 1 / w.y, 1 / w.z}, per = magnitude(one);
+  const Triple c{-o.x * one.x, -o.y * one.y, -o.z * one.z}, d{h.x * per.x, h.y * per.y, h.z * per.z};
+  const Triple in = c - d, leave = c + d, late = (1.01 * ray.doubt) * per;
+  const Triple in_low = in - late, in_high = in + late, out_low = leave - late, out_high = leave + late;
+  const double enter_low = greater(greater(in_low.x, in_low.y), in_low.z),
+               enter_high = greater(greater(in_high.x, in_high.y), in_high.z),
+               exit_low = lesser(lesser(out_low.x, out_low.y), out_low.z),
+               exit_high = lesser(lesser(out_high.x, out_high.y), out_high.z);
+  if (enter_low > exit_high || exit_high < 0 || enter_low > ray.t_max) {
+    out.kind = Kind::miss;
+    return out;
+  }
+  if (!(enter_high < exit_low && enter_low > 0 && enter_high < ray.t_max)) return out;
+  const double t = greater(greater(in.x, in.y), in.z);
+  out.kind = Kind::hit;
+  out.t = t;
+  out.x = ray.at(t);
+  if (t == in.x) {
+    out.n = {std::copysign(1.0, -w.x), 0, 0};
+    out.x.x = std::copysign(h.x, -w.x);
+  } else if (t == in.y) {
+    out.n = {0, std::copysign(1.0, -w.y), 0};
+    out.x.y = std::copysign(h.y, -w.y);
+  } else {
+    out.n = {0, 0, std::copysign(1.0, -w.z)};
+    out.x.z = std::copysign(h.z, -w.z);
+  }
   return out;
 }
 

@@ -20,16 +20,16 @@ template <Scalar S>
 
 // Of a hit: normal and witnesses at `lower`, the caller's time. n: own axes, from the body to the point.
 template <Scalar S>
-void fill_ray_contact(const RayTarget<S>& target, const Body<S>& point, const RayHit& hit, bool point_is_b, S lower,
+[[gnu::always_inline]] inline void fill_ray_contact(const RayTarget<S>& target, const Body<S>& point, const RayHit& hit, bool point_is_b, S lower,
                       const CastOptions<S>& options, CastResult<S>& out) {
   if (asks_for(options.request, Request::normal | Request::proof)) {
-    const Triple n = target.to_world(((point_is_b ? 1 : -1) / std::sqrt(dot(hit.n, hit.n))) * hit.n);
+    const Triple n = target.to_world(point_is_b ? hit.n : -hit.n);
     out.normal = n.vector().template cast<S>();
   }
   if (!asks_for(options.request, Request::witnesses)) return;
   const double t = double(lower), m = double(options.target_distance);
   // The surface is m from the body.
-  const Triple on_body = m > 0 ? hit.x - (m / std::sqrt(dot(hit.n, hit.n))) * hit.n : hit.x;
+  const Triple on_body = m > 0 ? hit.x - m * hit.n : hit.x;
   (point_is_b ? out.point_a : out.point_b) = target.placed(on_body, t).vector().template cast<S>();
   (point_is_b ? out.point_b : out.point_a) =
       (triple(point.position) + t * triple(point.displacement)).vector().template cast<S>();
@@ -37,7 +37,7 @@ void fill_ray_contact(const RayTarget<S>& target, const Body<S>& point, const Ra
 
 // What the clip says, as a cast's answer; false if nothing is claimed. `target` is of the body that is no point.
 template <Scalar S>
-[[nodiscard]] bool ray_answer(const RayTarget<S>& target, const Body<S>& point, bool point_is_b,
+[[nodiscard, gnu::always_inline]] inline bool ray_answer(const RayTarget<S>& target, const Body<S>& point, bool point_is_b,
                               const CastOptions<S>& options, CastResult<S>& out) {
   const RayHit hit = clip_any(target, path_of(point, options));
   switch (hit.kind) {
@@ -71,9 +71,7 @@ template <Scalar S>
 
 // False: nothing is claimed, and `out` has not changed. The bodies have passed validate().
 template <Scalar S>
-[[nodiscard]] bool ray_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-  if (!is_ray(a, b)) [[likely]]
-    return false;
+[[nodiscard, gnu::noinline]] bool clip_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
   const bool point_is_b = std::holds_alternative<Point<S>>(b.shape);
   const RayTarget<S> target(point_is_b ? a : b);
   if (!ray_answer(target, point_is_b ? b : a, point_is_b, options, out)) return false;
@@ -82,6 +80,11 @@ template <Scalar S>
     if (!asks_for(options.request, Request::normal)) out.normal.setZero();
   }
   return true;
+}
+
+template <Scalar S>
+[[nodiscard]] bool ray_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  return is_ray(a, b) && clip_cast(a, b, options, out);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -66,11 +66,15 @@ template <Scalar S>
 }
 
 template <Scalar S>
-[[nodiscard]] RayHit clip_any(const RayTarget<S>& target, const RayPath<S>& path) {
-  const RayHit sharp = clip_polytope(target, path);
-  if (sharp.kind != RayHit::Kind::open) return sharp;
-  return with_solid(target, path, sharp,
+[[nodiscard, gnu::noinline]] RayHit clip_solid(const RayTarget<S>& target, const RayPath<S>& path) {
+  return with_solid(target, path, RayHit{},
                     [](const auto& solid, const Ray& ray) { return SolidClip(solid, ray).run(); });
+}
+
+template <Scalar S>
+[[nodiscard, gnu::always_inline]] inline RayHit clip_any(const RayTarget<S>& target, const RayPath<S>& path) {
+  const RayHit sharp = clip_polytope(target, path);
+  return sharp.kind != RayHit::Kind::open ? sharp : clip_solid(target, path);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -79,7 +79,7 @@ struct RayHit {
   };
   Kind kind = Kind::open;
   double t = 0;
-  Triple n{0, 0, 0}, x{0, 0, 0};  // hit: own axes; n points outward and has any length
+  Triple n{0, 0, 0}, x{0, 0, 0};  // hit: own axes; n points outward, of length 1
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

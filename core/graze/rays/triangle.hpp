@@ -49,7 +49,7 @@ namespace graze::inline GRAZE_LINKAGE::detail {
     out.kind = Kind::miss;
   } else if (out.t + late < ray.t_max) {
     out.kind = Kind::hit;
-    out.n = rate > 0 ? -N : N;
+    out.n = ((rate > 0 ? -1 : 1) / std::sqrt(dot(N, N))) * N;
     const double one = 1 / rate;
     out.x = (v0 * one) * own[0] + ((v1 * one) * own[1] + (v2 * one) * own[2]);
   }
