@@ -41,6 +41,7 @@
 #include <graze/exact/cast.hpp>
 #include <graze/numeric/rounding.hpp>
 #include <graze/portal/leaving.hpp>
+#include <graze/rays/certified.hpp>
 #include <graze/standard/prove.hpp>
 #include <optional>
 #include <utility>
@@ -590,9 +591,10 @@ CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptio
   }
   const bool proof = asks_for(options.request, Request::proof);
   const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
-  const bool quick = round    ? detail::round_certified(a, b, options, out)
-                     : curved ? detail::curved_certified(a, b, options, out)
-                              : false;
+  const bool quick = detail::ray_certified(a, b, options, out) ||
+                     (round    ? detail::round_certified(a, b, options, out)
+                      : curved ? detail::curved_certified(a, b, options, out)
+                               : false);
   if (quick && !proof) return out;
   detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                                 static_cast<double>(options.target_distance), out.counters);

@@ -10,6 +10,7 @@
 
 #include <graze/cast.hpp>
 #include <graze/exact/answer_cast.hpp>
+#include <graze/rays/exact.hpp>
 
 namespace graze::inline GRAZE_LINKAGE {
 
@@ -18,7 +19,7 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   CastResult<S> out;
   out.method = Method::exact_portal;
   out.invalid = exact::refusal(a, b, options);
-  if (exact::refused(out, a, b, options)) return out;
+  if (exact::refused(out, a, b, options) || detail::ray_exact(a, b, options, out)) return out;
   exact::PassageSearch<S> cast(a, b, out.counters);
   const exact::Answer answer = cast.pass(static_cast<double>(options.t_max));
   exact::answer_cast(cast, answer, options, out);

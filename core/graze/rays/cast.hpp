@@ -1,8 +1,7 @@
 // The cast of a point in tier standard, by the direct clips. False where they leave it open.
 #pragma once
 
-#include <graze/numeric/rounding.hpp>
-#include <graze/rays/clip_any.hpp>
+#include <graze/rays/answer.hpp>
 #include <graze/standard/prove.hpp>
 
 namespace graze::inline GRAZE_LINKAGE::detail {
@@ -18,63 +17,40 @@ template <Scalar S>
   return {point.position, point.displacement, double(options.t_max), double(options.target_distance)};
 }
 
-// Of a hit: normal and witnesses at `lower`, the caller's time. n: own axes, from the body to the point.
+// Of a hit: normal and witnesses at `lower`, the caller's time.
 template <Scalar S>
-[[gnu::always_inline]] inline void fill_ray_contact(const RayTarget<S>& target, const Body<S>& point, const RayHit& hit, bool point_is_b, S lower,
-                      const CastOptions<S>& options, CastResult<S>& out) {
-  if (asks_for(options.request, Request::normal | Request::proof)) {
-    const Triple n = target.to_world(point_is_b ? hit.n : -hit.n);
-    out.normal = n.vector().template cast<S>();
-  }
+[[gnu::always_inline]] inline void fill_ray_contact(const RayTarget<S>& target, const RayPath<S>& path,
+                                                    const RayHit& hit, bool point_is_b, S lower,
+                                                    const CastOptions<S>& options, CastResult<S>& out) {
+  if (asks_for(options.request, Request::normal | Request::proof))
+    out.normal = target.to_world(point_is_b ? hit.n : -hit.n).vector().template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;
-  const double t = double(lower), m = double(options.target_distance);
-  // The surface is m from the body.
-  const Triple on_body = m > 0 ? hit.x - m * hit.n : hit.x;
-  (point_is_b ? out.point_a : out.point_b) = target.placed(on_body, t).vector().template cast<S>();
+  const double t = double(lower);
+  (point_is_b ? out.point_a : out.point_b) = point_on_body(target, path, hit, t).vector().template cast<S>();
   (point_is_b ? out.point_b : out.point_a) =
-      (triple(point.position) + t * triple(point.displacement)).vector().template cast<S>();
-}
-
-// What the clip says, as a cast's answer; false if nothing is claimed. `target` is of the body that is no point.
-template <Scalar S>
-[[nodiscard, gnu::always_inline]] inline bool ray_answer(const RayTarget<S>& target, const Body<S>& point, bool point_is_b,
-                              const CastOptions<S>& options, CastResult<S>& out) {
-  const RayHit hit = clip_any(target, path_of(point, options));
-  switch (hit.kind) {
-    case RayHit::Kind::open:
-      return false;
-    case RayHit::Kind::start:
-      // A start that is deeper than the target distance is one under pass_over, too. Less is not known here.
-      if (options.start_policy == StartPolicy::pass_over && options.target_distance > 0) return false;
-      out.outcome = Outcome::initially_overlapping;
-      out.toi_lower = out.toi_upper = 0;
-      return true;
-    case RayHit::Kind::miss:
-      out.outcome = Outcome::miss;
-      out.toi_lower = out.toi_upper = kInfinity<S>;
-      return true;
-    case RayHit::Kind::hit:
-      break;
-  }
-  const S lower = exact::round_down<S>(hit.t), upper = std::min(exact::round_up<S>(hit.t), options.t_max);
-  if (!(lower >= std::numeric_limits<S>::min() && lower <= upper && upper < kInfinity<S>)) return false;
-  out.outcome = Outcome::hit;
-  out.toi_lower = lower;
-  out.toi_upper = upper;
-  if constexpr (!std::same_as<S, double>) {
-    const Triple w = triple(point.displacement) - triple(target.body().displacement);
-    out.distance = exact::round_up<S>((double(upper) - double(lower)) * std::sqrt(dot(w, w)));
-  }
-  fill_ray_contact(target, point, hit, point_is_b, lower, options, out);
-  return true;
+      (triple(path.origin) + t * triple(path.displacement)).vector().template cast<S>();
 }
 
 // False: nothing is claimed, and `out` has not changed. The bodies have passed validate().
 template <Scalar S>
-[[nodiscard, gnu::noinline]] bool clip_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+[[nodiscard, gnu::noinline]] bool clip_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                            CastResult<S>& out) {
   const bool point_is_b = std::holds_alternative<Point<S>>(b.shape);
   const RayTarget<S> target(point_is_b ? a : b);
-  if (!ray_answer(target, point_is_b ? b : a, point_is_b, options, out)) return false;
+  const RayPath<S> path = path_of(point_is_b ? b : a, options);
+  const RayHit hit = clip_any(target, path);
+  const RayTimes<S> times = times_of<S>(hit, options);
+  if (!times.known) return false;
+  out.outcome = times.outcome;
+  out.toi_lower = times.lower;
+  out.toi_upper = times.upper;
+  if (times.outcome == Outcome::hit) {
+    if constexpr (!std::same_as<S, double>) {
+      const Triple w = triple(path.displacement) - triple(target.body().displacement);
+      out.distance = exact::round_up<S>((double(times.upper) - double(times.lower)) * std::sqrt(dot(w, w)));
+    }
+    fill_ray_contact(target, path, hit, point_is_b, times.lower, options, out);
+  }
   if (asks_for(options.request, Request::proof)) {
     out.proof = prove(a, b, options, out.outcome, out.toi_upper, out.normal, out.counters);
     if (!asks_for(options.request, Request::normal)) out.normal.setZero();
