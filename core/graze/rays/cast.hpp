@@ -6,10 +6,18 @@
 
 namespace graze::inline GRAZE_LINKAGE::detail {
 
-// One body, and no more, is a point.
+template <Scalar S>
+[[nodiscard]] bool has_clip(const Shape<S>& shape) {
+  return std::holds_alternative<Triangle<S>>(shape) || std::holds_alternative<Sphere<S>>(shape) ||
+         std::holds_alternative<Capsule<S>>(shape) || std::holds_alternative<Box<S>>(shape) ||
+         std::holds_alternative<Ellipsoid<S>>(shape) || std::holds_alternative<Cylinder<S>>(shape) ||
+         std::holds_alternative<Cone<S>>(shape);
+}
+// A point against a shape that has a clip.
 template <Scalar S>
 [[nodiscard]] bool is_ray(const Body<S>& a, const Body<S>& b) {
-  return std::holds_alternative<Point<S>>(a.shape) != std::holds_alternative<Point<S>>(b.shape);
+  return (std::holds_alternative<Point<S>>(b.shape) && has_clip(a.shape)) ||
+         (std::holds_alternative<Point<S>>(a.shape) && has_clip(b.shape));
 }
 
 template <Scalar S>

@@ -212,7 +212,7 @@ TEST(Rays, OfTheExactTierAreThoseOfItsWalk) {
 // The standard tier and the certified one, and the certified tier's search under pass_over.
 TEST(Rays, OfSolidsMeetTheSearches) {
   Draw draw{2};
-  int hits = 0, misses = 0, starts = 0;
+  int hits = 0, misses = 0, starts = 0, ties = 0;
   for (int i = 0; i < 20000; ++i) {
     const Shot s = shot(draw, [](Draw& d, const V& h) -> Shape<double> {
       switch (d.bits() % 5) {
@@ -237,10 +237,11 @@ TEST(Rays, OfSolidsMeetTheSearches) {
     if (sure.outcome == Outcome::not_converged) continue;
     if (quick.outcome != sure.outcome) {
       // A tie: the standard tier is on the other side by no more than its limit. The search says the same of its own.
-      options.tolerance = 0;
       ASSERT_NE(quick.outcome, Outcome::not_converged) << i;
-      if (sure.outcome == Outcome::hit)
+      if (sure.outcome == Outcome::hit) {
         ASSERT_TRUE(sure.toi_lower * speed < 256 * kU * scale || quick.outcome == Outcome::miss) << i;
+      }
+      ++ties;
       continue;
     }
     hits += sure.outcome == Outcome::hit;
@@ -261,6 +262,7 @@ TEST(Rays, OfSolidsMeetTheSearches) {
   EXPECT_GT(hits, 5000);
   EXPECT_GT(misses, 3000);
   EXPECT_GT(starts, 500);
+  EXPECT_LT(ties, 400);
 }
 
 }  // namespace
