@@ -133,7 +133,8 @@ class DirectRays {
   [[nodiscard]] bool answer(const RayQuestion& ray, RayAnswer& out) const {
     if (!usable_ || !detail::is_common(ray.origin) || !detail::is_common(ray.displacement)) return false;
     const detail::RayPath<double> path{ray.origin, ray.displacement, options_.t_max, options_.target_distance};
-    const detail::RayHit hit = detail::clip_any(target_, path);
+    detail::RayHit hit;
+    detail::clip_any(target_, path, hit);
     const detail::RayTimes<double> times = detail::times_of<double>(hit, options_);
     if (!times.known) return false;
     out.outcome = times.outcome;

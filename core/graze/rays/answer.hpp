@@ -38,7 +38,7 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] Triple point_on_body(const RayTarget<S>& target, const RayPath<S>& path, const RayHit& hit, double t) {
   const double m = path.target_distance;
-  return target.placed(m > 0 ? hit.x - m * hit.n : hit.x, t);
+  return target.placed(hit.x - m * hit.n, t);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

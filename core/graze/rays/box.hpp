@@ -15,9 +15,8 @@ namespace graze::inline GRAZE_LINKAGE::detail {
 //   slack = 1.01 e |w|_1 / |w_i|.
 // A coordinate that does not change at all, of a box that does not turn, is exact: w_i = 0 is a difference of equal
 // numbers, and o_i - h_i > e says that the ray stays outside.
-[[nodiscard, gnu::noinline]] inline RayHit clip_level_ray(const Triple& h, const Ray& ray, bool turned) {
+[[gnu::noinline]] inline void clip_level_ray(const Triple& h, const Ray& ray, bool turned, RayHit& out) {
   using Kind = RayHit::Kind;
-  RayHit out;
   const double e = ray.doubt, all = sum(magnitude(ray.w));
   double enter = -kInfinity<double>, exit = kInfinity<double>, late_in = 0, late_out = 0;
   int axis = -1;
@@ -26,7 +25,7 @@ namespace graze::inline GRAZE_LINKAGE::detail {
     if (!(std::abs(w) > 0x1p-40 * all)) {
       if (w == 0 && !turned && outside > e) {
         out.kind = Kind::miss;
-        return out;
+        return;
       }
       continue;
     }
@@ -42,40 +41,38 @@ namespace graze::inline GRAZE_LINKAGE::detail {
       late_out = late;
     }
   }
-  if (axis < 0) return out;
+  if (axis < 0) return;
   if (enter - exit > late_in + late_out || exit < -late_out || enter - late_in > ray.t_max) {
     out.kind = Kind::miss;
-    return out;
+    return;
   }
   const double slack = late_in * all;
   std::array<double, 3> x, n{};
   for (int i = 0; i < 3; ++i) {
     x[std::size_t(i)] = ray.o[i] + enter * ray.w[i];
-    if (i != axis && !(h[i] - std::abs(x[std::size_t(i)]) > slack)) return out;
+    if (i != axis && !(h[i] - std::abs(x[std::size_t(i)]) > slack)) return;
   }
-  if (!(enter > late_in && enter + late_in < ray.t_max)) return out;
+  if (!(enter > late_in && enter + late_in < ray.t_max)) return;
   out.kind = Kind::hit;
   out.t = enter;
   n[std::size_t(axis)] = std::copysign(1.0, -ray.w[axis]);
   x[std::size_t(axis)] = std::copysign(h[axis], -ray.w[axis]);
   out.n = {n[0], n[1], n[2]};
   out.x = {x[0], x[1], x[2]};
-  return out;
 }
 
-[[nodiscard, gnu::always_inline]] inline RayHit clip_box(const Triple& h, const Ray& ray, bool turned) {
+[[gnu::always_inline]] inline void clip_box(const Triple& h, const Ray& ray, bool turned, RayHit& out) {
   using Kind = RayHit::Kind;
-  RayHit out;
   const Triple &o = ray.o, &w = ray.w;
   const Triple speed = magnitude(w), out_of = magnitude(o) - h;
   const double all = sum(speed);
   if (greater(greater(out_of.x, out_of.y), out_of.z) < -ray.doubt && ray.t_max > 0 && all > 0) {
     out.kind = Kind::start;
-    return out;
+    return;
   }
   if (!(lesser(lesser(speed.x, speed.y), speed.z) > 0x1p-40 * all && ray.t_max > 0)) {
-    if (all > 0 && ray.t_max > 0) return clip_level_ray(h, ray, turned);
-    return out;
+    if (all > 0 && ray.t_max > 0) clip_level_ray(h, ray, turned, out);
+    return;
   }
   // In units of its speed the box is c +- d along each axis.
   const Triple one{1 / w.x, 1 / w.y, 1 / w.z}, per = magnitude(one);
@@ -88,24 +85,21 @@ namespace graze::inline GRAZE_LINKAGE::detail {
                exit_high = lesser(lesser(out_high.x, out_high.y), out_high.z);
   if (enter_low > exit_high || exit_high < 0 || enter_low > ray.t_max) {
     out.kind = Kind::miss;
-    return out;
+    return;
   }
-  if (!(enter_high < exit_low && enter_low > 0 && enter_high < ray.t_max)) return out;
+  if (!(enter_high < exit_low && enter_low > 0 && enter_high < ray.t_max)) return;
   const double t = greater(greater(in.x, in.y), in.z);
   out.kind = Kind::hit;
   out.t = t;
-  out.x = ray.at(t);
-  if (t == in.x) {
-    out.n = {std::copysign(1.0, -w.x), 0, 0};
-    out.x.x = std::copysign(h.x, -w.x);
-  } else if (t == in.y) {
-    out.n = {0, std::copysign(1.0, -w.y), 0};
-    out.x.y = std::copysign(h.y, -w.y);
-  } else {
-    out.n = {0, 0, std::copysign(1.0, -w.z)};
-    out.x.z = std::copysign(h.z, -w.z);
-  }
-  return out;
+  // By number (ray.hpp). Of an edge either face will do.
+  const bool is_x = t == in.x, is_y = !is_x && t == in.y, is_z = !is_x && !is_y;
+  const double x = std::copysign(1.0, -w.x), y = std::copysign(1.0, -w.y), z = std::copysign(1.0, -w.z);
+  out.n.x = is_x ? x : 0;
+  out.n.y = is_y ? y : 0;
+  out.n.z = is_z ? z : 0;
+  out.x.x = is_x ? x * h.x : o.x + t * w.x;
+  out.x.y = is_y ? y * h.y : o.y + t * w.y;
+  out.x.z = is_z ? z * h.z : o.z + t * w.z;
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -31,7 +31,7 @@ template <Scalar S>
                                                     const RayHit& hit, bool point_is_b, S lower,
                                                     const CastOptions<S>& options, CastResult<S>& out) {
   if (asks_for(options.request, Request::normal | Request::proof))
-    out.normal = target.to_world(point_is_b ? hit.n : -hit.n).vector().template cast<S>();
+    out.normal = target.to_world((point_is_b ? 1.0 : -1.0) * hit.n).vector().template cast<S>();
   if (!asks_for(options.request, Request::witnesses)) return;
   const double t = double(lower);
   (point_is_b ? out.point_a : out.point_b) = point_on_body(target, path, hit, t).vector().template cast<S>();
@@ -46,7 +46,8 @@ template <Scalar S>
   const bool point_is_b = std::holds_alternative<Point<S>>(b.shape);
   const RayTarget<S> target(point_is_b ? a : b);
   const RayPath<S> path = path_of(point_is_b ? b : a, options);
-  const RayHit hit = clip_any(target, path);
+  RayHit hit;
+  clip_any(target, path, hit);
   const RayTimes<S> times = times_of<S>(hit, options);
   if (!times.known) return false;
   out.outcome = times.outcome;

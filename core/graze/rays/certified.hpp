@@ -44,7 +44,8 @@ template <Scalar S>
   const RayTarget<S> target(point_is_b ? a : b);
   const RayPath<S> path = path_of(point_is_b ? b : a, options);
   return with_solid(target, path, false, [&](const auto& solid, const Ray& ray) {
-    RayHit hit = SolidClip(solid, ray).run();
+    RayHit hit;
+    SolidClip(solid, ray).run(hit);
     if (hit.kind == RayHit::Kind::open) return false;
     if (hit.kind == RayHit::Kind::hit) {
       const RoundBracket bracket = bracket_ray(solid, ray, hit);

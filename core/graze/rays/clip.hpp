@@ -30,48 +30,46 @@ class SolidClip {
  public:
   SolidClip(const Solid& solid, const Ray& ray) : solid_(solid), ray_(ray) {}
 
-  [[nodiscard]] RayHit run() const {
+  void run(RayHit& out) const {
     using Kind = RayHit::Kind;
     const Triple &o = ray_.o, &w = ray_.w;
     const double ww = dot(w, w), reach = solid_.reach();
-    RayHit out;
-    if (!(ww > 0) || !(ray_.t_max > 0)) return out;
+    if (!(ww > 0) || !(ray_.t_max > 0)) return;
     if (solid_.contains(o, ray_.doubt)) {
       out.kind = Kind::start;
-      return out;
+      return;
     }
     // From the point of the line that is nearest to the centre, where coordinates are no larger than the solid.
     const double t0 = -dot(o, w) / ww, farthest = reach + 2 * ray_.doubt;
     const Triple p = ray_.at(t0);
     if (dot(p, p) > farthest * farthest) {
       out.kind = Kind::miss;  // p.w is 0 up to the doubt
-      return out;
+      return;
     }
     const RayEntry entry = solid_.enter(p, w);
     out.n = (1 / std::sqrt(dot(entry.n, entry.n))) * entry.n;
     if (entry.missed) {
       const double along = std::abs(dot(out.n, w)) * (reach + ray_.doubt) / std::sqrt(ww);
       if (above(out.n, p) > along) out.kind = Kind::miss;
-      return out;
+      return;
     }
     out.t = t0 + entry.t;
     if (!(out.t > 0)) {
       if (is_behind(p)) out.kind = Kind::miss;
-      return out;
+      return;
     }
-    if (!(dot(out.n, w) < 0)) return out;
+    if (!(dot(out.n, w) < 0)) return;
     const double h = solid_.support(out.n);
-    if (!(dot(out.n, o) > h + ray_.doubt)) return out;
+    if (!(dot(out.n, o) > h + ray_.doubt)) return;
     if (out.t > ray_.t_max) {
       if (above(out.n, ray_.at(ray_.t_max)) > 0) out.kind = Kind::miss;
-      return out;
+      return;
     }
     const Triple x = ray_.at(out.t);
     out.x = solid_.nearest(x);
     const Triple off = x - out.x;
     const double allowed = ray_.doubt / 4;
     if (dot(off, off) <= allowed * allowed && dot(out.n, x) >= h - allowed) out.kind = Kind::hit;
-    return out;
   }
 
  private:

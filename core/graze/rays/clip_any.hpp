@@ -22,7 +22,7 @@ struct RayPath {
 
 // answer(solid, ray), if the shape is a solid of rays/clip.hpp; else what `otherwise` is.
 template <Scalar S, class Result, class Go>
-[[nodiscard, gnu::always_inline]] inline Result with_solid(const RayTarget<S>& target, const RayPath<S>& path,
+[[gnu::always_inline]] inline Result with_solid(const RayTarget<S>& target, const RayPath<S>& path,
                                                            Result otherwise, const Go& go) {
   const Shape<S>& shape = target.body().shape;
   const auto answer = [&](const auto& solid) {
@@ -47,34 +47,34 @@ template <Scalar S, class Result, class Go>
   return otherwise;
 }
 
-// Box and triangle: every answer but `open` is that of the true shapes.
+// Box and triangle: every answer but `open` is that of the true shapes. out: open.
 template <Scalar S>
-[[nodiscard, gnu::always_inline]] inline RayHit clip_polytope(const RayTarget<S>& target, const RayPath<S>& path) {
-  if (path.target_distance > 0) return {};
+[[gnu::always_inline]] inline void clip_polytope(const RayTarget<S>& target, const RayPath<S>& path, RayHit& out) {
+  if (path.target_distance > 0) return;
   if (const auto* box = std::get_if<Box<S>>(&target.body().shape)) {
     const Triple h = triple(box->half_extents);
-    return clip_box(h, target.ray(path.origin, path.displacement, sum(h), path.t_max), target.turned());
-  }
-  if (const auto* triangle = std::get_if<Triangle<S>>(&target.body().shape)) {
+    clip_box(h, target.ray(path.origin, path.displacement, sum(h), path.t_max), target.turned(), out);
+  } else if (const auto* triangle = std::get_if<Triangle<S>>(&target.body().shape)) {
     const std::array<Triple, 3> own = {triple(triangle->a), triple(triangle->b), triple(triangle->c)};
     const auto length = [](const Triple& x) { return sum(magnitude(x)); };
     const double reach = greater(greater(length(own[0]), length(own[1])), length(own[2]));
-    if (!(reach <= 4 * greater(length(own[1] - own[0]), length(own[2] - own[0])))) return {};
-    return clip_triangle(own, target.ray(path.origin, path.displacement, reach, path.t_max));
+    if (reach <= 4 * greater(length(own[1] - own[0]), length(own[2] - own[0])))
+      clip_triangle(own, target.ray(path.origin, path.displacement, reach, path.t_max), out);
   }
-  return {};
 }
 
 template <Scalar S>
-[[nodiscard, gnu::noinline]] RayHit clip_solid(const RayTarget<S>& target, const RayPath<S>& path) {
-  return with_solid(target, path, RayHit{},
-                    [](const auto& solid, const Ray& ray) { return SolidClip(solid, ray).run(); });
+[[gnu::noinline]] void clip_solid(const RayTarget<S>& target, const RayPath<S>& path, RayHit& out) {
+  with_solid(target, path, 0, [&](const auto& solid, const Ray& ray) {
+    SolidClip(solid, ray).run(out);
+    return 0;
+  });
 }
 
 template <Scalar S>
-[[nodiscard, gnu::always_inline]] inline RayHit clip_any(const RayTarget<S>& target, const RayPath<S>& path) {
-  const RayHit sharp = clip_polytope(target, path);
-  return sharp.kind != RayHit::Kind::open ? sharp : clip_solid(target, path);
+[[gnu::always_inline]] inline void clip_any(const RayTarget<S>& target, const RayPath<S>& path, RayHit& out) {
+  clip_polytope(target, path, out);
+  if (out.kind == RayHit::Kind::open) clip_solid(target, path, out);
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

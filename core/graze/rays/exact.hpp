@@ -38,7 +38,8 @@ template <Scalar S>
   const bool of_a = std::holds_alternative<Point<S>>(b.shape);
   const RayTarget<S> target(of_a ? a : b);
   const RayPath<S> path = path_of(of_a ? b : a, options);
-  const RayHit hit = clip_polytope(target, path);
+  RayHit hit;
+  clip_polytope(target, path, hit);
   RayFacet found;
   switch (hit.kind) {
     case RayHit::Kind::open:

@@ -47,8 +47,16 @@ class RayTarget {
     return out;
   }
   [[nodiscard]] bool turned() const { return turned_; }
-  [[nodiscard]] Triple to_world(const Triple& x) const {
-    return turned_ ? Triple{dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)} : x;
+  // By number, here and below: a Triple that is chosen or copied in memory is read 16 bytes at a time, which waits for its
+  // stores.
+  [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
+    double i = x.x, j = x.y, k = x.z;
+    if (turned_) {
+      i = dot(row_[0], x);
+      j = dot(row_[1], x);
+      k = dot(row_[2], x);
+    }
+    return {i, j, k};
   }
   // The body's point x, in its own axes, at time t.
   [[nodiscard]] Triple placed(const Triple& x, double t) const {
@@ -60,8 +68,14 @@ class RayTarget {
     const Mat3<double> r = rotation_matrix(as_double(body_.orientation));
     for (int i = 0; i < 3; ++i) row_[std::size_t(i)] = {r(i, 0), r(i, 1), r(i, 2)};
   }
-  [[nodiscard]] Triple to_own(const Triple& n) const {
-    return turned_ ? n.x * row_[0] + (n.y * row_[1] + n.z * row_[2]) : n;
+  [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
+    double i = n.x, j = n.y, k = n.z;
+    if (turned_) {
+      i = n.x * row_[0].x + (n.y * row_[1].x + n.z * row_[2].x);
+      j = n.x * row_[0].y + (n.y * row_[1].y + n.z * row_[2].y);
+      k = n.x * row_[0].z + (n.y * row_[1].z + n.z * row_[2].z);
+    }
+    return {i, j, k};
   }
 
   const Body<S>& body_;
@@ -78,8 +92,9 @@ struct RayHit {
     hit,    // n supports the body at its point x, and the ray is there at t; both up to half the doubt
   };
   Kind kind = Kind::open;
-  double t = 0;
-  Triple n{0, 0, 0}, x{0, 0, 0};  // hit: own axes; n points outward, of length 1
+  // hit: own axes; n points outward, of length 1. Not set for another kind.
+  double t;
+  Triple n, x;
 };
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail

@@ -17,34 +17,33 @@
 namespace graze::inline GRAZE_LINKAGE::detail {
 
 // own: the corners, the body's axes. ray.doubt is over |o|_1 and the farthest corner's distance.
-[[nodiscard]] inline RayHit clip_triangle(const std::array<Triple, 3>& own, const Ray& ray) {
+inline void clip_triangle(const std::array<Triple, 3>& own, const Ray& ray, RayHit& out) {
   using Kind = RayHit::Kind;
-  RayHit out;
   const Triple& w = ray.w;
   const double all = sum(magnitude(w));
-  if (!(all > 0 && ray.t_max > 0)) return out;
+  if (!(all > 0 && ray.t_max > 0)) return;
   const std::array<Triple, 3> c = {own[0] - ray.o, own[1] - ray.o, own[2] - ray.o};
   const Triple m0 = cross(c[1], c[2]), m1 = cross(c[2], c[0]), m2 = cross(c[0], c[1]);
   const double v0 = dot(w, m0), v1 = dot(w, m1), v2 = dot(w, m2);
   const double size = greater(greater(sum(magnitude(c[0])), sum(magnitude(c[1]))), sum(magnitude(c[2])));
   const double doubt = 16 * all * size * ray.doubt;
   const double low = lesser(lesser(v0, v1), v2), high = greater(greater(v0, v1), v2);
-  if (!(doubt < kInfinity<double>)) return out;
+  if (!(doubt < kInfinity<double>)) return;
   if (low < -doubt && high > doubt) {
     out.kind = Kind::miss;
-    return out;
+    return;
   }
-  if (!(low > doubt || high < -doubt)) return out;
+  if (!(low > doubt || high < -doubt)) return;
   const Triple N = cross(own[1] - own[0], own[2] - own[0]);
   const double height = dot(N, c[0]), rate = v0 + v1 + v2, height_doubt = 16 * size * size * ray.doubt;
-  if (!(std::abs(height) > height_doubt)) return out;
+  if (!(std::abs(height) > height_doubt)) return;
   if ((height > 0) != (rate > 0)) {
     out.kind = Kind::miss;  // behind the start
-    return out;
+    return;
   }
   out.t = height / rate;
   const double late = 1.01 * (height_doubt + out.t * 3 * doubt) / (std::abs(rate) - 3 * doubt);
-  if (!(std::abs(rate) > 4 * doubt)) return out;
+  if (!(std::abs(rate) > 4 * doubt)) return;
   if (out.t - late > ray.t_max) {
     out.kind = Kind::miss;
   } else if (out.t + late < ray.t_max) {
@@ -53,7 +52,6 @@ namespace graze::inline GRAZE_LINKAGE::detail {
     const double one = 1 / rate;
     out.x = (v0 * one) * own[0] + ((v1 * one) * own[1] + (v2 * one) * own[2]);
   }
-  return out;
 }
 
 }  // namespace graze::inline GRAZE_LINKAGE::detail
