@@ -1,8 +1,8 @@
 // The exact arithmetics that core could have used, side by side: the sign of a determinant of three points of
 // C, which is what the exact tier asks when pairs of doubles leave it open.
 //
-//   dyadic      graze/numeric/dyadic.hpp, the choice: one mantissa of as many limbs as it takes, inline
-//   expansion   graze/numeric/expansion.hpp: Shewchuk's sums of doubles
+//   dyadic      graze/detail/numeric/dyadic.hpp, the choice: one mantissa of as many limbs as it takes, inline
+//   expansion   graze/detail/numeric/expansion.hpp: Shewchuk's sums of doubles
 //   boost       Boost.Multiprecision's cpp_int, 1,024 bits inline, then the heap; numbers m 2^e as above
 //
 // Each point is the sum of four given numbers per coordinate (a vertex and a position of either body), so
@@ -12,8 +12,8 @@
 #include <benchmark/benchmark.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
-#include <graze/numeric/dyadic.hpp>
-#include <graze/numeric/expansion.hpp>
+#include <graze/detail/numeric/dyadic.hpp>
+#include <graze/detail/numeric/expansion.hpp>
 #include <vector>
 
 #include "corpus/random.hpp"

@@ -11,7 +11,7 @@
 #include <ctime>
 #include <functional>
 #include <graze/cast.hpp>
-#include <graze/rotating/moving_pair.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
 #include <graze/rotating_cast.hpp>
 #include <numeric>
 

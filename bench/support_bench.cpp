@@ -4,7 +4,7 @@
 //
 // Supports one after the other, each along a direction of its own: what waits for its answer waits longer.
 #include <benchmark/benchmark.h>
-#include <graze/support/leaf.hpp>
+#include <graze/detail/shapes/leaf.hpp>
 
 #include "tests/shared/large_hulls.hpp"
 
@@ -48,10 +48,10 @@ void rounded(benchmark::State& state, Family family, bool mapped) {
 template <class S>
 void guessed(benchmark::State& state, Family family) {
   const Scene<S> scene(family, static_cast<int>(state.range(0)));
-  const float* x = scene.plain.guess_scan(0);
+  const float* x = scene.plain.approximate_scan(0);
   const std::size_t size = scene.plain.padded_size();
   run<S>(state, scene, [&](const Vec3<S>& n) {
-    return detail::guess_scan(x, size, float(n[0]), float(n[1]), float(n[2]));
+    return detail::approximate_scan(x, size, float(n[0]), float(n[1]), float(n[2]));
   });
 }
 
@@ -65,7 +65,7 @@ void guessed_by_map(benchmark::State& state, Family family) {
     DirectionMap::List list{};
     const float x = float(n[0]), y = float(n[1]), z = float(n[2]);
     if (!map.find(x, y, z, list)) return 0u;
-    return list.vertex[detail::guess_scan(list.xyz, list.size, x, y, z)];
+    return list.vertex[detail::approximate_scan(list.xyz, list.size, x, y, z)];
   });
   for (const Vec3<S>& n : scene.directions) {
     DirectionMap::List list{};

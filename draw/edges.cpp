@@ -1,7 +1,7 @@
 // The lines on a body that a viewer sees: edges of polytopes, rims of cylinders and cones.
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <graze/support/quickhull.hpp>
+#include <graze/detail/shapes/quickhull.hpp>
 #include <map>
 #include <numbers>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/support/tree.hpp>
+#include <graze/detail/shapes/shape_tree.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>

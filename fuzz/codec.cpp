@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 
 namespace graze::fuzz {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/support/leaf.hpp>
+#include <graze/detail/shapes/leaf.hpp>
 #include <map>
 #include <set>
 

@@ -24,7 +24,7 @@ constexpr const char* kBestTurning = "bilateral/double";
 struct Effort {
   std::size_t smooth, turning, polytopes, points, requests, queries;
 };
-constexpr Effort kQuick = {24, 12, 32, 12, 32, 48}, kThorough = {192, 64, 256, 64, 128, 256};
+constexpr Effort kFast = {24, 12, 32, 12, 32, 48}, kThorough = {192, 64, 256, 64, 128, 256};
 
 // A case of the corpus' families whose numbers are then floats, one level after the other.
 std::function<Case(Random&, std::size_t)> of_families(std::vector<const char*> names, double first,
@@ -339,7 +339,7 @@ void add_queries(std::vector<Topic>& out, const Effort& effort) {
 }  // namespace
 
 std::vector<Topic> topics(bool thorough) {
-  const Effort& effort = thorough ? kThorough : kQuick;
+  const Effort& effort = thorough ? kThorough : kFast;
   std::vector<Topic> out;
   add_smooth(out, effort);
   add_turning(out, effort);

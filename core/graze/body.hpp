@@ -3,7 +3,7 @@
 
 #include <graze/shape.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // World position of the body's point x at time t (linear motion):
 //   position + R(orientation) x + t displacement.
@@ -16,4 +16,4 @@ struct Body {
   Vec3<S> displacement = Vec3<S>::Zero();  // length per unit of t
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

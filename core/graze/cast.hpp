@@ -11,13 +11,13 @@
 //                 kLinearCertifiedWidth of scale wide.
 // Tier exact      the TOI of the true shapes, correctly rounded: toi_lower the largest S not above it,
 //                 toi_upper the least not below. Of points, segments, triangles, boxes, hulls, and what
-//                 posed, sum and swept make of them, without a target distance (exact/cast.hpp).
+//                 posed, sum and swept make of them, without a target distance (casts/exact_cast.hpp).
 #pragma once
 
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // By options.tier, and in tier standard by options.method, or the one that result.hpp says is best.
 template <Scalar S>
@@ -42,8 +42,8 @@ CastResult<S> cast_exact(const Body<S>& a, const Body<S>& b, const CastOptions<S
 // is below 100 u for shapes whose numbers are of similar size.
 inline constexpr double kLinearCertifiedWidth = 1e-12;
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/standard/cast.hpp>
+#include <graze/detail/casts/standard_cast.hpp>
 #endif

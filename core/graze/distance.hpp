@@ -11,7 +11,7 @@
 #include <graze/result.hpp>
 #include <graze/warm_start.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
 struct DistanceOptions {
@@ -40,8 +40,8 @@ template <Scalar S>
 DistanceResult<S> distance(const Prepared<S>& a, const Prepared<S>& b,
                            const DistanceOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/queries/distance.hpp>
+#include <graze/detail/queries/distance_query.hpp>
 #endif

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <graze/body.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S, int kOptions>
 Quaternion<S> orientation_of(const Eigen::Transform<S, 3, Eigen::Isometry, kOptions>& pose) {
@@ -33,4 +33,4 @@ Shape<S> posed(std::type_identity_t<Shape<S>> shape,
   return posed<S>(std::move(shape), Vec3<S>(pose.translation()), orientation_of(pose));
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -19,10 +19,10 @@
 #include <span>
 #include <vector>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
-struct HullGraph;  // support/hull_graph.hpp
+struct HullGraph;  // shapes/hull_graph.hpp
 
 // Points one after the other in memory: a vector, an array or a span of Vec3<float> or Vec3<double>, which
 // are Eigen::Vector3f and Eigen::Vector3d.
@@ -75,7 +75,7 @@ class Hull {
     return from.data() + static_cast<std::size_t>(axis) * data_->padded;
   }
   // The same in float, for a first guess.
-  [[nodiscard]] const float* guess_scan(int axis) const {
+  [[nodiscard]] const float* approximate_scan(int axis) const {
     if constexpr (std::same_as<S, float>) {
       return choice_scan(axis);
     } else {
@@ -155,9 +155,9 @@ auto with_faces(const Points& vertices, std::span<const std::vector<std::uint32_
   return with_faces<S>(std::span<const Vec3<S>>(vertices), faces);
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/hull_data.hpp>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_data.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #endif

@@ -6,7 +6,7 @@
 #include <graze/result.hpp>
 #include <string>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
@@ -74,4 +74,4 @@ namespace detail {
   return text.append(detail::predicate_of(at));
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -2,14 +2,14 @@
 //
 // Nothing is clipped: t may be negative, and [0, t_max] plays no part. At rest (v = 0) it is all of R or
 // nothing. By portals: one where the line {t v} enters C, one where it leaves, seen from behind
-// (portal/portal.hpp). Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for
+// (search/robust/portal.hpp). Inputs: bodies in world axes, the caller's units. Guarantee: the answer is true for
 // some convex set within kappa u scale of C (docs/guarantees.md), as the MPR sweep's; each end is a bracket.
 #pragma once
 
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
 struct LineOptions {
@@ -40,9 +40,9 @@ LineResult<S> line(const Body<S>& a, const Body<S>& b, const LineOptions<S>& opt
 template <Scalar S>
 LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/exact/queries.hpp>
-#include <graze/queries/line.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
+#include <graze/detail/queries/line_query.hpp>
 #endif

@@ -32,12 +32,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace graze::inline GRAZE_LINKAGE::detail {
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 [[noreturn]] inline void assertion_failed(const char* text, const char* file, int line) {
   std::fprintf(stderr, "%s:%d: graze relies on %s\n", file, line, text);
   std::abort();
 }
-}  // namespace graze::inline GRAZE_LINKAGE::detail
+}}}  // namespace graze::GRAZE_LINKAGE::detail
 #define GRAZE_ASSERTION_FAILED(text, file, line) ::graze::detail::assertion_failed(text, file, line)
 #endif
 #define GRAZE_ASSERT(...) \

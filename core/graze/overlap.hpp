@@ -8,7 +8,7 @@
 #include <graze/result.hpp>
 #include <graze/warm_start.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
 struct OverlapResult {
@@ -36,9 +36,9 @@ OverlapResult<S> overlap_gjk(const Prepared<S>& a, const Prepared<S>& b, const W
 template <Scalar S>
 OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b);
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/exact/queries.hpp>
-#include <graze/queries/overlap.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
+#include <graze/detail/queries/overlap_query.hpp>
 #endif

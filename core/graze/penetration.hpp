@@ -1,7 +1,7 @@
 // penetration(A, B) = how deep two bodies in contact are in each other at t = 0.
 //
 //   least:  min over unit n of h(n), h(n) = max over C of n.c. Moving B by h(n) n makes them only touch, and
-//           no shorter move does. By EPA (gjk/epa.hpp).
+//           no shorter move does. By EPA (search/robust/epa.hpp).
 //   along d:  max {s : s d/|d| in C}: moving B by that much along d. By MPR, the far end of a line in C.
 //
 // Units: the caller's length, world axes; the normal from A to B. Touching is contact, of depth 0; a C of
@@ -17,7 +17,7 @@
 #include <graze/prepared.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
 struct PenetrationOptions {
@@ -60,8 +60,8 @@ template <Scalar S>
 PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const Vec3<S>& direction,
                                        const PenetrationOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/queries/penetration.hpp>
+#include <graze/detail/queries/penetration_query.hpp>
 #endif

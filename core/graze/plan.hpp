@@ -4,7 +4,7 @@
 #include <graze/result.hpp>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // From the cheapest to the dearest.
 enum class Effects : std::uint8_t {
@@ -84,4 +84,4 @@ struct Plan {
   }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -10,10 +10,10 @@
 #include <graze/result.hpp>
 #include <memory>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
-struct PreparedBody;  // support/prepared_body.hpp
+struct PreparedBody;  // pairs/prepared_body.hpp
 
 template <Scalar S>
 class Prepared {
@@ -30,8 +30,8 @@ class Prepared {
   std::shared_ptr<const PreparedBody<S>> inner_;
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/prepared_body.hpp>
+#include <graze/detail/pairs/prepared_body.hpp>
 #endif

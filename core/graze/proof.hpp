@@ -19,7 +19,7 @@
 #include <graze/scalar.hpp>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // A point of a posed body at t = 0, named so that it is exact:
 //   position + R(orientation) x + offset,    x the vertex of the shape's core with that index (shape.hpp).
@@ -75,4 +75,4 @@ struct Proof {
   std::array<SupportPair, 4> portal;
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -8,14 +8,14 @@
 #include <optional>
 #include <string_view>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 enum class Outcome : std::uint8_t {
   initially_overlapping,  // contact at t = 0, touching included; TOI 0
   hit,                    // TOI in (0, T]
   miss,                   // no contact in [0, T]
   not_converged,  // neither is shown; the bracket is what is known. Tier certified of linear casts: a tie,
-                  // the bodies within the promised width of contact at toi_lower (certified/cast.hpp)
+                  // the bodies within the promised width of contact at toi_lower (casts/certified_cast.hpp)
   invalid_input,  // CastResult::invalid says why, invalid_at where
 };
 [[nodiscard]] constexpr std::string_view to_text(Outcome outcome) {
@@ -59,7 +59,7 @@ enum class Method : std::uint8_t {
 
 // standard: true for some convex set within kappa u scale of C, by the method that the options name.
 // certified: a bracket proved for the true shapes, rounding included (docs/guarantees.md says how wide).
-// exact: of the true shapes, correctly rounded (exact/cast.hpp); for polytopes without a target
+// exact: of the true shapes, correctly rounded (casts/exact_cast.hpp); for polytopes without a target
 // distance.
 enum class Tier : std::uint8_t { standard, certified, exact };
 [[nodiscard]] constexpr std::string_view to_text(Tier tier) {
@@ -341,4 +341,4 @@ struct CastResult {
   Counters counters;
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

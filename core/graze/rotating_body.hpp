@@ -3,7 +3,7 @@
 
 #include <graze/body.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // World position of the body's point x at time t, with x_0 = position + R(orientation) x at t = 0:
 //   R(t rotation) (x_0 - c) + c + t displacement,     c = position + R(orientation) pivot.
@@ -15,4 +15,4 @@ struct RotatingBody {
   Vec3<S> pivot = Vec3<S>::Zero();     // centre of the rotation, in the body's own frame
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

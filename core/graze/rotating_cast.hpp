@@ -8,7 +8,7 @@
 
 #include <graze/rotating_result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <Scalar S>
 RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
@@ -18,8 +18,8 @@ RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
 template <Scalar S>
 Plan plan(const RotatingBody<S>& a, const RotatingBody<S>& b, const RotatingOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/rotating/cast.hpp>
+#include <graze/detail/rotating/rotating_search.hpp>
 #endif

@@ -26,7 +26,7 @@
 #include <graze/proof.hpp>
 #include <vector>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 enum class AxisFrame : std::uint8_t { world, a, b };
 [[nodiscard]] constexpr std::string_view to_text(AxisFrame frame) {
@@ -66,4 +66,4 @@ struct RotatingProof {
   std::array<double, kContactPairs> weight = {};
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -5,7 +5,7 @@
 #include <graze/rotating_body.hpp>
 #include <graze/rotating_proof.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 enum class RotatingMethod : std::uint8_t {
   time_steps,                // overlap tests at equal steps; may miss what happens between two
@@ -69,4 +69,4 @@ struct RotatingResult {
   Counters counters;
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

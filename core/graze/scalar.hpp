@@ -12,10 +12,10 @@
 #include <limits>
 
 #ifndef GRAZE_COMPILED
-#include <graze/numeric/flags.hpp>
+#include <graze/detail/numeric/flags.hpp>
 #endif
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 template <class S>
 concept Scalar = std::same_as<S, float> || std::same_as<S, double>;
@@ -78,4 +78,4 @@ struct Quaternion {
   [[nodiscard]] bool is_identity() const { return x == 0 && y == 0 && z == 0; }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -11,7 +11,7 @@
 #include <graze/hull.hpp>
 #include <variant>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 // {0}. Vertex 0.
 template <Scalar S>
@@ -158,8 +158,8 @@ Shape<S> swept(Shape<S> shape, const Vec3<S>& displacement) {
   return sum<S>(std::move(shape), Segment<S>{Vec3<S>::Zero(), displacement});
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/shape_copies.hpp>
+#include <graze/detail/shapes/shape_copies.hpp>
 #endif

@@ -16,7 +16,7 @@
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 enum class SweptMethod : std::uint8_t { gjk, mpr, before_after };
 [[nodiscard]] constexpr std::string_view to_text(SweptMethod method) {
@@ -62,9 +62,9 @@ template <Scalar S>
 SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
                                           const SweptOverlapOptions<S>& options = {});
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/exact/queries.hpp>
-#include <graze/queries/swept_overlap.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
+#include <graze/detail/queries/swept_overlap_query.hpp>
 #endif

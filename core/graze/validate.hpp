@@ -8,7 +8,7 @@
 #include <graze/body.hpp>
 #include <graze/result.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 inline constexpr double kLeastMagnitude = 1e-60;
 inline constexpr double kGreatestMagnitude = 1e60;
@@ -22,8 +22,8 @@ Invalid validate(const CastOptions<S>& options);
 template <Scalar S>
 Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options);
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE
 
 #ifndef GRAZE_COMPILED
-#include <graze/support/validate.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #endif

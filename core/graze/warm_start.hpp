@@ -9,7 +9,7 @@
 #include <array>
 #include <graze/scalar.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 struct WarmStart {
   Vec3<double> axis = Vec3<double>::Zero();  // world axes, any length; 0: none
@@ -23,4 +23,4 @@ struct WarmStart {
   }
 };
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -1,10 +1,10 @@
 // Tier certified.
-#include <graze/certified/cast.hpp>
-#include <graze/numeric/flags.hpp>
+#include <graze/detail/casts/certified_cast.hpp>
+#include <graze/detail/numeric/flags.hpp>
 
 #include "elsewhere.hpp"
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S) \
   template CastResult<S> cast_certified(const Body<S>&, const Body<S>&, const CastOptions<S>&);
@@ -12,4 +12,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -6,7 +6,7 @@
 
 #include <graze/cast.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_ELSEWHERE(S)                                                                         \
   extern template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
@@ -17,4 +17,4 @@ GRAZE_ELSEWHERE(double)
 
 #undef GRAZE_ELSEWHERE
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

@@ -1,9 +1,9 @@
 // Tier exact: casts, and the queries that it answers.
-#include <graze/exact/cast.hpp>
-#include <graze/exact/queries.hpp>
-#include <graze/numeric/flags.hpp>
+#include <graze/detail/casts/exact_cast.hpp>
+#include <graze/detail/numeric/flags.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                  \
   template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
@@ -15,4 +15,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

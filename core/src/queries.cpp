@@ -1,12 +1,12 @@
 // Distance, penetration, overlap, a line, a swept overlap.
-#include <graze/numeric/flags.hpp>
-#include <graze/queries/distance.hpp>
-#include <graze/queries/line.hpp>
-#include <graze/queries/overlap.hpp>
-#include <graze/queries/penetration.hpp>
-#include <graze/queries/swept_overlap.hpp>
+#include <graze/detail/numeric/flags.hpp>
+#include <graze/detail/queries/distance_query.hpp>
+#include <graze/detail/queries/line_query.hpp>
+#include <graze/detail/queries/overlap_query.hpp>
+#include <graze/detail/queries/penetration_query.hpp>
+#include <graze/detail/queries/swept_overlap_query.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                                 \
   template DistanceResult<S> distance(const Body<S>&, const Body<S>&, const DistanceOptions<S>&);          \
@@ -32,4 +32,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

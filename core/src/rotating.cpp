@@ -1,8 +1,8 @@
 // Rotating casts.
-#include <graze/numeric/flags.hpp>
-#include <graze/rotating/cast.hpp>
+#include <graze/detail/numeric/flags.hpp>
+#include <graze/detail/rotating/rotating_search.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                        \
   template RotatingResult<S> cast(const RotatingBody<S>&, const RotatingBody<S>&, \
@@ -12,4 +12,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

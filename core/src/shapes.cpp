@@ -1,11 +1,11 @@
 // Shapes, hulls and their graphs, and the check of every input.
-#include <graze/numeric/flags.hpp>
-#include <graze/support/hull_data.hpp>
-#include <graze/support/hull_graph.hpp>
-#include <graze/support/shape_copies.hpp>
-#include <graze/support/validate.hpp>
+#include <graze/detail/numeric/flags.hpp>
+#include <graze/detail/shapes/hull_data.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
+#include <graze/detail/shapes/shape_copies.hpp>
+#include <graze/detail/shapes/validation.hpp>
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                            \
   template class Hull<S>;                                                                             \
@@ -19,4 +19,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

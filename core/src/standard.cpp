@@ -1,10 +1,10 @@
 // Tier standard, and the choice of a tier.
-#include <graze/numeric/flags.hpp>
-#include <graze/standard/cast.hpp>
+#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/numeric/flags.hpp>
 
 #include "elsewhere.hpp"
 
-namespace graze::inline GRAZE_LINKAGE {
+namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_INSTANCES(S)                                                                    \
   template CastResult<S> cast(const Body<S>&, const Body<S>&, const CastOptions<S>&);         \
@@ -16,4 +16,4 @@ namespace graze::inline GRAZE_LINKAGE {
 GRAZE_INSTANCES(float)
 GRAZE_INSTANCES(double)
 
-}  // namespace graze::inline GRAZE_LINKAGE
+}}  // namespace graze::GRAZE_LINKAGE

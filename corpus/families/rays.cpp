@@ -26,7 +26,8 @@ Vec3<double> feature(Random& random, const Shape<double>& shape) {
   }
   const Vec3<double> x = middle_or_side(random, shape);
   if (const auto* cylinder = std::get_if<Cylinder<double>>(&shape)) {
-    const double z = random.once_in(2) ? cylinder->half_height : random.uniform(-1, 1) * cylinder->half_height;
+    const double z =
+        random.once_in(2) ? cylinder->half_height : random.uniform(-1, 1) * cylinder->half_height;
     return {0.6 * cylinder->radius, 0.8 * cylinder->radius, z};
   }
   if (const auto* cone = std::get_if<Cone<double>>(&shape)) {

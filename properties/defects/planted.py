@@ -10,13 +10,13 @@ ADDED_BY = {"linear": "add_linear_methods", "query": "add_query_methods", "rotat
 # Entries of core in double, by the header that defines them. One whose header does not include, however deep,
 # what a patch changes is the same with the defect, and is taken from the library.
 ENTRIES = {
-    "graze/exact/cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
-    "graze/certified/cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
-    "graze/standard/cast.hpp": ("CastResult", "cast", "CastOptions"),
-    "graze/queries/distance.hpp": ("DistanceResult", "distance", "DistanceOptions"),
-    "graze/queries/line.hpp": ("LineResult", "line", "LineOptions"),
-    "graze/queries/penetration.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
-    "graze/queries/swept_overlap.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
+    "graze/detail/casts/exact_cast.hpp": ("CastResult", "cast_exact", "CastOptions"),
+    "graze/detail/casts/certified_cast.hpp": ("CastResult", "cast_certified", "CastOptions"),
+    "graze/detail/casts/standard_cast.hpp": ("CastResult", "cast", "CastOptions"),
+    "graze/detail/queries/distance_query.hpp": ("DistanceResult", "distance", "DistanceOptions"),
+    "graze/detail/queries/line_query.hpp": ("LineResult", "line", "LineOptions"),
+    "graze/detail/queries/penetration_query.hpp": ("PenetrationResult", "penetration", "PenetrationOptions"),
+    "graze/detail/queries/swept_overlap_query.hpp": ("SweptOverlapResult", "swept_overlap", "SweptOverlapOptions"),
 }
 CLASS_LETTERS = "ABCDEFGHIJKL"
 

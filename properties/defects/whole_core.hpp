@@ -2,14 +2,14 @@
 // alone, and comes before the library where the two are linked: so a defect in the headers is in the program.
 #pragma once
 
-#include <graze/exact/queries.hpp>
-#include <graze/queries/distance.hpp>
-#include <graze/queries/line.hpp>
-#include <graze/queries/overlap.hpp>
-#include <graze/queries/penetration.hpp>
-#include <graze/queries/swept_overlap.hpp>
-#include <graze/rotating/cast.hpp>
-#include <graze/standard/cast.hpp>
-#include <graze/support/hull_data.hpp>
-#include <graze/support/hull_graph.hpp>
-#include <graze/support/validate.hpp>
+#include <graze/detail/casts/standard_cast.hpp>
+#include <graze/detail/queries/distance_query.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
+#include <graze/detail/queries/line_query.hpp>
+#include <graze/detail/queries/overlap_query.hpp>
+#include <graze/detail/queries/penetration_query.hpp>
+#include <graze/detail/queries/swept_overlap_query.hpp>
+#include <graze/detail/rotating/rotating_search.hpp>
+#include <graze/detail/shapes/hull_data.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
+#include <graze/detail/shapes/validation.hpp>

@@ -1,7 +1,7 @@
 #include "properties/edit/same_body.hpp"
 
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #include <utility>
 
 namespace graze::law {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #include <utility>
 #include <vector>
 

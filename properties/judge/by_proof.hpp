@@ -1,5 +1,5 @@
 // What an accepted proof settles about an answer, in double. Every bound is rounded up by kSlack, and the
-// scale down: what is then still within the limit is so without doubt; the rest is the oracle's.
+// scale down: what is then still within the limit is so without predicate_error; the rest is the oracle's.
 #pragma once
 
 #include "properties/judge/judgement.hpp"

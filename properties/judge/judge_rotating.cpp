@@ -25,7 +25,7 @@ enum class Open { nothing, width, anything };
 
 // With l <= TOI <= u proved and V the top speed of a point of one body against the other: the bodies are no
 // farther apart at t than (u - t) V, and before t no deeper in each other than (t - l) V. Both are rounded
-// outward, and so is the comparison: what is then within the row is so without doubt.
+// outward, and so is the comparison: what is then within the row is so without predicate_error.
 Open left_open_by(const ProvedBracket& proved, const Answer& answer, const Limits& limits) {
   const auto way = [&](double from, double to) {
     return std::max(0.0, to - from) * limits.speed * kSlack * kSlack;

@@ -12,7 +12,7 @@ namespace graze::law {
 // A length, kOwnFramesOfCertified of that. Points of tier certified are known within 2^-95 of the lengths that a shape is made of, for each
 // of its nodes (named_point.hpp), a portal's corners across the line within e, four times that, and it takes
 // a triangle whose area is 16 times the 3 * 8 e m that its sides of length m may be off by
-// (certified/portal.hpp): one that is 2^9 e high. Axes of proofs lose less: 2^-90 of those lengths
+// (proving/certified_portal.hpp): one that is 2^9 e high. Axes of proofs lose less: 2^-90 of those lengths
 // (prove.hpp).
 [[nodiscard]] double unseen_of_own_frames(const corpus::Case& problem);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 
 #include "corpus/families.hpp"
 #include "corpus/random.hpp"

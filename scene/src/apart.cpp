@@ -5,9 +5,9 @@
 //   neither turns   the gap is linear in t: s_0 > 0 and s_1 > 0 prove all between;
 //   one turns       every point stays within M t (T - t) / 2 of its chord along n, M <= |w| |n x w| rho of each body, so
 //                   sqrt(s_0) + sqrt(s_1) > T sqrt(M / 2) proves all between (rotating/slice.hpp).
-// A turn that nobody sees (mobility.hpp: no point of the body, as a set, gets farther than its sway from where the
-// linear motion has it) is not followed: the linear motion's body grown by the sway holds the body. So is one of more
-// than kMostAngle where the sway is less than the ball about the pivot; else that ball stands for the core.
+// A turn that nobody sees (mobility.hpp: no point of the body, as a set, gets farther than its rotation_displacement from where the
+// linear motion has it) is not followed: the linear motion's body grown by the rotation_displacement holds the body. So is one of more
+// than kMostAngle where the rotation_displacement is less than the ball about the pivot; else that ball stands for the core.
 //
 // Contact is asked at t = 0 alone, whatever the turn. Points w_i of C, each within e of where it is computed. If the
 // computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
@@ -17,8 +17,8 @@
 // Rounding. Entries of R are within 9 u, those of the turned one within (48 + 8 angle) u: the half angle within 2 u of
 // itself, a product of quaternions, and 9 u. A point, three products of a row, a direction turned back at either of two
 // vertices that are compared: (288 + 48 angle) u of the core's size; positions, ways and pivots are sums of at most six
-// terms. All are below 512 u (1 + angle) of L, the sum of the lengths. What a side chooses or rounds itself is its slip
-// and its blur (side.hpp), taken four times for three coordinates and two points.
+// terms. All are below 512 u (1 + angle) of L, the sum of the lengths. What a side chooses or rounds itself is its support_error
+// and its point_error (side.hpp), taken four times for three coordinates and two points.
 //
 // The margin. A cast answers by the verdict where clearance and depth exceed the tier's width: kLinearCertifiedWidth of
 // scale; of turning bodies 1e-9 (kCertifiedTurningWidth), or the caller's tolerance. Standard methods answer within
@@ -26,8 +26,8 @@
 #include "apart.hpp"
 
 #include <Eigen/Geometry>
-#include <graze/gjk/gjk.hpp>
-#include <graze/rotating/mobility.hpp>
+#include <graze/detail/rotating/mobility.hpp>
+#include <graze/detail/search/robust/gjk.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,9 @@ namespace {
 constexpr double u = kUnitRoundoff<double>;
 constexpr double kUp = 1 + 0x1p-40;  // above what a few roundings leave
 constexpr double kMostAngle = 1;     // radians of a step
-constexpr double kUnseen = 0x1p-36;  // of a body's size: a turn of less sway is not worth following
-constexpr int kBudget = 24;          // supports of a search; what needs more is cast
+constexpr double kUnseen =
+    0x1p-36;                 // of a body's size: a turn of less rotation_displacement is not worth following
+constexpr int kBudget = 24;  // supports of a search; what needs more is cast
 
 Vec3<double> zero() { return Vec3<double>::Zero(); }
 
@@ -69,10 +70,11 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
   if (turns) {
     const Mat3<double> accurate = detail::accurate_rotation_matrix(body.orientation);
     const detail::Bounds own = detail::bounds(detail::unwrapped<double>(body.shape));
-    const double sway = detail::mobility(moving, moving.pivot, own, unit, accurate).sway(limits.t_end) * kUp;
+    const double rotation_displacement =
+        detail::mobility(moving, moving.pivot, own, unit, accurate).rotation_displacement(limits.t_end) * kUp;
     const bool follows = angle <= kMostAngle;
-    if (sway <= (follows ? kUnseen * size : rho)) {
-      swept += sway;
+    if (rotation_displacement <= (follows ? kUnseen * size : rho)) {
+      swept += rotation_displacement;
       turns = false;
     } else if (!follows) {
       center[0] = position + unit * (rotation[0] * moving.pivot);
@@ -93,7 +95,7 @@ StepBody::StepBody(const RotatingBody<double>& moving, const StepLimits& limits)
   const double lengths = position.cwiseAbs().sum() + way.cwiseAbs().sum() + rho + radius +
                          unit * (bounds.center.cwiseAbs().sum() + moving.pivot.cwiseAbs().sum() +
                                  bounds.middle.cwiseAbs().sum() + core);
-  error = 512 * u * (1 + (turns ? angle : 0.0)) * lengths + 4 * (side.slip + side.blur);
+  error = 512 * u * (1 + (turns ? angle : 0.0)) * lengths + 4 * (side.support_error + side.point_error);
 }
 
 StepPair::StepPair(const StepBody& a, const StepBody& b, const StepLimits& limits, Counters& counters)

@@ -3,10 +3,10 @@
 // search for such an axis, or such points.
 #pragma once
 
+#include <graze/detail/pairs/side.hpp>
 #include <graze/result.hpp>
 #include <graze/rotating_body.hpp>
 #include <graze/scene/memory.hpp>
-#include <graze/support/side.hpp>
 
 namespace graze::scene {
 

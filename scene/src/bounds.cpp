@@ -5,7 +5,7 @@
 //
 //   linear    c = p + R m,        h_i = sum_j |R_ij| e_j + r
 //   turning   c = p + R pivot,    h_i = |points - pivot| + r at any angle,
-//   or        the linear motion's c and h, with the sway: no point gets farther than min(|w| t, 2) times its
+//   or        the linear motion's c and h, with the rotation_displacement: no point gets farther than min(|w| t, 2) times its
 //             distance from the pivot from where the linear motion has it.
 //
 // Rounding. Entries of R are within 9 u (offset.hpp) of theirs, |R_ij| <= 1. A component of R m has three
@@ -14,7 +14,7 @@
 // of L = |p|_1 + |m|_1 + |e|_1 + |pivot|_1 + r, of which 32 u are added to h. At the end c + v t: within
 // 2 u (|c| + |v| t). A difference c - h rounds by u (|c| + h): 8 u of both are taken off. 2^-1000 stands for
 // what underflows.
-#include <graze/rotating/mobility.hpp>
+#include <graze/detail/rotating/mobility.hpp>
 
 #include <graze/scene/swept_box.hpp>
 
@@ -61,13 +61,13 @@ SweptBox sweep(const CoreBox& own, const Body<double>& body, const Turn& turn, d
   if (!(angle > 0)) return box_of(c, way, h);
 
   const double reach = ((own.middle - turn.pivot).cwiseAbs() + own.half).norm() * (1 + 16 * kRoundoff) + more;
-  const double sway = std::min(angle, 2.0) * reach * (1 + 16 * kRoundoff);
+  const double rotation_displacement = std::min(angle, 2.0) * reach * (1 + 16 * kRoundoff);
   const double ball = (reach + own.radius) * (1 + 16 * kRoundoff);
-  if (3 * ball <= h.sum() + 3 * sway) {
+  if (3 * ball <= h.sum() + 3 * rotation_displacement) {
     const Vec3<double> pivot = body.position + R * turn.pivot;
     return box_of(pivot, way, Vec3<double>::Constant(ball));
   }
-  return box_of(c, way, h + Vec3<double>::Constant(sway));
+  return box_of(c, way, h + Vec3<double>::Constant(rotation_displacement));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <graze/cast_all.hpp>
 
-#include <graze/rays/answer.hpp>
+#include <graze/detail/rays/ray_answer.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/scene/swept_box.hpp>
-#include <graze/support/validate.hpp>
 
 #include <algorithm>
 #include <new>
@@ -31,7 +31,7 @@ void answer_by(CastResult<double>& answer, const Make& make) {
 
 // The exact tier refuses curved bodies, however far apart.
 bool is_known_to(Tier tier, const Body<double>& body) {
-  return tier != Tier::exact || detail::is_quick(body.shape);
+  return tier != Tier::exact || detail::has_fast_search(body.shape);
 }
 
 // Is "miss" the whole answer of a cast of the body against anything that stays clear of it? A proof has an axis, too.
@@ -123,7 +123,7 @@ class RayFilter {
   bool usable_;
 };
 
-// The casts that a direct clip answers (rays/cast.hpp), of a body that is prepared once.
+// The casts that a direct clip answers (rays/ray_cast.hpp), of a body that is prepared once.
 class DirectRays {
  public:
   DirectRays(const Body<double>& body, const CastOptions<double>& options)
@@ -132,7 +132,8 @@ class DirectRays {
   // False: `out` has not changed.
   [[nodiscard]] bool answer(const RayQuestion& ray, RayAnswer& out) const {
     if (!usable_ || !detail::is_common(ray.origin) || !detail::is_common(ray.displacement)) return false;
-    const detail::RayPath<double> path{ray.origin, ray.displacement, options_.t_max, options_.target_distance};
+    const detail::RayPath<double> path{ray.origin, ray.displacement, options_.t_max,
+                                       options_.target_distance};
     detail::RayHit hit;
     detail::clip_any(target_, path, hit);
     const detail::RayTimes<double> times = detail::times_of<double>(hit, options_);

@@ -1,9 +1,9 @@
 // What a scene must be: the door of run() and plan().
-#include <graze/exact/term.hpp>
+#include <graze/detail/rotating/mobility.hpp>
+#include <graze/detail/rotating/turn.hpp>
+#include <graze/detail/search/exact/term.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/invalid_text.hpp>
-#include <graze/rotating/mobility.hpp>
-#include <graze/rotating/turn.hpp>
-#include <graze/support/validate.hpp>
 
 #include <algorithm>
 #include <cmath>

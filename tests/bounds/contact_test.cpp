@@ -3,8 +3,8 @@
 // crossing.hpp, whole_turns.hpp). Against balls.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/crossing.hpp>
-#include <graze/rotating/whole_turns.hpp>
+#include <graze/detail/rotating/crossing.hpp>
+#include <graze/detail/rotating/whole_turns.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"

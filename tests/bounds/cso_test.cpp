@@ -3,7 +3,7 @@
 // Against balls: combinators far out and turned back, curved leaves, hulls far out are in the draw.
 #include <gtest/gtest.h>
 
-#include <graze/support/cso.hpp>
+#include <graze/detail/pairs/cso.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"

@@ -1,7 +1,7 @@
 // A scene as text, every number a hexfloat: what a failure prints comes back bit by bit.
 #pragma once
 
-#include <graze/support/tree.hpp>
+#include <graze/detail/shapes/shape_tree.hpp>
 #include <sstream>
 
 #include "tests/bounds/hostile.hpp"

@@ -1,9 +1,9 @@
-// The arithmetic beyond doubles that the exact tier filters with (numeric/pair.hpp, vectors.hpp, exact/scene.hpp,
+// The arithmetic beyond doubles that the exact tier filters with (numeric/pair.hpp, vectors.hpp, search/exact/exact_scene.hpp,
 // beyond.hpp): each stated error against exact numbers. Trees are as the door lets them in: 16 levels, many
 // shifts above few leaves, sixteen rotations above one leaf, more leaves than pairs of doubles are used for.
 #include <gtest/gtest.h>
 
-#include <graze/exact/beyond.hpp>
+#include <graze/detail/search/exact/beyond.hpp>
 #include <graze/validate.hpp>
 
 #include "tests/bounds/describe.hpp"
@@ -311,7 +311,7 @@ TEST(ExactBounds, WhatIsBeyondIsFound) {
     const Body<double> a{.shape = all}, b{.shape = Box<double>{{1, 1, 1}}, .position = {3, 0, 0}};
     ASSERT_EQ(validate(a), Invalid::none);
     const Scene<double> scene(a, b, 0, 0);
-    const GuidedPair<double> pair(a, b);
+    const PreparedPair<double> pair(a, b);
     const exact::BeyondSearch<double> search(scene, pair);
     Vertex from = vertex_of(draw, a, b);
     const Term f = Term::given(Vec3<double>(draw.chance(0.5) ? 1 : -1, 0.5, 0.25)), g = Term::point(from);

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <graze/numeric/offset.hpp>
+#include <graze/detail/numeric/offset.hpp>
 #include <graze/rotating_body.hpp>
 #include <string_view>
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <graze/rotating/cast.hpp>
+#include <graze/detail/rotating/rotating_search.hpp>
 
 #include <graze/rotating_cast.hpp>
 

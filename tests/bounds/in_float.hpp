@@ -1,8 +1,8 @@
 // A hostile scene as bodies of floats are given, and the same in double, which is what they stand for.
 #pragma once
 
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/rotating_cast.hpp>
-#include <graze/support/validate.hpp>
 #include <optional>
 
 #include "engines/convert.hpp"

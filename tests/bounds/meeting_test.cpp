@@ -1,10 +1,10 @@
-// What tier exact decides in plain doubles on its way to an answer (exact/meeting.hpp, beyond.hpp, walk.hpp,
-// portal/quick_walk.hpp): each stated error against exact numbers.
+// What tier exact decides in plain doubles on its way to an answer (search/exact/meeting.hpp, beyond.hpp, walk.hpp,
+// search/fast/fast_walk.hpp): each stated error against exact numbers.
 #include <gtest/gtest.h>
 
-#include <graze/exact/meeting.hpp>
-#include <graze/exact/passage.hpp>
-#include <graze/gjk/swept_support.hpp>
+#include <graze/detail/search/exact/meeting.hpp>
+#include <graze/detail/search/exact/passage.hpp>
+#include <graze/detail/search/fast/swept_support.hpp>
 
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
@@ -270,7 +270,7 @@ TEST(MeetingBounds, TimesOfAnyFacets) {
   int decided = 0, looked_at = 0;
   for (int i = 0; i < rounds(1200); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const GuidedPair<double> pair(s.a, s.b);
+    const PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     Facet facet;
     if (!any_facet(draw, s, scene, facet)) continue;
@@ -350,7 +350,7 @@ TEST(MeetingBounds, WhatIsBeyondAFaceInItsOwnAxes) {
   for (int i = 0; i < rounds(400); ++i) {
     const bool alike = i % 2 == 0;
     const Scenery s = sceneries.next(alike ? Turns::alike : Turns::both);
-    const GuidedPair<double> pair(s.a, s.b);
+    const PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const exact::BeyondSearch<double> search(scene, pair);
     std::array<Vertex, 3> c;
@@ -400,7 +400,7 @@ TEST(MeetingBounds, SidesOfTheMiddle) {
   Tally sides("side_of_middle, over its error");
   for (int i = 0; i < rounds(800); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const GuidedPair<double> pair(s.a, s.b);
+    const PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const exact::Line line(Term::motion(), pair.direction());
     const exact::Bounds bounds(pair);
@@ -432,21 +432,21 @@ TEST(MeetingBounds, SidesOfTheMiddle) {
   sides.finish(400);
 }
 
-// --- quick_walk.hpp: an axis that proves a miss
+// --- fast_walk.hpp: an axis that proves a miss
 
 TEST(MeetingBounds, HeightsAlongAnAxisOfTheQuickWalk) {
   const WorkingPrecision precision(kExactBits);
   Sceneries sceneries(196);
   HostileDraw& draw = sceneries.draw();
-  Tally heights("QuickWalk: n.w and the path's end, over its margin"),
+  Tally heights("FastWalk: n.w and the path's end, over its margin"),
       motions("n.r of the path, over 16 u |n|_1");
   for (int i = 0; i < rounds(300); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const GuidedPair<double> pair(s.a, s.b);
+    const PreparedPair<double> pair(s.a, s.b);
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const double horizon = pair.extent() * draw.plain().between(0, 2);
     Counters counters;
-    const QuickWalk<double, true> walk(pair, horizon, 0, kQuickSteps, counters);
+    const FastWalk<double, true> walk(pair, horizon, 0, kFastSteps, counters);
     Triple n = triple(draw.plain().vector<double>(1));
     // Often nearly the normal of a face, along which several vertices are nearly as far.
     if (draw.chance(0.5)) {
@@ -489,7 +489,7 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
   int moved = 0;
   for (int i = 0; i < rounds(600); ++i) {
     const Scenery s = sceneries.next(kTurns[static_cast<std::size_t>(i) % kTurns.size()]);
-    const GuidedPair<double> pair(s.a, s.b);
+    const PreparedPair<double> pair(s.a, s.b);
     if (!pair.moves()) continue;
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
     const double end =

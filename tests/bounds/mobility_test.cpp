@@ -3,8 +3,8 @@
 // defines.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/moving_pair.hpp>
-#include <graze/rotating/spheres.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
+#include <graze/detail/rotating/spheres.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"
@@ -136,8 +136,9 @@ TEST(MobilityBounds, ASolidOfRevolutionTurnsAboutItsOwnAxisNoSlower) {
 
 // By the header's formulas, in balls.
 TEST(MobilityBounds, NoPointIsFasterThanItsFormula) {
-  Tally speed("Mobility::speed"), acceleration("Mobility::acceleration"), sway("Mobility::sway"),
-      top_speed("Mobility::top_speed"), top_acceleration("Mobility::top_acceleration");
+  Tally speed("Mobility::speed"), acceleration("Mobility::acceleration"),
+      rotation_displacement("Mobility::rotation_displacement"), top_speed("Mobility::top_speed"),
+      top_acceleration("Mobility::top_acceleration");
   for_each_body(3, rounds(kScenes), [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
     if (!body.truth.turns) return;
     const TrueMobility truth(body.truth, body.given, body.pair.pivot_a(), body.unit);
@@ -147,20 +148,22 @@ TEST(MobilityBounds, NoPointIsFasterThanItsFormula) {
       const auto with = [&] { return describe(scene, n, t); };
       speed.add(body.m.speed(n), truth.speed(BallVec(n)), with);
       acceleration.add(body.m.acceleration(n), truth.acceleration(BallVec(n)), with);
-      sway.add(body.m.sway(t), truth.sway(body.truth.chord(t)), with);
+      rotation_displacement.add(body.m.rotation_displacement(t),
+                                truth.rotation_displacement(body.truth.chord(t)), with);
     }
     const auto with = [&] { return describe(scene); };
     top_speed.add(body.m.top_speed(), truth.top_speed(), with);
     top_acceleration.add(body.m.top_acceleration(), truth.top_acceleration(), with);
   });
-  for (Tally* one : {&speed, &acceleration, &sway, &top_speed, &top_acceleration}) one->finish(500);
+  for (Tally* one : {&speed, &acceleration, &rotation_displacement, &top_speed, &top_acceleration})
+    one->finish(500);
 }
 
 // Whatever the formulas: how fast the set's greatest n.x goes, and how its slope falls, by differences. With
 // h(t) = max n.x over the set, its common motion aside, |h'| <= speed, and h + acceleration t^2/2 is convex.
 TEST(MobilityBounds, NoSetIsFasterByDifferences) {
   Tally speed("Mobility::speed, of the set"), acceleration("Mobility::acceleration, of the set"),
-      sway("Mobility::sway, of the set");
+      rotation_displacement("Mobility::rotation_displacement, of the set");
   for_each_body(
       4, rounds(300),
       [&](const Looked& body, const HostileScene& scene, HostileDraw& draw) {
@@ -178,11 +181,12 @@ TEST(MobilityBounds, NoSetIsFasterByDifferences) {
                      after = height(Ball(t) + d);
           speed.add(body.m.speed(n), abs(after - before) / (d + d), with);
           acceleration.add(body.m.acceleration(n), (now + now - before - after) / (d * d), with);
-          sway.add(body.m.sway(t), abs(now - height(0)) / norm(along), with);
+          rotation_displacement.add(body.m.rotation_displacement(t), abs(now - height(0)) / norm(along),
+                                    with);
         }
       },
       kDifferenceBits);
-  for (Tally* one : {&speed, &acceleration, &sway}) one->finish(100);
+  for (Tally* one : {&speed, &acceleration, &rotation_displacement}) one->finish(100);
 }
 
 // Is the body's point x said to be on the axis of rotation? By the arm, where core asks so.

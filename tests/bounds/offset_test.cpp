@@ -2,7 +2,7 @@
 // absolute error that the headers state.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/turn.hpp>
+#include <graze/detail/rotating/turn.hpp>
 
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
@@ -140,7 +140,7 @@ TEST(OffsetBounds, RotatedPointsAndMatrices) {
                 with);
     const Mat3<double> quick = detail::rotation_matrix(q), fine = detail::accurate_rotation_matrix(q);
     const auto two = detail::rotation_rows(q);
-    Ball of_quick, of_fine, of_rows;
+    Ball of_fast, of_fine, of_rows;
     for (int k = 0; k < 3; ++k) {
       const BallVec column = truth.apply(BallVec(Vec3<double>(Vec3<double>::Unit(k))));
       const auto widen = [&](Ball& most, const BallVec& seen) {
@@ -148,15 +148,15 @@ TEST(OffsetBounds, RotatedPointsAndMatrices) {
         most = max(most, max(abs(off.x), max(abs(off.y), abs(off.z))));
       };
       const auto j = static_cast<std::size_t>(k);
-      widen(of_quick, BallVec(Vec3<double>(quick.col(k))));
+      widen(of_fast, BallVec(Vec3<double>(quick.col(k))));
       widen(of_fine, BallVec(Vec3<double>(fine.col(k))));
       widen(of_rows, exactly(TwoDoubles3{two[0][j], two[1][j], two[2][j]}));
     }
-    matrix.add(9 * kU, of_quick, with);
+    matrix.add(9 * kU, of_fast, with);
     accurate.add(0.6 * kU, of_fine, with);
     rows.add(0x1p-98, of_rows, with);
     if (detail::permutes_axes(q)) {
-      EXPECT_TRUE(of_quick.is_zero() && of_fine.is_zero()) << with();
+      EXPECT_TRUE(of_fast.is_zero() && of_fine.is_zero()) << with();
     }
   }
   for (Tally* one : {&rotated, &matrix, &rows, &accurate}) one->finish(500);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <graze/rotating/make_plan.hpp>
+#include <graze/detail/rotating/make_plan.hpp>
 
 #include "oracles/curved/ball_motion.hpp"
 #include "tests/bounds/describe.hpp"

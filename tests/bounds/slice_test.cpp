@@ -2,7 +2,7 @@
 // contact that is said to be proved is no distance (slice.hpp, march.hpp), against balls.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/march.hpp>
+#include <graze/detail/rotating/march.hpp>
 
 #include "oracles/curved/rotating_pair.hpp"
 #include "tests/bounds/describe.hpp"

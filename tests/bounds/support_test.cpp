@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include <graze/support/leaf.hpp>
+#include <graze/detail/shapes/leaf.hpp>
 
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"

@@ -2,7 +2,7 @@
 // formulas bound the motion is a test of its own (mobility_test.cpp, by differences of supports).
 #pragma once
 
-#include <graze/rotating/mobility.hpp>
+#include <graze/detail/rotating/mobility.hpp>
 #include <optional>
 
 #include "tests/bounds/truth.hpp"
@@ -65,7 +65,7 @@ class TrueMobility {
   [[nodiscard]] Ball top_speed() const { return first(rate_); }
   [[nodiscard]] Ball top_acceleration() const { return second(rate_ * rate_); }
   // Of the set, where a point at distance 1 from the axis gets `chord` far.
-  [[nodiscard]] Ball sway(const Ball& chord) const {
+  [[nodiscard]] Ball rotation_displacement(const Ball& chord) const {
     return own_ ? min(chord * rho_, chord * (own_->center + own_->tilt / rate_ * own_->around))
                 : chord * rho_;
   }

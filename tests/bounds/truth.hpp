@@ -6,7 +6,7 @@
 // its points are taken, so a maximum over points is a lower bound of the one over the core.
 #pragma once
 
-#include <graze/support/tree.hpp>
+#include <graze/detail/shapes/shape_tree.hpp>
 #include <vector>
 
 #include "oracles/curved/ball_rotation.hpp"

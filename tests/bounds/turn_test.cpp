@@ -2,13 +2,15 @@
 // the matrix that a placed body has.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/moving_pair.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
 
 #include "tests/bounds/describe.hpp"
 #include "tests/bounds/tally.hpp"
 #include "tests/bounds/truth.hpp"
 
-namespace graze::inline GRAZE_LINKAGE::detail {
+namespace graze {
+inline namespace GRAZE_LINKAGE {
+namespace detail {
 
 // What turn.hpp claims of an angle: what it says of one, else what its header says of all.
 template <class T>
@@ -20,7 +22,9 @@ double claimed_turn_error(T angle) {
   }
 }
 
-}  // namespace graze::inline GRAZE_LINKAGE::detail
+}  // namespace detail
+}  // namespace GRAZE_LINKAGE
+}  // namespace graze
 
 namespace graze::test {
 namespace {
@@ -108,7 +112,7 @@ void check_turns(const std::string& range, double low, double high, std::uint64_
                       max(abs(Ball(sine_now) - sine(angle)), abs(Ball(cosine_now) - cosine(angle))), with);
 
     const Quaternion<double> q = draw.plain().turn<double>();
-    const Mat3<double> matrix = detail::TurnedRotation(turns, detail::near_one(q)).at(turns, drawn.t);
+    const Mat3<double> matrix = detail::TurnedRotation(turns, detail::scaled_near_one(q)).at(turns, drawn.t);
     const BallRotation start(q);
     Ball most;
     for (int k = 0; k < 3; ++k) {

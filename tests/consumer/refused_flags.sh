@@ -45,7 +45,7 @@ copy="$scratch/without_pragma"
 rm -rf "$copy"
 mkdir -p "$copy"
 cp -r "$source_dir/core/graze" "$copy/graze"
-sed -i '/^#pragma float_control/d' "$copy/graze/numeric/flags.hpp"
+sed -i '/^#pragma float_control/d' "$copy/graze/detail/numeric/flags.hpp"
 # at_run_time kept|refused HEADERS FLAG...: what the door says.
 at_run_time() {
   local wanted=$1 headers=$2 said

@@ -2,9 +2,9 @@
 // without_assertions.cpp is compiled without, this file with them.
 #include <gtest/gtest.h>
 
-#include <graze/gjk/simplex.hpp>
-#include <graze/numeric/rounding.hpp>
-#include <graze/portal/frame.hpp>
+#include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/search/robust/line_frame.hpp>
+#include <graze/detail/search/robust/simplex.hpp>
 
 #include "tests/core/without_assertions.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
-#include <graze/support/validate.hpp>
+#include <graze/detail/shapes/validation.hpp>
 
 #include <cfenv>
 #include <graze/cast.hpp>

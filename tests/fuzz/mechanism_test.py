@@ -43,9 +43,9 @@ class Mechanism(unittest.TestCase):
         self.assertEqual(mechanism(bare, 70), "libFuzzer: timeout, graze::leave_line")
 
     def test_undefined_behaviour_is_told_by_its_place(self):
-        text = "/home/x/graze/core/graze/support/scan.hpp:12:9: runtime error: 1e+300 is outside the range of type 'int'\n"
+        text = "/home/x/graze/core/graze/detail/shapes/scan.hpp:12:9: runtime error: 1e+300 is outside the range of type 'int'\n"
         self.assertEqual(mechanism(text, 1),
-                         "undefined behaviour: # is outside the range of type 'int', core/graze/support/scan.hpp:12")
+                         "undefined behaviour: # is outside the range of type 'int', core/graze/detail/shapes/scan.hpp:12")
 
     def test_no_report_at_all(self):
         self.assertEqual(mechanism("", -11), "ended by signal 11")

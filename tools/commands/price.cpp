@@ -26,7 +26,7 @@
 namespace graze::tool {
 namespace {
 
-constexpr std::uint64_t kQuickRounds = 5, kThoroughRounds = 9, kMostRounds = 999;
+constexpr std::uint64_t kFastRounds = 5, kThoroughRounds = 9, kMostRounds = 999;
 
 struct PriceArguments {
   std::vector<std::string> only;
@@ -50,7 +50,7 @@ std::string price_line(const PriceArguments& arguments) {
 }
 
 int rounds_of(const PriceArguments& arguments) {
-  const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kQuickRounds;
+  const std::uint64_t usual = arguments.thorough ? kThoroughRounds : kFastRounds;
   return static_cast<int>(arguments.rounds > 0 ? arguments.rounds : usual);
 }
 
@@ -211,7 +211,7 @@ void add_price_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--rounds", arguments->rounds,
                    fmt::format("How often each contender is timed on each case ({}; --thorough {})",
-                               kQuickRounds, kThoroughRounds))
+                               kFastRounds, kThoroughRounds))
       ->check(whole_number(1, kMostRounds))
       ->type_name("N");
   command

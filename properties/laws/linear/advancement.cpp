@@ -53,7 +53,7 @@ LawResult interrupting(const Case& problem, const Method& method) {
   const Answer full = method.ask(seen, {});
   LawResult result = holds({label_of(full.outcome)});
   if (full.outcome == Outcome::not_converged) return result;
-  // The least part of the default, 256, that one stage of a search has: three quarters twice (standard/cast.hpp). The full
+  // The least part of the default, 256, that one stage of a search has: three quarters twice (casts/standard_cast.hpp). The full
   // answer may have used it up.
   constexpr int kLeastPart = 144;
   if (const Answer more = method.ask(seen, {.max_iterations = 4096});

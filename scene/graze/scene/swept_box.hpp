@@ -92,7 +92,7 @@ struct Turn {
 };
 
 // What the body sweeps over [0, t_end], t_end finite, with so much around it; the body is valid. Of turning
-// bodies: the ball about the pivot, or the linear motion's box with the sway added, whichever is smaller.
+// bodies: the ball about the pivot, or the linear motion's box with the rotation_displacement added, whichever is smaller.
 [[nodiscard]] SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, double around);
 [[nodiscard]] inline SweptBox swept_box(const RotatingBody<double>& moving, double t_end, double around) {
   return swept_box(moving.body, {moving.rotation, moving.pivot}, t_end, around);

@@ -1,7 +1,7 @@
 // A tree over swept boxes: which bodies may meet, in about n log n for n bodies with few contacts.
 //
 // A bounding volume hierarchy whose nodes move as what is in them does: a node is a box at either end of the
-// step (swept_box.hpp), as in ray tracing with motion blur. [Glassner 1988; Hou et al. 2010 for nodes at both
+// step (swept_box.hpp), as in ray tracing with motion point_error. [Glassner 1988; Hou et al. 2010 for nodes at both
 // ends] A body that flies across the scene is a small box at every time, where its swept bounds at rest would
 // hold the whole scene. Built from the top by halves: of the seven numbers of a box, its centre at either end
 // and its size, the one that differs most is split in the middle of its range, so bodies of very different

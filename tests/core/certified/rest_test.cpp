@@ -7,7 +7,7 @@
 
 #include <cmath>
 #include <graze/cast.hpp>
-#include <graze/certified/exact_start.hpp>
+#include <graze/detail/search/exact/exact_start.hpp>
 #include <graze/distance.hpp>
 #include <string>
 

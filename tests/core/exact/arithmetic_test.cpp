@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <bit>
-#include <graze/exact/pierce.hpp>
-#include <graze/numeric/vectors.hpp>
+#include <graze/detail/numeric/vectors.hpp>
+#include <graze/detail/proving/pierce.hpp>
 
 #include "tests/shared/generate.hpp"
 

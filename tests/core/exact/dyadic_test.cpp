@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <graze/numeric/dyadic.hpp>
+#include <graze/detail/numeric/dyadic.hpp>
 #include <limits>
 #include <vector>
 

@@ -10,7 +10,7 @@
 #include <graze/swept_overlap.hpp>
 #include <numbers>
 
-#include <graze/exact/queries.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
 
 #include "tests/shared/generate.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <graze/cast.hpp>
-#include <graze/exact/queries.hpp>
+#include <graze/detail/queries/exact_queries.hpp>
 #include <graze/line.hpp>
 
 #if defined(__SSE2__)

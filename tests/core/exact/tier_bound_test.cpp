@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
-#include <graze/exact/heights.hpp>
+#include <graze/detail/search/exact/heights.hpp>
 
 #include "tests/shared/generate.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <graze/detail/search/robust/gjk.hpp>
 #include <graze/distance.hpp>
-#include <graze/gjk/gjk.hpp>
 
 #include "tests/shared/generate.hpp"
 

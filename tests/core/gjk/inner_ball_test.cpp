@@ -1,5 +1,5 @@
 // Balls that touch a shape from inside, against its support function.
-#include <graze/gjk/inner_ball.hpp>
+#include <graze/detail/search/smooth/inner_ball.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/gjk/simplex.hpp>
+#include <graze/detail/search/robust/simplex.hpp>
 
 #include "tests/shared/generate.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <graze/detail/search/robust/mpr.hpp>
 #include <graze/distance.hpp>
-#include <graze/portal/mpr.hpp>
 
 #include "tests/shared/generate.hpp"
 

@@ -2,12 +2,12 @@
 // refused, a spent budget is no verdict, a bracket that stays wide says so, and counters count.
 #include <gtest/gtest.h>
 
-#include <graze/certified/named_point.hpp>
+#include <graze/detail/proving/named_point.hpp>
+#include <graze/detail/search/robust/sweep.hpp>
 #include <graze/distance.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/penetration.hpp>
-#include <graze/portal/sweep.hpp>
 #include <graze/swept_overlap.hpp>
 
 #include "tests/shared/generate.hpp"

@@ -153,7 +153,7 @@ TYPED_TEST(Prepares, NoStartCostsAGuarantee) {
 
 // A plate, and below it a stump whose upper corners differ in height by less than floats tell (1e-9): which of them
 // is highest is no guess in the answer, whichever comes first.
-TEST(QuickSearches, VerticesThatFloatsTakeForEqualAreTold) {
+TEST(FastSearches, VerticesThatFloatsTakeForEqualAreTold) {
   const Body<double> plate{.shape = Box<double>{{8, 8, 0.5}}};
   for (std::size_t high = 0; high < 8; ++high) {
     std::vector<Vec3<double>> points;
@@ -181,7 +181,7 @@ TEST(QuickSearches, VerticesThatFloatsTakeForEqualAreTold) {
 }
 
 // What a hull says of its bounds holds every vertex, and its inside is in them.
-TEST(QuickSearches, AHullKnowsItsReach) {
+TEST(FastSearches, AHullKnowsItsReach) {
   Draw draw{6};
   for (const double far : {0.0, 1.0, 1e6}) {
     const Vec3<double> offset = draw.vector<double>(1) * far;

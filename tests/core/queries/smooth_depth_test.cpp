@@ -1,6 +1,6 @@
 // Depths of smooth bodies against their support functions: no direction of many is less deep, and the points are as far apart
 // as the depth. Shallow, deep, concentric and coaxial.
-#include <graze/numeric/offset.hpp>
+#include <graze/detail/numeric/offset.hpp>
 #include <graze/penetration.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <graze/detail/pairs/cso.hpp>
 #include <graze/distance.hpp>
-#include <graze/support/cso.hpp>
 #include <graze/swept_overlap.hpp>
 
 #include "tests/shared/query_truth.hpp"

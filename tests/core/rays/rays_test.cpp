@@ -19,7 +19,8 @@ constexpr double kU = kUnitRoundoff<double>;
 Body<double> ray(const V& origin, const V& displacement) {
   return {.shape = Point<double>{}, .position = origin, .displacement = displacement};
 }
-CastResult<double> cast_by(Tier tier, const Body<double>& a, const Body<double>& b, CastOptions<double> options = {}) {
+CastResult<double> cast_by(Tier tier, const Body<double>& a, const Body<double>& b,
+                           CastOptions<double> options = {}) {
   options.tier = tier;
   return cast(a, b, options);
 }
@@ -133,7 +134,8 @@ TEST(Rays, EndWhereTheyEnd) {
 TEST(Rays, KeepATargetDistance) {
   CastOptions<double> options;
   options.target_distance = 1;
-  const CastResult<double> r = cast(Body<double>{.shape = Sphere<double>{2}}, ray({-5, 0, 0}, {4, 0, 0}), options);
+  const CastResult<double> r =
+      cast(Body<double>{.shape = Sphere<double>{2}}, ray({-5, 0, 0}, {4, 0, 0}), options);
   ASSERT_EQ(r.outcome, Outcome::hit);
   EXPECT_DOUBLE_EQ(r.toi_lower, 0.5);
   EXPECT_LE((r.point_a - V(-2, 0, 0)).norm(), 1e-15);
@@ -180,7 +182,8 @@ TEST(Rays, OfTheExactTierAreThoseOfItsWalk) {
   for (int i = 0; i < 60000; ++i) {
     const Shot s = shot(draw, [](Draw& d, const V& h) -> Shape<double> {
       if (d.bits() % 3 == 0) {
-        return Triangle<double>{{-h[0], -h[1], -h[2]}, {h[0], -h[1], d.bits() % 2 ? h[2] : -h[2]}, {0, h[1], h[2]}};
+        return Triangle<double>{
+            {-h[0], -h[1], -h[2]}, {h[0], -h[1], d.bits() % 2 ? h[2] : -h[2]}, {0, h[1], h[2]}};
       }
       return Box<double>{d.bits() % 16 == 0 ? V(h[0], 0, h[2]) : h};
     });
@@ -201,7 +204,9 @@ TEST(Rays, OfTheExactTierAreThoseOfItsWalk) {
       // The facet is known, so the normal is.
       ASSERT_LE((r.normal - walk.normal).norm(), 16 * kU) << i;
     }
-    ASSERT_LE((r.point_a - walk.point_a).norm(), 1e-12 * (1 + s.point.position.norm() + s.body.position.norm())) << i;
+    ASSERT_LE((r.point_a - walk.point_a).norm(),
+              1e-12 * (1 + s.point.position.norm() + s.body.position.norm()))
+        << i;
   }
   EXPECT_GT(outcomes[int(Outcome::hit)], 10000);
   EXPECT_GT(outcomes[int(Outcome::miss)], 10000);
@@ -251,7 +256,8 @@ TEST(Rays, OfSolidsMeetTheSearches) {
     ASSERT_LE(sure.toi_lower, sure.toi_upper);
     // At a flat angle a depth within the limit is a longer way.
     const double flat = std::max(-sure.normal.dot(s.point.displacement - s.body.displacement) / speed *
-                                     (s.body.shape.index() == 0 ? -1 : 1), 1e-6);
+                                     (s.body.shape.index() == 0 ? -1 : 1),
+                                 1e-6);
     ASSERT_LE(std::abs(quick.toi_lower - sure.toi_lower) * speed * flat * flat, 1e-11 * scale) << i;
     options.start_policy = StartPolicy::pass_over;
     const CastResult<double> search = cast_by(Tier::certified, s.body, s.point, options);

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/rotating/slice.hpp>
+#include <graze/detail/rotating/slice.hpp>
 
 #include <graze/cast.hpp>
 #include <graze/rotating_cast.hpp>

@@ -2,7 +2,7 @@
 // of long vectors is a part of every bound. Each test was a wrong answer of tiers standard and certified.
 #include <gtest/gtest.h>
 #include <graze/cast.hpp>
-#include <graze/rotating/mobility.hpp>
+#include <graze/detail/rotating/mobility.hpp>
 
 #include <graze/rotating_cast.hpp>
 

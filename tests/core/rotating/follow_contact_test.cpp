@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <graze/numeric/offset.hpp>
+#include <graze/detail/numeric/offset.hpp>
+#include <graze/detail/shapes/shape_tree.hpp>
 #include <graze/rotating_cast.hpp>
-#include <graze/support/tree.hpp>
 
 namespace graze {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <graze/rotating/moving_pair.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
 
 #include "tests/shared/generate.hpp"
 #include "tests/shared/turning_bodies.hpp"

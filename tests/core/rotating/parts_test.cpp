@@ -1,7 +1,7 @@
 // Parts of the proof that turning bodies meet: weights of the origin, and a passage through a flat C.
 #include <gtest/gtest.h>
 
-#include <graze/rotating/crossing.hpp>
+#include <graze/detail/rotating/crossing.hpp>
 #include <graze/rotating_cast.hpp>
 
 #include "tests/shared/generate.hpp"

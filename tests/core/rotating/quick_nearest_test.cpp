@@ -1,9 +1,9 @@
-// The quick search for the distance of two placed bodies, beside the careful one and beside every vertex.
+// The quick search for the distance of two placed bodies, beside the robust one and beside every vertex.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include <graze/rotating/nearest.hpp>
+#include <graze/detail/rotating/nearest.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -32,7 +32,7 @@ struct Boxes {
   Boxes(const Boxes&) = delete;
 };
 
-TEST(QuickNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
+TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
   Draw draw{311};
   int apart = 0, inside = 0, quick = 0;
   for (int round = 0; round < 2000; ++round) {
@@ -48,7 +48,7 @@ TEST(QuickNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     Distance<double> found;
     Counters counters;
     const double gap = 0x1p-40, noise = boxes.pair.error();
-    if (!detail::quick_distance(boxes.pair.cso(), simplex, gap, 0, 256, found, counters)) continue;
+    if (!detail::fast_distance(boxes.pair.cso(), simplex, gap, 0, 256, found, counters)) continue;
     ++quick;
     EXPECT_LE(found.lower, truth + noise) << round;
     double sum = 0;
@@ -77,8 +77,8 @@ TEST(QuickNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
   EXPECT_GT(quick, 1800);
 }
 
-// Warm from another time, and where it gives up: what is handed out is that of the careful search.
-TEST(QuickNearest, FromAnotherTimeItFindsTheSame) {
+// Warm from another time, and where it gives up: what is handed out is that of the robust search.
+TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
   Draw draw{312};
   for (int round = 0; round < 300; ++round) {
     RotatingBody<double> a{.body = {.shape = Box<double>{{1, 0.75, 0.5}}},
@@ -92,20 +92,20 @@ TEST(QuickNearest, FromAnotherTimeItFindsTheSame) {
     pair.place(draw.between(0, 1));
     const detail::Nearest warm = detail::nearest(pair, before.simplex, 0, stop, 256, counters);
     Simplex<double> simplex;
-    const Distance<double> careful =
+    const Distance<double> robust =
         gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
-    EXPECT_LE(warm.gap, careful.upper) << round;
-    EXPECT_GE(warm.apart, careful.lower) << round;
-    if (careful.lower > stop) {
+    EXPECT_LE(warm.gap, robust.upper) << round;
+    EXPECT_GE(warm.apart, robust.lower) << round;
+    if (robust.lower > stop) {
       // upper is not below the distance, and lower within a sixteenth of itself of it.
-      EXPECT_GE(warm.gap, careful.lower * (16.0 / 17) - stop) << round;
+      EXPECT_GE(warm.gap, robust.lower * (16.0 / 17) - stop) << round;
     }
   }
 }
 
 // Three corners at 1e-8 of the origin and one far from it: the volume has a sign, the weights hardly a digit. What is
 // said to be inside has weights that say so; what they leave far from the origin is given up.
-TEST(QuickNearest, ATetrahedronWithoutWeightsIsGivenUp) {
+TEST(FastNearest, ATetrahedronWithoutWeightsIsGivenUp) {
   Draw draw{313};
   const Boxes boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0});
   int inside = 0, given_up = 0;
@@ -121,8 +121,8 @@ TEST(QuickNearest, ATetrahedronWithoutWeightsIsGivenUp) {
     simplex.add(far);
     Distance<double> found;
     Counters counters;
-    if (detail::QuickClosest(simplex).size() != 4) continue;
-    if (!detail::quick_distance(boxes.pair.cso(), simplex, 0, 0, 0, found, counters)) {
+    if (detail::FastClosest(simplex).size() != 4) continue;
+    if (!detail::fast_distance(boxes.pair.cso(), simplex, 0, 0, 0, found, counters)) {
       ++given_up;
       continue;
     }

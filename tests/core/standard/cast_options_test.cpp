@@ -2,7 +2,7 @@
 // that a right time does not show to be right.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <graze/support/side.hpp>
+#include <graze/detail/pairs/side.hpp>
 
 #include <graze/cast.hpp>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
-#include <graze/support/cso.hpp>
+#include <graze/detail/pairs/cso.hpp>
 
 #include "tests/shared/generate.hpp"
 

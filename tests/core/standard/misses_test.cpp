@@ -1,7 +1,7 @@
 // Misses have an axis that says so, and hits lie on the path, also where the path runs almost along C.
 #include <gtest/gtest.h>
-#include <graze/portal/mpr.hpp>
-#include <graze/support/cso.hpp>
+#include <graze/detail/pairs/cso.hpp>
+#include <graze/detail/search/robust/mpr.hpp>
 
 #include <graze/cast.hpp>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <graze/cast.hpp>
-#include <graze/standard/cast.hpp>
+#include <graze/detail/casts/standard_cast.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -10,16 +10,16 @@ namespace {
 
 using test::Draw;
 
-// A quick search, and the careful one that it spares.
+// A quick search, and the robust one that it spares.
 template <class S>
 struct ByWalk {
   using Number = S;
   static constexpr Method kMethod = Method::mpr_sweep;
   static bool quick(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-    return detail::quick_cast(a, b, options, out);
+    return detail::fast_cast(a, b, options, out);
   }
-  static void careful(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-    detail::careful_mpr_sweep(a, b, options, out);
+  static void robust(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+    detail::robust_mpr_sweep(a, b, options, out);
   }
 };
 template <class S>
@@ -27,17 +27,17 @@ struct ByRay {
   using Number = S;
   static constexpr Method kMethod = Method::gjk_ray_cast;
   static bool quick(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-    return detail::quick_ray_cast(a, b, options, out);
+    return detail::fast_ray_cast(a, b, options, out);
   }
-  static void careful(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
-    detail::careful_gjk_ray(a, b, options, out);
+  static void robust(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+    detail::robust_gjk_ray(a, b, options, out);
   }
 };
 
 template <class Search>
-class QuickCast : public ::testing::Test {};
+class FastCast : public ::testing::Test {};
 using Searches = ::testing::Types<ByWalk<float>, ByWalk<double>, ByRay<float>, ByRay<double>>;
-TYPED_TEST_SUITE(QuickCast, Searches);
+TYPED_TEST_SUITE(FastCast, Searches);
 
 // How often the search answered what.
 struct Tally {
@@ -50,7 +50,7 @@ double scale_of(const Body<S>& a, const Body<S>& b) {
   return std::ldexp(double(cso.scale()), cso.length_exponent());
 }
 
-// What the search claims, against the exact tier and against the careful search. `thin`: the verdict may be
+// What the search claims, against the exact tier and against the robust search. `thin`: the verdict may be
 // that of shapes that are moved by the noise of contact.
 template <class Search, class S = typename Search::Number>
 void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally& tally) {
@@ -62,8 +62,8 @@ void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally&
     ++tally.gave_up;
     return;
   }
-  CastResult<S> careful;
-  Search::careful(a, b, options, careful);
+  CastResult<S> robust;
+  Search::robust(a, b, options, robust);
   const CastResult<S> exact = cast_exact(a, b, options);
   ASSERT_EQ(exact.invalid, Invalid::none);
   const double speed =
@@ -75,14 +75,14 @@ void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally&
       // Shown in doubles, beyond their rounding.
       EXPECT_EQ(exact.outcome, Outcome::miss);
       if (!thin) {
-        EXPECT_EQ(careful.outcome, Outcome::miss);
+        EXPECT_EQ(robust.outcome, Outcome::miss);
       }
       return;
     case Outcome::initially_overlapping:
       ++tally.contacts;
       if (!thin) {
         EXPECT_EQ(exact.outcome, Outcome::initially_overlapping);
-        EXPECT_EQ(careful.outcome, Outcome::initially_overlapping);
+        EXPECT_EQ(robust.outcome, Outcome::initially_overlapping);
       }
       EXPECT_EQ(quick.toi_lower, 0);
       EXPECT_EQ(quick.toi_upper, 0);
@@ -109,9 +109,9 @@ void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally&
   EXPECT_LE(quick.toi_lower, double(exact.toi_upper) + slack);
   if (!thin) {
     EXPECT_GE(quick.toi_upper, double(exact.toi_lower) - slack);
-    EXPECT_EQ(careful.outcome, Outcome::hit);
-    EXPECT_LE(quick.toi_lower, double(careful.toi_upper) + slack);
-    EXPECT_GE(quick.toi_upper, double(careful.toi_lower) - slack);
+    EXPECT_EQ(robust.outcome, Outcome::hit);
+    EXPECT_LE(quick.toi_lower, double(robust.toi_upper) + slack);
+    EXPECT_GE(quick.toi_upper, double(robust.toi_lower) - slack);
   }
   // Witnesses: within the noise of each other, and of the path's length that the bracket leaves open.
   const double open = (double(quick.toi_upper) - double(quick.toi_lower)) * speed;
@@ -137,7 +137,7 @@ Shape<S> some_shape(Draw& draw, int kind) {
   }
 }
 
-TYPED_TEST(QuickCast, RandomPairsAreAnsweredAndRight) {
+TYPED_TEST(FastCast, RandomPairsAreAnsweredAndRight) {
   using S = typename TypeParam::Number;
   Draw draw{71};
   Tally tally;
@@ -154,13 +154,13 @@ TYPED_TEST(QuickCast, RandomPairsAreAnsweredAndRight) {
   EXPECT_GT(tally.hits, 500);
   EXPECT_GT(tally.misses, 500);
   EXPECT_GT(tally.contacts, 100);
-  // Flat pairs seen edge on, points on points: the careful search's.
+  // Flat pairs seen edge on, points on points: the robust search's.
   EXPECT_LT(tally.gave_up, 400);
 }
 
 // Paths up to a thousand times as long as the bodies are large: the weights of the portal round by the square of that,
 // and are corrected.
-TYPED_TEST(QuickCast, LongPathsAreAnsweredAndRight) {
+TYPED_TEST(FastCast, LongPathsAreAnsweredAndRight) {
   using S = typename TypeParam::Number;
   Draw draw{74};
   Tally tally;
@@ -183,7 +183,7 @@ TYPED_TEST(QuickCast, LongPathsAreAnsweredAndRight) {
 
 // Nearly every sign is zero: what is claimed all the same is the exact verdict, since on a lattice two things
 // are apart or touch.
-TYPED_TEST(QuickCast, LatticesAreRightOrGivenUp) {
+TYPED_TEST(FastCast, LatticesAreRightOrGivenUp) {
   using S = typename TypeParam::Number;
   Draw draw{72};
   Tally tally;
@@ -216,7 +216,7 @@ TYPED_TEST(QuickCast, LatticesAreRightOrGivenUp) {
 // The path passes C's silhouette at a distance from a thousandth of the scale down to a thousandth of u
 // scale, on either side: a miss that is claimed is one, a hit may be one of shapes that are moved by the
 // noise.
-TYPED_TEST(QuickCast, GrazesAreRightOrGivenUp) {
+TYPED_TEST(FastCast, GrazesAreRightOrGivenUp) {
   using S = typename TypeParam::Number;
   Draw draw{73};
   Tally tally;
@@ -241,7 +241,7 @@ TYPED_TEST(QuickCast, GrazesAreRightOrGivenUp) {
   EXPECT_GT(tally.misses, 300);
 }
 
-TYPED_TEST(QuickCast, WhatItDoesNotAnswerChangesOnlyCounters) {
+TYPED_TEST(FastCast, WhatItDoesNotAnswerChangesOnlyCounters) {
   using S = typename TypeParam::Number;
   const Body<S> a{.shape = Box<S>{{1, 1, 1}}};
   Body<S> b{.shape = Sphere<S>{1}, .position = {4, 0, 0}, .displacement = {-4, 0, 0}};
@@ -261,7 +261,7 @@ TYPED_TEST(QuickCast, WhatItDoesNotAnswerChangesOnlyCounters) {
 }
 
 // Lengths and times of any power of two: the same walk, the same bits.
-TYPED_TEST(QuickCast, PowersOfTwoChangeNoBit) {
+TYPED_TEST(FastCast, PowersOfTwoChangeNoBit) {
   using S = typename TypeParam::Number;
   Draw draw{74};
   int answered = 0;
@@ -301,7 +301,7 @@ TYPED_TEST(QuickCast, PowersOfTwoChangeNoBit) {
 // the first portal lay behind the start, and the exit of the line was looked for; an axis that rounding had
 // tilted towards the path by 1e-5 was held to the start alone, as if it faced the path. One in 500,000 of
 // such pairs.
-TEST(QuickWalk, NeedlesThatCrossAreNotMissed) {
+TEST(FastWalk, NeedlesThatCrossAreNotMissed) {
   const Quaternion<double> turn{2, 2, -3, 0};
   const Body<double> a{.shape = Segment<double>{{1.14007115829736, 2.5e-12, 2.5e-12},
                                                 {-3.4976208060979843, -2.5e-12, -2.5e-12}},
@@ -311,7 +311,7 @@ TEST(QuickWalk, NeedlesThatCrossAreNotMissed) {
   const Body<double> b{.shape = Box<double>{{3.3432041062042117, 2.5e-12, 2.5e-12}}, .orientation = turn};
   EXPECT_EQ(cast_exact(a, b).outcome, Outcome::hit);
   CastResult<double> quick;
-  const bool answers = detail::quick_cast(a, b, CastOptions<double>{}, quick);
+  const bool answers = detail::fast_cast(a, b, CastOptions<double>{}, quick);
   EXPECT_FALSE(answers && quick.outcome == Outcome::miss);
   EXPECT_EQ(cast_mpr_sweep(a, b).outcome, Outcome::hit);
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <graze/certified/surround.hpp>
-#include <graze/rotating/moving_pair.hpp>
+#include <graze/detail/proving/surround.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -38,7 +38,7 @@ TEST(RoundingBounds, ACombinatorFarOutHasItsOwnExtent) {
   EXPECT_EQ(bounds.center + bounds.middle, V(64, 32, -16));
 }
 
-// Per component 4 u M + kTurn u (|a| + |b|) + blur (cso.hpp), and nothing for a turn that permutes axes.
+// Per component 4 u M + kTurn u (|a| + |b|) + point_error (cso.hpp), and nothing for a turn that permutes axes.
 TEST(RoundingBounds, ATurnCountsForTheErrorOfPoints) {
   const auto error = [](const Quaternion<double>& q) {
     const Body<double> a{.shape = Box<double>{{1, 0.5, 0.25}}, .orientation = q};
@@ -48,7 +48,7 @@ TEST(RoundingBounds, ATurnCountsForTheErrorOfPoints) {
   const double plain = error({1, 0, 0, 0});
   EXPECT_EQ(error({1, 1, 0, 0}), plain);
   // |a| is 1.15 / 2 internal units at least.
-  EXPECT_GE(error({1, 2, 3, 4}), plain + detail::kQuickTurn * kU * 0.5);
+  EXPECT_GE(error({1, 2, 3, 4}), plain + detail::kFastTurn * kU * 0.5);
 }
 
 // Points that cancel all but 2^-80 of where they were put are no better than sums of two doubles: 2^-98 of a

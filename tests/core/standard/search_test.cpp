@@ -2,13 +2,13 @@
 // keep in order, and what they count.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <graze/queries/penetration.hpp>
-#include <graze/standard/advancement.hpp>
+#include <graze/detail/queries/penetration_query.hpp>
+#include <graze/detail/search/robust/advancement.hpp>
 
 #include <graze/cast.hpp>
-#include <graze/gjk/epa.hpp>
+#include <graze/detail/search/robust/epa.hpp>
+#include <graze/detail/search/robust/leaving.hpp>
 #include <graze/penetration.hpp>
-#include <graze/portal/leaving.hpp>
 #include <memory>
 
 #include "tests/shared/generate.hpp"

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/support/cso.hpp>
+#include <graze/detail/pairs/cso.hpp>
 
 #include "tests/shared/generate.hpp"
 

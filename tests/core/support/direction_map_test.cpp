@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <graze/cast.hpp>
-#include <graze/support/leaf.hpp>
+#include <graze/detail/shapes/leaf.hpp>
 #include <optional>
 
 #include "tests/shared/large_hulls.hpp"
@@ -79,8 +79,8 @@ long compare_with_scan(const Hull<Given>& hull, int count, const char* what) {
     DirectionMap::List list;
     if (!map.find(f[0], f[1], f[2], list)) continue;
     ++listed;
-    EXPECT_EQ(list.vertex[detail::guess_scan(list.xyz, list.size, f[0], f[1], f[2])],
-              detail::guess_scan(hull.guess_scan(0), hull.padded_size(), f[0], f[1], f[2]))
+    EXPECT_EQ(list.vertex[detail::approximate_scan(list.xyz, list.size, f[0], f[1], f[2])],
+              detail::approximate_scan(hull.approximate_scan(0), hull.padded_size(), f[0], f[1], f[2]))
         << what << " " << d.transpose();
   }
   return listed;
@@ -140,8 +140,8 @@ TEST(DirectionMap, TheSameJustBesideTheBordersOfSquares) {
       for (std::size_t i = 0; i < 3; ++i) d[i] = float(on[(i + turn) % 3] / double(map.reach()[i]));
       DirectionMap::List list;
       ASSERT_TRUE(map.find(d[0], d[1], d[2], list));
-      wrong += list.vertex[detail::guess_scan(list.xyz, list.size, d[0], d[1], d[2])] !=
-               detail::guess_scan(hull.guess_scan(0), hull.padded_size(), d[0], d[1], d[2]);
+      wrong += list.vertex[detail::approximate_scan(list.xyz, list.size, d[0], d[1], d[2])] !=
+               detail::approximate_scan(hull.approximate_scan(0), hull.padded_size(), d[0], d[1], d[2]);
     }
     EXPECT_EQ(wrong, 0) << vertices;
   }
@@ -186,7 +186,7 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
       const auto height = [&](std::size_t k) {
         Long sum = 0;
         for (int i = 0; i < 3; ++i)
-          sum += n[i] * Long(hull.guess_scan(i)[k]) / Long(map.reach()[static_cast<std::size_t>(i)]);
+          sum += n[i] * Long(hull.approximate_scan(i)[k]) / Long(map.reach()[static_cast<std::size_t>(i)]);
         return sum;
       };
       Long in = -std::numeric_limits<Long>::infinity(), out = in;

@@ -1,7 +1,7 @@
 // The guess scans, narrow and wide, against a plain loop: the first of the points that are greatest as floats round.
 #include <gtest/gtest.h>
 
-#include <graze/support/guess_scan.hpp>
+#include <graze/detail/shapes/approximate_scan.hpp>
 #include <vector>
 
 #include "tests/shared/large_hulls.hpp"
@@ -65,13 +65,13 @@ void expect_first_of_greatest(std::size_t most, const Scan& scan) {
 
 TEST(GuessScan, TheFirstOfTheGreatest) {
   expect_first_of_greatest(160, [](const float* x, std::size_t n, const Vec3<float>& d) {
-    return detail::guess_scan(x, n, d[0], d[1], d[2]);
+    return detail::approximate_scan(x, n, d[0], d[1], d[2]);
   });
 }
 
 TEST(GuessScan, TheSameWithoutWideInstructions) {
   expect_first_of_greatest(160, [](const float* x, std::size_t n, const Vec3<float>& d) {
-    return detail::narrow_guess_scan(x, n, d[0], d[1], d[2]);
+    return detail::narrow_approximate_scan(x, n, d[0], d[1], d[2]);
   });
 }
 

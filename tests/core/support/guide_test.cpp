@@ -1,7 +1,7 @@
 // One body of a quick search: few points, where they are kept and which is farthest.
 #include <gtest/gtest.h>
 
-#include <graze/support/prepared_pair.hpp>
+#include <graze/detail/pairs/prepared_pair.hpp>
 
 #include "tests/shared/generate.hpp"
 
@@ -27,42 +27,42 @@ Shape<double> few(Draw& draw, int kind, const V& place, double size) {
 }
 
 // Nothing of where the points are is lost, and the bounds hold them, however far out they lie.
-TEST(Guide, FewPointsAreWhereTheyAre) {
+TEST(PreparedCore, FewPointsAreWhereTheyAre) {
   Draw draw{81};
   int centered = 0, kept = 0;
   for (int round = 0; round < 3000; ++round) {
     const double out = round % 2 == 0 ? 0.0 : std::ldexp(1.0, int(draw.bits() % 60) - 4);
     const Shape<double> shape = few(draw, round, V(out * draw.vector<double>(1)), 1);
     const Body<double> body{.shape = shape, .orientation = draw.turn<double>()};
-    const Guide<double> guide(body);
-    const V center = guide.center().vector();
+    const PreparedCore<double> core(body);
+    const V center = core.center().vector();
     (center == V::Zero() ? kept : centered) += 1;
     const std::vector<V> points = points_of(shape);
     double most = 0, apart = 0;
     for (std::uint32_t k = 0; k < points.size(); ++k) {
-      const V own = guide.own(k).vector();
+      const V own = core.own(k).vector();
       EXPECT_EQ(V(own + center), points[k]);
       EXPECT_EQ(own, V(points[k] - center));
-      EXPECT_LE(own.norm(), guide.reach());
+      EXPECT_LE(own.norm(), core.reach());
       most = std::max(most, own.cwiseAbs().maxCoeff());
       for (const V& other : points) apart = std::max(apart, (points[k] - other).cwiseAbs().maxCoeff());
     }
-    EXPECT_GE(guide.size(), most * (1 - 4 * kU));
+    EXPECT_GE(core.size(), most * (1 - 4 * kU));
     // Within 3.5 times the larger half extent: the noise of contact is measured by this.
-    EXPECT_LE(guide.size(), 3.5 * apart / 2 * (1 + 8 * kU));
+    EXPECT_LE(core.size(), 3.5 * apart / 2 * (1 + 8 * kU));
   }
   EXPECT_GT(centered, 500);
   EXPECT_GT(kept, 1000);
 }
 
 // Of a triangle that is thin along one axis, and lies aside along it, there is no centre to turn.
-TEST(Guide, AThinTriangleNearTheOriginHasNoCentre) {
+TEST(PreparedCore, AThinTriangleNearTheOriginHasNoCentre) {
   const Body<double> body{.shape = Triangle<double>{{0.3, 1, 0}, {0.31, -1, 0.5}, {0.3, 0, -0.5}}};
-  EXPECT_EQ(Guide<double>(body).center().vector(), V::Zero());
+  EXPECT_EQ(PreparedCore<double>(body).center().vector(), V::Zero());
 }
 
 // support() finds a point that is farthest within 16 u, ties or not.
-TEST(Guide, OfFewPointsTheFarthestIsFound) {
+TEST(PreparedCore, OfFewPointsTheFarthestIsFound) {
   Draw draw{82};
   for (int round = 0; round < 6000; ++round) {
     Shape<double> shape = few(draw, round, V::Zero(), 1);
@@ -75,14 +75,14 @@ TEST(Guide, OfFewPointsTheFarthestIsFound) {
     }
     if (n == V::Zero()) continue;
     const Body<double> body{.shape = shape};
-    const Guide<double> guide(body);
+    const PreparedCore<double> core(body);
     const std::vector<V> points = points_of(shape);
     std::uint32_t vertex = 99;
-    const V found = guide.support(triple(n), vertex).vector();
+    const V found = core.support(triple(n), vertex).vector();
     ASSERT_LT(vertex, points.size());
-    EXPECT_EQ(found, guide.own(vertex).vector());
+    EXPECT_EQ(found, core.own(vertex).vector());
     for (const V& x : points)
-      EXPECT_GE(n.dot(found), n.dot(V(x - guide.center().vector())) - 16 * kU * guide.reach() * n.norm());
+      EXPECT_GE(n.dot(found), n.dot(V(x - core.center().vector())) - 16 * kU * core.reach() * n.norm());
   }
 }
 

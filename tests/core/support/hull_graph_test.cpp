@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <set>

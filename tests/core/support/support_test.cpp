@@ -3,7 +3,7 @@
 // in the normal cone at x).
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <graze/support/cso.hpp>
+#include <graze/detail/pairs/cso.hpp>
 
 #include "tests/shared/generate.hpp"
 

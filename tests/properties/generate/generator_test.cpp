@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <graze/support/hull_graph.hpp>
+#include <graze/detail/shapes/hull_graph.hpp>
 #include <map>
 
 #include "corpus/format/case_io.hpp"

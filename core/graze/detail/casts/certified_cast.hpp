@@ -1,0 +1,637 @@
+// Tier certified of linear casts: a bracket of the first contact, proved without condition for the true
+// shapes.
+//
+//   toi_lower <= TOI <= toi_upper for the sets that the given numbers define, every rounding of the search,
+//   of the support functions and of the times counted; and its width, the larger backward error of the two
+//   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
+//
+// Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
+// the end (for float that comes on top of the width). Polytopes without a target distance are answered by the
+// exact tier, whose bracket is narrower still.
+//   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
+//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
+//                          arithmetic (exact_start.hpp): bodies that touch;
+//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact, is not
+//                          proved to be in contact, and contact is proved a little later;
+//   not_converged          a tie: at toi_lower the bodies are within the width of contact, or the motion ends there, and
+//                          neither contact nor a miss is proved. The answer has a normal, witnesses and `distance`, a
+//                          bound of the gap that is at most the width, so that a caller can take it for contact. Only
+//                          where clearance or depth is below the width, or under pass_over where that much decides
+//                          whether the start leaves. A search that the caller's own max_iterations ends may say less.
+//                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
+//                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
+//
+// How. Spheres, capsules and polytopes at a distance: casts/round_bracket.hpp, wherever it decides; with a
+// cylinder, a cone or an ellipsoid: casts/curved_bracket.hpp. Else:
+// upper half: a portal of exactly named points (proving/certified_portal.hpp), its decisions beyond predicate_error. Lower
+// half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
+// face that is nearly along the path and another), the axis from C to a point of the path a little before
+// contact: as that point is farther from C than h rounds, its axis is proved, and as it is nearer than the
+// width, that is enough. Both halves' backward errors are then bounded:
+//   distance of t v from C      <= (upper - t) |v|, and by GJK;
+//   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: moved so far along -n, C
+//                                  lies beneath the path.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/detail/casts/curved_bracket.hpp>
+#include <graze/detail/casts/degenerate_round.hpp>
+#include <graze/detail/casts/exact_cast.hpp>
+#include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/proving/prove.hpp>
+#include <graze/detail/proving/surround.hpp>
+#include <graze/detail/rays/certified_ray.hpp>
+#include <graze/detail/search/exact/exact_start.hpp>
+#include <graze/detail/search/robust/leaving.hpp>
+#include <optional>
+#include <utility>
+
+namespace graze { inline namespace GRAZE_LINKAGE {
+
+namespace detail {
+
+template <Scalar S>
+class CertifiedCast {
+ public:
+  CertifiedCast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, double t_max,
+                double target_distance, Counters& counters)
+      : a_(a),
+        b_(b),
+        cso_(a, b, static_cast<S>(target_distance), Turning::accurate),
+        context_(proof_context(a, b, cso_, t_max, target_distance)),
+        counters_(counters),
+        points_(context_, counters),
+        target_distance_(target_distance),
+        budget_(options.max_iterations),
+        wants_proof_(asks_for(options.request, Request::proof)),
+        // cso.scale() is not above the pair's. A portal is 2^9 times the predicate_error of its corners high.
+        width_allowed_(kLinearCertifiedWidth * (1 - 0x1p-20) * cso_.scale() + 0x1p10 * points_.error()) {}
+  CertifiedCast(const CertifiedCast&) = delete;
+  CertifiedCast& operator=(const CertifiedCast&) = delete;
+
+  void run() {
+    if (is_swept()) {
+      sweep();
+    } else {
+      rest();
+    }
+    if (outcome == Outcome::not_converged) come_near();
+    if (outcome == Outcome::hit || outcome == Outcome::not_converged) settle_start();
+    if (outcome == Outcome::not_converged) fill_open();
+  }
+  // The same where a quicker search has left the verdict open: if the axis at t = 0 proves a miss, or the bodies touch
+  // then up to rounding, that is decided first. A proof of contact may come of the wider search alone.
+  void run_open() {
+    Simplex<double> simplex;
+    const Distance<double> d =
+        gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
+    if (is_miss(d.n)) return;
+    if (std::abs(d.upper - cso_.radius()) <= width_allowed_ && !wants_proof_) {
+      if (is_shown_at_start() || settle_start()) return;
+    }
+    run();
+  }
+
+  // Of a hit: points of A and B, in the world at t = 0, that are at contact at `lower`, up to the width.
+  struct Contact {
+    Vec3<double> on_a = Vec3<double>::Zero(), on_b = Vec3<double>::Zero();
+    void add(double weight, const NamedPoint& p) {
+      on_a += weight * p.on_a;
+      on_b += weight * p.on_b;
+    }
+  };
+  [[nodiscard]] Contact contact() {
+    Contact out;
+    const double s = cso_.to_parameter(lower);
+    if ((cso_.to_parameter(upper) - s) * context_.r.norm() <= width_allowed_ / 8) {
+      for (std::size_t i = 0; i < 3; ++i) out.add(portal.lambda[i], portal.p[i].point);
+      return out;
+    }
+    // A graze: the portal is farther along the path. The closest points at `lower`.
+    Simplex<double> simplex;
+    const Vec3<double> x = s * context_.r;
+    const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    const Closest<double> closest = closest_to_origin(simplex, x);
+    reduce(simplex, closest);
+    Vec3<double> towards = d.n != Vec3<double>::Zero() ? d.n : n;
+    // The balls touch along what is between the cores, which is known better than the normal of the search.
+    if (cso_.radius() > 0 && closest.v.norm() > cso_.radius() / 2) towards = -unit(closest.v);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.size); ++i) {
+      const CsoPoint<double>& p = simplex.point[i];
+      const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;
+      out.add(simplex.lambda[i], points_.named(p, e));
+      // A curved core's points are found along directions of their own; the balls about them look one way.
+      out.on_a += simplex.lambda[i] * context_.radius_a * (towards - e);
+      out.on_b -= simplex.lambda[i] * context_.radius_b * (towards - e);
+    }
+    return out;
+  }
+
+  // After run() of a start in contact, or maybe in contact: does its ray go into C's inside, or leave, or
+  // slide? Of C without the target distance.
+  [[nodiscard]] Start start() {
+    Proof away;
+    prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
+    if (away.toi_lower == kInfinity<double>) return Start::leaves;
+    if (const Start exactly = start_exactly(); exactly != Start::open) return exactly;
+    // An n with h(n) <= 0 has n.v <= 0 where C has a point ahead on the line; and n.v = 0, too, only if seen
+    // along the line it keeps all of C in a half-plane. Where points of C surround the line none does. At
+    // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
+    // every motion stays there for a while.
+    const ProvedView<S> ahead = view(false);
+    const ProvedPortal in = ahead.enter({}, gap()), out = view(true).enter({}, gap());
+    // Of long thin shapes the search's axis is rounded by more than they are thick.
+    for (const Vec3<double>& axis : {in.n, in.across, out.n, out.across}) {
+      if (prove_lower(context_, axis, true, away, counters_)) return Start::leaves;
+    }
+    if (in.found && out.found && ahead.is_surrounded(in, out)) {
+      if (cso_.moves() ? out.upper < 0 : in.upper < 0 && out.upper < 0) return Start::enters;
+    }
+    return around_origin(true) ? Start::enters : Start::open;
+  }
+
+  // After run(): nothing is known but that the bodies are near contact at t = 0.
+  void leave_open() {
+    outcome = Outcome::not_converged;
+    proof = {};
+    upper = kInfinity<double>;
+    apart = cso_.to_length(near(0).distance);
+    fill_open();
+  }
+
+  Outcome outcome = Outcome::not_converged;
+  Proof proof;  // times in double; a portal's pairs only while its points have names
+  double lower = 0, upper = kInfinity<double>;  // t
+  double apart = kInfinity<double>;             // of the bodies at lower, at most; world length
+  Vec3<double> n = Vec3<double>::Zero();  // hit, not_converged: unit, supports C at the contact, or nearly
+  ProvedPortal portal;                    // hit
+
+ private:
+  [[nodiscard]] bool is_swept() const { return cso_.moves() && context_.s_max > 0; }
+  // A portal's own rounding, and what its points are drawn in by, is 32 u of the lengths in them.
+  [[nodiscard]] double gap() const { return 32 * kUnitRoundoff<double> * cso_.scale(); }
+
+  // The line of the motion or, where nothing moves, of a direction from the origin to the middle of C.
+  [[nodiscard]] ProvedView<S> view(bool backwards) const {
+    if (!cso_.moves()) {
+      const Vec3<double> d = cso_.middle();
+      return along(d == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : unit(d), backwards);
+    }
+    Vec3<double> from = wide(a_.displacement), to = wide(b_.displacement);
+    if (backwards) std::swap(from, to);
+    return {points_, scaled_by(apart_exactly(to, from), power_of_two(-cso_.speed_exponent())), from, to};
+  }
+  // A line through the origin along d.
+  [[nodiscard]] ProvedView<S> along(const Vec3<double>& d, bool backwards) const {
+    const Vec3<double> zero = Vec3<double>::Zero();
+    const Vec3<double>&from = backwards ? d : zero, &to = backwards ? zero : d;
+    return {points_, apart_exactly(to, from), from, to};
+  }
+  static TwoDoubles3 apart_exactly(const Vec3<double>& to, const Vec3<double>& from) {
+    TwoDoubles3 r;
+    for (int i = 0; i < 3; ++i) r[static_cast<std::size_t>(i)] = two_sum(to[i], -from[i]);
+    return r;
+  }
+  // Directions that are no symmetry of anything: where the line of the motion passes the border of two
+  // portals, and is proved by neither, these do not.
+  static constexpr std::array<std::array<double, 3>, 4> kSkew = {{{0.8125, 0.4375, 0.3828125},
+                                                                  {-0.40625, 0.859375, 0.3125},
+                                                                  {0.28125, -0.34375, 0.89453125},
+                                                                  {-0.640625, -0.5703125, 0.515625}}};
+  // Where it enters C; at s <= 0 it need not be known how far back.
+  [[nodiscard]] ProvedPortal enter(const Portal<double>& first = {}) {
+    return view(false).enter(first, gap(), 0);
+  }
+  // The same line backwards: -upper is not above the s where it leaves C.
+  [[nodiscard]] ProvedPortal leave() { return view(true).enter({}, gap(), 0); }
+
+  bool is_miss(const Vec3<double>& axis) {
+    if (proof.toi_lower == kInfinity<double>) return true;
+    if (axis.cwiseAbs().maxCoeff() > 0 && prove_lower(context_, axis, true, proof, counters_)) {
+      outcome = Outcome::miss;
+      lower = kInfinity<double>;
+    }
+    return outcome == Outcome::miss;
+  }
+  bool is_miss_by_search(const Vec3<double>& hint) {
+    prove_miss(context_, hint, proof, counters_);
+    if (proof.toi_lower == kInfinity<double>) {
+      outcome = Outcome::miss;
+      lower = kInfinity<double>;
+    }
+    return outcome == Outcome::miss;
+  }
+  // Contact at t = 0, between two portals.
+  void overlap(const ProvedPortal& in, const ProvedPortal& out) {
+    outcome = Outcome::initially_overlapping;
+    lower = upper = 0;
+    proof = {};
+    if (!wants_proof_) return;
+    const Surrounding four = surrounding(points_, in, out);
+    if (!four.found) return prove_start(context_, proof, counters_);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!four.p[i].named) return;
+      proof.portal[i] = four.p[i].name;
+    }
+    proof.portal_size = 4;
+    proof.toi_upper = 0;
+  }
+
+  // Nothing moves, or for no time.
+  void rest() {
+    Simplex<double> simplex;
+    const Distance<double> d =
+        gjk_distance(cso_, Vec3<double>(Vec3<double>::Zero()), simplex, 0.0, 0.0, budget_, counters_);
+    if (is_miss(d.n) || (d.upper < cso_.radius() + gap() && is_shown_at_start())) return;
+    const ProvedPortal in = enter(), out = leave();
+    if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
+    if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
+    if (is_miss_by_search(d.n) || is_deep_at_start()) return;
+    // GJK ends where a step is no nearer, as far as doubles tell, though its axis would turn. Seen along a
+    // line, what separates C from it is exact.
+    for (const auto& [x, y, z] : kSkew) {
+      const ProvedPortal aside = along(Vec3<double>(x, y, z), false).enter({}, gap());
+      if (is_miss(aside.found ? aside.n : aside.across)) return;
+    }
+  }
+
+  void sweep() {
+    const Frame<double> frame(context_.r);
+    const double z_max = context_.s_max * frame.length;
+    const PortalSearch<double> search = enter_line(cso_, frame, z_max, gap(), budget_, counters_);
+    using State = PortalSearch<double>::State;
+    if ((search.state == State::missed || search.state == State::rejected) && is_miss_by_search(search.n))
+      return;
+    if (search.state == State::entered && search.upper < 0 && is_shown_at_start()) return;
+    portal = enter(search.portal);
+    if (!portal.found || !(portal.upper <= context_.s_max * (1 - 4 * kUnitRoundoff<double>))) {
+      if (is_miss(portal.found ? portal.n : portal.across) || is_miss_by_search(search.n)) return;
+      // A line through the border of two portals, of symmetry mostly, is proved by neither.
+      if (is_deep_at_start()) return;
+      return bound_below(search);
+    }
+    if (portal.upper <= 0) {
+      const ProvedPortal out = leave();
+      if (out.found && out.upper <= 0) return overlap(portal, out);
+      if (is_miss(out.found ? out.n : out.across) || is_miss_by_search(search.n)) return;
+      is_deep_at_start();
+      return;
+    }
+    bound_below(search);
+    if (!(proof.toi_lower > 0) && is_deep_at_start()) return;
+    // The portal's point may lie before the start; with one of C behind the start, contact is in between.
+    if (!(portal.least >= 0)) {
+      const ProvedPortal out = leave();
+      if (!out.found || !(out.upper <= 0)) return;
+    }
+    close();
+  }
+
+  // Where the portals along the path are not to be had, or lie almost along it, contact at its start may be
+  // plain along another direction.
+  bool is_deep_at_start() {
+    if (is_shown_at_start()) return true;
+    const auto portals = around_origin(false);
+    if (portals) overlap(portals->first, portals->second);
+    return portals.has_value();
+  }
+  // By four points around the origin, of a start that is as deep as rounding. Asked once: it does not change.
+  bool is_shown_at_start() {
+    if (start_was_asked_) return false;
+    start_was_asked_ = true;
+    Proof start;
+    prove_start(context_, start, counters_);
+    if (start.portal_size != 4) return false;
+    outcome = Outcome::initially_overlapping;
+    lower = upper = 0;
+    proof = start;
+    return true;
+  }
+  // Portals on either side of the origin along a line of kSkew, or, `strictly`, with the origin inside of
+  // their hull: beyond the predicate_error of their heights, or exactly. In a body that lies far out in its own frame
+  // the predicate_error may be more than the body.
+  [[nodiscard]] std::optional<std::pair<ProvedPortal, ProvedPortal>> around_origin(bool strictly) const {
+    for (const auto& [x, y, z] : kSkew) {
+      const ProvedView<S> view = along(Vec3<double>(x, y, z), false);
+      const double enough = strictly ? -kInfinity<double> : 0.0;
+      const ProvedPortal in = view.enter({}, gap(), enough);
+      if (!in.found || !(strictly || in.upper <= 0)) continue;
+      const ProvedPortal out = along(Vec3<double>(x, y, z), true).enter({}, gap(), enough);
+      if (!out.found || !(strictly || out.upper <= 0)) continue;
+      const bool beyond_predicate_error = in.upper < 0 && out.upper < 0 && view.is_surrounded(in, out);
+      if (!strictly || beyond_predicate_error || surrounding(points_, in, out, true).found)
+        return std::pair(in, out);
+    }
+    return std::nullopt;
+  }
+
+  void bound_below(const PortalSearch<double>& search) {
+    prove_lower(context_, portal.n, false, proof, counters_);
+    if (!(portal.n.cwiseAbs().maxCoeff() > 0) || !(portal.beyond <= gap())) {
+      prove_lower(context_, search.n, false, proof, counters_);
+      prove_lower(context_, search.facing, false, proof, counters_);
+    }
+  }
+  // ---- where the search ends without a verdict ----
+
+  struct Near {
+    double distance;  // not below the distance of s r from C, internal length
+    Vec3<double> n;
+  };
+
+  // A lower end near contact, by conservative advancement: each axis from C to the path's point at the lower end proves a
+  // later one. Past a rounded side each step halves the way to the nearest point, at least.
+  void come_near() {
+    double s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
+    Near at = near(s);
+    for (int i = 0; i < kAdvances && !(at.distance <= width_allowed_); ++i) {
+      if (is_miss(at.n)) return;
+      if (!is_swept() || !(prove_later(at.n) || looks_from_before(s, at)) || at.distance <= width_allowed_)
+        break;
+      s = cso_.to_parameter(std::min(proof.toi_lower, context_.t_max));
+      at = near(s);
+    }
+    if (!(at.distance <= width_allowed_) && is_miss_by_search(at.n)) return;
+    apart = cso_.to_length(at.distance);
+    n = at.n;
+  }
+  [[nodiscard]] bool prove_later(const Vec3<double>& axis) {
+    const double before = proof.toi_lower;
+    prove_lower(context_, axis, false, proof, counters_);
+    return proof.toi_lower > before;
+  }
+  // So near to C the direction to it is rounding, and a search may stall: it asks at points of the path farther and farther
+  // before s. A later bound may be proved by what it finds there, and C is no farther from s than from there and the way back.
+  [[nodiscard]] bool looks_from_before(double s, Near& at) {
+    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    for (double before = width_allowed_ / 16 / speed; before < kFarBefore; before *= 2) {
+      const Near there = near(s - before);
+      at.distance = std::min(at.distance, there.distance + before * speed);
+      if (at.distance <= width_allowed_ || prove_later(there.n)) return true;
+    }
+    return false;
+  }
+  // Whether a start that is not proved to be free of contact is one in contact, in exact arithmetic. True: it is, or
+  // the bodies are apart and stay so.
+  bool settle_start() {
+    if (proof.toi_lower > 0) return false;
+    const ExactStart start = decide_start();
+    if (start.is_contact()) {
+      outcome = Outcome::initially_overlapping;
+      lower = upper = 0;
+      proof = {};
+    } else if (start.kind == StartKind::apart && (!is_swept() || rate_along(start.n) >= 0)) {
+      outcome = Outcome::miss;
+      lower = upper = kInfinity<double>;
+    }
+    return outcome == Outcome::initially_overlapping || outcome == Outcome::miss;
+  }
+  [[nodiscard]] ExactStart decide_start() {
+    return StartDecision<S>(a_, b_, cso_, target_distance_, budget_, counters_)();
+  }
+  // The sign of n.v.
+  [[nodiscard]] int rate_along(const exact::Dyadic3& direction) const {
+    const exact::Exact v = exact::Exact::of(wide(b_.displacement), wide(a_.displacement));
+    return exact::dot(direction, v.x).sign();
+  }
+  // Of C without the target distance.
+  [[nodiscard]] Start start_exactly() {
+    const ExactStart start = decide_start();
+    if (start.kind == StartKind::deep) return Start::enters;
+    const bool known = start.kind == StartKind::touching || start.kind == StartKind::apart;
+    if (!known || direction_of(start.n) == Vec3<double>::Zero()) return Start::open;
+    if (rate_along(start.n) >= 0) return Start::leaves;
+    return start.only_normal ? Start::enters : Start::open;
+  }
+  // The tie is open, and the bodies are within the width: what a caller needs who takes it for contact.
+  void fill_open() {
+    lower = std::min(proof.toi_lower, context_.t_max);
+    proof.toi_lower = lower;
+    // Where they touch, what a search says of the direction between them may be noise. The best is what C reaches least
+    // beyond the path along, of those from points beside it as well.
+    const Vec3<double> x = cso_.to_parameter(lower) * context_.r;
+    double least = kInfinity<double>;
+    Vec3<double> best = Vec3<double>::Zero();
+    const auto try_direction = [&](const Vec3<double>& given) {
+      if (!(given.cwiseAbs().maxCoeff() > 0)) return;
+      const Vec3<double> e = unit(given);
+      const double beyond = context_.reach(e, counters_) * power_of_two(-cso_.length_exponent()) - e.dot(x);
+      if (beyond < least) {
+        least = beyond;
+        best = e;
+      }
+    };
+    for (const Vec3<double>& e : {n, portal.n, proof.axis}) try_direction(e);
+    try_direction(Vec3<double>(x - cso_.middle()));
+    for (const double away : {0x1p-20, 0x1p-26}) {
+      Simplex<double> simplex;
+      try_direction(
+          gjk_distance(cso_, Vec3<double>(x + away * best), simplex, 0.0, 0.0, budget_, counters_).n);
+    }
+    n = best;
+  }
+
+  // Not below the depth of the path over [0, t) in C, internal length, by the axis n.
+  [[nodiscard]] double depth_before(const Vec3<double>& axis, double t) {
+    if (!(axis.cwiseAbs().maxCoeff() > 0)) return kInfinity<double>;
+    const Vec3<double> e = unit(axis);
+    const double least = std::min(0.0, t * context_.rate(e).low * (1 + 4 * kUnitRoundoff<double>));
+    const double h = context_.reach(e, counters_);
+    return std::max(0.0, h - least) * (1 + 16 * kUnitRoundoff<double>)*power_of_two(-cso_.length_exponent());
+  }
+  [[nodiscard]] Near near(double s) {
+    Simplex<double> simplex;
+    const Vec3<double> x = s * context_.r;
+    const Distance<double> d = gjk_distance(cso_, x, simplex, width_allowed_ / 64, 0.0, budget_, counters_);
+    const double rounding =
+        16 * kUnitRoundoff<double> * (cso_.extent() + cso_.radius()) + 4 * cso_.point_error();
+    return {std::min(std::max(d.upper - cso_.radius(), 0.0), from_portal(x)) + rounding, d.n};
+  }
+  // The distance of x from the portal's triangle, all of it in C. On thin curved shapes GJK's is worse: so
+  // near to C the direction to it is rounding, and the support point along it is off by the thin radius times
+  // the angle's square.
+  [[nodiscard]] double from_portal(const Vec3<double>& x) const {
+    if (!portal.found) return kInfinity<double>;
+    Simplex<double> triangle;
+    for (const ProvedPoint& p : portal.p) {
+      CsoPoint<double> corner;
+      corner.w = rounded_once(p.point.w);
+      triangle.add(corner);
+    }
+    return std::sqrt(closest_to_origin(triangle, x).dist_sq);
+  }
+
+  // A hit is proved. What is the width of its bracket, and can it be made narrow?
+  void close() {
+    const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
+    upper = std::min(cso_.to_time(portal.upper) * (1 + kUnitRoundoff<double>), context_.t_max);
+    const auto length_before = [&](double t) {
+      return cso_.to_parameter(upper - t) * speed * (1 + 8 * kUnitRoundoff<double>);
+    };
+    double short_of = length_before(proof.toi_lower);  // not below the distance at toi_lower
+    Vec3<double> steep = Vec3<double>::Zero();
+    if (!(short_of <= width_allowed_)) {
+      const Near at_lower = near(cso_.to_parameter(proof.toi_lower));
+      short_of = at_lower.distance;
+      steep = at_lower.n;
+    }
+    if (!(short_of <= width_allowed_)) short_of = nearer(steep);
+    if (!(short_of <= width_allowed_)) {
+      come_near();
+      if (outcome == Outcome::miss) return;
+      short_of = apart * power_of_two(-cso_.length_exponent());
+    }
+    n = portal.n;
+    double deep = depth_before(n, upper);
+    const auto try_axis = [&](const Vec3<double>& axis) {
+      if (const double d = depth_before(axis, upper); d < deep) {
+        deep = d;
+        n = unit(axis);
+      }
+    };
+    if (!(deep <= width_allowed_ / 8)) {
+      try_axis(proof.axis);
+      try_axis(steep);
+    }
+    // From C to a point of the line before contact, the path's or one behind its start.
+    for (double before = width_allowed_ / context_.r.norm(); !(deep <= width_allowed_) && before < kFarBefore;
+         before *= 32) {
+      try_axis(near(cso_.to_parameter(upper) - before).n);
+    }
+    lower = proof.toi_lower;
+    apart = cso_.to_length(short_of);
+    if (short_of <= width_allowed_ && deep <= width_allowed_) outcome = Outcome::hit;
+    name_portal();
+  }
+  // Axes from C to points of the path, farther and farther before contact, until one is proved. Returns a
+  // bound of the distance from C at the time proved.
+  double nearer(Vec3<double>& steep) {
+    double before = width_allowed_ / 8 / context_.r.norm();
+    for (int i = 0; i < 64; ++i, before *= 2) {
+      const double s = cso_.to_parameter(upper) - before;
+      const Near there = near(std::max(s, 0.0));
+      if (!(there.distance <= width_allowed_) || !(s > 0)) break;
+      steep = there.n;
+      if (prove_lower(context_, there.n, false, proof, counters_)) {
+        const double t = proof.toi_lower;
+        const Near proved = near(cso_.to_parameter(t));
+        if (proved.distance <= width_allowed_) return proved.distance;
+      }
+    }
+    // Where the path meets the rim of a flat end, the axes from C to it are tilted as far as it is off the
+    // rim; the end's own normal is along one of the body's axes.
+    for (const Side<double>* side : {&cso_.side_a(), &cso_.side_b()}) {
+      for (int i = 0; i < 3; ++i) {
+        const Vec3<double> own = side->to_world(Vec3<double>(Vec3<double>::Unit(i)));
+        for (const Vec3<double>& axis : {own, Vec3<double>(-own)}) {
+          const double before_it = proof.toi_lower;
+          prove_lower(context_, axis, false, proof, counters_);
+          if (proof.toi_lower > before_it) steep = axis;
+        }
+      }
+    }
+    return near(cso_.to_parameter(proof.toi_lower)).distance;
+  }
+  void name_portal() {
+    if (!(portal.least >= 0)) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!portal.p[i].point.named) return;
+      proof.portal[i] = portal.p[i].point.name;
+    }
+    proof.portal_size = 3;
+    proof.toi_upper = upper;
+  }
+
+  // Of the path's parameter: the root of the width, from where an axis is tilted by more than the width
+  // allows.
+  static constexpr double kFarBefore = 1e-6;
+  // Of come_near(): 40 halvings of the way are from the scale to the width, and as many where rounding takes some back.
+  static constexpr int kAdvances = 80;
+
+  const Body<S>&a_, &b_;
+  Cso<double> cso_;
+  ProofContext<S> context_;
+  Counters& counters_;
+  NamedPoints<S> points_;
+  double target_distance_;
+  int budget_;
+  bool wants_proof_;
+  bool start_was_asked_ = false;  // and not shown
+  double width_allowed_;          // internal length
+};
+
+template <Scalar S>
+void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                     CertifiedCast<S>& cast, CastResult<S>& out) {
+  const bool in_contact = cast.outcome == Outcome::initially_overlapping;
+  if (cast.outcome == Outcome::miss || cast.proof.toi_lower > 0) return;
+  CertifiedCast<S> core(a, b, options, kInfinity<double>, 0, out.counters);
+  const Start start = core.start();
+  if (start == Start::enters) return;
+  if (start == Start::leaves && in_contact) {
+    out.passed_over = true;
+    cast.outcome = Outcome::miss;
+    cast.lower = cast.upper = kInfinity<double>;
+    return;
+  }
+  // Whether it is a start in contact, or whether that leaves, is open: then so is all that follows.
+  cast.leave_open();
+}
+
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  CastResult<S> out;
+  out.method = Method::certified_portal;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options)) return out;
+  if (!(options.target_distance > 0)) {
+    if (exact::is_exact(a.shape) && exact::is_exact(b.shape)) return cast_exact(a, b, options);
+    if (const auto flat = detail::cast_flat(a, b, options)) return *flat;
+  }
+  const bool proof = asks_for(options.request, Request::proof);
+  const bool round = detail::is_round_pair(a, b, options), curved = !round && detail::is_curved_pair(a, b);
+  const bool quick =
+      detail::ray_certified(a, b, options, out) || (round    ? detail::round_certified(a, b, options, out)
+                                                    : curved ? detail::curved_certified(a, b, options, out)
+                                                             : false);
+  if (quick && !proof) return out;
+  detail::CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
+                                static_cast<double>(options.target_distance), out.counters);
+  quick || !(round || curved) ? cast.run() : cast.run_open();
+  if (quick) {
+    if (cast.outcome == out.outcome) out.proof = cast.proof;
+    return out;
+  }
+  if (options.start_policy == StartPolicy::pass_over) {
+    detail::pass_over_start(a, b, options, cast, out);
+  }
+  out.outcome = cast.outcome;
+  out.toi_lower = cast.lower < kInfinity<double> ? detail::time_down<S>(cast.lower) : kInfinity<S>;
+  out.toi_upper = cast.outcome == Outcome::miss || !(cast.upper < kInfinity<double>)
+                      ? kInfinity<S>
+                      : std::min(detail::time_up<S>(cast.upper), options.t_max);
+  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
+    // At the time as rounded down, v within 8 u of itself.
+    const Vec3<double> v = detail::wide(b.displacement) - detail::wide(a.displacement);
+    const double way = v.norm() * (cast.lower - static_cast<double>(out.toi_lower));
+    out.distance = exact::round_up<S>((cast.apart + way) * (1 + 0x1p-48));
+    if (asks_for(options.request, Request::normal)) out.normal = cast.n.template cast<S>();
+    if (asks_for(options.request, Request::witnesses)) {
+      const auto at_lower = [&](const Body<S>& body, const Vec3<double>& x) -> Vec3<S> {
+        return (x + double(out.toi_lower) * detail::wide(body.displacement)).template cast<S>();
+      };
+      const auto contact = cast.contact();
+      out.point_a = at_lower(a, contact.on_a);
+      out.point_b = at_lower(b, contact.on_b);
+    }
+  }
+  out.counters.iterations = out.counters.portal_steps + out.counters.gjk_iterations;
+  if (asks_for(options.request, Request::proof) && !out.passed_over) {
+    out.proof = under_policy(cast.proof, options.start_policy);
+  }
+  return out;
+}
+
+}}  // namespace graze::GRAZE_LINKAGE

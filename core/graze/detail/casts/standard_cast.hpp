@@ -1,0 +1,215 @@
+// The casts of tier standard, and the choice of a tier. Declared, with what they promise, in graze/cast.hpp.
+#pragma once
+
+#include <graze/cast.hpp>
+#include <graze/detail/casts/certified_cast.hpp>
+#include <graze/detail/casts/curved_cast.hpp>
+#include <graze/detail/casts/exact_cast.hpp>
+#include <graze/detail/casts/polytope_cast.hpp>
+#include <graze/detail/casts/round_cast.hpp>
+#include <graze/detail/proving/prove.hpp>
+#include <graze/detail/proving/witness.hpp>
+#include <graze/detail/rays/ray_cast.hpp>
+#include <graze/detail/search/robust/advancement.hpp>
+#include <graze/detail/search/robust/leaving.hpp>
+#include <graze/detail/shapes/validation.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE {
+
+namespace detail {
+
+template <Scalar S>
+void fill(CastResult<S>& out, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+          const Cso<S>& cso, const Sweep<S>& sweep) {
+  out.outcome = sweep.outcome;
+  if (out.outcome == Outcome::hit || out.outcome == Outcome::not_converged) {
+    // Contact is at upper: what is left of the path bounds the distance as well.
+    const S path = (sweep.upper - sweep.lower) * cso.direction().norm();
+    out.distance = cso.to_length(std::max(std::min(sweep.apart, path), S(0)));
+  }
+  switch (sweep.outcome) {
+    case Outcome::initially_overlapping:
+      out.toi_lower = out.toi_upper = 0;
+      break;
+    case Outcome::miss:
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      break;
+    default:
+      // A time too large for S lies between its largest number and infinity.
+      out.toi_lower = std::min({cso.to_time(sweep.lower), options.t_max, std::numeric_limits<S>::max()});
+      out.toi_upper =
+          sweep.upper < kInfinity<S> ? std::min(cso.to_time(sweep.upper), options.t_max) : kInfinity<S>;
+  }
+  if (out.outcome == Outcome::hit) {
+    GRAZE_ASSERT(0 <= out.toi_lower && out.toi_lower <= out.toi_upper && out.toi_upper <= options.t_max);
+    if (asks_for(options.request, Request::normal)) out.normal = sweep.n;
+    if (asks_for(options.request, Request::witnesses)) {
+      out.point_a = witness(a, cso.side_a(), cso, sweep.contact, sweep.n, true, out.toi_lower);
+      out.point_b = witness(b, cso.side_b(), cso, sweep.contact, sweep.n, false, out.toi_lower);
+    }
+  }
+  if (asks_for(options.request, Request::proof)) {
+    out.proof = prove(a, b, options, out.outcome, out.toi_upper, sweep.n, out.counters);
+  }
+}
+
+template <Scalar S, class Search>
+[[gnu::noinline]] void search_with(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                                   const Search& search, CastResult<S>& out) {
+  const Cso<S> cso(a, b, options.target_distance);
+  SweepLimits<S> limits = sweep_limits(cso, options);
+  // A ray, or a path without end, is first clipped to C's bounds.
+  Clip<S> clip;
+  const bool ray = std::holds_alternative<Point<S>>(a.shape) || std::holds_alternative<Point<S>>(b.shape);
+  if (limits.s_max > 0 && (ray || !(limits.s_max < kInfinity<S>))) {
+    clip = clip_to_bounds(cso, limits.s_max, out.counters);
+    limits.s_max = clip.leave;
+  }
+  Sweep<S> sweep;
+  if (clip.missed) {
+    sweep.outcome = Outcome::miss;
+    sweep.n = clip.n;
+  } else {
+    SweepLimits<S> most = limits;
+    most.budget -= limits.budget / 4;  // the rest is kept for the start
+    sweep = search(cso, most, clip, out.counters);
+  }
+  // The search did not get beyond the start. Seen along the path C may be too thin for a portal, and yet hold
+  // the origin: the overlap test, which starts from a point inside C, can tell.
+  if (sweep.outcome == Outcome::not_converged && !(sweep.lower > 0)) {
+    Counters again;
+    SweepLimits<S> rest = limits;
+    rest.budget = limits.budget / 4;
+    const Sweep<S> start = mpr_overlap(cso, rest, again);
+    out.counters += again;
+    if (start.outcome == Outcome::initially_overlapping) sweep = start;
+  }
+  // A hit within the noise of the start is a start in contact, too.
+  const bool at_start =
+      sweep.outcome == Outcome::initially_overlapping ||
+      (sweep.outcome == Outcome::hit && sweep.lower * cso.direction().norm() <= limits.noise);
+  if (options.start_policy == StartPolicy::pass_over && at_start) {
+    const Start start = start_of(Cso<S>(a, b), limits, out.counters);
+    if (start == Start::leaves) {
+      out.outcome = Outcome::miss;
+      out.toi_lower = out.toi_upper = kInfinity<S>;
+      out.passed_over = true;
+      return;
+    }
+    if (start == Start::open) sweep = {};
+  }
+  fill(out, a, b, options, cso, sweep);
+}
+
+template <Scalar S, class Search>
+CastResult<S> cast_with(Method method, const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                        const Search& search) {
+  CastResult<S> out;
+  out.method = method;
+  out.invalid = validate(a, b, options);
+  if (!refused(out, a, b, options)) search_with(a, b, options, search, out);
+  return out;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast_conservative_advancement(const Body<S>& a, const Body<S>& b,
+                                            const CastOptions<S>& options) {
+  return detail::cast_with(
+      Method::conservative_advancement, a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        return conservative_advancement(cso, limits, clip.enter, clip.n, counters);
+      });
+}
+
+namespace detail {
+
+// The GJK ray cast without a quick search: what cast_gjk_ray falls back to. The bodies have passed validate().
+template <Scalar S>
+void robust_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  search_with(
+      a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        return gjk_ray_cast(cso, limits, clip.enter, clip.n, counters);
+      },
+      out);
+}
+
+// MPR without the quick walk: what cast_mpr_sweep falls back to. The bodies have passed validate().
+template <Scalar S>
+void robust_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  search_with(
+      a, b, options,
+      [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {
+        SweepLimits<S> part = limits;
+        part.budget -= limits.budget / 4;
+        Sweep<S> sweep = mpr_sweep(cso, part, counters);
+        if (sweep.outcome == Outcome::not_converged) {
+          // MPR cycles at the level of rounding: GJK is tried instead, with the rest of the budget.
+          Counters again;
+          part.budget = limits.budget / 4;
+          sweep = gjk_ray_cast(cso, part, clip.enter, clip.n, again);
+          counters += again;
+        }
+        return sweep;
+      },
+      out);
+}
+}  // namespace detail
+
+// The GJK ray cast: of polytopes the quick one first, of spheres, capsules and rounded polytopes the round walk.
+template <Scalar S>
+CastResult<S> cast_gjk_ray(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  CastResult<S> out;
+  out.method = Method::gjk_ray_cast;
+  out.invalid = validate(a, b, options);
+  if (detail::refused(out, a, b, options) || detail::ray_cast(a, b, options, out)) return out;
+  const bool answered = detail::is_round_pair(a, b, options) ? detail::round_cast(a, b, options, out)
+                                                             : detail::fast_ray_cast(a, b, options, out);
+  if (!answered) detail::robust_gjk_ray(a, b, options, out);
+  return out;
+}
+
+template <Scalar S>
+CastResult<S> cast_mpr_sweep(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  CastResult<S> out;
+  out.method = Method::mpr_sweep;
+  out.invalid = validate(a, b, options);
+  if (!detail::refused(out, a, b, options) && !detail::ray_cast(a, b, options, out) &&
+      !detail::fast_cast(a, b, options, out) && !detail::curved_cast(a, b, options, out))
+    detail::robust_mpr_sweep(a, b, options, out);
+  return out;
+}
+
+namespace detail {
+
+// The quicker one, as CastOptions::method says.
+template <Scalar S>
+[[nodiscard]] Method default_method(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  const bool sharp = !(options.target_distance > 0) && has_fast_search(a.shape) && has_fast_search(b.shape);
+  return sharp || is_curved_pair(a, b) ? Method::mpr_sweep : Method::gjk_ray_cast;
+}
+
+}  // namespace detail
+
+template <Scalar S>
+CastResult<S> cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options) {
+  if (options.tier == Tier::exact) return cast_exact(a, b, options);
+  if (options.tier == Tier::certified) return cast_certified(a, b, options);
+  switch (options.method.value_or(detail::default_method(a, b, options))) {
+    case Method::exact_portal:
+      return cast_exact(a, b, options);
+    case Method::certified_portal:
+      return cast_certified(a, b, options);
+    case Method::conservative_advancement:
+      return cast_conservative_advancement(a, b, options);
+    case Method::gjk_ray_cast:
+      return cast_gjk_ray(a, b, options);
+    case Method::mpr_sweep:
+      break;
+  }
+  return cast_mpr_sweep(a, b, options);
+}
+
+}}  // namespace graze::GRAZE_LINKAGE

@@ -1,0 +1,90 @@
+// What the processor has beyond what the compiler may use: asked while the program runs.
+//
+// Code for every x86-64 processor may not contain fused multiply-adds. Where one gives the same bits sooner, there are
+// two copies of the code that it counts in, and one question before it: a load and a branch. Elsewhere, and where the
+// compiler may use it anyway, there is one.
+//
+// The fused instruction is written down rather than left to the compiler: of a function that is compiled for such
+// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine. What runs only where
+// there is one is compiled for AVX, though (GRAZE_FUSED), which every processor with fused multiply-adds has: that fuses
+// nothing and rounds nothing otherwise, and most of the instructions that only copy registers, a quarter of all, are
+// left out.
+#pragma once
+
+#include <graze/linkage.hpp>
+
+#include <cstddef>
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
+#define GRAZE_FUSES_IF_THERE 1
+// Of a function that runs only where fuses(): what it calls becomes part of it.
+#define GRAZE_FUSED [[gnu::target("avx"), gnu::flatten, gnu::noinline]]
+#else
+#define GRAZE_FUSES_IF_THERE 0
+#define GRAZE_FUSED [[gnu::flatten, gnu::noinline]]
+#endif
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+// Two doubles side by side, of what is done to two bodies alike: one instruction does for both where there is one (SSE2,
+// which every x86-64 processor has), with the bits of two.
+#if defined(__GNUC__)
+using TwoLanes = double __attribute__((vector_size(16)));
+#else
+struct TwoLanes {
+  double lane[2];
+
+  double operator[](std::size_t i) const { return lane[i]; }
+  friend TwoLanes operator-(const TwoLanes& x) { return {-x[0], -x[1]}; }
+  friend TwoLanes operator+(const TwoLanes& x, const TwoLanes& y) { return {x[0] + y[0], x[1] + y[1]}; }
+  friend TwoLanes operator-(const TwoLanes& x, const TwoLanes& y) { return {x[0] - y[0], x[1] - y[1]}; }
+  friend TwoLanes operator*(const TwoLanes& x, const TwoLanes& y) { return {x[0] * y[0], x[1] * y[1]}; }
+  friend TwoLanes operator*(double s, const TwoLanes& x) { return {s * x[0], s * x[1]}; }
+  friend TwoLanes operator/(double s, const TwoLanes& x) { return {s / x[0], s / x[1]}; }
+};
+#endif
+
+// x, a product, as it is rounded. Compilers may fuse a product with the sum that it goes into, where they may use such
+// instructions: g++ by default, and clang does not keep to the pragma that forbids it under -ffp-contract=fast. What has
+// to have the same bits everywhere says so, product by product. The asm is empty: nothing is done, and compilers do not
+// look through it. Without fused multiply-adds to use there is nothing to forbid.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T as_rounded(T x) {
+#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(__FMA__) || defined(__FMA4__)
+  asm("" : "+x"(x));
+#endif
+#elif defined(__GNUC__) && defined(__aarch64__)
+  asm("" : "+w"(x));
+#elif defined(__GNUC__)
+  asm("" : "+m"(x));
+#endif
+  return x;
+}
+template <class T, class U>
+[[nodiscard, gnu::always_inline]] inline U rounded_product(T a, U b) {
+  return as_rounded<U>(a * b);
+}
+
+// A fused multiply-add that the compiler may not use?
+[[nodiscard]] inline bool fuses() {
+#if GRAZE_FUSES_IF_THERE
+  return __builtin_cpu_supports("fma") != 0;
+#else
+  return false;
+#endif
+}
+
+#if GRAZE_FUSES_IF_THERE
+// a b - c, rounded once; only where fuses(): volatile, or the compiler might move it before that question.
+inline double fused_difference(double a, double b, double c) {
+  asm volatile("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
+  return c;
+}
+inline TwoLanes fused_difference(TwoLanes a, TwoLanes b, TwoLanes c) {
+  asm volatile("vfmsub231pd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
+  return c;
+}
+#endif
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

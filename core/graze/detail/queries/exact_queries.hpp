@@ -1,0 +1,135 @@
+// The other questions of tier exact: overlap at t = 0, overlap on the path, the signed answer. Touching
+// counts.
+//
+// For the shapes of casts/exact_cast.hpp; anything else is invalid_input with not_exact. Normals are within 2 u per
+// component of one that separates, or supports C where the line enters and leaves.
+#pragma once
+
+#include <graze/detail/casts/exact_ends.hpp>
+#include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/search/exact/exact_answer.hpp>
+#include <graze/line.hpp>
+#include <graze/overlap.hpp>
+#include <graze/swept_overlap.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE {
+
+namespace detail { namespace exact {
+
+// A miss by the line: a unit vector that separates.
+template <Scalar S>
+Vec3<S> separating_normal(const Scene<S>& scene, const Answer& answer) {
+  const Facet plane{{}, answer.miss.f1, answer.miss.f2, {}, 0};
+  return (answer.miss.sign * unit_normal(scene, plane)).template cast<S>();
+}
+
+// The result with what it cost; or that a number outgrew its room (dyadic.hpp).
+template <Scalar S, class Result>
+Result finished(const Scene<S>& scene, Result result) {
+  result.counters.exact_decisions = scene.exact_decisions();
+  if (scene.valid()) return result;
+  Result refused;
+  refuse_as_too_complex(refused);
+  return refused;
+}
+
+}}  // namespace detail::exact
+
+template <Scalar S>
+OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
+  OverlapResult<S> out;
+  Body<S> fixed_a = a, fixed_b = b;
+  fixed_a.displacement = fixed_b.displacement = Vec3<S>::Zero();
+  const CastOptions<S> options;
+  out.invalid = exact::refusal(a, b, options);
+  if (exact::refused(out, a, b, options)) return out;
+  exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
+  const exact::Answer answer = cast.pass();
+  out.outcome = Outcome::miss;
+  switch (answer.passage) {
+    case exact::Passage::contact:
+      out.outcome = Outcome::initially_overlapping;
+      break;
+    case exact::Passage::beside:
+      out.normal = exact::separating_normal(cast.scene(), answer);
+      break;
+    default:
+      out.normal = exact::outward_normal(cast.scene(), answer.facet, answer.passage == exact::Passage::ahead);
+  }
+  return exact::finished(cast.scene(), out);
+}
+
+template <Scalar S>
+SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
+                                          const SweptOverlapOptions<S>& options) {
+  CastOptions<S> as_cast;
+  as_cast.request = Request::normal;
+  as_cast.t_max = options.t_max;
+  as_cast.target_distance = options.target_distance;
+  as_cast.max_iterations = options.max_iterations;
+  SweptOverlapResult<S> out;
+  out.invalid = exact::refusal(a, b, as_cast);
+  if (exact::refused(out, a, b, as_cast)) return out;
+  exact::PassageSearch<S> cast(a, b, out.counters);
+  const double t_max = static_cast<double>(options.t_max);
+  const exact::Answer answer = cast.pass(t_max);
+  const bool ahead = answer.passage == exact::Passage::ahead;
+  const bool meets =
+      answer.passage == exact::Passage::contact ||
+      (ahead && cast.pair().moves() &&
+       (t_max == kInfinity<double> || exact::compare_time(cast.scene(), answer.facet, cast.v(), t_max) <= 0));
+  out.outcome = meets ? Outcome::hit : Outcome::miss;
+  if (!meets) {
+    out.normal = answer.passage == exact::Passage::beside
+                     ? exact::separating_normal(cast.scene(), answer)
+                     : exact::outward_normal(cast.scene(), answer.facet, ahead);
+  }
+  return exact::finished(cast.scene(), out);
+}
+
+template <Scalar S>
+LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S>& options) {
+  CastOptions<S> checked;
+  checked.target_distance = options.target_distance;
+  checked.tolerance = options.tolerance;
+  checked.max_iterations = options.max_iterations;
+  LineResult<S> out;
+  out.invalid = exact::refusal(a, b, checked);
+  if (exact::refused(out, a, b, checked)) return out;
+  exact::PassageSearch<S> cast(a, b, out.counters);
+  const exact::Scene<S>& scene = cast.scene();
+  if (!cast.pair().moves()) {
+    const OverlapResult<S> rest = overlap_exact(a, b);
+    out.invalid = rest.invalid;
+    out.invalid_at = rest.invalid_at;
+    out.counters = rest.counters;
+    out.outcome = rest.outcome == Outcome::initially_overlapping ? Outcome::hit : rest.outcome;
+    if (out.outcome == Outcome::miss) out.normal_in = rest.normal;
+    if (out.outcome == Outcome::hit) {
+      out.in_upper = -kInfinity<S>;
+      out.out_lower = kInfinity<S>;
+    }
+    return out;
+  }
+  const exact::Answer in = cast.end(-1);
+  if (in.passage == exact::Passage::beside) {
+    out.outcome = Outcome::miss;
+    out.normal_in = exact::separating_normal(scene, in);
+  } else {
+    const exact::Answer leave = cast.end(1);
+    out.outcome = Outcome::hit;
+    const exact::TimeBracket t_in = exact::round_time(scene, in.facet, cast.v()),
+                             t_out = exact::round_time(scene, leave.facet, cast.v());
+    out.in_lower = exact::round_down<S>(t_in.lower);
+    out.in_upper = exact::round_up<S>(t_in.upper);
+    out.out_lower = exact::round_down<S>(t_out.lower);
+    out.out_upper = exact::round_up<S>(t_out.upper);
+    if (asks_for(options.request, Request::normal)) {
+      out.normal_in = exact::outward_normal(scene, in.facet, true);
+      out.normal_out = exact::outward_normal(scene, leave.facet, false);
+    }
+  }
+  return exact::finished(scene, out);
+}
+
+}}  // namespace graze::GRAZE_LINKAGE

@@ -1,0 +1,316 @@
+// Follows a contact that is there at t = 0 until it gets deeper, or the bodies come apart: the start policy
+// pass_over of rotating bodies. A caller uses it to ask what a body that rests on another one hits next.
+//
+// Lengths: internal; n unit; s_n(t) = the gap along n at t (slice.hpp), below 0 by how deep the bodies are along n at
+// most. "No deeper than x" is proved by one axis, over a slice of time: s_n >= -x. "Deeper than x" is proved at one time,
+// by pairs that hold a ball of radius x about the origin (contact.hpp). With the allowed depth d,
+//   a slice is passed where an axis shows that the bodies are no deeper than d / 2 on all of it;
+//   the contact got deeper where it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
+//
+// Over a slice a gap is bounded by the chord of its ends, with what points bend (slice.hpp) or what the arc of the axis
+// allows (arc.hpp).
+#pragma once
+
+#include <graze/detail/rotating/march.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+struct FollowLimits {
+  double end = 1;
+  double allowed = 0;   // d: depth of a contact that is followed
+  double apart = 0;     // a gap of more: the bodies came apart
+  double touching = 0;  // a start no farther apart is in contact
+  double width = 0;     // depth that the bracket of a contact that gets deeper may hide; at least d counts
+  double stop = 0;      // of the closest-point searches
+  int budget = 0;       // support evaluations
+};
+
+struct Followed {
+  enum class State {
+    none,       // no contact at the start
+    deep,       // the contact at the start is deeper than is followed
+    open,       // neither of the others is shown from found.lower on
+    deeper,     // in [found.lower, found.upper] it gets deeper
+    separated,  // at found.lower the bodies are apart; no deeper contact before
+    ended,      // no deeper contact until the end
+  } state = State::none;
+  bool proved = false;  // of `deep`: by pairs
+  March found;
+};
+
+class ContactFollower {
+ public:
+  ContactFollower(MovingPair& pair, const FollowLimits& limits, Counters& counters)
+      : pair_(pair), limits_(limits), counters_(counters) {}
+
+  Followed operator()() {
+    place(0);
+    now_.near = look({});
+    if (now_.near.gap > 0 && now_.near.apart > limits_.touching) return out_;
+    now_.n = now_.near.n;
+    now_.s = deepest_axis(now_.n);
+    if (!(now_.s >= -followed())) return deep_start();
+    double h = limits_.end;
+    while (now_.t < limits_.end) {
+      if (is_spent()) return result(Followed::State::open);
+      const std::optional<double> passed = advance(h);
+      if (!passed) return out_;
+      if (now_.near.gap > limits_.apart) return result(Followed::State::separated);
+      h = kFaster * *passed;
+    }
+    return result(Followed::State::ended);
+  }
+
+ private:
+  // Parts of the allowed depth: of what is followed, of what a contact that got deeper is proved to have, where such a
+  // time is looked for, and how deep it may be at most by then.
+  static constexpr double kFollowed = 0.5, kProved = 0.25, kSought = 0.7, kDeepest = 0.95;
+  // A slice is tried for this many times the last one that was passed.
+  static constexpr double kFaster = 16;
+
+  struct At {
+    double t = 0;
+    Nearest near;
+    Vec3<double> n = Vec3<double>::Zero();  // along which the bodies are least deep, or farthest apart
+    double s = 0;                           // the gap along it
+  };
+
+  [[nodiscard]] double followed() const { return kFollowed * limits_.allowed; }
+  [[nodiscard]] bool is_spent() const { return counters_.supports >= limits_.budget; }
+  void place(double t) {
+    if (pair_.time() != t) pair_.place(t);
+  }
+  Nearest look(const Simplex<double>& before) {
+    ++counters_.iterations;
+    return nearest(pair_, before, 0, limits_.stop, limits_.budget, counters_);
+  }
+
+  // Along n or another axis, which then takes its place: the greatest gap that is found.
+  double deepest_axis(Vec3<double>& n) {
+    double best = -kInfinity<double>;
+    if (n != Vec3<double>::Zero()) best = pair_.gap(n, counters_);
+    if (best >= -followed() / 2) return best;
+    if (pair_.radius() > 0) {
+      // The search ended as the balls about the cores met: where the cores are apart, their own axis is the best.
+      Simplex<double> simplex;
+      const Distance<double> d = gjk_distance(pair_.cso(), Vec3<double>(Vec3<double>::Zero()), simplex,
+                                              pair_.error(), 0.0, limits_.budget, counters_);
+      if (d.lower > pair_.error()) {
+        n = d.n;
+        return pair_.gap(n, counters_);
+      }
+    }
+    // The face where C is left along an axis is no deeper than the way to it, so the face's own normal is a better axis.
+    constexpr int kFaces = 4;
+    const auto improve = [&](Vec3<double> from) {
+      for (int i = 0; i < kFaces && from != Vec3<double>::Zero(); ++i) {
+        const Vec3<double> face = enter_line(pair_.cso(), Frame<double>(Vec3<double>(-from)),
+                                             kInfinity<double>, pair_.error(), limits_.budget, counters_)
+                                      .facing;
+        if (face == Vec3<double>::Zero()) return;
+        const double s = pair_.gap(face, counters_);
+        if (!(s > best)) return;
+        best = s;
+        n = from = face;
+      }
+    };
+    const Vec3<double> given = n;
+    improve(given);
+    if (best < -followed()) improve(Vec3<double>(-pair_.cso().middle()));
+    if (n == Vec3<double>::Zero()) {
+      n = away_from_middle(pair_);
+      best = pair_.gap(n, counters_);
+    }
+    return best;
+  }
+
+  Followed deep_start() {
+    out_.proved = proved_contact(pair_, now_.n, limits_.allowed, now_.near.simplex, limits_.budget, counters_,
+                                 kProved * limits_.allowed)
+                      .proved;
+    return result(Followed::State::deep);
+  }
+  Followed result(Followed::State state) {
+    out_.state = state;
+    March& found = out_.found;
+    found.lower = now_.t;
+    found.apart = now_.near.apart;
+    found.n = now_.n;
+    found.closest = now_.near.simplex;
+    return out_;
+  }
+
+  // From now_ as far as a slice of no more than h passes, and how far that is. None: out_ is the answer.
+  std::optional<double> advance(double h) {
+    // A time that is known to be deep is not passed.
+    if (deep_.t - now_.t <= h) h = towards_deep();
+    while (true) {
+      const double rest = limits_.end - now_.t, next = std::nextafter(now_.t, limits_.end);
+      const double t = h >= rest ? limits_.end : std::max(now_.t + h, next);
+      if (is_spent()) return stopped(Followed::State::open);
+      const At there = at(t);
+      const Slope slope = steepest(there);
+      if (slope.low >= -followed()) {
+        const std::optional<double> hop = there.near.gap > limits_.apart ? std::nullopt : hops(there);
+        if (hop && !(*hop > 0)) {
+          h = (t - now_.t) / 2;
+          continue;
+        }
+        if (hop) return hop;
+        const double passed = t - now_.t;
+        now_ = there;
+        return passed;
+      }
+      const bool least = !(t > next), deep = there.s < -followed();
+      if (deep && (least || slope.low >= -std::max(kDeepest * limits_.allowed, limits_.width)) &&
+          got_deeper(there)) {
+        out_.found.upper = t;
+        return stopped(Followed::State::deeper);
+      }
+      if (least) return stopped(Followed::State::open);
+      const double tried = t - now_.t, room = std::sqrt(std::max(now_.s + followed(), 0.0));
+      // By this much points bend as far as is followed.
+      const double straight = tried * room / std::sqrt(slope.k);
+      if (deep) {
+        deeper_ = deep_;
+        deep_ = {t, there.s};
+        h = towards_deep();
+        if (straight < tried / 2) h = std::max(h, straight);
+      } else {
+        const double end = std::sqrt(std::max(there.s + followed(), 0.0));
+        h = tried * std::clamp(0.9 * (room + end) / (2 * std::sqrt(slope.k)), 0x1p-20, 0.5);
+      }
+    }
+  }
+  std::optional<double> stopped(Followed::State state) {
+    result(state);
+    return {};
+  }
+
+  // Where the contact is due to be as deep as is sought, from now_: of the line through the last two times that are
+  // deep, as what lands is not deep at all before; else of the chord; at least a part of the way and not all of it.
+  [[nodiscard]] double towards_deep() const {
+    const double sought = -kSought * limits_.allowed, way = deep_.t - now_.t;
+    const double slope = (deeper_.s - deep_.s) / (deeper_.t - deep_.t);
+    double h = way * (now_.s - sought) / (now_.s - deep_.s);
+    if (slope < 0) {
+      const double due = way - (deep_.s - sought) / slope;
+      if (due > h) h = due;
+    }
+    return std::min(h, 0.75 * way);
+  }
+
+  At at(double t) {
+    place(t);
+    At out{t, look(now_.near.simplex), {}, 0};
+    out.n = now_.n;
+    if (out.near.gap > 0) {
+      out.n = out.near.n;
+      out.s = out.near.gap;
+    } else {
+      out.s = deepest_axis(out.n);
+    }
+    return out;
+  }
+
+  // Apart in the middle of a slice whose ends are in contact: the slice ends there, if that can be shown. None: it is
+  // not; 0: it is and cannot.
+  std::optional<double> hops(const At& there) {
+    const double middle = now_.t + (there.t - now_.t) / 2;
+    if (!(now_.t < middle && middle < there.t)) return {};
+    place(middle);
+    At between{middle, look(now_.near.simplex), {}, 0};
+    if (!(between.near.gap > limits_.apart)) return {};
+    between.n = between.near.n;
+    between.s = between.near.gap;
+    if (!(steepest(between).low >= -followed())) return 0;
+    const double h = middle - now_.t;
+    now_ = between;
+    return h;
+  }
+
+  [[nodiscard]] bool got_deeper(const At& there) {
+    place(there.t);
+    return proved_contact(pair_, there.n, limits_.allowed, there.near.simplex, limits_.budget, counters_,
+                          kProved * limits_.allowed)
+        .proved;
+  }
+
+  // Of a slice: its least gap along an axis, at least, and the k of that bound.
+  struct Slope {
+    double low = -kInfinity<double>, k = kInfinity<double>;
+  };
+  static Slope least_of(double s_0, double s_1, double k) {
+    const double fall = s_1 - s_0;
+    if (!(k < kInfinity<double>)) return {};
+    if (std::abs(fall) >= 4 * k) return {std::min(s_0, s_1), k};
+    return {(s_0 + s_1) / 2 - k - fall * fall / (16 * k), k};
+  }
+  // By the axis of either end, or one that moves from the first to the other.
+  Slope steepest(const At& there) {
+    Slope best;
+    between(there, best);
+    if (best.low >= -followed()) return best;
+    along(there.n, there.t, there, best);
+    if (best.low < -followed()) along(now_.n, now_.t, there, best);
+    return best;
+  }
+  // An axis that moves evenly in the axes of the world or of a body, by what is known at both ends. It takes no support. In
+  // between it is shorter than 1, and the bodies are as much deeper along its unit vector.
+  void between(const At& there, Slope& best) {
+    const double h = there.t - now_.t;
+    for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
+      if (stands_still(frame)) continue;
+      const double change = pair_.axis_change(frame, now_.n, now_.t, there.n, there.t);
+      const double shortest_sq = 1 - change * change / 4, error = pair_.frame_error(frame);
+      if (!(shortest_sq > 0.25)) continue;
+      const double bend = pair_.bend_between(frame, now_.n, now_.t, there.n, there.t, limits_.end);
+      Slope one = least_of(now_.s - error, there.s - error, bend * h * h / 8 * (1 + 0x1p-40));
+      if (one.low < 0) one.low *= (1 + 8 * kUnitRoundoff<double>) / std::sqrt(shortest_sq);
+      take(one, best);
+      if (best.low >= -followed()) return;
+    }
+  }
+  [[nodiscard]] bool stands_still(AxisFrame frame) const {
+    return (frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
+           (frame == AxisFrame::b && !pair_.mobility_b().turns());
+  }
+  // n as it stands at `stands`, one of the two ends; in the world, or turning with a body: a face that turns about a point
+  // of the contact keeps its normal.
+  void along(const Vec3<double>& n, double stands, const At& there, Slope& best) {
+    const double h = there.t - now_.t;
+    const std::array<double, 3> bends = pair_.bends(n, limits_.end);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto frame = static_cast<AxisFrame>(i);
+      if (stands_still(frame)) continue;
+      place(stands);
+      const Vec3<double> own = pair_.to_own(frame, n);
+      const auto gap_at = [&](double t) {
+        place(t);
+        return pair_.gap(pair_.to_world(frame, own), counters_) - pair_.frame_error(frame);
+      };
+      const double s_0 = gap_at(now_.t), s_1 = gap_at(there.t);
+      take(least_of(s_0, s_1, bends[i] * h * h / 8 * (1 + 0x1p-40)), best);
+      if (best.low >= -followed()) return;
+      // No bound helps an axis along which an end is deeper.
+      if (std::min(s_0, s_1) >= -std::max(limits_.allowed, limits_.width))
+        take(least_of(s_0, s_1, bend_of_arc(pair_, frame, own, now_.t, there.t, counters_)), best);
+      if (best.low >= -followed()) return;
+    }
+  }
+  static void take(const Slope& one, Slope& best) {
+    if (one.low > best.low || !(best.k < kInfinity<double>)) best = one;
+  }
+
+  MovingPair& pair_;
+  const FollowLimits& limits_;
+  Counters& counters_;
+  At now_;
+  // The last two times that are deeper than is followed.
+  struct Deep {
+    double t = kInfinity<double>, s = 0;
+  } deep_, deeper_;
+  Followed out_;
+};
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

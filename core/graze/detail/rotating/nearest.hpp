@@ -1,0 +1,75 @@
+// How far apart the bodies are as placed, with an axis that proves it: GJK, warm from some other time.
+//
+// Internal lengths; the gap is the distance less the target distance. Its lower bound has the rounding taken
+// off, so a positive one is proved.
+#pragma once
+
+#include <graze/detail/rotating/fast_nearest.hpp>
+#include <graze/detail/rotating/moving_pair.hpp>
+#include <graze/detail/search/robust/refine_axis.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+struct Nearest {
+  double gap = 0;                         // lower bound of the distance, less the target distance
+  double apart = 0;                       // upper bound
+  Vec3<double> n = Vec3<double>::Zero();  // unit, from A to B; proves the gap; zero if nothing does
+  Simplex<double> simplex;
+  // The search ended as the balls about the cores met: neither n nor the simplex is that of the least
+  // distance.
+  bool met = false;
+};
+
+// The same features, where they are now: a search that begins with them takes a step or two.
+inline Simplex<double> carried_over(const MovingPair& pair, const Simplex<double>& before) {
+  const Cso<double>& cso = pair.cso();
+  const auto &a = cso.side_a(), &b = cso.side_b();
+  Simplex<double> out;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(before.size); ++i) {
+    CsoPoint<double> p = before.point[i];
+    const Vec3<double> d_b = -p.n;
+    p.w = a.to_world(a.support(a, a.to_own(p.n), &p.vertex_a).x) -
+          (b.to_world(b.support(b, b.to_own(d_b), &p.vertex_b).x) + cso.offset());
+    out.add(p);
+  }
+  return out;
+}
+
+// `before`: what was closest at some other time; it may be empty. `expected`: a lower bound of the gap that
+// is known; the search may be as much rougher. `stop`: the gap that matters.
+inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, double expected, double stop,
+                       int budget, Counters& counters) {
+  Nearest out;
+  out.simplex = carried_over(pair, before);
+  const Cso<double>& cso = pair.cso();
+  const double R = pair.radius(), error = pair.error();
+  const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
+  const double close_enough = std::max(stop / 16, expected / 16);
+  const auto search = [&] {
+    return gjk_distance(support, Vec3<double>(Vec3<double>::Zero()), Vec3<double>(-cso.middle()), out.simplex,
+                        close_enough, R, budget, counters);
+  };
+  Distance<double> d;
+  if (!fast_distance(cso, out.simplex, close_enough, R, budget, d, counters)) {
+    out.simplex = carried_over(pair, before);
+    d = search();
+  }
+  // A simplex that was closest at another time may be a sliver now, which leads nowhere.
+  if (d.stalled && d.upper - d.lower > std::max(stop / 4, expected / 4) && before.size > 0) {
+    out.simplex = {};
+    d = search();
+  }
+  if (d.stalled && d.upper - d.lower > stop / 4 && d.upper > R) {
+    SweepLimits<double> limits;
+    limits.noise = stop / 4;
+    limits.budget = budget;
+    steady_axis(d, cso, out.simplex, limits, counters);
+  }
+  out.apart = std::max(d.upper - R, 0.0) + error;
+  out.gap = d.lower - R - error;
+  out.met = R > 0 && d.upper <= R;
+  out.n = d.n;
+  return out;
+}
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -1,0 +1,74 @@
+// Bodies that turn fast, seen as what they sweep in a whole turn: a cylinder about the axis of rotation,
+// which only moves along. What keeps clear of it needs no look at the angle.
+//
+// Internal lengths, frame of moving_pair.hpp. The core of a turning body is, at every time, in the cylinder
+// of radius rho between the heights low and high along w from the pivot (mobility.hpp); its support point
+// along n is exact up to 16 u of its size. Along a fixed n it has no acceleration, so slices are as long as
+// the other body's turn and the bodies' way allow.
+#pragma once
+
+#include <Eigen/Geometry>  // cross
+#include <graze/detail/rotating/moving_pair.hpp>
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+// Which bodies stand for all their angles.
+struct WholeTurns {
+  bool a = false, b = false;
+  [[nodiscard]] bool any() const { return a || b; }
+};
+
+// About the pivot. Where n is along the axis as far as can be told, any point of the rim will do, within u
+// rho, as long as it is across the axis: hence the products, not the difference n - (n.u) u.
+inline Vec3<double> swept_point(const Mobility& m, const Vec3<double>& n) {
+  const Vec3<double> axis = unit(m.w);
+  const double along = n.dot(axis);
+  return (along >= 0 ? m.high : m.low) * axis + m.rho * unit(Vec3<double>(axis.cross(n.cross(axis))));
+}
+
+// A proof must be one that a checker can repeat: the ball of a combinator is not one number.
+template <Scalar S>
+bool has_plain_ball(const Shape<S>& shape) {
+  return !is_combined(shape);
+}
+
+// Of the CSO as placed.
+inline CsoPoint<double> swept_support(const MovingPair& pair, const WholeTurns& whole,
+                                      const Vec3<double>& n) {
+  const Cso<double>& cso = pair.cso();
+  CsoPoint<double> out = cso.support(n);
+  out.n = n;
+  if (whole.a) {
+    const auto& a = cso.side_a();
+    const Vec3<double> x = a.to_world(a.support(a, a.to_own(n), &out.vertex_a).x);
+    out.w += swept_point(pair.mobility_a(), n) - (pair.center_a() + x);
+    out.vertex_a = 0;
+  }
+  if (whole.b) {
+    const auto& b = cso.side_b();
+    const Vec3<double> d = -n, x = b.to_world(b.support(b, b.to_own(d), &out.vertex_b).x);
+    out.w += (pair.center_b() + x) - (pair.pivot_b_now() + swept_point(pair.mobility_b(), d));
+    out.vertex_b = 0;
+  }
+  return out;
+}
+
+inline double swept_error(const MovingPair& pair) {
+  const auto size = [](const Mobility& m) { return m.turns() ? m.rho + m.high - m.low : 0.0; };
+  return pair.error() + 64 * kUnitRoundoff<double> *
+                            (size(pair.mobility_a()) + size(pair.mobility_b()) + pair.center_a().norm() +
+                             pair.center_b().norm() + pair.pivot_b_now().norm());
+}
+
+// As the pair's own, of the swept bodies.
+inline double swept_gap(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n,
+                        Counters& counters) {
+  ++counters.supports;
+  return -n.dot(swept_support(pair, whole, n).w) - pair.radius() - swept_error(pair);
+}
+inline double swept_bend(const MovingPair& pair, const WholeTurns& whole, const Vec3<double>& n) {
+  return (whole.a ? 0.0 : pair.mobility_a().acceleration(n)) +
+         (whole.b ? 0.0 : pair.mobility_b().acceleration(n));
+}
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail

@@ -1,0 +1,177 @@
+// The first of many points that is greatest along a direction, its coordinates stored by axis.
+//
+//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused);  the least k of
+//   the greatest value. NaN loses against everything.
+//
+// A chunk at a time: its values and their greatest, without a branch; then, only if that is a new greatest,
+// where it is. n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
+//
+// Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/costs.md.
+#pragma once
+
+#include <graze/detail/numeric/machine.hpp>
+#include <graze/scalar.hpp>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+
+inline constexpr std::size_t kScanChunk = 64;
+
+#if defined(__SSE2__)
+template <Scalar S>
+struct Pack;
+template <>
+struct Pack<float> {
+  using Type = __m128;
+  static constexpr std::size_t kSize = 4;
+  static Type all(float x) { return _mm_set1_ps(x); }
+  static Type load(const float* p) { return _mm_loadu_ps(p); }
+  static void store(float* p, Type v) { _mm_storeu_ps(p, v); }
+  static Type add(Type a, Type b) { return _mm_add_ps(a, b); }
+  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_ps(a, b)); }
+  // b where a is NaN
+  static Type max(Type a, Type b) { return _mm_max_ps(a, b); }
+  static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_ps(_mm_cmpeq_ps(a, b))); }
+  static float greatest(Type v) {
+    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
+    return _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
+  }
+};
+template <>
+struct Pack<double> {
+  using Type = __m128d;
+  static constexpr std::size_t kSize = 2;
+  static Type all(double x) { return _mm_set1_pd(x); }
+  static Type load(const double* p) { return _mm_loadu_pd(p); }
+  static void store(double* p, Type v) { _mm_storeu_pd(p, v); }
+  static Type add(Type a, Type b) { return _mm_add_pd(a, b); }
+  static Type mul(Type a, Type b) { return as_rounded<Type>(_mm_mul_pd(a, b)); }
+  static Type max(Type a, Type b) { return _mm_max_pd(a, b); }
+  static unsigned equal(Type a, Type b) { return unsigned(_mm_movemask_pd(_mm_cmpeq_pd(a, b))); }
+  static double greatest(Type v) { return _mm_cvtsd_f64(_mm_max_sd(v, _mm_unpackhi_pd(v, v))); }
+};
+
+// Of at most kScanChunk points.
+template <Scalar S>
+inline std::size_t scan_chunk(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d, S& most) {
+  using P = Pack<S>;
+  constexpr std::size_t kStep = P::kSize;
+  const typename P::Type dx = P::all(d[0]), dy = P::all(d[1]), dz = P::all(d[2]);
+  const auto at = [&](std::size_t k) {
+    return P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
+  };
+  S value[kScanChunk];
+  typename P::Type greatest = P::all(-kInfinity<S>);
+  for (std::size_t i = 0; i < n; i += 2 * kStep) {
+    const auto a = at(i), b = at(i + kStep);
+    P::store(value + i, a);
+    P::store(value + i + kStep, b);
+    greatest = P::max(P::max(a, b), greatest);
+  }
+  most = P::greatest(greatest);
+  // A bit for each that is equal: no branch that depends on where it is.
+  const auto wanted = P::all(most);
+  std::uint64_t equal = 0;
+  for (std::size_t i = n; i > 0; i -= 2 * kStep) {
+    const unsigned low = P::equal(P::load(value + i - 2 * kStep), wanted),
+                   high = P::equal(P::load(value + i - kStep), wanted);
+    equal = equal << (2 * kStep) | (low | high << kStep);
+  }
+  return static_cast<std::size_t>(std::countr_zero(equal));
+}
+
+template <Scalar S>
+inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+  GRAZE_ASSERT(n > 0 && n % 8 == 0);
+  S top;
+  const std::size_t first = scan_chunk(x, y, z, std::min(n, kScanChunk), d, top);
+  std::size_t best = first < n ? first : 0;  // NaN: none is equal
+  if (n <= kScanChunk) return best;
+  for (std::size_t begin = kScanChunk; begin < n; begin += kScanChunk) {
+    S most;
+    const std::size_t k =
+        scan_chunk(x + begin, y + begin, z + begin, std::min(n - begin, kScanChunk), d, most);
+    if (!(most > top)) continue;
+    top = most;
+    best = begin + k;
+  }
+  return best;
+}
+// A bit for each of at most kScanChunk points whose value is not below `least`, as rounded; NaN counts as not below.
+inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
+                                    const Vec3<float>& d, float least) {
+  using P = Pack<float>;
+  const P::Type dx = P::all(d[0]), dy = P::all(d[1]), dz = P::all(d[2]), bound = P::all(least);
+  const auto above = [&](std::size_t k) {
+    const P::Type value =
+        P::add(P::add(P::mul(P::load(x + k), dx), P::mul(P::load(y + k), dy)), P::mul(P::load(z + k), dz));
+    return unsigned(_mm_movemask_ps(_mm_cmpnlt_ps(value, bound)));
+  };
+  std::uint64_t out = 0;
+  for (std::size_t k = 0; k < n; k += 8) out |= std::uint64_t{above(k) | above(k + 4) << 4} << k;
+  return out;
+}
+#else
+inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
+                                    const Vec3<float>& d, float least) {
+  std::uint64_t out = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    out |=
+        std::uint64_t{!(
+            rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]) < least)}
+        << k;
+  return out;
+}
+template <Scalar S>
+std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d) {
+  GRAZE_ASSERT(n > 0 && n % 8 == 0);
+  constexpr std::size_t kLanes = 8;
+  S value[kScanChunk];
+  std::size_t best = 0;
+  S top = -kInfinity<S>;
+  for (std::size_t begin = 0; begin < n; begin += kScanChunk) {
+    const std::size_t size = std::min(kScanChunk, n - begin);
+    S most[kLanes];
+    for (S& one : most) one = -kInfinity<S>;
+    for (std::size_t i = 0; i < size; i += kLanes) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        const std::size_t k = begin + i + l;
+        const S v = rounded_product(x[k], d[0]) + rounded_product(y[k], d[1]) + rounded_product(z[k], d[2]);
+        value[i + l] = v;
+        most[l] = v > most[l] ? v : most[l];
+      }
+    }
+    S greatest = most[0];
+    for (const S one : most) greatest = one > greatest ? one : greatest;
+    if (!(greatest > top)) continue;
+    top = greatest;
+    std::size_t i = 0;
+    while (value[i] != greatest) ++i;
+    best = begin + i;
+  }
+  return best;
+}
+#endif
+
+// visit(k) for every point of value not below `least`, but for those of a chunk, named by its first, that skipped()
+// has bits of.
+template <class Skipped, class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Skipped& skipped, const Visit& visit) {
+  for (std::size_t first = 0; first < n; first += kScanChunk) {
+    const std::size_t size = std::min(n - first, kScanChunk);
+    std::uint64_t above = above_in_chunk(x + first, y + first, z + first, size, d, least) & ~skipped(first);
+    for (; above != 0; above &= above - 1) visit(first + static_cast<std::size_t>(std::countr_zero(above)));
+  }
+}
+template <class Visit>
+void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
+                    float least, const Visit& visit) {
+  for_each_above(
+      x, y, z, n, d, least, [](std::size_t) { return std::uint64_t{0}; }, visit);
+}
+
+}}}  // namespace graze::GRAZE_LINKAGE::detail
