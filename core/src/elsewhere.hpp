@@ -9,7 +9,8 @@
 namespace graze { inline namespace GRAZE_LINKAGE {
 
 #define GRAZE_ELSEWHERE(S)                                                                         \
-  extern template bool detail::exact_walk(const Body<S>&, const Body<S>&, const CastOptions<S>&, CastResult<S>&); \
+  extern template bool detail::exact_walk(const Body<S>&, const Body<S>&, const CastOptions<S>&,   \
+                                          CastResult<S>&);                                         \
   extern template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
   extern template CastResult<S> cast_certified(const Body<S>&, const Body<S>&, const CastOptions<S>&);
 

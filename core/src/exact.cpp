@@ -5,13 +5,13 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-#define GRAZE_INSTANCES(S) \
+#define GRAZE_INSTANCES(S)                                                                                 \
   template bool detail::exact_walk(const Body<S>&, const Body<S>&, const CastOptions<S>&, CastResult<S>&); \
-                                                                 \
-  template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&); \
-  template OverlapResult<S> overlap_exact(const Body<S>&, const Body<S>&);                  \
-  template LineResult<S> line_exact(const Body<S>&, const Body<S>&, const LineOptions<S>&); \
-  template SweptOverlapResult<S> swept_overlap_exact(const Body<S>&, const Body<S>&,        \
+                                                                                                           \
+  template CastResult<S> cast_exact(const Body<S>&, const Body<S>&, const CastOptions<S>&);                \
+  template OverlapResult<S> overlap_exact(const Body<S>&, const Body<S>&);                                 \
+  template LineResult<S> line_exact(const Body<S>&, const Body<S>&, const LineOptions<S>&);                \
+  template SweptOverlapResult<S> swept_overlap_exact(const Body<S>&, const Body<S>&,                       \
                                                      const SweptOverlapOptions<S>&);
 
 GRAZE_INSTANCES(float)

@@ -70,4 +70,16 @@ void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays,
                std::span<CastResult<double>> answers, const CastOptions<double>& options = {},
                unsigned threads = 1);
 
+// What most callers read of it: 80 bytes instead of 1,568. Each number is that of the CastResult, to the bit.
+struct RayAnswer {
+  Outcome outcome = Outcome::invalid_input;
+  double toi_lower = std::numeric_limits<double>::quiet_NaN();
+  double toi_upper = std::numeric_limits<double>::quiet_NaN();
+  Vec3<double> normal = Vec3<double>::Zero();  // CastResult::normal
+  Vec3<double> point = Vec3<double>::Zero();   // CastResult::point_a: on the body, at toi_lower
+};
+// A proof is not computed.
+void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays, std::span<RayAnswer> answers,
+               const CastOptions<double>& options = {}, unsigned threads = 1);
+
 }  // namespace graze::scene

@@ -159,7 +159,7 @@ Vec3<double> StepPair::find_axis(const Vec3<double>& hint) {
   detail::Simplex<double> simplex;
   const Vec3<double> start = hint != zero() ? hint : Vec3<double>((apart_[0] + apart_[1]) / 2);
   const Vec3<double> n = detail::gjk_distance(farther, zero(), start, simplex, 0x1p-10 * (a_.size + b_.size),
-                                      swept_ + margin_, kBudget, counters_)
+                                              swept_ + margin_, kBudget, counters_)
                              .n;
   return n != zero() && is_parted_by(n) ? n : zero();
 }

@@ -1,6 +1,6 @@
 #include <graze/cast_all.hpp>
 
-#include <graze/detail/pairs/prepared_pair.hpp>
+#include <graze/detail/rays/ray_answer.hpp>
 #include <graze/detail/shapes/validation.hpp>
 #include <graze/scene/swept_box.hpp>
 
@@ -123,6 +123,42 @@ class RayFilter {
   bool usable_;
 };
 
+// The casts that a direct clip answers (casts/ray_cast.hpp), of a body that is prepared once.
+class DirectRays {
+ public:
+  DirectRays(const Body<double>& body, const CastOptions<double>& options)
+      : options_(options), target_(body), usable_(is_clipped(body, options)) {}
+
+  // False: `out` has not changed.
+  [[nodiscard]] bool answer(const RayQuestion& ray, RayAnswer& out) const {
+    if (!usable_ || !detail::is_common(ray.origin) || !detail::is_common(ray.displacement)) return false;
+    const detail::RayPath<double> path{ray.origin, ray.displacement, options_.t_max,
+                                       options_.target_distance};
+    detail::RayHit hit;
+    detail::clip_any(target_, path, hit);
+    const detail::RayTimes<double> times = detail::times_of<double>(hit, options_);
+    if (!times.known) return false;
+    out.outcome = times.outcome;
+    out.toi_lower = times.lower;
+    out.toi_upper = times.upper;
+    if (times.outcome != Outcome::hit) return true;
+    if (asks_for(options_.request, Request::normal)) out.normal = target_.to_world(hit.n).vector();
+    if (asks_for(options_.request, Request::witnesses))
+      out.point = detail::point_on_body(target_, path, hit, times.lower).vector();
+    return true;
+  }
+
+ private:
+  static bool is_clipped(const Body<double>& body, const CastOptions<double>& options) {
+    if (options.tier != Tier::standard || validate(body, body, options) != Invalid::none) return false;
+    return !options.method || *options.method == Method::mpr_sweep || *options.method == Method::gjk_ray_cast;
+  }
+
+  const CastOptions<double>& options_;
+  detail::RayTarget<double> target_;
+  bool usable_;
+};
+
 CastResult<double> clear_miss() {
   CastResult<double> out;
   out.outcome = Outcome::miss;
@@ -171,6 +207,31 @@ void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays,
         point.displacement = rays[k].displacement;
         return graze::cast(body, point, options);
       });
+    }
+  });
+}
+
+void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays, std::span<RayAnswer> answers,
+               const CastOptions<double>& options, unsigned threads) {
+  const RayFilter filter(body, options);
+  const DirectRays direct(body, options);
+  CastOptions<double> without_proof = options;
+  if (asks_for(options.request, Request::proof)) {
+    without_proof.request = static_cast<Request>(static_cast<unsigned>(options.request) & ~4u);
+  }
+  for_each_part(std::min(rays.size(), answers.size()), threads, [&](std::size_t begin, std::size_t end) {
+    Body<double> point{.shape = Point<double>{}};
+    for (std::size_t k = begin; k < end; ++k) {
+      RayAnswer& out = answers[k] = {};
+      if (filter.misses(rays[k])) {
+        out.outcome = Outcome::miss;
+        out.toi_lower = out.toi_upper = kInfinity<double>;
+      } else if (!direct.answer(rays[k], out)) {
+        point.position = rays[k].origin;
+        point.displacement = rays[k].displacement;
+        const CastResult<double> found = graze::cast(body, point, without_proof);
+        out = {found.outcome, found.toi_lower, found.toi_upper, found.normal, found.point_a};
+      }
     }
   });
 }

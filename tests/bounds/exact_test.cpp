@@ -327,7 +327,8 @@ TEST(ExactBounds, WhatIsBeyondIsFound) {
         const auto& leaf = scene.leaves()[l];
         for (std::uint32_t k = 0; k < leaf.count; ++k) {
           if (k == leaf.vertex(from)) continue;
-          const detail::exact::Dyadic height = detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(from), k)).x, along);
+          const detail::exact::Dyadic height =
+              detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(from), k)).x, along);
           known = known && height.valid();
           truth = truth || height.sign() > 0;
         }

@@ -378,7 +378,8 @@ TEST(MeetingBounds, WhatIsBeyondAFaceInItsOwnAxes) {
       const auto& leaf = scene.leaves()[l];
       for (std::uint32_t k = 0; k < leaf.count; ++k) {
         if (k == leaf.vertex(c[0])) continue;
-        const detail::exact::Dyadic height = detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(c[0]), k)).x, along);
+        const detail::exact::Dyadic height =
+            detail::exact::dot(scene.exact(Term::step(l, leaf.vertex(c[0]), k)).x, along);
         truth = truth || height.sign() > 0;
       }
     }
@@ -421,7 +422,8 @@ TEST(MeetingBounds, SidesOfTheMiddle) {
     }
     const Vertex c = vertex_of(draw, s), d = vertex_of(draw, s);
     if (c == d) continue;
-    const detail::exact::Measured found = detail::exact::side_of_middle(corner(c), corner(d), x, y, bounds.seen);
+    const detail::exact::Measured found =
+        detail::exact::side_of_middle(corner(c), corner(d), x, y, bounds.seen);
     const BallVec v = exactly(scene.exact(Term::motion()));
     const std::array<Ball, 3> along = {v.x, v.y, v.z};
     const Ball truth = dot(exactly(scene.exact(Term::difference(c, d))),
@@ -492,8 +494,8 @@ TEST(MeetingBounds, VerticesOfTheSweptSet) {
     const detail::PreparedPair<double> pair(s.a, s.b);
     if (!pair.moves()) continue;
     const Scene<double> scene(s.a, s.b, pair.length_exponent(), pair.speed_exponent());
-    const double end =
-        detail::swept_reach(pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 2));
+    const double end = detail::swept_reach(
+        pair, draw.chance(0.5) ? kInfinity<double> : pair.extent() * draw.plain().between(0, 2));
     Counters counters;
     detail::SweptSupport<double> support(pair, end, counters);
     const detail::Triple n = detail::triple(draw.plain().vector<double>(1));

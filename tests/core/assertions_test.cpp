@@ -15,13 +15,15 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(AssertionsDeathTest, ABrokenInvariantEndsTheProgramWithOneLine) {
   EXPECT_DEATH(detail::round_down<float>(kNan), "rounding[.]hpp:[0-9]+: graze relies on x == x");
-  EXPECT_DEATH(detail::Frame<double>(Vec3<double>(0, 0, 0)), "line_frame[.]hpp:[0-9]+: graze relies on norm > 0");
+  EXPECT_DEATH(detail::Frame<double>(Vec3<double>(0, 0, 0)),
+               "line_frame[.]hpp:[0-9]+: graze relies on norm > 0");
   EXPECT_DEATH(detail::box_vertex(Vec3<double>(1, 1, 1), 8), "leaf[.]hpp:[0-9]+: graze relies on k < 8");
   EXPECT_DEATH(detail::hull_support(Hull<float>(), Vec3<float>(1, 0, 0)), "relies on hull.size.. > 0");
   const float flat[] = {0, 0, 0, 0, 0, 0, 0, 0}, line[] = {0, 1, 0, 1, 0, 1, 0, 1};
   EXPECT_DEATH(detail::DirectionMap(flat, line, line, 8), "relies on most.minCoeff.. >= ");
   detail::Simplex<double> simplex;
-  EXPECT_DEATH(detail::closest_to_origin(simplex, Vec3<double>(0, 0, 0)), "simplex[.]hpp:[0-9]+: graze relies on");
+  EXPECT_DEATH(detail::closest_to_origin(simplex, Vec3<double>(0, 0, 0)),
+               "simplex[.]hpp:[0-9]+: graze relies on");
   for (int k = 0; k < 4; ++k) simplex.add({});
   EXPECT_DEATH(simplex.add({}), "simplex[.]hpp:[0-9]+: graze relies on size >= 0 && size < 4");
 }

@@ -424,11 +424,16 @@ TEST(CastAll, RaysThatGrazeTheBoundsAreAnsweredAsSingleCastsAre) {
     rays.push_back({{9e9, 0, 0}, {0, 0, 0}});
     std::vector<CastResult<double>> answers(rays.size());
     cast_rays(body, rays, answers, options);
+    std::vector<RayAnswer> slim(rays.size());
+    cast_rays(body, rays, std::span<RayAnswer>(slim), options);
     for (std::size_t k = 0; k < rays.size(); ++k) {
       const Body<double> point{
           .shape = Point<double>{}, .position = rays[k].origin, .displacement = rays[k].displacement};
       const CastResult<double> single = graze::cast(body, point, options);
       expect_same(answers[k], single);
+      EXPECT_EQ(slim[k].outcome, single.outcome);
+      EXPECT_TRUE(same(slim[k].toi_lower, single.toi_lower) && same(slim[k].toi_upper, single.toi_upper));
+      EXPECT_TRUE(same(slim[k].normal, single.normal) && same(slim[k].point, single.point_a));
       hits += single.outcome == Outcome::hit;
       (answers[k].outcome == Outcome::miss && answers[k].counters.supports == 0 ? spared : answered) += 1;
     }

@@ -73,14 +73,15 @@ void add_laws_command(CLI::App& app, int& exit_code) {
   add_engine_options(*command, tried.engines);
   add_need_options(*command, tried.engines);
   command->add_flag("--list", settings->list, "Only list the laws");
-  CLI::Option* page =
-      command->add_flag("--page", settings->page,
-                        "Only print docs/reference/laws.md: the laws, and the planted defects that each notices");
+  CLI::Option* page = command->add_flag(
+      "--page", settings->page,
+      "Only print docs/reference/laws.md: the laws, and the planted defects that each notices");
   command->add_option("--defects", settings->defects, "The folder of planted defects")
       ->type_name("DIR")
       ->needs(page);
   command->footer(
-      "Without files or families: the curated corpus and every generated family. docs/reference/laws.md says what each "
+      "Without files or families: the curated corpus and every generated family. docs/reference/laws.md says "
+      "what each "
       "law "
       "is.\n\n"
       "  graze laws --list\n"

@@ -127,7 +127,8 @@ void add_stability_command(CLI::App& app, int& exit_code) {
   add_need_options(*command, arguments->engines);
   add_guarantees_option(*command, *arguments);
   command->footer(
-      "Every case is measured by the oracle (docs/reports/stability.md). With --family the curves are printed, level "
+      "Every case is measured by the oracle (docs/reports/stability.md). With --family the curves are "
+      "printed, level "
       "by "
       "level.\n\n"
       "  graze stability --plot curves\n"

@@ -260,12 +260,14 @@ TEST(CertifiedOpen, ATieOnTheWayIsNearContactAtItsLowerEnd) {
 TEST(ExactStart, RootsAreRoundedUpAndExactOnSquares) {
   Draw draw{5};
   for (int i = 0; i < 2000; ++i) {
-    detail::exact::Dyadic root(draw.between(0.5, 1) * std::ldexp(1.0, static_cast<int>(draw.bits() % 200) - 100));
+    detail::exact::Dyadic root(draw.between(0.5, 1) *
+                               std::ldexp(1.0, static_cast<int>(draw.bits() % 200) - 100));
     for (int k = static_cast<int>(draw.bits() % 4); k > 0; --k)
       root = root * detail::exact::Dyadic(draw.between(0.5, 1));
     const detail::exact::Dyadic square = root * root;
     EXPECT_EQ((detail::root_up(square) - root).sign(), 0) << i;
-    const detail::exact::Dyadic other = square + detail::exact::Dyadic(1).times_power_of_two(square.order() - 150);
+    const detail::exact::Dyadic other =
+        square + detail::exact::Dyadic(1).times_power_of_two(square.order() - 150);
     const detail::exact::Dyadic above = detail::root_up(other), less = above - above.times_power_of_two(-249);
     EXPECT_GE((above * above - other).sign(), 0) << i;
     EXPECT_LT((less * less - other).sign(), 0) << i;

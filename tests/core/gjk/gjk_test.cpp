@@ -18,7 +18,8 @@ Measured distance(const Body<double>& a, const Body<double>& b, int budget = 256
   const detail::Cso<double> cso(a, b);
   detail::Simplex<double> simplex;
   Measured out;
-  out.d = detail::gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, budget, out.counters);
+  out.d = detail::gjk_distance(cso, Vec3<double>(Vec3<double>::Zero()), simplex, 1e-15, 1e-15, budget,
+                               out.counters);
   out.d.lower = cso.to_length(out.d.lower);
   out.d.upper = cso.to_length(out.d.upper);
   return out;

@@ -55,7 +55,8 @@ TEST(Simplex, ClosestPointIsOptimal) {
     const auto simplex =
         random_simplex<double>(draw, size, 1, draw.vector<double>(round % 8 < 4 ? 0.7 : 0.2));
     expect_closest(simplex, "double ", round);
-    ++reached[static_cast<std::size_t>(detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).size)];
+    ++reached[static_cast<std::size_t>(
+        detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).size)];
     expect_closest(random_simplex<float>(draw, size, 1, draw.vector<float>(0.7)), "float ", round);
   }
   for (std::size_t k = 1; k <= 4; ++k) EXPECT_GT(reached[k], 50) << "features of " << k << " points";
@@ -85,7 +86,8 @@ TEST(Simplex, FlatAndRepeatedCornersAreHarmless) {
 // Two corners 1e-7 apart and a third far off: the normal by the two long edges would round along them.
 TEST(Simplex, SliverNormalIsRelativeToItsArea) {
   const Vec3<double> a(0.3, 0.4, 1), b(0.3 + 1e-7, 0.4, 1), c(0.7, -0.9, 1);
-  for (const auto& n : {detail::face_normal(a, b, c), detail::face_normal(b, c, a), detail::face_normal(c, a, b)}) {
+  for (const auto& n :
+       {detail::face_normal(a, b, c), detail::face_normal(b, c, a), detail::face_normal(c, a, b)}) {
     const Vec3<double> m = n / n.norm();
     EXPECT_LT(std::hypot(m[0], m[1]), 4 * kUnitRoundoff<double>);
   }
@@ -96,7 +98,8 @@ TEST(Simplex, NotANumberHasNoClosestPoint) {
   detail::CsoPoint<double> p;
   p.w = Vec3<double>::Constant(std::numeric_limits<double>::quiet_NaN());
   simplex.add(p);
-  EXPECT_FALSE(detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).dist_sq < kInfinity<double>);
+  EXPECT_FALSE(detail::closest_to_origin(simplex, Vec3<double>(Vec3<double>::Zero())).dist_sq <
+               kInfinity<double>);
 }
 
 }  // namespace

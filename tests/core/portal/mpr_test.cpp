@@ -143,8 +143,8 @@ TEST(Portal, LinesOnTheSilhouetteTouch) {
     const Body<double> ray{.shape = Point<double>{}, .position = from, .displacement = {4, 0, 0}};
     const detail::Cso<double> cso(box, ray);
     Counters counters;
-    const auto search =
-        detail::enter_line(cso, detail::Frame<double>(cso.direction()), kInfinity<double>, 1e-15, 256, counters);
+    const auto search = detail::enter_line(cso, detail::Frame<double>(cso.direction()), kInfinity<double>,
+                                           1e-15, 256, counters);
     ASSERT_EQ(search.state, detail::PortalSearch<double>::State::entered) << from.transpose();
     EXPECT_EQ(cso.to_time(search.upper / cso.direction().norm()), 0.5) << from.transpose();
   }

@@ -129,7 +129,8 @@ TEST(RotatingCast, NoContactBeforeTheLowerEnd) {
     Counters counters;
     for (int k = 0; k < 50; ++k) {
       pair.place(end * k / 50);
-      EXPECT_GT(detail::nearest(pair, detail::Simplex<double>{}, 0, 1e-12, 256, counters).apart, 2 * pair.error());
+      EXPECT_GT(detail::nearest(pair, detail::Simplex<double>{}, 0, 1e-12, 256, counters).apart,
+                2 * pair.error());
     }
     if (r.outcome != Outcome::hit) continue;
     EXPECT_LE(r.distance, 1e-11);

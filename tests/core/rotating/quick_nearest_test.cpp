@@ -92,8 +92,8 @@ TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
     pair.place(draw.between(0, 1));
     const detail::Nearest warm = detail::nearest(pair, before.simplex, 0, stop, 256, counters);
     detail::Simplex<double> simplex;
-    const detail::Distance<double> robust =
-        detail::gjk_distance(pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
+    const detail::Distance<double> robust = detail::gjk_distance(
+        pair.cso(), Vec3<double>(Vec3<double>::Zero()), simplex, stop / 16, 0.0, 256, counters);
     EXPECT_LE(warm.gap, robust.upper) << round;
     EXPECT_GE(warm.apart, robust.lower) << round;
     if (robust.lower > stop) {

@@ -58,7 +58,7 @@ TEST(RoundingBounds, WhatCancelsIsNoBetterThanSumsOfTwoDoubles) {
   const Body<double> origin{.shape = Point<double>{}, .position = {1, 0, 0}};
   const auto error = [&](const Shape<double>& shape, const V& place, const Quaternion<double>& turn) {
     const detail::Cso<double> cso({.shape = shape, .position = place, .orientation = turn}, origin, 0.0,
-                          detail::Turning::accurate);
+                                  detail::Turning::accurate);
     return cso.to_length(cso.point_error());
   };
   const Quaternion<double> half_turn{0, 0, 0, 1};

@@ -233,7 +233,8 @@ TEST(SearchParts, ASpentBudgetLeavesAStartOpen) {
       // Open for certain where not even a portal is found, seen from behind.
       const detail::Frame<double> frame(cso.direction());
       const detail::PortalView<double> view{cso, frame, -1.0, spent};
-      if (detail::find_portal(view, limits.budget).state != detail::PortalSearch<double>::State::exhausted) continue;
+      if (detail::find_portal(view, limits.budget).state != detail::PortalSearch<double>::State::exhausted)
+        continue;
       EXPECT_EQ(start, detail::Start::open) << round << ' ' << limits.budget;
       ++open;
     }

@@ -33,8 +33,10 @@
 //                                  lies beneath the path.
 #pragma once
 
+#include <graze/detail/casts/certified_ray.hpp>
 #include <graze/detail/casts/curved_bracket.hpp>
 #include <graze/detail/casts/degenerate_round.hpp>
+#include <graze/detail/casts/exact_ray.hpp>
 #include <graze/detail/casts/exact_round_answer.hpp>
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/proving/prove.hpp>
@@ -609,7 +611,8 @@ void fill_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& op
 
 // A fast or an exact answer with the proof of the certified search, if one is requested.
 template <Scalar S>
-void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                         CastResult<S>& out) {
   if (!asks_for(options.request, Request::proof) || out.passed_over) return;
   CertifiedCast<S> cast(a, b, options, static_cast<double>(options.t_max),
                         static_cast<double>(options.target_distance), out.counters);
@@ -620,10 +623,19 @@ void add_certified_proof(const Body<S>& a, const Body<S>& b, const CastOptions<S
 // The rung of the exact tier for rounded polytopes in the certified one. A number that outgrew its room is left to the
 // certified search. The exact tier proves nothing about rounded shapes yet, so a proof is that of the certified search.
 template <Scalar S>
-bool exact_round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+bool exact_round_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                         CastResult<S>& out) {
   CastResult<S> exactly;
   if (!exact_round_cast(a, b, options, exactly) || exactly.invalid != Invalid::none) return false;
   out = exactly;
+  add_certified_proof(a, b, options, out);
+  return true;
+}
+// Rays: boxes and triangles exactly.
+template <Scalar S>
+bool ray_bracket(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+  if (kind_of(a, b, options.target_distance) == PairKind::polytopes) return ray_exact(a, b, options, out);
+  if (!ray_certified(a, b, options, out)) return false;
   add_certified_proof(a, b, options, out);
   return true;
 }

@@ -16,26 +16,20 @@
 // Tested as a bound: tests/core/certified/curved_bracket_test.cpp.
 #pragma once
 
+#include <graze/detail/casts/certified_bracket.hpp>
 #include <graze/detail/casts/curved_cast.hpp>
-#include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/proving/prove.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-struct CurvedBracket {
-  bool proved = false;
-  double lower = 0, upper = 0;  // of s
-  double apart = 0;             // not below the bodies' distance at lower, internal length
-};
-
 // Of a hit that the walk found.
 template <Scalar S>
-[[nodiscard]] CurvedBracket bracket_curved(const CurvedPair<S>& pair, CurvedWalk<S>& walk,
-                                           const CurvedSweep& found, double horizon) {
+[[nodiscard]] CertifiedBracket bracket_curved(const CurvedPair<S>& pair, CurvedWalk<S>& walk,
+                                              const CurvedSweep& found, double horizon) {
   constexpr double u = kUnitRoundoff<double>;
   // Tilts: of what is curved as the bodies are large, and of rims and edges a thousandth as large.
   constexpr double kTilt = 0x1p-25, kMoreTilt = 0x1p-20;
-  CurvedBracket out;
+  CertifiedBracket out;
   const Triple n = found.n, &r = pair.direction();
   const double rate = dot(n, r), length = std::sqrt(dot(n, n)), speed = std::sqrt(dot(r, r));
   const double extent = pair.extent() + pair.radius(),
@@ -59,25 +53,6 @@ template <Scalar S>
   return out;
 }
 
-// A hit's times and distance, k and j the exponents of length and speed. False, and nothing is set, for times that have
-// no normal number: they are left to the wider search.
-template <Scalar S>
-[[nodiscard]] bool hand_out(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
-                            const CurvedBracket& bracket, int k, int j, CastResult<S>& out) {
-  const double lower = bracket.lower * power_of_two(k - j);
-  const S toi_lower = time_down<S>(lower);
-  const S toi_upper = std::min(time_up<S>(bracket.upper * power_of_two(k - j)), options.t_max);
-  if (!(toi_lower > 0 && toi_upper < kInfinity<S>)) return false;
-  out.outcome = Outcome::hit;
-  out.toi_lower = toi_lower;
-  out.toi_upper = toi_upper;
-  // At the time as rounded down, v within 8 u of itself.
-  const Vec3<double> v = wide(b.displacement) - wide(a.displacement);
-  const double way = v.norm() * (lower - double(toi_lower));
-  out.distance = round_up<S>((bracket.apart * power_of_two(k) + way) * (1 + 0x1p-48));
-  return true;
-}
-
 // False: nothing is claimed, and of `out` only the counters have changed. The bodies have passed validate().
 template <Scalar S>
 [[nodiscard]] bool curved_certified(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
@@ -95,8 +70,8 @@ template <Scalar S>
     return true;
   }
   if (found.outcome != Outcome::hit) return false;
-  const CurvedBracket bracket = bracket_curved(pair, walk, found, horizon);
-  if (!bracket.proved || !hand_out(a, b, options, bracket, k, j, out)) return false;
+  const CertifiedBracket bracket = bracket_curved(pair, walk, found, horizon);
+  if (!bracket.proved || !fill_bracket(a, b, options, bracket, k, j, out)) return false;
   fill_curved_contact(a, b, options, pair, found, double(out.toi_lower), out);
   return true;
 }

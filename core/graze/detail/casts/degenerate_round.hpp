@@ -94,7 +94,8 @@ void rename(const Shape<S>& given, Feature& feature) {
 // The exact walk as a rung of tier certified, for polytopes, combined ones and such round shapes. False if either shape
 // has roundness, or keeps a target distance.
 template <Scalar S>
-bool exact_walk_if_flat(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+bool exact_walk_if_flat(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                        CastResult<S>& out) {
   if (options.target_distance > 0) return false;
   const bool known_a = exact::is_exact(a.shape), known_b = exact::is_exact(b.shape);
   if (known_a && known_b) return exact_walk(a, b, options, out);

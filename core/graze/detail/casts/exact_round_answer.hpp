@@ -15,7 +15,8 @@
 #include <graze/detail/search/exact/round_proof.hpp>
 #include <graze/detail/search/exact/round_search.hpp>
 
-namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
+namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
+namespace exact {
 
 // For the walk of the exact polytopes: no ball about either shape, and no target distance.
 template <Scalar S>

@@ -2,6 +2,7 @@
 // counts.
 //
 //   kind of pair   MPR                  GJK ray              certified                              exact
+//   ray            ray_cast             ray_cast             ray_bracket                            ray_exact
 //   polytopes      fast_cast            fast_ray_cast        exact_walk                             exact_walk
 //                  robust_mpr_sweep     robust_gjk_ray
 //   round          robust_mpr_sweep     round_cast           exact_walk_if_flat                     exact_round_cast
@@ -13,9 +14,10 @@
 //   other          robust_mpr_sweep     robust_gjk_ray       exact_walk_if_flat                     exact_or_refused
 //                                                            certified_search
 //
+// A ray is a point against one of seven shapes. What its rung leaves open, the row of its kind decides.
 // Conservative advancement has the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes
 // and curved pairs, and the GJK ray for the rest. fast_cast and fast_ray_cast hand what rounding decides to the exact
-// walk. docs/architecture.md shows this table, and a test compares the two.
+// walk. docs/explanation/architecture.md shows this table, and a test compares the two.
 #pragma once
 
 #include <graze/cast.hpp>
@@ -25,6 +27,7 @@
 #include <graze/detail/casts/exact_cast.hpp>
 #include <graze/detail/casts/pair_kind.hpp>
 #include <graze/detail/casts/polytope_cast.hpp>
+#include <graze/detail/casts/ray_cast.hpp>
 #include <graze/detail/casts/robust_cast.hpp>
 #include <graze/detail/casts/round_cast.hpp>
 #include <graze/detail/shapes/validation.hpp>
@@ -39,41 +42,48 @@ using Rung = bool (*)(const Body<S>&, const Body<S>&, const CastOptions<S>&, Cas
 // Up to three rungs, then null.
 template <Scalar S>
 using Ladder = std::array<Rung<S>, 3>;
-// By PairKind.
 template <Scalar S>
-using Ladders = std::array<Ladder<S>, kPairKinds>;
+struct Ladders {
+  Rung<S> ray;                                // or null
+  std::array<Ladder<S>, kPairKinds> of_kind;  // by PairKind
+};
 
 template <Scalar S>
-inline constexpr Ladders<S> kMprLadders{{{fast_cast<S>, robust_mpr_sweep<S>},
-                                         {robust_mpr_sweep<S>},
-                                         {curved_cast<S>, robust_mpr_sweep<S>},
-                                         {robust_mpr_sweep<S>}}};
+inline constexpr Ladders<S> kMprLadders{ray_cast<S>,
+                                        {{{fast_cast<S>, robust_mpr_sweep<S>},
+                                          {robust_mpr_sweep<S>},
+                                          {curved_cast<S>, robust_mpr_sweep<S>},
+                                          {robust_mpr_sweep<S>}}}};
 template <Scalar S>
-inline constexpr Ladders<S> kGjkLadders{{{fast_ray_cast<S>, robust_gjk_ray<S>},
-                                         {round_cast<S>, robust_gjk_ray<S>},
-                                         {robust_gjk_ray<S>},
-                                         {robust_gjk_ray<S>}}};
+inline constexpr Ladders<S> kGjkLadders{ray_cast<S>,
+                                        {{{fast_ray_cast<S>, robust_gjk_ray<S>},
+                                          {round_cast<S>, robust_gjk_ray<S>},
+                                          {robust_gjk_ray<S>},
+                                          {robust_gjk_ray<S>}}}};
 template <Scalar S>
 inline constexpr Ladders<S> kAdvancementLadders{
-    {{robust_advancement<S>}, {robust_advancement<S>}, {robust_advancement<S>}, {robust_advancement<S>}}};
+    nullptr,
+    {{{robust_advancement<S>}, {robust_advancement<S>}, {robust_advancement<S>}, {robust_advancement<S>}}}};
 template <Scalar S>
 inline constexpr Ladders<S> kCertifiedLadders{
-    {{exact_walk<S>},
-     {exact_walk_if_flat<S>, exact_round_bracket<S>, certified_search<true, S>},
-     {exact_walk_if_flat<S>, curved_bracket<S>, certified_search<true, S>},
-     {exact_walk_if_flat<S>, certified_search<false, S>}}};
+    ray_bracket<S>,
+    {{{exact_walk<S>},
+      {exact_walk_if_flat<S>, exact_round_bracket<S>, certified_search<true, S>},
+      {exact_walk_if_flat<S>, curved_bracket<S>, certified_search<true, S>},
+      {exact_walk_if_flat<S>, certified_search<false, S>}}}};
 template <Scalar S>
 inline constexpr Ladders<S> kExactLadders{
-    {{exact_walk<S>}, {exact_round_cast<S>}, {exact_or_refused<S>}, {exact_or_refused<S>}}};
+    ray_exact<S>, {{{exact_walk<S>}, {exact_round_cast<S>}, {exact_or_refused<S>}, {exact_or_refused<S>}}}};
 
 template <Scalar S>
-[[nodiscard]] CastResult<S> climb(Method method, const Ladders<S>& ladders, const Body<S>& a, const Body<S>& b,
-                                  const CastOptions<S>& options) {
+[[nodiscard]] CastResult<S> climb(Method method, const Ladders<S>& ladders, const Body<S>& a,
+                                  const Body<S>& b, const CastOptions<S>& options) {
   CastResult<S> out;
   out.method = method;
   out.invalid = validate(a, b, options);
   if (refused(out, a, b, options)) return out;
-  for (const Rung<S> rung : ladders[static_cast<std::size_t>(kind_of(a, b, options.target_distance))])
+  if (ladders.ray && is_ray(a, b) && ladders.ray(a, b, options, out)) return out;
+  for (const Rung<S> rung : ladders.of_kind[static_cast<std::size_t>(kind_of(a, b, options.target_distance))])
     if (rung(a, b, options, out)) break;
   return out;
 }

@@ -95,7 +95,8 @@ template <Scalar S, class Search>
 }
 
 template <Scalar S>
-bool robust_advancement(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, CastResult<S>& out) {
+bool robust_advancement(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
+                        CastResult<S>& out) {
   search_with(
       a, b, options,
       [](const Cso<S>& cso, const SweepLimits<S>& limits, const Clip<S>& clip, Counters& counters) {

@@ -44,8 +44,7 @@ template <Scalar S>
   out.counters.gjk_iterations = out.counters.iterations;
   if (!fill_times(pair, found, options, out)) return false;
   const bool hit = found.outcome == Outcome::hit;
-  if (hit)
-    fill_round_contact(a, b, options, pair, walk, found.normal, found, double(out.toi_lower), out);
+  if (hit) fill_round_contact(a, b, options, pair, walk, found.normal, found, double(out.toi_lower), out);
   fill_proof(a, b, options, hit ? found.normal.vector() : unit_axis(found.n, found.length), out);
   return true;
 }

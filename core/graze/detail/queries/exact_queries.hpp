@@ -6,10 +6,10 @@
 #pragma once
 
 #include <graze/detail/casts/exact_ends.hpp>
-#include <graze/detail/numeric/rounding.hpp>
-#include <graze/detail/shapes/validation.hpp>
-#include <graze/detail/search/exact/exact_answer.hpp>
 #include <graze/detail/casts/exact_round_answer.hpp>
+#include <graze/detail/numeric/rounding.hpp>
+#include <graze/detail/search/exact/exact_answer.hpp>
+#include <graze/detail/shapes/validation.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
@@ -87,7 +87,8 @@ OverlapResult<S> overlap_exact(const Body<S>& a, const Body<S>& b) {
   if (!detail::exact::is_sharp(a, b, S(0))) {
     detail::exact::RoundSearch<S> search(a, b, 0);
     out.outcome = search.start() <= 0 ? Outcome::initially_overlapping : Outcome::miss;
-    if (out.outcome == Outcome::miss) out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
+    if (out.outcome == Outcome::miss)
+      out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
     return detail::exact::finished(search, out);
   }
   detail::exact::PassageSearch<S> cast(fixed_a, fixed_b, out.counters);
@@ -122,7 +123,8 @@ SweptOverlapResult<S> swept_overlap_exact(const Body<S>& a, const Body<S>& b,
     detail::exact::RoundSearch<S> search(a, b, double(options.target_distance));
     bool meets = search.start() <= 0;
     if (!meets && search.moves() && options.t_max > 0) {
-      meets = search.path({}, search.end(double(options.t_max))) != detail::exact::RoundSearch<S>::Path::misses;
+      meets =
+          search.path({}, search.end(double(options.t_max))) != detail::exact::RoundSearch<S>::Path::misses;
     }
     out.outcome = meets ? Outcome::hit : Outcome::miss;
     if (!meets) out.normal = detail::exact::unit_of(search.separating()).template cast<S>();
@@ -159,7 +161,8 @@ LineResult<S> line_exact(const Body<S>& a, const Body<S>& b, const LineOptions<S
     if (!search.is_rounded()) return line_exact(detail::flat(a), detail::flat(b), options);
     if (search.moves()) return detail::exact::round_line(a, b, options);
     out.outcome = search.start() <= 0 ? Outcome::hit : Outcome::miss;
-    if (out.outcome == Outcome::miss) out.normal_in = detail::exact::unit_of(search.separating()).template cast<S>();
+    if (out.outcome == Outcome::miss)
+      out.normal_in = detail::exact::unit_of(search.separating()).template cast<S>();
     return detail::exact::finished(search, out);
   }
   detail::exact::PassageSearch<S> cast(a, b, out.counters);

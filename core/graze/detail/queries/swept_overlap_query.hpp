@@ -118,7 +118,7 @@ template <Scalar S, bool kBoth>
 }
 template <Scalar S>
 [[nodiscard]] bool fast_swept_mpr(const PreparedPair<S>& pair, double horizon,
-                                   const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
+                                  const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
   FastWalk<S, false, true> walk(pair, horizon, 0, options.max_iterations, out.counters);
   const FastSweep& found = walk.run();
   out.counters.iterations = out.counters.portal_steps;
@@ -129,7 +129,7 @@ template <Scalar S>
 
 template <Scalar S>
 [[nodiscard]] bool fast_swept(const Body<S>& a, const Body<S>& b, const SweptOverlapOptions<S>& options,
-                               SweptOverlapResult<S>& out) {
+                              SweptOverlapResult<S>& out) {
   const auto horizon = [&](const auto& pair) {
     return double(options.t_max) * power_of_two(pair.speed_exponent() - pair.length_exponent());
   };
