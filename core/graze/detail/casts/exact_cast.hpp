@@ -3,7 +3,7 @@
 //   toi_lower = the largest S not above the exact TOI of the true shapes, toi_upper = the least not below it;
 //   the verdict is exact, touching included. For every valid input: point, segment, triangle, box, hull,
 //   posed and summed (so swept), any orientation. It never stalls. Spheres, capsules, roundings, and polytopes at a
-//   target distance: round_answer.hpp; these answers have no proof.
+//   target distance: exact_round_answer.hpp; these answers have no proof.
 //
 // The proof of every answer of polytopes is accepted to the last bit: its axis is symbolic, its times are the double
 // bracket (for S = float the closer one). queries/exact_queries.hpp has the other questions.
@@ -11,7 +11,7 @@
 
 #include <graze/cast.hpp>
 #include <graze/detail/casts/exact_answer_cast.hpp>
-#include <graze/detail/search/exact/round_answer.hpp>
+#include <graze/detail/casts/exact_round_answer.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <graze/detail/casts/exact_ends.hpp>
+#include <graze/detail/casts/exact_round_answer.hpp>
 #include <graze/detail/numeric/rounding.hpp>
 #include <graze/detail/search/exact/exact_answer.hpp>
-#include <graze/detail/search/exact/round_answer.hpp>
 #include <graze/line.hpp>
 #include <graze/overlap.hpp>
 #include <graze/swept_overlap.hpp>
