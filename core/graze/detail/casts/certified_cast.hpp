@@ -421,6 +421,14 @@ class CertifiedCast {
     };
     for (const Vec3<double>& e : {n, portal.n, proof.axis}) try_direction(e);
     try_direction(Vec3<double>(x - cso_.middle()));
+    // C may be flat, with its middle at x: then an axis of a body is across it.
+    const bool has_none = !(least < kInfinity<double>);
+    for (int i = 0; i < 3 && has_none; ++i) {
+      for (const Side<double>* side : {&cso_.side_a(), &cso_.side_b()}) {
+        try_direction(side->to_world(Vec3<double>::Unit(i)));
+        try_direction(side->to_world(-Vec3<double>::Unit(i)));
+      }
+    }
     for (const double away : {0x1p-20, 0x1p-26}) {
       Simplex<double> simplex;
       try_direction(
