@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint64_t kSeeds = 24;
 
 TEST(Families, AreFoundByName) {
-  EXPECT_EQ(families().size(), 38u);
+  EXPECT_EQ(families().size(), 39u);
   for (const Family& family : families()) EXPECT_EQ(find_family(family.name), &family);
   EXPECT_EQ(find_family("no such family"), nullptr);
 }
@@ -74,6 +74,7 @@ TEST(Families, AreTheSameBitsEverywhere) {
       {"parallel_caps", 0xd953557a72148e71u},
       {"rods_and_round", 0xc89bbc86f5f7f328u},
       {"smooth_depths", 0xb17fafe3b63711bu},
+      {"rays", 0xcd81db93c0f20c0du},
       {"spinning_graze", 0xfd73f8f495788929u},
       {"fast_spin", 0x703f147157289fb1u},
       {"off_centre_pivot", 0xe0d8d30c5ad0c4a3u},
@@ -131,7 +132,7 @@ TEST(Families, BringHardnessToALevelAndNameTheCaseByIt) {
 bool is_exact(const Family& family) {
   constexpr std::array kOthers = {"curved",        "combinators",      "smooth_graze",
                                   "far_own_frame", "mixed_magnitudes", "at_rest",
-                                  "coaxial",       "rods_and_round",   "smooth_depths"};
+                                  "coaxial",       "rods_and_round",   "smooth_depths", "rays"};
   return std::find(kOthers.begin(), kOthers.end(), family.name) == kOthers.end();
 }
 
