@@ -109,7 +109,8 @@ def make_api(pages, work):
     version = re.search(r"VERSION (\d+\.\d+\.\d+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
     given = (SITE / "Doxyfile").read_text()
     given += f"PROJECT_NUMBER = {version}\nOUTPUT_DIRECTORY = {pages}\nHTML_OUTPUT = api\n"
-    given += 'INPUT_FILTER = "sed s/graze::inline.GRAZE_LINKAGE/graze/"\n'
+    given += r"""INPUT_FILTER = "sed -E 's/^namespace graze \{ inline namespace GRAZE_LINKAGE/namespace graze/; s/^\}\}/}/'"
+"""
     given += f"USE_MDFILE_AS_MAINPAGE = {SITE / 'api.md'}\nEXAMPLE_PATH = {SOURCE / 'examples'}\n"
     given += f"INPUT = {SITE / 'api.md'} {' '.join(map(str, headers()))}\n"
     given += "".join(f"{key} = {SOURCE / 'core'} {SOURCE / 'scene'}\n" for key in ("STRIP_FROM_PATH", "STRIP_FROM_INC_PATH"))

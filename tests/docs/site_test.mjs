@@ -1,7 +1,7 @@
 // The site in a real browser, opened from a disk: `node site_test.mjs CHROMIUM FOLDER`. Every failed check is a line.
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { Browser } from "../viewer/browser.mjs";
+import { Browser } from "../reports/viewer/browser.mjs";
 
 const [program, folder] = process.argv.slice(2);
 const address = (name) => pathToFileURL(resolve(folder, name)).href;

@@ -317,20 +317,20 @@ class RoundSearch {
     // on the hull's cut with c.u = 0, between a point low and one high along u.
     const Dyadic3 u = cross(w, v_);
     const std::vector<Flat> of_a = face_of(a_, w, u), of_b = face_of(b_, minus(w), u);
-    struct Corner {
+    struct GrazeCorner {
       Vertex name;
       Exact x;
     };
     const auto corner = [&](const Dyadic3& d, const Dyadic3& d_2) {
       const Flat& a = extreme(of_a, d, d_2);
       const Flat& b = extreme(of_b, minus(d), minus(d_2));
-      Corner c{{a.vertex, b.vertex}, a.x};
+      GrazeCorner c{{a.vertex, b.vertex}, a.x};
       c.x.add(b.x, true);
       return c;
     };
     const Dyadic one(1), none(0);
     const Dyadic3 early = {-one, none, none};
-    Corner low = corner({none, -one, none}, early), high = corner({none, one, none}, early);
+    GrazeCorner low = corner({none, -one, none}, early), high = corner({none, one, none}, early);
     if (low.x.x[1].sign() == 0) high = low;
     if (high.x.x[1].sign() == 0) low = high;
     while (valid_ && low.x.x[1].sign() < 0) {
@@ -338,7 +338,7 @@ class RoundSearch {
       Exact e = high.x;
       e.add(low.x, true);
       const Dyadic3 d = {-e.x[1], e.x[0], none};
-      const Corner next = corner(d, early);
+      const GrazeCorner next = corner(d, early);
       Exact step = next.x;
       step.add(low.x, true);
       if (check(dot(step.x, d)) <= 0) break;
