@@ -5,7 +5,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Of six points whose hull holds the origin, four that do so, for the proof.
+// Four of six points, for the proof. The hull of the six holds the origin, and so does the hull of the four.
 struct Surrounding {
   bool found = false;
   std::array<NamedPoint, 4> p;
