@@ -18,11 +18,12 @@ namespace detail {
 
 // kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
 inline constexpr double kRotatingStop = 4;
-// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, of bodies
-// that rotate and of others, and the part of it that either end may take.
+// Tier certified: the default width of the bracket over scale, for rotating bodies and for others, and the fraction
+// of it that each end may use.
 inline constexpr double kCertifiedTurningWidth = 1e-9, kCertifiedWidth = 1e-12, kWidthPart = 1.0 / 16;
-// Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u. Tier
-// certified proves what it says of it in double. Where the rounding of a gap is more, as with a target distance far
+// Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u.
+// Tier certified proves its result about it in double. If the rounding of a gap is larger, as with a target distance
+// far above the scale, so many times that.
 // above the scale, so many times that.
 template <Scalar S>
 constexpr double kFollowedDepth(Tier tier) {
@@ -30,8 +31,8 @@ constexpr double kFollowedDepth(Tier tier) {
                                                   : 4096 * kUnitRoundoff<double>;
 }
 inline constexpr double kFollowedErrors = 16;
-// Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
-// thousand. What takes more would take slices as short as the rounding.
+// Support evaluations after which a contact is no longer followed. A crate that tips about its edge until its next
+// face lands takes a thousand. A longer search would need slices as short as the rounding.
 inline constexpr int kMostFollowedSupports = 2048;
 // The linear slop of the slides, over scale, where the caller names no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
@@ -69,7 +70,7 @@ Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const Rotat
   return validate(b, options.t_max);
 }
 
-// Where validate() above refuses: the same checks in the same order.
+// Returns the cases in which validate() refuses: the same checks in the same order.
 template <Scalar S>
 [[gnu::noinline]] InvalidAt find_invalid(const RotatingBody<S>& a, const RotatingBody<S>& b,
                                          const RotatingOptions<S>& options) {
@@ -112,7 +113,7 @@ class RotatingCast {
 
  private:
   [[nodiscard]] bool passes_over() const { return options_.start_policy == StartPolicy::pass_over; }
-  // Of the methods, those that never pass a contact follow one.
+  // Only the methods that never miss a contact follow one.
   static bool follows(RotatingMethod method) {
     return method == RotatingMethod::conservative_advancement ||
            method == RotatingMethod::bilateral_advancement;
@@ -326,8 +327,8 @@ class RotatingCast {
     if (out_.outcome != Outcome::miss) out_.passed_over = false;
   }
 
-  // By the policy pass_over: a contact at the start is followed. False: that is the answer, in out_. Else the march
-  // begins where the bodies are apart; what it finds is the answer, passed over if it is a miss.
+  // Under the policy pass_over, follows a contact at the start. False: that is the answer, in out_. Otherwise the
+  // march begins at a time with the bodies apart, and its result is the answer, passed over if it is a miss.
   bool leaves_start(MarchLimits& march_limits) {
     const double allowed =
         std::max(kFollowedDepth<S>(options_.tier) * scale(), kFollowedErrors * pair_->error());
@@ -429,10 +430,10 @@ class RotatingCast {
     }
     apart +=
         pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
-    // Of a way that outgrew the doubles nothing is known.
+    // If a translation overflowed the range of doubles, nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = round_up<S>(pair_->cso().to_length(apart));
-    // Of a search that its budget ended before it saw an axis there is no place.
+    // A search that used up its budget before it found an axis has no location.
     if (found.n == Vec3<double>::Zero()) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
@@ -440,8 +441,8 @@ class RotatingCast {
 
   // The closest points at toi_lower, each on its own body.
   void set_witnesses(const March& found) {
-    // Which points they are is asked where they were found, as a flat end answers by the last bit of a
-    // direction.
+    // The points are determined at the time at which they were found, because on a flat end they depend on the last
+    // bit of a direction.
     pair_->place(found.lower);
     const Cso<double>& cso = pair_->cso();
     Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();

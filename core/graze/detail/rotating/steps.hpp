@@ -1,9 +1,9 @@
-// Time-step subdivision: overlap tests at equal steps, and halving between the last time apart and the first
-// in contact. What touches and leaves between two tests is missed; `hidden` says how far anything moves in
+// Time-step subdivision: overlap tests at equal steps, and bisection between the last time apart and the first in
+// contact. A contact that begins and ends between two tests is missed. `hidden` bounds the motion of every point in
 // between.
 //
-// [The lecture: "simplest implementation: time-step sub-division", slow and may miss; and its idea for MPR,
-// to begin where bounding spheres first meet.] Any overlap method serves: here GJK's distance at the noise.
+// [The lecture: "simplest implementation: time-step sub-division", slow and may miss, and its idea for MPR, to begin
+// where bounding spheres first meet.] Any overlap method can be used. This one is GJK's distance at the noise.
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>

@@ -1,7 +1,7 @@
-// Contact at t = 0, where the origin is on the boundary of C, so that no ball about it lies in C.
+// Proves contact at t = 0 if the origin is on the boundary of C, so that no ball about it lies in C.
 //
-// Nothing has turned yet at t = 0, so a named point (proving/named_point.hpp) is an exact number, and
-// whether the hull of up to four of them holds the origin, its boundary included, is decided exactly.
+// At t = 0 no body has rotated yet, so a named point (proving/named_point.hpp) is an exact number. It is decided
+// exactly whether the hull of up to four of them holds the origin, its boundary included.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,8 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   return holds() && valid;
 }
 
-// The pairs of a simplex that is closest at t = 0, as a proof of contact then; false where it is none. The
-// pair is placed at 0.
+// Turns the pairs of a simplex that is closest at t = 0 into a proof of contact then. False if they do not prove
+// contact. The pair is placed at 0.
 template <Scalar S>
 bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const Simplex<double>& closest,
              RotatingProof& proof) {
