@@ -2,9 +2,9 @@
 // Every decision about them is correct.
 //
 // Oblique coordinates of a point w, c the largest component of r, (a, b, c) cyclic:
-//   x = w_a - (r_a / r_c) w_c,   y = w_b - (r_b / r_c) w_c,   z = w_c / r_c,
-// so that the line is x = y = 0 and z is its parameter s. With l_i = x_j y_k - y_j x_k, cyclic, none of the
-// wrong sign, the line pierces the triangle at s = sum l_i z_i / sum l_i: proved, s_in <= s.
+//   x = w_a - (r_a / r_c) w_c,   y = w_b - (r_b / r_c) w_c,   z = w_c / r_c.
+// The line is then x = y = 0 and z is its parameter s. Let l_i = x_j y_k - y_j x_k, cyclic. If no l_i has the
+// wrong sign, the line pierces the triangle at s = sum l_i z_i / sum l_i. This proves s_in <= s.
 //
 // Discovery is GJK in the plane, refinement MPR (portal.hpp). The difference is that every decision is correct. On
 // aligned shapes the line often passes through an edge or a corner within the resolution of sums of two doubles. The

@@ -215,19 +215,19 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
 // decided.
 //
 // The projection of each corner is known within `e` per coordinate. This is its own error, 8 u of its length for the
-// product, the frame and r, and the error of the features' names. (The last is `slack` of R. On a curved core it is
-// also `slack` of its own extent, once more for the point that they name.) cross(q_i, q_j) is then within 2 e (|q_i|
-// + |q_j|) + 4 e^2, which decides whether 0 is inside.
+// product, the frame and r, and the error of the features' names. The last is `slack` of R. On a curved core it is
+// also `slack` of its own extent, once more for the point that they name. The product cross(q_i, q_j) is then within
+// 2 e (|q_i| + |q_j|) + 4 e^2, which decides whether 0 is inside.
 //
 // The height of the plane at 0: with weights l and slope g, moving corner i by d moves it by l_i (d_z - g.d_xy), to
 // first order. So it moves by at most e (1 + |g|_1) in all, however thin the triangle. While e is below 1/64 of the
 // least altitude, the second order is less than a sixteenth of that. The remainder of the rounded weights, rho = sum
 // l q, is corrected by g.rho.
 //
-// g rounds, too. L is the longest edge, l its projection's length, h the least altitude, G = 1 + |g|_1. face_normal()
-// leaves 6 u |n| along the longest edge and 2 u L^2 across it, that is 6 u G L / l and 2 u G L^2 / (l h) of g. rho is
-// within 6 u l^2 / h along and, 0 being inside, 6 u l across. The product is 48 u^2 G L^2 / h in all. As L <= 2
-// extent and h > 64 e >= 512 u extent, it is less than u extent G / 2.
+// The slope g rounds, too. L is the longest edge, l its projection's length, h the least altitude, G = 1 + |g|_1. The
+// function face_normal() leaves 6 u |n| along the longest edge and 2 u L^2 across it. For g, that is 6 u G L / l and
+// 2 u G L^2 / (l h). The remainder rho is within 6 u l^2 / h along and, 0 being inside, 6 u l across. The product is
+// 48 u^2 G L^2 / h in all. As L <= 2 extent and h > 64 e >= 512 u extent, it is less than u extent G / 2.
 //
 // `q`: the corners as seen along the line, third the height along it, each within e per coordinate and none farther
 // out than `extent`. `sure`: 0 is inside, and the plane's height there is within `error` of z.

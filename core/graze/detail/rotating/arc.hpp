@@ -6,8 +6,8 @@
 //   s_n(t) >= (1 - tau) s_n(t_0) + tau s_n(t_1) - 4 tau (1 - tau) k.
 // - By the chord (slice.hpp): k = M (t_1 - t_0)^2 / 8. M is that of the point that bends most. A box that tips about an
 //   edge on the floor keeps that edge there, and its far corners bend. This bound would need slices of sqrt(d).
-// - By the arc. Seen from a body X that rotates by w about the pivot c, an axis of the world moves on an arc of a circle
-//   by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without rotation.
+// - By the arc. Seen from a body X that rotates by w about the pivot c, an axis of the world moves on an arc of a
+//   circle by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without rotation.
 //   The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from its
 //   middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
 //     a + b + c = 1,    c - a = sin u / sin phi,    b = cos phi (cos u - cos phi) / sin^2 phi <= (1 - x^2) / 2.

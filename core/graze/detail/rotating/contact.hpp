@@ -229,8 +229,8 @@ inline double surround_by_mean(const CornersAround& all, Contact& found) {
 }
 
 // Proves contact by portals. If the line passes under an edge, a tie and the common case on aligned boxes, a tilted
-// line does not. n: a normal at the contact, so the origin is near the point at which the line enters along -n.
-// depth: the approximate depth.
+// line does not. `n`: a normal at the contact, so the origin is near the point at which the line enters along -n.
+// `depth`: the approximate depth.
 inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, double depth, double e, int budget,
                             Contact& found, Counters& counters) {
   using State = PortalSearch<double>::State;

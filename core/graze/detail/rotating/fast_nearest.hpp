@@ -7,9 +7,12 @@
 //   upper   the length of a convex combination of support points, as rounded
 //   lower   -n.w of the support point w along a unit n: the pair's error() holds for any n
 // The regions of a simplex are determined by signs in plain doubles, and only the feature that is kept gets a unit
-// normal. If rounding becomes visible, it gives up, and gjk.hpp starts from the beginning. Four signs of rounding are
-// checked: no feature is closest, the closest feature is not nearer than the last, a support was already known, or a
-// tetrahedron is too flat to have a sign or weights. [Ericson, Real-Time Collision Detection, 2005, 5.1]
+// normal. If rounding becomes visible, it gives up, and gjk.hpp starts from the beginning. It gives up in four cases:
+//   - No feature is closest.
+//   - The closest feature is not nearer than the last one.
+//   - A support was already known.
+//   - A tetrahedron is too flat to have a sign or weights.
+// [Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>

@@ -2,8 +2,8 @@
 // pass_over of rotating bodies. A caller uses it to find the next contact of a body that rests on another one.
 //
 // Lengths: internal; n unit. s_n(t) = the gap along n at t (slice.hpp). If negative, the bodies are at most -s_n deep
-// along n. "No deeper than x" is proved by one axis, over a slice of time: s_n >= -x. "Deeper than x" is proved at one
-// time, by pairs that hold a ball of radius x about the origin (contact.hpp). With the allowed depth d,
+// along n. One axis proves "no deeper than x" over a slice of time: s_n >= -x. Pairs that hold a ball of radius x about
+// the origin (contact.hpp) prove "deeper than x" at one time. With the allowed depth d,
 // - a slice is passed if an axis shows that the bodies are no deeper than d / 2 on all of it.
 // - the contact got deeper if it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
 //

@@ -12,7 +12,7 @@
 // neither way stays open after kMostTieSupports.
 //
 // A `width` ends the same march earlier and changes nothing else. It ends the march if the current closest points,
-// carried to a time shortly after, prove contact there. That takes no support evaluation, so a wider bracket never
+// carried to a time shortly after, prove contact there. This takes no support evaluation, so a wider bracket never
 // costs more of them than the least one. As the contact is proved, the verdict is the same.
 #pragma once
 

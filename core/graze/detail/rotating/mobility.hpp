@@ -1,7 +1,7 @@
 // Bounds the speed of a rotating body's points along an axis. Every safe step relies on these bounds.
 //
-// Lengths in the unit of the points given, angles in radians, t in units of the step. n is a unit vector in
-// world axes, w the rotation vector, x(t) = R(w t) x_0 a point about the pivot. Then
+// Lengths in the unit of the points given, angles in radians, t in units of the step. The unit vector n is in
+// world axes, w is the rotation vector, x(t) = R(w t) x_0 a point about the pivot. Then
 //   |d/dt n.x|      = |(n x w) . x| <= |n x w| rho            rho: largest distance from the axis of rotation
 //   |d^2/dt^2 n.x|  = |n_perp . x_perp| |w|^2 <= |w| |n x w| rho      (n_perp, x_perp: across w).
 // The ball of a sphere, a capsule or a rounded shape rotates with no effect, so rho is the core's alone. A ball about

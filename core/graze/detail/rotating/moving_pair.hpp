@@ -1,15 +1,15 @@
 // Represents two rotating bodies as a CSO that can be placed at any time.
 //
-// Frame: world axes, origin on the path of A's pivot, c_A + v_A t; internal units of cso.hpp (world lengths
-// times 2^-k, k that of t = 0). With the arms r_X = R(orientation)(center - pivot) at t = 0 and the bodies'
-// turns R_X(t),
+// Frame: world axes, origin on the path of A's pivot, c_A + v_A t. Internal units of cso.hpp (world lengths
+// times 2^-k, k that of t = 0). The arms are r_X = R(orientation)(center - pivot) at t = 0, and R_X(t) are the
+// bodies' rotations. Then
 //   offset(t) = (c_B - c_A) + (v_B - v_A) t + R_B(t) r_B - R_A(t) r_A,
-// summed in two doubles and rounded once: large common positions, and arms of many sizes, cost nothing.
+// summed in two doubles and rounded once. Large common positions and arms of many sizes cost no accuracy.
 // cso.hpp bounds the rounding of the CSO's results. `error()` is the total.
 //
 // The relative speed of points is bounded by the sum of both bodies' speeds. If both bodies rotate by exactly
 // one w, the common part cancels: x_B - x_A = (c_B - c_A) + v t + R(t) (r_B - r_A + y_B - y_A), y from the
-// centres, so with `common_rho` the largest distance of r_B - r_A + y_B - y_A from the axis
+// centres. Let `common_rho` be the largest distance of r_B - r_A + y_B - y_A from the axis. Then
 //   |d/dt n.(x_B - x_A - v t)| <= |n x w| common_rho,     |d^2/dt^2 n.(x_B - x_A)| <= |w| |n x w| common_rho.
 // Bodies on equal arms about different pivots do not move relative to each other, however long the arms.
 #pragma once
@@ -228,7 +228,7 @@ class MovingPair {
     return (to_own(frame, n_1) - m_0).norm() + 64 * kUnitRoundoff<double>;
   }
   // Upper bound of the speed of one body's points as seen in the axes of the other, from the path of its pivot, for
-  // times up to t_end: for x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance of the
+  // times up to t_end. For x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance of the
   // bodies is the same in all axes, so it changes no faster, however fast both rotate as one.
   [[nodiscard]] double relative_speed(AxisFrame frame, double t_end) const {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,

@@ -70,7 +70,7 @@ Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const Rotat
   return validate(b, options.t_max);
 }
 
-// Returns the cases in which validate() refuses: the same checks in the same order.
+// Locates the value for which validate() above refuses: the same checks in the same order.
 template <Scalar S>
 [[gnu::noinline]] InvalidAt find_invalid(const RotatingBody<S>& a, const RotatingBody<S>& b,
                                          const RotatingOptions<S>& options) {

@@ -39,7 +39,7 @@ struct MarchLimits {
   double begin = 0, end = 1;  // a contact that is passed over has ended at `begin`
   double stop = 0;            // a gap that axes cannot close
   double width = 0;           // largest distance from contact of either bracket end, if above `stop`
-  double touching = -1;       // bodies within this distance are in contact; if negative, proof is needed
+  double touching = -1;       // bodies within this distance are in contact. Negative: proof is needed
   bool proves_later = false;  // `touching` is about the start alone
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain

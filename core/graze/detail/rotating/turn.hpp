@@ -100,8 +100,8 @@ inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
 // The remainder of x after whole quarter turns is r + e, |r| <= 0.7855, |e| <= u |r|, which differs from the exact
 // one by at most turn_error.
 //
-// Sine: r z S(z), z = r^2, is at most 0.1 |r| and known to 6 u of itself, 0.48 u. e (1 - z/2) leaves 0.02 u, the
-// series' next term less, and the last sum rounds by u/2, being below 1.
+// Sine: r z S(z), z = r^2, is at most 0.1 |r| and known to 6 u of itself, 0.48 u. The term e (1 - z/2) leaves 0.02 u,
+// the series' next term less, and the last sum rounds by u/2, being below 1.
 //
 // Cosine: z/2 is within u/4. The rounding of 1 - z/2 is corrected exactly. z^2 C(z) is at most 0.016, within 0.1 u,
 // and the last sum adds u/2 again.

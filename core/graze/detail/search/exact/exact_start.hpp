@@ -7,8 +7,8 @@
 //
 //   contact   a point of one core whose distance from the other is at most R. It is rational if bodies stand, lie or
 //             roll on a plane, and otherwise a point within 2^-250 of the deepest one.
-//   apart     a direction n with h(n) + R |n| < 0: the normal of a face, an axis of a leaf, an edge times an axis, or the
-//             vector between a vertex and the leaf's point nearest to it.
+//   apart     a direction n with h(n) + R |n| < 0: the normal of a face, an axis of a leaf, an edge times an axis, or
+//             the vector between a vertex and the leaf's point nearest to it.
 //
 // Each candidate is verified in exact arithmetic, so a wrong one costs time and never an answer. If no candidate
 // decides, the start remains undecided. Notation: exact_body.hpp.

@@ -11,8 +11,8 @@
 // are:
 //   - f_1 and f_2: 2^-92 of their sizes.
 //   - n, at most 2 X Y: 2^-89.9 X Y (two products, and the rounding of pairs is below 2^-95 X Y).
-//   - R^T n, at most 6 |q|^2 X Y: three times that times |q|^2, and 2^-95 |q|^2 X Y of its entries and products, which is
-//     2^-88.3 |q|^2 X Y.
+//   - R^T n, at most 6 |q|^2 X Y: three times that times |q|^2, and 2^-95 |q|^2 X Y of its entries and products,
+//     which is 2^-88.3 |q|^2 X Y.
 //   - its product with the step: three times that times D, and 2^-93 |q|^2 X Y D, which is below 2^-86 |q|^2 X Y D.
 //
 // Leaves that combinators rotate inside their body have several rotations. Their comparisons are determinants.

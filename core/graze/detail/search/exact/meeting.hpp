@@ -6,9 +6,9 @@
 //
 // Plain doubles find s and lambda, so that g = c(lambda) - s v is nearly 0. They need not be exact. Only g is formed
 // in pairs of doubles, with one rotation a body. It is as small as s and lambda are accurate, so that N and v may be
-// rounded in the quotient: n.g / n.v gives t - s far below a unit in the last place of s. The remaining cases are
-// left to facet.hpp. The same lambda are the weights of the contact, and g shows whether the two bodies' points
-// coincide.
+// rounded in the quotient. The quotient n.g / n.v gives t - s far below a unit in the last place of s. The remaining
+// cases are left to facet.hpp. The same lambda are the weights of the contact, and g shows whether the two bodies'
+// points coincide.
 //
 // Applies to two bodies that are no combinators, a path and a facet of three corners. Both bodies are processed at
 // once, side by side. If only one body is rotated, the other is rotated by the identity, which rounds nothing.
@@ -17,8 +17,8 @@
 //   e, f   25 u S,  S = |steps of A|_1 + |steps of B|_1 bounds |e|_2: each step rounds once, its rotation is within
 //          21 u (prepared_pair.hpp), their difference rounds once.
 //   n      2 * 25 sqrt(3) u S_e S_f, 3 u S_e S_f for the product, and the second-order terms: 100 u S_e S_f.
-//   g      2^-90 (X + Y + |p_A - p_B| + |s v|).  A body's point is within 2^-95 X (two products with 2^-97 of at most 2 X
-//          lambda, lambda <= 1, and sums). Its rotation is within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2 each,
+//   g      2^-90 (X + Y + |p_A - p_B| + |s v|).  A body's point is within 2^-95 X (two products with 2^-97 of at most
+//          2 X lambda, lambda <= 1, and sums). Its rotation is within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2 each,
 //          three of them: 2^-93 X. The quotient by |q|^2 is within 2^-97. Three sums of that size add 2^-100 each.
 #pragma once
 
@@ -358,8 +358,8 @@ class Meeting {
   Triple n_{};
   double along_ = 0, n_error_ = 0, along_error_ = 0;
   // For A and B, where known_: c_0's vertices as given and about the centres, and the steps from there, which are 0
-  // for a body without a step. Where turned_, the rotations in doubles and in pairs. They are the identity for a body
-  // that is not rotated.
+  // for a body without a step. If turned_ is set, also the rotations in doubles and in pairs. They are the identity
+  // for a body that is not rotated.
   Both x0_, own_;
   std::array<Pair3Of<false, TwoLanes>, 2> step_;
   std::array<std::array<bool, 2>, 2> moves_;

@@ -120,7 +120,7 @@ class PassageSearch {
     out.hull_size = facet.size;
     for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) out.hull[i] = facet.corner[i];
   }
-  // Runs the quick walk first (fast_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2 with f_1 =
+  // Runs the quick walk first (fast_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2. Here f_1 =
   // (n_z, 0, -n_x) and f_2 = (0, n_z, -n_y), z being the axis of n's largest component. False: the exact walk begins
   // at the vertices with which the quick walk ended.
   bool seek(double t_max, Seeds& seeds, Miss& miss) {

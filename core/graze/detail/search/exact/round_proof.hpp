@@ -1,11 +1,11 @@
-// Proves in pairs of doubles that a round walk's contact lies between two given doubles. Use it first.
+// Brackets a round walk's contact between two neighbouring doubles, proved in pairs of doubles. Use it first.
 // round_search.hpp decides the cases that it leaves open.
 //
 //   F     the feature that the walk ended with: corners c_i of K, all times the weight W of the bodies' rotations
 //   z     = s W v - c_0, e = c_1 - c_0, g = c_2 - c_0, N = e x g. The quadratic q has the sign of f - R^2:
 //         vertex z.z - (R W)^2      edge |z x e|^2 - (R W)^2 e.e      face (z.N)^2 - (R W)^2 N.N
-//   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI is
-//          above that double.
+//   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI
+//          is above that double.
 //   upper: q < 0 with the foot inside of F: TOI is below that double. If q = 0 there, under the same terms as at the
 //          lower, TOI is that double.
 // All is formed once, at the walk's time. As q is a quadratic in s, plain doubles suffice for a step of a few units

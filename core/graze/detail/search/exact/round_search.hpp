@@ -8,8 +8,8 @@
 //   verdict  w*.w* against R^2, w* the shortest vector from K to the path: the nearest point of K swept by -v
 //   time     if w*.w* < R^2, t <= TOI iff f(t) >= R^2 and w(t).v < 0. Before TOI f falls strictly, as it gets below R^2
 //            later. After TOI f is at R^2 only while it grows. TOI is the largest such double iff f is R^2 there.
-//   graze    w*.w* = R^2: contacts are the t with t v - w* in K. If w*.v != 0, contact is at the path's end. Otherwise it
-//            is on a line in the plane of K's face towards w*, which is cut in two dimensions. TOI is rational then.
+//   graze    w*.w* = R^2: contacts are the t with t v - w* in K. If w*.v != 0, contact is at the path's end. Otherwise
+//            it is on a line in the plane of K's face towards w*, which is cut in two dimensions. TOI is rational then.
 //   leaving  (pass_over, r = r_A + r_B > 0) iff the ray from the start keeps w*.w* >= r^2. At rest, iff f(0) >= r^2.
 // A path without end is cut at a t with v.(t v - c) >= 0 for every c: f does not fall from there on.
 //

@@ -12,10 +12,10 @@
 //   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, so that o stays inside.
 // [portal refinement: Snethen 2008; the lecture's MPR; here with exact decisions, as a simplex method]
 //
-// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its
-// edges: o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). m is interior to the polygon, so the moved o is inside
-// iff o is, and the entry of a polytope is continuous along the way: verdict and time are o's own. No side of
-// two vertices that are seen apart is then zero, as no edge is parallel to both edges of a triangle.
+// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its edges: o +
+// e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). As m is interior to the polygon, the moved o is inside iff o is. The entry
+// of a polytope is continuous along the way, so verdict and time are o's own. No side of two vertices that are seen
+// apart is then zero, as no edge is parallel to both edges of a triangle.
 //
 // Flat. If C is seen as a segment, it lies in a plane parallel to v. Let x be an axis that is not parallel to this
 // plane. If the plane holds the line, the portal is two vertices c, d with side(c, x) < 0 < side(d, x), and x is the
@@ -42,7 +42,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 inline constexpr double kU = kUnitRoundoff<double>;
 
 struct Corner {
-  Triple a, b, w;  // of A and B about the bodies' centres, world axes; a - b - offset
+  Triple a, b, w;  // of A and B about the bodies' centres, world axes, and a - b - offset
   double qx, qy;
   Vertex id;
 };
