@@ -26,7 +26,7 @@ struct Scene {
     for (std::size_t i = 0; i < kDirections; ++i) directions.push_back(draw.vector<S>(1).normalized());
   }
   // Of the mapped hull, which may have none.
-  [[nodiscard]] const DirectionMap& map() const { return mapped.graph().map; }
+  [[nodiscard]] const detail::DirectionMap& map() const { return mapped.graph().map; }
 };
 
 template <class S, class Support>
@@ -58,7 +58,7 @@ void guessed(benchmark::State& state, Family family) {
 template <class S>
 void guessed_by_map(benchmark::State& state, Family family) {
   const Scene<S> scene(family, static_cast<int>(state.range(0)));
-  const DirectionMap& map = scene.map();
+  const detail::DirectionMap& map = scene.map();
   if (map.empty()) return state.SkipWithError("no map");
   double vertices = 0;
   run<S>(state, scene, [&](const Vec3<S>& n) {

@@ -15,7 +15,7 @@
 namespace graze::corpus {
 namespace {
 
-constexpr double kReach = 4;  // size of the shape (length)
+constexpr double kShapeSize = 4;  // size of the shape (length)
 
 // A point of the shape's boundary, or near it; in its own frame.
 Vec3<double> feature(Random& random, const Shape<double>& shape) {
@@ -39,7 +39,7 @@ Vec3<double> feature(Random& random, const Shape<double>& shape) {
 
 void fill_rays(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
-  problem.a.shape = random.once_in(4) ? draw.hull(kReach, random.integer(4, 12)) : draw.leaf(kReach, 0);
+  problem.a.shape = random.once_in(4) ? draw.hull(kShapeSize, random.integer(4, 12)) : draw.leaf(kShapeSize, 0);
   problem.a.orientation = draw.pose();
   problem.a.position = draw.vector(8);
   problem.b.shape = Point<double>{};

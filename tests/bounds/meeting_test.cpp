@@ -39,7 +39,7 @@ BallVec exactly(const detail::exact::Exact& x) {
   const Ball weight = exactly(x.weight);
   return {exactly(x.x[0]) / weight, exactly(x.x[1]) / weight, exactly(x.x[2]) / weight};
 }
-BallVec exactly(const Triple& x) { return BallVec(x.vector()); }
+BallVec exactly(const detail::Triple& x) { return BallVec(x.vector()); }
 Ball largest_of(const BallVec& x) { return max(abs(x.x), max(abs(x.y), abs(x.z))); }
 
 // --- numbers

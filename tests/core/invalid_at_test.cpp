@@ -247,14 +247,15 @@ TEST(InvalidAt, WhatATurnAdds) {
 
 TEST(InvalidAt, WhatTheExactTierDoesNotKnow) {
   const std::string curved = "shape is curved or a hull of shapes, which tier exact does not know";
+  const Body<double> cone{.shape = Cone<double>{1, 1}};
   const CastOptions<double> exact{.tier = Tier::exact};
-  EXPECT_EQ(to_text(cast(kBall, kBox, exact).invalid_at), "body a: " + curved);
-  EXPECT_EQ(to_text(cast(kBox, kBall, exact).invalid_at), "body b: " + curved);
-  EXPECT_EQ(to_text(line_exact(kBox, kBall).invalid_at), "body b: " + curved);
-  EXPECT_EQ(to_text(overlap_exact(kBall, kBox).invalid_at), "body a: " + curved);
+  EXPECT_EQ(to_text(cast(cone, kBox, exact).invalid_at), "body a: " + curved);
+  EXPECT_EQ(to_text(cast(kBox, cone, exact).invalid_at), "body b: " + curved);
+  EXPECT_EQ(to_text(line_exact(kBox, cone).invalid_at), "body b: " + curved);
+  EXPECT_EQ(to_text(overlap_exact(cone, kBox).invalid_at), "body a: " + curved);
   // Turning bodies whose motion is linear after all: the linear cast's reason is handed on.
-  const RotatingBody<double> ball{kBall}, box{kBox};
-  EXPECT_EQ(to_text(cast(box, ball, {.tier = Tier::exact}).invalid_at), "body b: " + curved);
+  const RotatingBody<double> turned{cone}, box{kBox};
+  EXPECT_EQ(to_text(cast(box, turned, {.tier = Tier::exact}).invalid_at), "body b: " + curved);
 }
 
 TEST(InvalidAt, TheMachine) {

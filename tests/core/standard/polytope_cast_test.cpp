@@ -244,16 +244,16 @@ TYPED_TEST(FastCast, GrazesAreRightOrGivenUp) {
 TYPED_TEST(FastCast, WhatItDoesNotAnswerChangesOnlyCounters) {
   using S = typename TypeParam::Number;
   const Body<S> a{.shape = Box<S>{{1, 1, 1}}};
-  Body<S> b{.shape = Sphere<S>{1}, .position = {4, 0, 0}, .displacement = {-4, 0, 0}};
+  Body<S> b{.shape = Box<S>{{1, 1, 1}}, .position = {S(0.5), 0, 0}, .displacement = {0, -1, 0}};
   CastOptions<S> options;
   CastResult<S> out;
-  EXPECT_FALSE(TypeParam::quick(a, b, options, out)) << "a sphere";
+  EXPECT_EQ(detail::kind_of(a, b, S(0)), detail::PairKind::polytopes);
+  EXPECT_EQ(detail::kind_of(a, b, S(0.5)), detail::PairKind::round) << "a target distance";
+  b.shape = Sphere<S>{1};
+  EXPECT_EQ(detail::kind_of(a, b, S(0)), detail::PairKind::round) << "a sphere";
+  b.shape = Cone<S>{1, 1};
+  EXPECT_EQ(detail::kind_of(a, b, S(0)), detail::PairKind::curved) << "a cone";
   b.shape = Box<S>{{1, 1, 1}};
-  options.target_distance = S(0.5);
-  EXPECT_FALSE(TypeParam::quick(a, b, options, out)) << "a target distance";
-  options.target_distance = 0;
-  b.displacement = {0, -1, 0};
-  b.position = {S(0.5), 0, 0};
   options.start_policy = StartPolicy::pass_over;
   EXPECT_FALSE(TypeParam::quick(a, b, options, out)) << "a start in contact that may be passed over";
   EXPECT_EQ(out.outcome, Outcome::invalid_input);

@@ -72,7 +72,7 @@ template <class S, class Given>
 long compare_with_scan(const Hull<Given>& hull, int count, const char* what) {
   Draw draw{17};
   long listed = 0;
-  const DirectionMap& map = hull.graph().map;
+  const detail::DirectionMap& map = hull.graph().map;
   for (const Vec3<S>& d : directions<S>(hull, draw, count)) {
     EXPECT_EQ(detail::hull_support(hull, d), detail::scan_hull(hull, d)) << what << " " << d.transpose();
     const Vec3<float> f = d.template cast<float>();
@@ -127,7 +127,7 @@ TEST(DirectionMap, TheSameOfPointsWithATwinBesideThem) {
 TEST(DirectionMap, TheSameJustBesideTheBordersOfSquares) {
   for (const int vertices : {700, 2500}) {
     const Hull<float> hull = mapped<float>(Family::sphere, vertices);
-    const DirectionMap& map = hull.graph().map;
+    const detail::DirectionMap& map = hull.graph().map;
     const auto k = static_cast<double>(map.squares_along_edge());
     Draw draw{53};
     long wrong = 0;
@@ -167,7 +167,7 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
   long left_out = 0;
   for (const Family family : kMapped) {
     const Hull<double> hull = mapped<double>(family, 600);
-    const DirectionMap& map = hull.graph().map;
+    const detail::DirectionMap& map = hull.graph().map;
     Draw draw{23};
     for (const Vec3<float>& d : directions<float>(hull, draw, 300)) {
       detail::DirectionMap::List list;
@@ -203,7 +203,7 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
 TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
   for (const int vertices : {256, 1024, 2048, 4096}) {
     const Hull<double> hull = mapped<double>(Family::sphere, vertices);
-    const DirectionMap& map = hull.graph().map;
+    const detail::DirectionMap& map = hull.graph().map;
     Draw draw{6};
     double sum = 0;
     constexpr int kRounds = 1000;
@@ -245,7 +245,7 @@ TEST(DirectionMap, NoneWhereItWouldNotPay) {
 
 TEST(DirectionMap, DirectionsOfNoUseFindNothing) {
   const Hull<double> hull = mapped<double>(Family::sphere, 300);
-  const DirectionMap& map = hull.graph().map;
+  const detail::DirectionMap& map = hull.graph().map;
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
                   kHuge = std::numeric_limits<float>::infinity();
   detail::DirectionMap::List list;

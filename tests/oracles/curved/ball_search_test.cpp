@@ -13,7 +13,7 @@ using Vec = Vec3<double>;
 // The hull of points, as a set in balls.
 ConvexSet hull(std::vector<Vec> points) {
   return [points = std::move(points)](const BallVec& n) {
-    detail::CsoPoint best;
+    CsoPoint best;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const BallVec point(points[i]);
       const Ball reach = dot(n, point);
