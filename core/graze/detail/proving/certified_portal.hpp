@@ -63,8 +63,8 @@ class ProvedView {
     error_ = 4 * points.error();
   }
 
-  // s where the portal lies, refined to within `gap` of C's surface (internal length). `first`: where to
-  // begin. `enough`: a portal at no later an s will do as it is.
+  // The s of the portal, refined to within `gap` of C's surface (internal length). `first`: the start of the search.
+  // `enough`: a portal at an s that is no later suffices without refinement.
   [[nodiscard]] ProvedPortal enter(const Portal<double>& first, double gap,
                                    double enough = -kInfinity<double>) const {
     ProvedPortal out;
@@ -84,9 +84,9 @@ class ProvedView {
     return out;
   }
 
-  // Do points of C surround the line, seen along it? The corners of two portals, the one where it enters C
-  // and the one where it leaves, and others, sought beyond the two that leave the widest gap. Then what of
-  // the line lies between the portals is inside of C, if anything does.
+  // Do points of C surround the line, seen along it? The candidates are the corners of two portals, at the line's
+  // entry into C and at its exit, and others, searched beyond the two that leave the widest gap. The part of the line
+  // between the portals is then inside of C, if any part is.
   [[nodiscard]] bool is_surrounded(const ProvedPortal& in, const ProvedPortal& out) const {
     Corners corner;
     std::size_t size = 0;

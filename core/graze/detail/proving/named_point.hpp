@@ -67,8 +67,8 @@ exact::Exact exact_point(const Body<S>& body, const Feature& feature) {
   return x;
 }
 
-// A point of C with its name. `named` is false where the name would need more than kCurvedParts curved parts:
-// the point is one of C all the same.
+// A point of C with its name. `named` is false if the name would need more than kCurvedParts curved parts: the point
+// is one of C all the same.
 struct NamedPoint {
   TwoDoubles3 w;  // of C, internal units, about 0
   Vec3<double> on_a = Vec3<double>::Zero(),
@@ -101,8 +101,8 @@ class NamedPoints {
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] const ProofContext<S>& context() const { return c_; }
 
-  // Along n, world axes, of any length but 0. `drawn`: how far the point is drawn in beyond what rounding
-  // asks for, as a fraction: it then still is one of C, and near the support point.
+  // Along n, world axes, of any length but 0. `drawn`: the distance by which the point is moved inwards beyond the
+  // allowance for rounding, as a fraction. The point is still one of C, and near the support point.
   [[nodiscard]] NamedPoint along(const Vec3<double>& n, double drawn = 0) const {
     const Vec3<double> e = unit(n);
     ++counters_.supports;
@@ -117,7 +117,7 @@ class NamedPoints {
     out.named = a.named && b.named;
     out.on_a = rounded_once(a.x);
     out.on_b = rounded_once(b.x);
-    // Positions first: what they have in common cancels exactly.
+    // Positions first: their common part cancels exactly.
     TwoDoubles3 w = a.turned + -b.turned;
     const Vec3<double>& o_m = out.target = e * (target_ * (1 - kInsideTree * kUnitRoundoff<double> - drawn));
     for (int i = 0; i < 3; ++i) {

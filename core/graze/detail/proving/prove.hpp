@@ -15,9 +15,9 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// The radii of the rounded support points of a proof are shortened by kInside (tree.hpp), so that
-// |offset| <= radius holds exactly: e is a unit vector within 4 u, and the product rounds once more. On
-// a combinator the radius and what the part has beyond it round as well, once each.
+// The radii of the rounded support points of a proof are shortened by kInside (tree.hpp), so that |offset| <= radius
+// holds exactly: e is a unit vector within 4 u, and the product rounds once more. On a combinator the radius and the
+// part's extent beyond it round as well, once each.
 inline constexpr int kInsideTree = 16;  // u
 template <Scalar S>
 double inside_slack(const Body<S>& body) {
@@ -31,7 +31,7 @@ struct ProofContext {
   Vec3<double> r;
   double s_max, t_max;  // of the path, infinite for a ray
   double radius;        // r_A + r_B + m, world length
-  bool plain;           // both cores are polytopes whose vertices have exact coordinates at hand
+  bool plain;           // both cores are polytopes whose vertices have known exact coordinates
 
   double radius_a, radius_b;
 
@@ -101,7 +101,7 @@ struct ProofContext {
   }
 };
 
-// cso: of the same bodies and target distance, its turns accurate.
+// cso: the CSO of the same bodies and target distance, with accurate rotations.
 template <Scalar S>
 ProofContext<S> proof_context(const Body<S>& a, const Body<S>& b, const Cso<double>& cso, double t_max,
                               double target_distance) {
@@ -169,7 +169,7 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
     CsoPoint<double> p = c.cso.support(n);
     if (n.dot(c.r) < 0) {
       p.w -= s_end * c.r;
-      p.e = Vec3<double>::UnitX();  // tells the two ends of a sweep apart
+      p.e = Vec3<double>::UnitX();  // distinguishes the two ends of a sweep
     }
     return p;
   };
@@ -273,8 +273,8 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
   return cso.to_time((at.z + at.error) / length * (1 + 8 * u));
 }
 
-// The upper half, and what the search for it tells of the lower: a portal of three points, every sign of it
-// beyond its rounding, or, where there is a tie, exact.
+// The upper half, and the lower bound that follows from its search: a portal of three points. Every sign of it is
+// beyond its rounding, or, for a tie, exact.
 template <Scalar S>
 void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   if (!(c.s_max > 0)) return;
@@ -328,7 +328,7 @@ void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Coun
     return distance_at(proof.toi_lower).upper - c.cso.radius() >
            kContact * kUnitRoundoff<double> * c.cso.scale();
   };
-  if (is_near() || !(upper < kInfinity<double>) || !is_apart()) return;  // what is endless has no middle
+  if (is_near() || !(upper < kInfinity<double>) || !is_apart()) return;  // an infinite interval has no middle
   double high = upper;
   for (int i = 0; i < kHalvings && !is_near(); ++i) {
     const double low = proof.toi_lower, middle = low + (high - low) / 2;

@@ -7,8 +7,8 @@
 // - By the chord (slice.hpp): k = M (t_1 - t_0)^2 / 8. M is that of the point that bends most. A box that tips about an
 //   edge on the floor keeps that edge there, and its far corners bend. This bound would need slices of sqrt(d).
 // - By the arc. Seen from a body X that rotates by w about the pivot c, an axis of the world moves on an arc of a
-//   circle by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without rotation.
-//   The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from its
+//   circle by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without
+//   rotation. The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from its
 //   middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
 //     a + b + c = 1,    c - a = sin u / sin phi,    b = cos phi (cos u - cos phi) / sin^2 phi <= (1 - x^2) / 2.
 //   The least of d.(x - c) over X's points is concave in d, hence no less than a p_0 + b p_m + c p_1, where each p is
@@ -35,7 +35,7 @@ struct AxisArc {
     const double half = std::sin(phi / 2);
     raise = 2 * half * half / std::cos(phi) * (1 + 16 * kUnitRoundoff<double>);
   }
-  // From the axis in the middle of the arc to where the tangents meet.
+  // From the axis in the middle of the arc to the meeting point of the tangents.
   [[nodiscard]] Vec3<double> tangents_meet(const Vec3<double>& n) const {
     return n + raise * (n - n.dot(axis) * axis);
   }
@@ -49,14 +49,14 @@ inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>&
   constexpr double kMostAngle = 0.5, u = kUnitRoundoff<double>;
   const double h = t_1 - t_0, t_m = t_0 + h / 2;
   const Mobility &m_a = pair.mobility_a(), &m_b = pair.mobility_b();
-  // Seen from a body that turns, the other one must stand still: turns about two axes make no arc.
+  // Seen from a rotating body, the other one must not rotate: rotations about two axes make no arc.
   if ((frame == AxisFrame::a && m_b.turns()) || (frame == AxisFrame::b && m_a.turns()))
     return kInfinity<double>;
   const AxisArc a = frame == AxisFrame::a ? AxisArc() : AxisArc(frame == AxisFrame::b ? m_b : m_a, h),
                 b = frame == AxisFrame::b ? AxisArc() : AxisArc(frame == AxisFrame::a ? m_a : m_b, h);
   if (!(std::max(a.phi, b.phi) <= kMostAngle)) return kInfinity<double>;
   double error = 0, rotation_displacement = 0;
-  // The greatest of A's points along its direction, and the least of B's, each about the pivot of the turn.
+  // The greatest of A's points along its direction, and the least of B's, each about the pivot of the rotation.
   const auto reach = [&](double t) {
     if (pair.time() != t) pair.place(t);
     ++counters.supports;
@@ -75,8 +75,8 @@ inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>&
                                 32 * u *
                                     (pair.center_a().norm() + pair.center_b().norm() +
                                      pair.pivot_b_now().norm() + way.norm()));
-    // Along an axis that turns, the pivots do not move apart evenly. The second derivative of n.(difference of the pivots) is
-    // at most 2 |n'| |v| + |n''| |v| h / 2.
+    // Along a rotating axis, the pivots do not separate evenly. The second derivative of n.(difference of the pivots)
+    // is at most 2 |n'| |v| + |n''| |v| h / 2.
     if (frame != AxisFrame::world) {
       const Mobility& m = frame == AxisFrame::a ? m_a : m_b;
       rotation_displacement = std::max(

@@ -58,7 +58,7 @@ class PublishedBilateral {
     return out_;
   }
 
-  // The face's body turns the axis: its three closest points are distinct vertices.
+  // The face's body rotates the axis if its three closest points are distinct vertices.
   void set_axis(const Nearest& near) {
     const auto distinct = [&](auto vertex) {
       int count = 0;
@@ -112,7 +112,7 @@ class PublishedBilateral {
       if (s_2 > limits_.target - limits_.tolerance) return t_2;
       const double s_1 = separation(t_1, pair);
       if (s_1 <= limits_.target + limits_.tolerance) return t_1;
-      // The root, by turns of the secant and of halving.
+      // The root, by secant and bisection steps alternately.
       double low = t_1, high = t_2, s_low = s_1, s_high = s_2;
       for (int i = 0; i < limits_.root_steps; ++i) {
         const double t = i % 2 == 1 ? low + (limits_.target - s_low) * (high - low) / (s_high - s_low)

@@ -160,7 +160,7 @@ inline void weigh(Simplex<double>& pairs) {
   for (double& l : pairs.lambda) l = sum > 0 ? l / sum : 0.25;
 }
 
-// The corners of two portals, one where a line through the origin enters C, one where it leaves.
+// The corners of two portals. A line through the origin enters C by one and leaves by the other.
 using CornersAround = std::array<CsoPoint<double>, 6>;
 
 // Selects the four of these that hold the origin deepest. 0: no four hold it.
@@ -262,7 +262,7 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
   return false;
 }
 
-// A direction out of C, where the origin is near its surface and nothing better is known.
+// A direction out of C, for an origin near its surface if nothing better is known.
 inline Vec3<double> away_from_middle(const MovingPair& pair) {
   const Vec3<double> middle = pair.cso().middle();
   return middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : Vec3<double>(-unit(middle));
@@ -289,7 +289,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
   Distance<double> d = gjk_distance(support, zero, Vec3<double>(-cso.middle()), simplex, 0.0,
                                     std::max(R - 2 * e, 0.0), budget, counters);
-  // Beside a rim GJK stalls with a point that is not quite the closest: deep contacts would go unproved.
+  // Beside a rim, GJK does not converge to the closest point: deep contacts would remain unproved.
   if (R > 0 && d.upper + e > R && d.lower - R <= e) go_on(d, support, simplex, e, counters);
   out.pairs = simplex;
   out.proved = R > 0 && d.upper + e <= R;

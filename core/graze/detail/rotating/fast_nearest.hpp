@@ -80,7 +80,8 @@ class FastClosest {
     if (!(along > 0)) return vertex(a);
     if (!(along < length_sq)) return vertex(b);
     const double t = along / length_sq;
-    // Once more: what the first subtraction left along the edge, which a long edge would make a tilted axis of.
+    // A second pass removes the remainder of the first subtraction along the edge. A long edge would make a tilted
+    // axis of it.
     Triple v = y_[a] + t * ab;
     v = v - (dot(v, ab) / length_sq) * ab;
     const double dist_sq = dot(v, v);

@@ -91,7 +91,7 @@ class ContactFollower {
     if (n != Vec3<double>::Zero()) best = pair_.gap(n, counters_);
     if (best >= -followed() / 2) return best;
     if (pair_.radius() > 0) {
-      // The search ended as the balls about the cores met: where the cores are apart, their own axis is the best.
+      // The search ended when the balls about the cores met. If the cores are apart, their own axis is the best.
       Simplex<double> simplex;
       const Distance<double> d = gjk_distance(pair_.cso(), Vec3<double>(Vec3<double>::Zero()), simplex,
                                               pair_.error(), 0.0, limits_.budget, counters_);
@@ -256,8 +256,9 @@ class ContactFollower {
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
   }
-  // An axis that moves evenly in the axes of the world or of a body, by what is known at both ends. It takes no support. In
-  // between it is shorter than 1, and the bodies are as much deeper along its unit vector.
+  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. No
+  // support evaluations. In between it is shorter than 1, and the bodies are deeper along its unit vector by that
+  // factor.
   void between(const At& there, Slope& best) {
     const double h = there.t - now_.t;
     for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {

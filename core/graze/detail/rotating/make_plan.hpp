@@ -16,7 +16,7 @@ struct PlanLimits {
   double noise = 0;  // internal length
 };
 
-// Neither body turns: no bounds of turning points are needed.
+// Neither body rotates: no bounds of rotating points are needed.
 template <Scalar S>
 Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, const Economies& economies) {
   Plan out;
@@ -63,7 +63,7 @@ bool turn_as_one(const MovingPair& pair, const RotatingBody<S>& a, const Rotatin
                  const PlanLimits& limits) {
   const double swing = swing_as_one(pair, limits.t_end);
   if (swing <= limits.noise) return true;
-  // A chord is 2 at most: what swings by more than was lost, swings.
+  // A chord is at most 2. A swing of more than the rounding error is a swing.
   return swing <= 4 * pair.drift_lost() && swing_about_one_line(a, b);
 }
 

@@ -100,7 +100,7 @@ class Marcher {
     now_ = {t, near};
     if (near.n != Vec3<double>::Zero()) axis_ = near.n;
     if (open_) return;
-    GRAZE_ASSERT(t >= out_.lower);  // what was proved stays proved
+    GRAZE_ASSERT(t >= out_.lower);  // the proof so far stays valid
     met_at_lower_ = near.met;
     out_.lower = t;
     out_.apart = near.apart;
@@ -156,13 +156,13 @@ class Marcher {
     if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
   }
 
-  // Within `width` of contact: do the closest points in hand, where they are a little later, prove it? By then the
-  // bodies have neared each other by what they are apart, a quarter of it for what is not linear in time, and
-  // 4 stops for what a proof rounds.
+  // Within `width` of contact: do the current closest points, at their positions a little later, prove it? By then
+  // the bodies have approached by their distance, a quarter of it for the terms that are not linear in time, and 4
+  // stops for the rounding of a proof.
   bool closes_in_hand() {
     const double apart = now_.near.apart, way = 1.25 * apart + 4 * limits_.stop;
     if (!(way <= limits_.width && now_.t > 0)) return false;
-    // A pair that is left where it was goes the way that it goes without a tolerance, to the bit.
+    // The pair returns to its time, so that the march continues as without a tolerance, to the bit.
     const double placed = pair_.time();
     if (closes_after(way)) return true;
     place(placed);
@@ -195,9 +195,9 @@ class Marcher {
   // The points of a crossing have names in a proof where none is a curved part's.
   [[nodiscard]] bool may_cross() const { return !limits_.record || !pair_.cso().curved(); }
 
-  // At `lower`, in contact or almost. The search knew only that the balls about the cores meet: the axis of
-  // the cores, where they are apart, with their closest points. Else where the line from the origin to C's
-  // middle enters C.
+  // At `lower`, in contact or almost. The search found only that the balls about the cores meet. The normal is the
+  // axis of the cores with their closest points, if the cores are apart. Otherwise it is the normal at the point at
+  // which the line from the origin to C's middle enters C.
   Vec3<double> entry_normal() {
     pair_.place(out_.lower);
     const Cso<double>& cso = pair_.cso();

@@ -21,7 +21,7 @@ struct Nearest {
   bool met = false;
 };
 
-// The same features, where they are now: a search that begins with them takes a step or two.
+// The same features at their present positions. A search that begins with them takes a step or two.
 inline Simplex<double> carried_over(const MovingPair& pair, const Simplex<double>& before) {
   const Cso<double>& cso = pair.cso();
   const auto &a = cso.side_a(), &b = cso.side_b();

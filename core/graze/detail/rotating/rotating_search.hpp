@@ -34,7 +34,7 @@ inline constexpr double kFollowedErrors = 16;
 // Support evaluations after which a contact is no longer followed. A crate that tips about its edge until its next
 // face lands takes a thousand. A longer search would need slices as short as the rounding.
 inline constexpr int kMostFollowedSupports = 2048;
-// The linear slop of the slides, over scale, where the caller names no tolerance.
+// The linear slop of the slides, over scale, if the caller sets no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
 template <Scalar S>
@@ -121,7 +121,8 @@ class RotatingCast {
   [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
   [[nodiscard]] double scale() const { return pair_->scale(); }
   [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
-  // Internal lengths: as near as axes lead, and what the caller leaves open at either end of the bracket.
+  // Internal lengths: the least gap at which axes are useful, and the caller's allowance at either end of the
+  // bracket.
   [[nodiscard]] double stop() const { return kRotatingStop * pair_->error(); }
   [[nodiscard]] double width() const {
     double width = static_cast<double>(options_.tolerance);
@@ -178,7 +179,7 @@ class RotatingCast {
     return out_.invalid == Invalid::none;
   }
 
-  // Seen without preparing anything, where the plan would find it.
+  // Decided without preparing anything, if the plan would find it.
   [[nodiscard]] bool passes_by() const {
     if (options_.method || !options_.economies.bounds) return false;
     if (!(options_.t_max < kInfinity<S>)) return false;
@@ -187,7 +188,7 @@ class RotatingCast {
     return outer_spheres_never_meet(a_, b_, static_cast<double>(options_.target_distance), t_end(), more);
   }
 
-  // Without an end, a turn that is seen has no meaning even where the bounds never meet.
+  // Without an end, a rotation that is not negligible has no meaning, even if the bounds never meet.
   [[nodiscard]] bool sees_turn_unended() const {
     if (out_.plan.effects != Effects::nothing) return false;
     if (options_.t_max < kInfinity<S>) return false;
@@ -198,8 +199,8 @@ class RotatingCast {
 
   void follow_plan() {
     if (wants_proof() && options_.t_max < kInfinity<S> && options_.tier != Tier::exact) {
-      // A chain says what was proved of the whole motion, whatever the plan spares. A linear motion's start in contact
-      // that is passed over, or reported, has none.
+      // A chain records the proof of the whole motion, whatever the plan omits. A linear motion's start in contact
+      // that is passed over, or reported, has no chain.
       if (passes_over() && is_linear()) {
         follow_effects();
         if (!(out_.toi_lower > 0) || out_.passed_over) return;
@@ -227,8 +228,9 @@ class RotatingCast {
         return run(RotatingMethod::bilateral_advancement);
     }
   }
-  // A linear cast reports a start whose depth is rounding's, where the motion neither leaves nor slides to the last bit: a
-  // ball that rolls along the floor. As of all contacts of rotating casts, what counts is whether it gets deeper.
+  // A linear cast reports a start whose depth is within rounding, if the motion neither leaves nor slides to the last
+  // bit, as for a ball that rolls along the floor. As for all contacts of rotating casts, the criterion is whether it
+  // gets deeper.
   void follow_linear_start() {
     if (!passes_over() || out_.outcome != Outcome::initially_overlapping) return;
     if (options_.tier == Tier::exact || !(options_.t_max < kInfinity<S>)) return;
@@ -371,8 +373,9 @@ class RotatingCast {
     return false;
   }
 
-  // A contact at t = 0 that no ball about the origin proves: the origin is on C's boundary, or nearer to the
-  // hull of any four support points' than rounding tells. Nothing has turned yet, so the linear tier may say.
+  // A contact at t = 0 that no ball about the origin proves. The origin is on C's boundary, or its distance from the
+  // border of the hull of any four support points is within rounding. No body has rotated yet, so the linear tier may
+  // decide.
   [[nodiscard]] bool is_open_at_start(const March& found) const {
     return options_.tier == Tier::certified && found.lower == 0 && found.outcome != Outcome::miss &&
            found.outcome != Outcome::initially_overlapping;
@@ -425,7 +428,7 @@ class RotatingCast {
     out_.toi_upper = found.upper < kInfinity<double> ? round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;
     if (found.upper < kInfinity<double> && found.upper > found.lower) {
-      // Contact is at upper: what is left of the way bounds the distance as well.
+      // Contact is at upper: the rest of the motion bounds the distance as well.
       apart = std::min(apart, pair_->approach_speed(t_end()) * (found.upper - found.lower) * (1 + 0x1p-50));
     }
     apart +=

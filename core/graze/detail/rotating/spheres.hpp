@@ -47,17 +47,17 @@ inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more
   return cast_spheres(c, pair.velocity(), R, t_end);
 }
 
-// The same of bodies as they come, in the caller's unit, by spheres somewhat larger, before anything is prepared: where
-// they never meet, those above do not. Combinators, whose bounds take a walk, are left to those above.
+// The same for bodies as given, in the caller's unit, by slightly larger spheres, before anything is prepared. If
+// these never meet, those above do not. Combinators, whose bounds take a walk, are left to those above.
 //
-// The pivot is within 16 u of the lengths that it is added up from: of a rotation's entry 9 u, 3 u a sum of three, one
-// sum. The core is in the ball about the middle of its bounds with their half diagonal, each within 8 u of what it is
-// made from. `more`, in units in the last place: the tier's noise, of which the pair's scale is at most the
-// distance of the boxes' centres and a diagonal (cso.hpp).
+// The pivot is within 16 u of the sum of its summands' lengths: 9 u for a rotation's entry, 3 u for a sum of three,
+// and one sum. The core is in the ball about the middle of its bounds with their half diagonal, each within 8 u of
+// the lengths it is computed from. `more`, in units in the last place: the tier's noise. The pair's scale is at most
+// the distance of the boxes' centres and a diagonal (cso.hpp).
 struct OuterSphere {
   Vec3<double> pivot = Vec3<double>::Zero();  // world
   double reach = 0;                           // about it, the ball included
-  double lengths = 0;                         // of what the pivot is made from
+  double lengths = 0;                         // of the pivot's summands
 
   // Error bound of the distance of the body's points from the pivot above, including the rounding of both.
   [[nodiscard]] double bound() const {

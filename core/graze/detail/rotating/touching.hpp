@@ -11,8 +11,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? False as well where a
-// number outgrew Dyadic, and for three on a line.
+// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? Also false if a number outgrew
+// Dyadic, and for three points on a line.
 inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   using exact::Dyadic, exact::Dyadic3;
   bool valid = true;
@@ -30,7 +30,7 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
       case 2:
         return is_zero(cross(c[0], c[1])) && sign(dot(c[0], c[1])) <= 0;
       case 3: {
-        // In the plane of the three the turns from each to the next are of one sense.
+        // In the plane of the three, the rotations from each to the next have one sense.
         const Dyadic3 l = cross(c[1], c[2]), m = cross(c[2], c[0]), n = cross(c[0], c[1]);
         if (sign(dot(c[0], l)) != 0 || (is_zero(l) && is_zero(m) && is_zero(n))) return false;
         return sign(dot(l, m)) >= 0 && sign(dot(m, n)) >= 0 && sign(dot(n, l)) >= 0;

@@ -207,7 +207,7 @@ class TurnedRotation {
   }
   // R(q), each entry within 0.6 u.
   [[nodiscard]] const Mat3<double>& start() const { return start_; }
-  // turns: those that this was made for.
+  // turns: the rotation that this object was made for.
   [[nodiscard]] Mat3<double> at(const TurnsAbout& turns, double t) const {
     const SineCosine<double> angle = rounded_sine_cosine(turns.angle(t));
     return along_ + (angle.cosine * across_ + angle.sine * aside_);

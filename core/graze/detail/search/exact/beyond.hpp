@@ -21,7 +21,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// n, and what doubles know of it: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 says
+// n and its approximation in doubles: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 means
 // that n_i is 0.
 struct Direction {
   Term f1, f2;
@@ -30,7 +30,7 @@ struct Direction {
   // R^T n in the same form, in the axes of one body, or of both if their rotations are equal. If f_1 and f_2 are
   // differences of vertices of that body alone, it contains no rotation. of_body: whose axes.
   std::array<bool, 2> of_body = {false, false};
-  // There is no f_1 x f_2: what doubles leave open stays so (BeyondSearch::in_doubt).
+  // There is no f_1 x f_2: cases that doubles leave open stay open (BeyondSearch::in_doubt).
   bool rounded = false;
   Vec3<double> own = Vec3<double>::Zero(), own_error = Vec3<double>::Zero();
 };
@@ -63,7 +63,7 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   return out;
 }
 
-// More than what products lose below the range of doubles, flushed or not.
+// More than the underflow of products in doubles, flushed or not.
 inline constexpr double kUnderflow = 0x1p-960;
 
 // One edge of C in doubles: the steps of A and of B that it is the difference of, each of two given numbers.
@@ -121,7 +121,7 @@ class BeyondSearch {
     std::uint32_t at = 0;                       // of x_0
     Vec3<double> d = Vec3<double>::Zero();      // n in the leaf's own axes, negated for B
     Vec3<double> error = Vec3<double>::Zero();  // of a step's height, over the step's components
-    Heights<S>* heights = nullptr;              // once doubles did not tell
+    Heights<S>* heights = nullptr;              // if doubles did not decide
     bool found = false;
     std::uint32_t best = 0;
   };
@@ -310,8 +310,7 @@ class BeyondSearch {
     out |= bit(at_q, with_q | (both & unsigned(at_p == s.at)));
     return out;
   }
-  // n's place on the cube is known within 2^-15: what the map's squares are larger than they need be
-  // (direction_map.hpp), and more.
+  // n's place on the cube is known within 2^-15. The map's squares are enlarged by that and more (direction_map.hpp).
   [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
     const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
     const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();

@@ -74,7 +74,7 @@ std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, c
     return facet.size == 2 && i == 2 ? facet.f2 : Term::point(facet.corner[i]);
   };
   std::array<double, 3> weight{};
-  double total = 0, size = 0;  // of what the sides are summed up from
+  double total = 0, size = 0;  // of the summands of the sides
   if (scene.has_fine()) {
     const Fine motion = scene.fine(v);
     const std::array<Fine, 3> c = {scene.fine(corner(0)), scene.fine(corner(1)), scene.fine(corner(2))};

@@ -272,7 +272,7 @@ class ExactLeaf {
       const Dyadic rest = left - right * right * w * w;
       valid = valid && rest.valid();
       across = rest.sign();
-      // A disc: what is in its plane lies below its apex as well.
+      // A disc: a point in its plane lies below its apex as well.
       if (half_height() == 0) across = (square - r * r).sign();
     }
     if (below > 0 || above > 0 || across > 0) return 1;

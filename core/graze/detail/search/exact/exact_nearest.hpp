@@ -10,9 +10,9 @@
 //   edge e      (e.e) X - (X.e) e          |X x e|^2 / e.e           0 <= -X.e <= e.e
 //   face e, g   (X.N) N,  N = e x g        (X.N)^2 / N.N             N.((-X) x g), N.(e x (-X)) and N.N less both >= 0
 //
-// The nearest feature of a simplex is the one whose foot is inside and that no other corner lies beyond: p.(c - X) >=
-// 0. A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. On a tie both
-// features are correct. A decision stops once it is certain. `settle` continues to the nearest point of K.
+// The nearest feature of a simplex is the one whose foot is inside and that no other corner lies beyond:
+// p.(c - X) >= 0. A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. On a tie
+// both features are correct. A decision stops once it is certain. `settle` continues to the nearest point of K.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -85,7 +85,7 @@ class ExactNearest {
       ExactStart out;
       if (sign_of_f_ < 0) return {StartKind::deep, {}, false};
       if (is_zero(p_)) {
-        // The origin is in K, and R is 0: inside, or on the border, which nobody has asked for yet.
+        // The origin is in K, and R is 0: inside, or on the border. This query does not need the difference.
         return {size_ == 4 ? StartKind::deep : StartKind::contact, {}, false};
       }
       const std::optional<Id> next = points_.lowest(p_);

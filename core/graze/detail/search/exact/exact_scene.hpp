@@ -60,7 +60,7 @@ class Scene {
 
   // No combinators: a body is a leaf.
   [[nodiscard]] bool is_of_two_leaves() const { return leaves_.data() == own_.data(); }
-  // Two leaves, neither of which turns.
+  // Are there two leaves without rotation?
   [[nodiscard]] bool is_unturned() const { return unturned_; }
   // Two leaves by the same rotation.
   [[nodiscard]] bool turned_alike() const { return alike_; }
@@ -96,12 +96,12 @@ class Scene {
     return value.sign();
   }
 
-  // Is a vertex of C exactly 0 along an axis? Only told of two leaves that do not turn.
+  // Is a vertex of C exactly 0 along an axis? Only decided for two leaves without rotation.
   [[nodiscard]] bool is_zero_along(int axis, const Vertex& v) const {
     if (!unturned_) return false;
     const Pair c = difference(at(own_[0], v.a)[axis], at(own_[1], v.b)[axis]),
                apart = difference(unit_ * double(b_.position[axis]), unit_ * double(a_.position[axis]));
-    // Rounded sums and what they dropped: equal sums have equal parts.
+    // Rounded sums and their remainders: equal sums have equal parts.
     return c.hi == apart.hi && c.lo == apart.lo;
   }
 
@@ -320,7 +320,7 @@ class Scene {
     }
     return out;
   }
-  // The same, straight: two leaves that do not turn.
+  // The same, straight: two leaves without rotation.
   [[nodiscard]] Fine fine_unturned(const Term& term) const {
     const Leaf<S>&a = own_[0], &b = own_[1];
     Fine out;
@@ -357,7 +357,7 @@ class Scene {
     const auto at = [&](int i) { return difference(unit * double(x[i]), unit * double(y[i])); };
     return {at(0), at(1), at(2)};
   }
-  // Zero, exactly and of size 0, where it does not move.
+  // Zero, exactly and of size 0, if it does not move.
   template <class V>
   [[nodiscard]] V step_of(const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
     return k == l ? V() : V::of(at(leaf, l), at(leaf, k));

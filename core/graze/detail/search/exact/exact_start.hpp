@@ -136,7 +136,7 @@ class StartDecision {
     return !valid_ || (found_.kind != StartKind::open && found_.kind != StartKind::contact);
   }
 
-  // The direction from A to B where they are nearest: where they touch it is noise, so A is moved off a little.
+  // The direction from A to B at their nearest points. In contact it is noise, so A is moved off a little.
   [[nodiscard]] bool find_direction() {
     const auto seen_from = [&](const Vec3<double>& x) {
       Simplex<double> simplex;
@@ -215,7 +215,7 @@ class StartDecision {
       found_contact(leaf().turn_to_world(between.x));
     }
   }
-  // A vertex, or an edge's point nearest to the axis, and what is between it and the leaf.
+  // A vertex, or an edge's point nearest to the axis, and the vector between it and the leaf.
   void try_point_and_normal(const Exact& own) {
     if (done()) return;
     Dyadic3 t;
@@ -383,7 +383,7 @@ class StartDecision {
     for (const Corner* corner : {&p, &q, &r}) try_point(corner->own);
   }
 
-  // Points of an edge: nearest to the axis, where a cone's equation is least, and where it passes the ends.
+  // Points of an edge: the nearest to the axis, the least of a cone's equation, and the crossings of the ends.
   void try_edge(const Corner& p, const Corner& q) {
     if (leaf().kind() == Kind::ellipsoid) return;
     Dyadic3 x = p.own.x;
@@ -465,7 +465,7 @@ class StartDecision {
     try_own(first.along(up, 0));
     if (round) return;
     try_own(first.along(up, 1));
-    // Over the middle of what both have, along the axis, and of two ends that overlap.
+    // Over the middle of the common part along the axis, and of two ends that overlap.
     const Exact origin = first.to_own(leaf().to_world({}));
     const double h = first.half_height(), r = first.radius();
     const double z = ratio(origin.x[2], origin.weight),

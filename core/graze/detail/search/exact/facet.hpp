@@ -90,7 +90,7 @@ inline TimeBracket bracket_of(const ExactTime& time) {
   }
 }
 
-// The quotient in pairs of doubles, where they can tell it.
+// The quotient in pairs of doubles, if they are accurate enough.
 struct FineTime {
   Pair numerator{0, 0}, denominator{1, 0};
   double error_n = 0, error_d = 0;
@@ -146,8 +146,8 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
     constexpr double u = kUnitRoundoff<double>;
     const double below = (rounded(f.denominator) * (1 - 2 * u) - f.error_d) * (1 - 4 * u);
     double s = rounded(f.numerator) / rounded(f.denominator);
-    // The quotient of two rounded numbers may be off by more than a unit: then once more, from where the rest
-    // says.
+    // The quotient of two rounded numbers may be off by more than a unit. A second round then starts from the
+    // corrected value.
     for (int round = 0; round < 2; ++round) {
       // Scaling by a power of two is exact here.
       if (!(std::abs(s) > 0x1p-500 && std::abs(s) < 0x1p500)) break;

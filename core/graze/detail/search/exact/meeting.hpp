@@ -192,8 +192,8 @@ class Meeting {
     return {dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)};
   }
 
-  // Are the bodies' points, by weights in doubles, within 8 u of the pair's extent of each other, as what they are added
-  // up from rounds?
+  // Are the bodies' points, by weights in doubles, within 8 u of the pair's extent of each other? That is the
+  // rounding of their summands.
   [[nodiscard]] bool has_near_weights() const {
     return largest(at_.g - at_.delta * pair_.direction()) <= 8 * kU * pair_.extent();
   }
@@ -272,11 +272,11 @@ class Meeting {
     return at_.error < kInfinity<double>;
   }
 
-  // False where s + delta does not tell.
+  // False if s + delta does not decide.
   bool round(TimeBracket& out) const {
     const int exponent = scene_.length_exponent() - scene_.speed_exponent();
     if (std::abs(exponent) >= 500 || !(std::abs(at_.delta) < 0x1p-10 * std::abs(at_.s))) return false;
-    // s and near are within a factor of 2: their difference is exact, and what remains of delta rounds once.
+    // s and near are within a factor of 2: their difference is exact, and the remainder of delta rounds once.
     const double near = at_.s + at_.delta, rest = at_.delta - (near - at_.s),
                  error = at_.error + 2 * kU * std::abs(rest);
     const double t = near * power_of_two(exponent);  // exact
@@ -304,7 +304,7 @@ class Meeting {
     double size = 0;
     Pair3Of<kFused> fine;
     if (const bool of_b = is_still(0); of_b || is_still(1) || scene_.turned_alike()) {
-      // In the bodies' own axes, and turned once.
+      // In the bodies' own axes, and rotated once.
       double size_e = 0, size_f = 0;
       const Pair3Of<kFused> e = edge<kFused>(0, size_e), f = edge<kFused>(1, size_f);
       fine = cross(e, f);
@@ -339,7 +339,7 @@ class Meeting {
     return size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize &&
            n.cwiseAbs().maxCoeff() > 0x1p-30 * size;
   }
-  // e or f where nothing turns, or all as one.
+  // e or f if no body is rotated, or both by one rotation.
   template <bool kFused>
   Pair3Of<kFused> edge(std::size_t i, double& size) const {
     const Both own = high(i);

@@ -175,7 +175,7 @@ class PassageSearch {
 
   const Body<S>&a_, &b_;
   PreparedPair<S> pair_;
-  // Made when they are asked for: a miss that the quick walk proves asks for neither.
+  // Created when needed: a miss that the quick walk proves needs neither.
   mutable std::optional<Scene<S>> scene_;
   mutable std::optional<Line> line_;
   Counters& counters_;

@@ -119,7 +119,7 @@ class RoundProver {
   }
 
  private:
-  // The foot and w are asked for at s + d, |d| < kFar s.
+  // The foot and w are needed at s + d, |d| < kFar s.
   static constexpr double kFar = 0x1p-40;
   struct Value {
     double value = 0, error = 0;  // q(s)
@@ -171,7 +171,7 @@ class RoundProver {
       g_ = step(2);
       n_ = B::cross_of(e_, g_);
     }
-    // In the range where products are exact, and what they lose below it is little beside the bounds.
+    // Within the range of exact products. Their underflow is small compared with the bounds.
     return size < 0x1p100 && radius_.hi > 0x1p-100 && (size_ < 2 || e_.size > 0x1p-100) &&
            (size_ < 3 || (g_.size > 0x1p-100 && n_.size > 0x1p-250));
   }

@@ -87,8 +87,8 @@ class RoundSearch {
     const int sign = near_->sign_of_f();
     return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
   }
-  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the next.
-  // No more need be asked: neither the start nor the verdict.
+  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the
+  // next. Neither the start nor the verdict needs a check then.
   [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
     seeds_.clear();
     for (std::size_t i = 0; i < std::size_t(guess.size); ++i)
@@ -365,7 +365,7 @@ class RoundSearch {
     return out;
   }
 
-  // A few are needed, and 54 at a graze, where each halves what is left.
+  // A few are needed, and 54 at a graze, at which each step halves the remainder.
   static constexpr int kNewton = 64;
   // From a time that is right to a float: two of Newton's steps, and the neighbours.
   static constexpr int kSteps = 8;

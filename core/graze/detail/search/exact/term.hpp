@@ -1,8 +1,8 @@
-// The names of what the exact tier decides about: vertices of C, its summands, and vectors between them.
+// Names the vectors that the exact tier decides about: vertices of C, its summands, and vectors between them.
 //
-// A vertex of C is one of A and one of B (shape.hpp has the indices). C is a sum of leaves, +R x for the
-// vertices x of A's parts and -R x for B's, and of what the parts are moved by. A term is a vector that is
-// given by such names, and so exact.
+// A vertex of C is one of A and one of B (shape.hpp has the indices). C is a sum of leaves, +R x for the vertices x
+// of A's parts and -R x for B's, and of the translations of the parts. A term is a vector that is given by such
+// names, and is therefore exact.
 #pragma once
 
 #include <graze/body.hpp>
@@ -11,7 +11,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// Of C.
+// A vertex of C.
 struct Vertex {
   std::uint32_t a, b;
   friend bool operator==(const Vertex&, const Vertex&) = default;

@@ -12,10 +12,11 @@
 //   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, so that o stays inside.
 // [portal refinement: Snethen 2008; the lecture's MPR; here with exact decisions, as a simplex method]
 //
-// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its edges: o +
-// e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). As m is interior to the polygon, the moved o is inside iff o is. The entry
-// of a polytope is continuous along the way, so verdict and time are o's own. No side of two vertices that are seen
-// apart is then zero, as no edge is parallel to both edges of a triangle.
+// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its edges:
+//   o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0).
+// As m is interior to the polygon, the moved o is inside iff o is. The entry of a polytope is continuous along the
+// way, so verdict and time are o's own. No side of two vertices that are seen apart is then zero, as no edge is
+// parallel to both edges of a triangle.
 //
 // Flat. If C is seen as a segment, it lies in a plane parallel to v. Let x be an axis that is not parallel to this
 // plane. If the plane holds the line, the portal is two vertices c, d with side(c, x) < 0 < side(d, x), and x is the
