@@ -8,8 +8,8 @@
 //   edge on the floor keeps that edge there, and its far corners bend. This bound would need slices of sqrt(d).
 // - By the arc. Seen from a body X that rotates by w about the pivot c, an axis of the world moves on an arc of a
 //   circle by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without
-//   rotation. The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from its
-//   middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
+//   rotation. The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from
+//   its middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
 //     a + b + c = 1,    c - a = sin u / sin phi,    b = cos phi (cos u - cos phi) / sin^2 phi <= (1 - x^2) / 2.
 //   The least of d.(x - c) over X's points is concave in d, hence no less than a p_0 + b p_m + c p_1, where each p is
 //   the least along that direction. With q = p_m - (p_0 + p_1) / 2 this is p_0 + tau' (p_1 - p_0) + b q. Here tau' =

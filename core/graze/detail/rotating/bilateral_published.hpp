@@ -58,7 +58,7 @@ class PublishedBilateral {
     return out_;
   }
 
-  // The face's body rotates the axis if its three closest points are distinct vertices.
+  // The axis rotates with the face's body: the one whose three closest points are distinct vertices.
   void set_axis(const Nearest& near) {
     const auto distinct = [&](auto vertex) {
       int count = 0;

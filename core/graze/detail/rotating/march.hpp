@@ -113,7 +113,8 @@ class Marcher {
   // False: the end of the slice is no later double. With the budget spent nothing moves on.
   bool slice_on() {
     Slice slice = search_(now_, before_);
-    // A search cut short says less than a whole one, or more: what counts is what more budget would find too.
+    // A search cut short proves less than a complete one, or more. Its slice is dropped: a larger budget might not
+    // find it.
     if (is_spent()) return true;
     if (!(slice.end > now_.t)) return false;
     if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, slice.frame});

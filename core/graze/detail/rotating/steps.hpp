@@ -14,7 +14,7 @@ struct StepLimits {
   double begin = 0, end = 1;  // tests at begin, and at every later multiple of end / steps
   int steps = 64;
   double touching = 0;  // internal length
-  double width = 0;     // largest distance from contact at the bracket's beginning, if above `stop`
+  double width = 0;     // largest distance from contact at the bracket's beginning, if above 2 touching
   int budget = 0;
 };
 

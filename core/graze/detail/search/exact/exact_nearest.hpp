@@ -11,8 +11,8 @@
 //   face e, g   (X.N) N,  N = e x g        (X.N)^2 / N.N             N.((-X) x g), N.(e x (-X)) and N.N less both >= 0
 //
 // The nearest feature of a simplex is the one whose foot is inside and that no other corner lies beyond:
-// p.(c - X) >= 0. A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. On a tie
-// both features are correct. A decision stops once it is certain. `settle` continues to the nearest point of K.
+// p.(c - X) >= 0. A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. On a
+// tie both features are correct. A decision stops once it is certain. `settle` continues to the nearest point of K.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>

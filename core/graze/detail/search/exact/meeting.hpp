@@ -18,8 +18,8 @@
 //          21 u (prepared_pair.hpp), their difference rounds once.
 //   n      2 * 25 sqrt(3) u S_e S_f, 3 u S_e S_f for the product, and the second-order terms: 100 u S_e S_f.
 //   g      2^-90 (X + Y + |p_A - p_B| + |s v|).  A body's point is within 2^-95 X (two products with 2^-97 of at most
-//          2 X lambda, lambda <= 1, and sums). Its rotation is within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2 each,
-//          three of them: 2^-93 X. The quotient by |q|^2 is within 2^-97. Three sums of that size add 2^-100 each.
+//          2 X lambda, lambda <= 1, and sums). Its rotation is within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2
+//          each, three of them: 2^-93 X. The quotient by |q|^2 is within 2^-97. Three sums of that size add 2^-100 each.
 #pragma once
 
 #include <graze/detail/search/exact/exact_answer.hpp>
