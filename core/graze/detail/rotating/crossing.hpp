@@ -2,8 +2,8 @@
 // The contact is proved between two times t_1 < t_2 instead of at one.
 //
 // Three support pairs span a triangle of C at every t. Let n be its normal at t_1. Seen along n, the origin lies
-// inside the triangle, and its distance from the edges exceeds the motion of every corner until t_2. So the line {s
-// n} pierces the triangle at all times between, at a height that changes continuously. If the height changes sign, it
+// inside the triangle, and its distance from the edges exceeds the motion of every corner until t_2. So the line
+// {s n} pierces the triangle at all times between, at a height that changes continuously. If the height changes sign, it
 // is 0 at some time between, and then the origin is in C. (The idea comes from continuous tests on meshes, Provot
 // 1997. Here the coplanar instant is bracketed, not computed.)
 #pragma once

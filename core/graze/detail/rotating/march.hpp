@@ -5,11 +5,11 @@
 // almost as one, the limit is the accuracy of an axis that rotates with them. Bodies within `touching` are in
 // contact, if the caller accepts that as contact.
 //
-// Otherwise the march walks forward from there until contact is proved (contact.hpp, crossing.hpp). The first stride
-// is one that cannot pass through more than twice `stop`. Each further stride is twice as long, but never so long
-// that the unseen depth reaches `stop`. The walk goes back by halves if the proof came late, or if the bodies are
-// apart again. The lower end of the bracket is always the time at which the walk began. A tie that the walk proves
-// neither way stays open after kMostTieSupports.
+// Otherwise the march walks forward from there until contact is proved (contact.hpp, crossing.hpp), or the bodies are
+// apart again. The first stride is one that cannot pass through more than twice `stop`. Each further stride is twice
+// as long, but never so long that the unseen depth reaches `stop`. If the proof came late, the walk goes back by
+// halves. The lower end of the bracket is always the time at which the walk began. A tie that the walk proves neither
+// way stays open after kMostTieSupports.
 //
 // A `width` ends the same march earlier and changes nothing else. It ends the march if the current closest points,
 // carried to a time shortly after, prove contact there. This takes no support evaluation, so a wider bracket never
