@@ -1,8 +1,8 @@
 // A crate, then a ball, falls past the side of a table, and exactly along it. What does each tier say?
 //
-// Side on side, the bodies touch on the way, and one unit in the last place decides. The exact tier decides every such tie
-// of polytopes. The certified tier answers for the true shapes of both, or leaves a tie open and says how near the bodies
-// are. The standard tier answers for shapes within its guarantee, a few units in the last place of the scene.
+// Side on side, the bodies touch on the way, and one unit in the last place decides. The exact and the certified tier decide
+// every such tie of polytopes and of round bodies. The standard tier answers for shapes within its guarantee, a few units in
+// the last place of the scene.
 #include <graze/cast.hpp>
 #include <graze/invalid_text.hpp>
 
