@@ -1,4 +1,4 @@
-// What a file of this library calls and another one compiles.
+// Declares the functions that a file of this library calls and another one compiles.
 //
 // Tier certified calls tier exact, and cast() calls every tier. Without these lines exact.cpp would be compiled
 // once more in certified.cpp, and both of them in standard.cpp.

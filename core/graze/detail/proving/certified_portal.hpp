@@ -1,22 +1,26 @@
-// A portal that holds the line {s r} beyond predicate_error: three exactly named points of C (named_point.hpp), and
-// every decision about them right.
+// Finds a portal that holds the line {s r} beyond predicate_error: three exactly named points of C (named_point.hpp).
+// Every decision about them is correct.
 //
 // Oblique coordinates of a point w, c the largest component of r, (a, b, c) cyclic:
-//   x = w_a - (r_a / r_c) w_c,   y = w_b - (r_b / r_c) w_c,   z = w_c / r_c,
-// so that the line is x = y = 0 and z is its parameter s. With l_i = x_j y_k - y_j x_k, cyclic, none of the
-// wrong sign, the line pierces the triangle at s = sum l_i z_i / sum l_i: proved, s_in <= s.
+//   x = w_a - (r_a / r_c) w_c,   y = w_b - (r_b / r_c) w_c,   z = w_c / r_c.
+// The line is then x = y = 0 and z is its parameter s. Let l_i = x_j y_k - y_j x_k, cyclic. If no l_i has the
+// wrong sign, the line pierces the triangle at s = sum l_i z_i / sum l_i. This proves s_in <= s.
 //
-// Discovery is GJK in the plane, refinement MPR (portal.hpp); only that every decision is right. Where the
-// line passes through an edge or a corner as far as sums of two doubles can tell, which is common on aligned
-// shapes, the sign is decided exactly; a point whose name is too long for that is tilted instead: another
-// direction within 1e-7, or drawn in a little, gives another point of C nearby.
+// Discovery is GJK in the plane, refinement MPR (portal.hpp). The difference is that every decision is correct. On
+// aligned shapes the line often passes through an edge or a corner within the resolution of sums of two doubles. The
+// sign is then decided exactly. If the name of a point is too long for that, the point is tilted instead: another
+// direction within 1e-7, or a small move inwards, gives another point of C nearby.
 //
-// Error of x, y, z: w within `error` per coordinate, |r_a / r_c| <= 1, |r_c| >= 1/2, quotients 2^-97: within
-// e = 4 error. Of l_i, m_j and m_k the largest coordinates in it: 2 e (m_j + m_k) + 2 e^2 + 2^-95 m_j m_k =:
-// d_i. Of s: sum l_i x_i = sum l_i y_i = 0, so any k x + m y may be taken off the z_i; about a corner, with
-// k and m the slope of the longest edge, sum of |z_i - z - k (x_i - x) - m (y_i - y)| times the error of
-// l_i / L, L = sum l_i > 16 D, D = sum d_i, which is at most (d_i + D l_i / L) / (L - D); and the errors of
-// the corner's own height and of what is left of the others', 3 e (1 + |k| + |m|) in all.
+// Error of x, y, z: w within `error` per coordinate, |r_a / r_c| <= 1, |r_c| >= 1/2, quotients 2^-97: within e = 4
+// error.
+//
+// Error of l_i, with m_j and m_k the largest coordinates in it: 2 e (m_j + m_k) + 2 e^2 + 2^-95 m_j m_k =: d_i.
+//
+// Error of s: sum l_i x_i = sum l_i y_i = 0, so any k x + m y may be subtracted from the z_i. Heights are taken about
+// a corner, with k and m the slope of the longest edge. The first part is the sum of |z_i - z - k (x_i - x) - m (y_i
+// - y)| times the error of l_i / L, L = sum l_i > 16 D, D = sum d_i. The error of l_i / L is at most (d_i + D l_i /
+// L) / (L - D). The second part is the errors of the corner's own height and of the others' remainders, 3 e (1 + |k|
+// + |m|) in all.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -36,9 +40,9 @@ struct ProvedPortal {
   bool found = false;  // the line pierces the triangle
   std::array<ProvedPoint, 3> p;
   std::array<double, 3> lambda{};
-  double least = -kInfinity<double>, upper = kInfinity<double>;  // the s where it does lies between these
+  double least = -kInfinity<double>, upper = kInfinity<double>;  // bounds of its s
   Vec3<double> n = Vec3<double>::Zero();       // world, unit: the triangle's normal, n.r < 0
-  double beyond = kInfinity<double>;           // how far C reaches beyond the triangle along n, about
+  double beyond = kInfinity<double>;           // C's extent beyond the triangle along n, about
   Vec3<double> across = Vec3<double>::Zero();  // not found: a direction across the line that may separate
 };
 
@@ -59,8 +63,8 @@ class ProvedView {
     error_ = 4 * points.error();
   }
 
-  // s where the portal lies, refined to within `gap` of C's surface (internal length). `first`: where to
-  // begin. `enough`: a portal at no later an s will do as it is.
+  // The s of the portal, refined to within `gap` of C's surface (internal length). `first`: the start of the search.
+  // `enough`: a portal at an s that is no later suffices without refinement.
   [[nodiscard]] ProvedPortal enter(const Portal<double>& first, double gap,
                                    double enough = -kInfinity<double>) const {
     ProvedPortal out;
@@ -80,9 +84,9 @@ class ProvedView {
     return out;
   }
 
-  // Do points of C surround the line, seen along it? The corners of two portals, the one where it enters C
-  // and the one where it leaves, and others, sought beyond the two that leave the widest gap. Then what of
-  // the line lies between the portals is inside of C, if anything does.
+  // Do points of C surround the line, seen along it? The candidates are the corners of two portals, at the line's
+  // entry into C and at its exit, and others, searched beyond the two that leave the widest gap. The part of the line
+  // between the portals is then inside of C, if any part is.
   [[nodiscard]] bool is_surrounded(const ProvedPortal& in, const ProvedPortal& out) const {
     Corners corner;
     std::size_t size = 0;
@@ -110,8 +114,7 @@ class ProvedView {
   static constexpr int kAsideSteps = 8;
   static constexpr int kGapSteps = 4;
   using Corners = std::array<ProvedPoint, 6 + 2 * kGapSteps>;
-  // Radians: a tilt costs a curved point its square in depth, a flat end the tilt itself; the middle one
-  // first.
+  // Radians, the middle one first. A tilt moves a curved point inwards by its square, a flat end by the tilt itself.
   static constexpr std::array<double, 3> kTiltSizes = {1e-9, 1e-12, 1e-7};
   static constexpr int kTilts = 8;  // directions of a tilt
 
@@ -155,8 +158,8 @@ class ProvedView {
     return std::any_of(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(size),
                        [&](const ProvedPoint& next) { return turn * area(p, next).sign() > 0; });
   }
-  // Does no half-plane hold the corners? While one has no next it is left out: a half-plane's go one by one,
-  // the last first.
+  // Is there no half-plane that holds the corners? Corners without a next one are removed. The corners of a
+  // half-plane are removed one by one, the last first.
   [[nodiscard]] bool surrounds_line(Corners corner, std::size_t size) const {
     for (std::size_t i = 0; i < size;) {
       const bool stays = has_next(corner[i], corner, size, 1);
@@ -173,7 +176,7 @@ class ProvedView {
     TwoDoubles sum;
     double errors = 0;  // of the sum
   };
-  // The sign of l = det(r, j, k) about the cyclic order of a, b, c; 2 where it is not to be had.
+  // The sign of l = det(r, j, k) about the cyclic order of a, b, c, or 2 if it cannot be computed.
   [[nodiscard]] int exact_sign(const ProvedPoint& j, const ProvedPoint& k) const {
     if (!j.point.named || !k.point.named) return 2;
     const exact::Dyadic3 r = exact::Exact::of(to_, from_).x;
@@ -210,8 +213,8 @@ class ProvedView {
   [[nodiscard]] bool take(ProvedPortal& portal, const std::array<ProvedPoint, 3>& p) const {
     const Weights w = weights(p);
     if (!w.holds) return false;
-    // Heights about that of the corner nearest to the line, and what is left of them by the slope along the
-    // longest edge: of a sliver next to nothing, so that its weights, which are rounding, do not matter.
+    // Heights relative to the corner nearest to the line, less the slope along the longest edge. For a sliver the
+    // remainder is almost 0, so that its weights, which are rounding, do not matter.
     const auto off = [&](std::size_t i) { return std::max(std::abs(p[i].x.hi), std::abs(p[i].y.hi)); };
     std::size_t nearest = 0, longest = 0;
     std::array<Vec3<double>, 3> edge;
@@ -239,7 +242,7 @@ class ProvedView {
     predicate_error += 4 * error_ * (1 + std::abs(slope_x.hi) + std::abs(slope_y.hi)) +
                        0x1p-92 * std::abs(along[2]) + 2 * kUnitRoundoff<double> * std::abs(at);
     const double upper = at + 2 * predicate_error;
-    // Where the line passes an edge that stays, the height does, too; the steps are counted.
+    // If the line passes an edge that stays, the height stays the same, too. The steps are counted.
     if (portal.found && !(upper <= portal.upper + 4 * predicate_error)) return false;
     portal.found = true;
     portal.upper = upper;
@@ -263,8 +266,8 @@ class ProvedView {
     const Vec3<double> f = edge[(longest + 1) % 3].cross(edge[(longest + 2) % 3]);
     return unit(world(f[2] > 0 ? -f[0] : f[0], f[2] > 0 ? -f[1] : f[1], f[2] > 0 ? -f[2] : f[2]));
   }
-  // Between the normals of the two corners that the line passes between: of corners on one line, whose plane
-  // is rounding. Zero if all are on one side.
+  // A direction between the normals of the two corners that the line passes between. Used for corners on one line,
+  // whose plane is rounding. Zero if all are on one side.
   [[nodiscard]] Vec3<double> normal_between(const std::array<ProvedPoint, 3>& p) const {
     Vec3<double> edge = Vec3<double>::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -280,14 +283,14 @@ class ProvedView {
     if (before == nullptr || after == nullptr) return Vec3<double>::Zero();
     return unit(Vec3<double>(unit(before->n) + unit(after->n)));
   }
-  // Calls try_one with a point along n, then with others near it, until it says yes.
+  // Calls try_one with a point along n, then with others near it, until it returns true.
   template <class Try>
   bool with_tilts(const Vec3<double>& n, const Try& try_one) const {
     if (try_one(along(n), false)) return true;
     const Frame<double> frame(n);
     for (const double tilt : kTiltSizes) {
       for (int k = 0; k < kTilts; ++k) {
-        // Away from the symmetries of anything.
+        // Not aligned with any symmetry.
         const double angle = 0.3 + k * 0.785398;
         const Vec3<double> t = std::cos(angle) * frame.e1 + std::sin(angle) * frame.e2;
         if (try_one(along(n + tilt * t), true)) return true;
@@ -317,7 +320,7 @@ class ProvedView {
     }
     for (int step = 0; step < kSteps; ++step) {
       if (take(portal, p)) return;
-      // Counter-clockwise; the edge that the line is farthest beyond.
+      // Counter-clockwise order. Then the edge with the line farthest outside.
       const TwoDoubles x_1 = p[1].x + -p[0].x, y_1 = p[1].y + -p[0].y, x_2 = p[2].x + -p[0].x,
                        y_2 = p[2].y + -p[0].y;
       if (value(x_1 * y_2 + -(y_1 * x_2)) < 0) std::swap(p[1], p[2]);
@@ -337,7 +340,7 @@ class ProvedView {
       if (!(least < kInfinity<double>)) return;
       const Vec3<double> outward = unit(world(n[0], n[1], 0));
       if (!(least < -2 * error_)) {
-        // On the edge as far as can be told, or all are on one line.
+        // The line is on the edge within the error bound, or all points are on one line.
         with_tilts(outward, [&](const ProvedPoint& w, bool) {
           return take_any(portal, {p[0], p[1], p[2], w, along(-outward)});
         });
@@ -351,8 +354,8 @@ class ProvedView {
     }
   }
 
-  // The portal moves on to a lower one with a corner along n. `aside`: one that is not lower. False once
-  // enough(w) says of the point along n that it need not.
+  // The portal moves to a lower one with a corner along n. `aside`: to one that is not lower. False if enough(w)
+  // returns true for the point along n, so that no move is needed.
   template <class Enough>
   [[nodiscard]] bool go_along(const Vec3<double>& n, ProvedPortal& portal, ProvedPortal& aside,
                               const Enough& enough) const {
@@ -378,8 +381,9 @@ class ProvedView {
     });
     return moved && !stop;
   }
-  // Where the line passes an edge or a corner of the portal exactly, a new corner may leave the height as it
-  // is, and would for ever: others near it are tried first, and a step aside is taken when none goes on.
+  // If the line passes an edge or a corner of the portal exactly, a new corner may leave the height unchanged, and
+  // the iteration would never end. Other corners near it are tried first. If no corner lowers the portal, a step
+  // aside is taken.
   void refine(ProvedPortal& portal, double gap, double enough) const {
     for (int step = 0, aside_steps = 0; step < kSteps; ++step) {
       const std::array<ProvedPoint, 3> p = portal.p;

@@ -1,14 +1,14 @@
-// Points of C = A - B that have an exact name (proof.hpp), and where they are, beyond all rounding.
+// Computes points of C = A - B that have an exact name (proof.hpp), and their positions beyond all rounding.
 //
 //   w = (p_A + R_A x_A + o_A) - (p_B + R_B x_B + o_B) + o_m,
-// x a vertex or a curved part's point, o_A and o_B offsets within the radii, o_m within the target distance:
-// doubles all, so that w is one point of C and no other. It is a support point along n but for what keeps it
-// inside: the points of curved parts and the offsets are drawn in by a few u (tree.hpp), so
-//   n.w >= h(n) - 32 u extent |n|   or so; nothing rests on that but how near a portal comes.
+// Here x is a vertex or a curved part's point, o_A and o_B are offsets within the radii, and o_m is an offset within
+// the target distance. All are doubles, so that w is exactly one point of C. It is a support point along n, except
+// that the points of curved parts and the offsets are moved inwards by a few u (tree.hpp). Hence
+//   n.w >= h(n) - 32 u extent |n|   or so. Only the accuracy of a portal depends on it, no guarantee.
 //
-// Evaluated in sums of two doubles, and, where that leaves a sign open, exactly. The difference of the
-// positions is exact; what the trees cost is in tree.hpp: all within 2^-95 nodes (|p_A - p_B| +
-// lengths). Units: internal, as in cso.hpp.
+// Positions are evaluated in sums of two doubles, and exactly if that leaves a sign open. The difference of the
+// positions is exact. tree.hpp bounds the error of the trees: all within 2^-95 nodes (|p_A - p_B| + lengths). Units:
+// internal, as in cso.hpp.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -67,12 +67,12 @@ exact::Exact exact_point(const Body<S>& body, const Feature& feature) {
   return x;
 }
 
-// A point of C with its name. `named` is false where the name would need more than kCurvedParts curved parts:
-// the point is one of C all the same.
+// A point of C with its name. `named` is false if the name would need more than kCurvedParts curved parts: the point
+// is one of C all the same.
 struct NamedPoint {
   TwoDoubles3 w;  // of C, internal units, about 0
   Vec3<double> on_a = Vec3<double>::Zero(),
-               on_b = Vec3<double>::Zero();  // of A and B, world, at t = 0; rounded
+               on_b = Vec3<double>::Zero();  // points of A and B, world, at t = 0, rounded
   SupportPair name;
   Vec3<double> target = Vec3<double>::Zero();  // o_m
   bool named = true;
@@ -97,19 +97,19 @@ class NamedPoints {
     w.add(exact::Exact::of(p.target), false);
     return w.x;
   }
-  // Of every coordinate of w.
+  // Error bound of every coordinate of w.
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] const ProofContext<S>& context() const { return c_; }
 
-  // Along n, world axes, of any length but 0. `drawn`: how far the point is drawn in beyond what rounding
-  // asks for, as a fraction: it then still is one of C, and near the support point.
+  // Along n, world axes, of any length but 0. `drawn`: the distance by which the point is moved inwards beyond the
+  // allowance for rounding, as a fraction. The point is still one of C, and near the support point.
   [[nodiscard]] NamedPoint along(const Vec3<double>& n, double drawn = 0) const {
     const Vec3<double> e = unit(n);
     ++counters_.supports;
     return named(c_.cso.support(e), e, drawn);
   }
-  // The point that a search found along p.n or, where C's core is a polytope, along any direction; e the
-  // direction of the balls.
+  // The point that a search found along p.n or, if C's core is a polytope, along any direction. e is the direction of
+  // the balls.
   [[nodiscard]] NamedPoint named(const CsoPoint<double>& p, const Vec3<double>& e, double drawn = 0) const {
     NamedPoint out;
     const Part a = part(c_.a, c_.cso.side_a(), p.vertex_a, e, c_.radius_a, drawn, out.name.a);
@@ -117,7 +117,7 @@ class NamedPoints {
     out.named = a.named && b.named;
     out.on_a = rounded_once(a.x);
     out.on_b = rounded_once(b.x);
-    // Positions first: what they have in common cancels exactly.
+    // Positions first: their common part cancels exactly.
     TwoDoubles3 w = a.turned + -b.turned;
     const Vec3<double>& o_m = out.target = e * (target_ * (1 - kInsideTree * kUnitRoundoff<double> - drawn));
     for (int i = 0; i < 3; ++i) {

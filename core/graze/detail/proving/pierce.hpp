@@ -1,7 +1,7 @@
-// Does the line {t v} pierce a triangle of CSO points, and where? Decided exactly, for unrotated polytopes.
+// Decides exactly whether and where the line {t v} pierces a triangle of CSO points, for unrotated polytopes.
 //
-//   c_i = (x_a + p_a) - (x_b + p_b), exact;   w_i = det(c_j, c_k, v), cyclic: the weights of the point
-//   pierced; pierced iff all w_i >= 0 or all <= 0, not all zero;   t = det(c_0, c_1, c_2) / sum w_i.
+//   c_i = (x_a + p_a) - (x_b + p_b), exact.   w_i = det(c_j, c_k, v), cyclic: the weights of the point
+//   pierced. The line pierces iff all w_i >= 0 or all <= 0, not all zero.   t = det(c_0, c_1, c_2) / sum w_i.
 #pragma once
 
 #include <graze/detail/numeric/expansion.hpp>
@@ -10,7 +10,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// The vertex of a body's core as given; for shapes that are no combinators, and not curved.
+// The vertex of a body's core as given. Only for shapes that are neither combinators nor curved.
 template <Scalar S>
 Vec3<double> given_vertex(const Body<S>& body, std::uint32_t k) {
   const auto wide = [](const Vec3<S>& x) -> Vec3<double> { return x.template cast<double>(); };
@@ -40,7 +40,7 @@ bool is_plain(const Shape<S>& shape) {
 }
 
 // A sum of the given doubles, scaled by 2^-exponent. Products of three such numbers stay within the range of
-// expansions while each is 0 or in [2^-280, 2^280]; `in_range` says whether all were.
+// expansions while each is 0 or in [2^-280, 2^280]. `in_range` is set if all were.
 inline Expansion scaled_sum(std::initializer_list<double> terms, int exponent, bool& in_range) {
   Expansion out;
   for (const double term : terms) {

@@ -1,12 +1,11 @@
-// From an answer to a proof: only what holds without condition for the true shapes.     Frame: world.
+// Turns an answer into a proof, with only those claims that hold unconditionally for the true shapes.     Frame:
+// world.
 //
-// Everything is done in double whatever scalar found the answer, on the CSO of the very same bodies. Each
-// claim is moved outward by the rounding of what it rests on, so the checker, which is exact, accepts it;
-// where a claim cannot be made after that (a graze below the rounding), it is decided exactly where that is
-// cheap, or left out.
+// The proof is computed in double for any scalar of the answer, on the CSO of the very same bodies. Each claim is
+// moved outward by the rounding of the quantities it depends on, so the checker, which is exact, accepts it. If a
+// claim cannot be made after that (a graze below the rounding), it is decided exactly if that is cheap, or omitted.
 //
-// Notation   h = h(n) + R |n|;   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... ;   s = t 2^(j -
-// k).
+// Notation   h = h(n) + R |n|.   delta_h, delta_r, ... bounds on the rounding of h, n.r, ... .   s = t 2^(j - k).
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -16,9 +15,9 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// The radii of the rounded support points of a proof are shortened by kInside (tree.hpp), so that
-// |offset| <= radius holds exactly: e is a unit vector within 4 u, and the product rounds once more. On
-// a combinator the radius and what the part has beyond it round as well, once each.
+// The radii of the rounded support points of a proof are shortened by kInside (tree.hpp), so that |offset| <= radius
+// holds exactly: e is a unit vector within 4 u, and the product rounds once more. On a combinator the radius and the
+// part's extent beyond it round as well, once each.
 inline constexpr int kInsideTree = 16;  // u
 template <Scalar S>
 double inside_slack(const Body<S>& body) {
@@ -30,9 +29,9 @@ struct ProofContext {
   const Body<S>&a, &b;
   const Cso<double>& cso;
   Vec3<double> r;
-  double s_max, t_max;  // of the path; infinite for a ray
+  double s_max, t_max;  // of the path, infinite for a ray
   double radius;        // r_A + r_B + m, world length
-  bool plain;           // both cores are polytopes whose vertices have exact coordinates at hand
+  bool plain;           // both cores are polytopes whose vertices have known exact coordinates
 
   double radius_a, radius_b;
 
@@ -55,7 +54,7 @@ struct ProofContext {
     }
     return sum;
   }
-  // n.v, between two doubles; both 0 where every product is.
+  // n.v, between two doubles. Both are 0 if every product is 0.
   struct Rate {
     double low, high;
   };
@@ -68,14 +67,14 @@ struct ProofContext {
       sum = sum + term;
       size += std::abs(term.hi);
     }
-    // The sums err by 2^-98 of what they add up; a rounding of the result is 2^-53 of it.
+    // The sums err by 2^-98 of their summands. A rounding of the result is 2^-53 of it.
     const double n_v = sum.hi + sum.lo,
                  predicate_error = 0x1p-90 * size + 2 * kUnitRoundoff<double> * std::abs(n_v);
     return {n_v - predicate_error, n_v + predicate_error};
   }
-  // An upper bound of h(n) + R |n|, world length: the vertices that the scan chose, evaluated to the last
-  // bit, and what better ones it may have passed over (cso.hpp: n turned, products compared, at both
-  // vertices). On curved cores and combinators, the support point and its error.
+  // An upper bound of h(n) + R |n|, world length. It evaluates the vertices that the scan chose to the last bit, and
+  // adds a bound for better ones that it may have missed (cso.hpp: n rotated, products compared, at both vertices).
+  // On curved cores and combinators, it uses the support point and its error.
   [[nodiscard]] double reach(const Vec3<double>& n, Counters& counters) const {
     constexpr double u = kUnitRoundoff<double>;
     ++counters.supports;
@@ -92,7 +91,7 @@ struct ProofContext {
   }
 
  private:
-  // What was cancelled before it became small, internal units.
+  // The lengths that cancelled, internal units.
   [[nodiscard]] double lengths() const {
     const Vec3<double> between = a.position.template cast<double>() - b.position.template cast<double>();
     return std::ldexp(between.cwiseAbs().maxCoeff() + cso.side_a().center.cwiseAbs().maxCoeff() +
@@ -102,7 +101,7 @@ struct ProofContext {
   }
 };
 
-// cso: of the same bodies and target distance, its turns accurate.
+// cso: the CSO of the same bodies and target distance, with accurate rotations.
 template <Scalar S>
 ProofContext<S> proof_context(const Body<S>& a, const Body<S>& b, const Cso<double>& cso, double t_max,
                               double target_distance) {
@@ -143,12 +142,12 @@ bool prove_lower(const ProofContext<S>& c, const Vec3<double>& n, bool miss, Pro
   return true;
 }
 
-// n turned until n.r >= 0: for a path without end only such an axis proves a miss. What it costs is h(r)
-// times the turn, which is nothing where C is left behind.
+// Rotates n until n.r >= 0: for a path without end only such an axis proves a miss. The loss is h(r) times the angle.
+// It is 0 if C is left behind.
 template <Scalar S>
 Vec3<double> level(const ProofContext<S>& c, const Vec3<double>& n) {
-  // |fl(n.r) - n.r| <= 6 u sum |n_i r_i|: r's own rounding, three products, two sums; twice, for what the
-  // turn rounds.
+  // |fl(n.r) - n.r| <= 6 u sum |n_i r_i|: r's own rounding, three products, two sums. It is doubled for the rounding
+  // of the rotation.
   const double predicate_error = 12 * kUnitRoundoff<double> * n.cwiseProduct(c.r).cwiseAbs().sum();
   const double excess = -(n.dot(c.r) - predicate_error), length_sq = c.r.squaredNorm();
   return excess > 0 && length_sq > 0 ? Vec3<double>(n + c.r * (excess / length_sq * (1 + 1e-15))) : n;
@@ -170,7 +169,7 @@ void prove_miss(const ProofContext<S>& c, const Vec3<double>& hint, Proof& proof
     CsoPoint<double> p = c.cso.support(n);
     if (n.dot(c.r) < 0) {
       p.w -= s_end * c.r;
-      p.e = Vec3<double>::UnitX();  // tells the two ends of a sweep apart
+      p.e = Vec3<double>::UnitX();  // distinguishes the two ends of a sweep
     }
     return p;
   };
@@ -196,8 +195,8 @@ bool name_feature(const Body<S>& body, const Side<double>& side, std::uint32_t v
     out.offset = e * (radius * (1 - inside_slack(body)));
     return true;
   }
-  // Turned and scaled as the side did it, to the bit: where two points of a part tie, as at the rims of a
-  // cylinder seen from its side, another rounding of n names the other.
+  // Rotated and scaled bit for bit as the side did it. If two points of a part tie, as at the rims of a cylinder seen
+  // from its side, another rounding of n returns the other point.
   const Vec3<double> own = side.to_own(n);
   TreeWalk<S> walk(side.is_curved_tree() ? walked_along(own) : own, &out);
   const TreePoint p = walk(body.shape, Placement{side.turning}, &vertex);
@@ -212,23 +211,26 @@ bool name_pair(const ProofContext<S>& c, const CsoPoint<double>& p, SupportPair&
                       out.b);
 }
 
-// Is the line's point in the portal beyond all rounding, and at which t at the latest? Infinite if neither
-// can be said.
+// Is the line's point in the portal beyond all rounding, and what is its latest t? Infinite if neither can be
+// decided.
 //
-// The projection of each corner is known within `e` per coordinate = its own error, 8 u of its length for the
-// product, the frame and r, and what the names of the features take (`slack` of R; on a curved core also of
-// its own extent, once more for the point that they name); cross(q_i, q_j) then within 2 e (|q_i| + |q_j|) +
-// 4 e^2: that decides whether 0 is inside. The height of the plane at 0: with weights l and slope g, moving
-// corner i by d moves it by l_i (d_z - g.d_xy), to first order, so by at most e (1 + |g|_1) in all, however
-// thin the triangle. While e is below 1/64 of the least altitude, the second order is less than a sixteenth
-// of that. What the rounded weights leave, rho = sum l q, is taken back by g.rho.
+// The projection of each corner is known within `e` per coordinate. This is its own error, 8 u of its length for the
+// product, the frame and r, and the error of the features' names. The last is `slack` of R. On a curved core it is
+// also `slack` of its own extent, once more for the point that they name. The product cross(q_i, q_j) is then within
+// 2 e (|q_i| + |q_j|) + 4 e^2, which decides whether 0 is inside.
 //
-// g rounds, too. L the longest edge, l its projection's length, h the least altitude, G = 1 + |g|_1.
-// face_normal() leaves 6 u |n| along the longest edge and 2 u L^2 across it, that is 6 u G L / l and
-// 2 u G L^2 / (l h) of g; rho is within 6 u l^2 / h along and, 0 being inside, 6 u l across: 48 u^2 G L^2 / h
-// in all, and as L <= 2 extent and h > 64 e >= 512 u extent, less than u extent G / 2.
-// `q`: the corners as seen along the line, third the height along it, each within e per coordinate; none is farther out
-// than `extent`. `sure`: 0 is inside, and the plane's height there is within `error` of z.
+// The height of the plane at 0: with weights l and slope g, moving corner i by d moves it by l_i (d_z - g.d_xy), to
+// first order. So it moves by at most e (1 + |g|_1) in all, however thin the triangle. While e is below 1/64 of the
+// least altitude, the second order is less than a sixteenth of that. The remainder of the rounded weights, rho = sum
+// l q, is corrected by g.rho.
+//
+// The slope g rounds, too. L is the longest edge, l its projection's length, h the least altitude, G = 1 + |g|_1. The
+// function face_normal() leaves 6 u |n| along the longest edge and 2 u L^2 across it. For g, that is 6 u G L / l and
+// 2 u G L^2 / (l h). The remainder rho is within 6 u l^2 / h along and, 0 being inside, 6 u l across. The product is
+// 48 u^2 G L^2 / h in all. As L <= 2 extent and h > 64 e >= 512 u extent, it is less than u extent G / 2.
+//
+// `q`: the corners as seen along the line, third the height along it, each within e per coordinate and none farther
+// out than `extent`. `sure`: 0 is inside, and the plane's height there is within `error` of z.
 struct HeightAtLine {
   bool sure = false;
   double z = 0, error = 0;
@@ -271,8 +273,8 @@ inline double filtered_upper(const Cso<double>& cso, const Portal<double>& porta
   return cso.to_time((at.z + at.error) / length * (1 + 8 * u));
 }
 
-// The upper half, and what the search for it tells of the lower: a portal of three points, every sign of it
-// beyond its rounding, or, where there is a tie, exact.
+// The upper half, and the lower bound that follows from its search: a portal of three points. Every sign of it is
+// beyond its rounding, or, for a tie, exact.
 template <Scalar S>
 void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   if (!(c.s_max > 0)) return;
@@ -298,13 +300,14 @@ void prove_upper(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   proof.portal_size = 3;
 }
 
-// Where the axes so far leave a gap below the answer, as steep ones of MPR do at an edge (their rounding
-// counts by |n| |r| / -n.r), the axis that the GJK ray cast ends with: it looks from C towards the path.
-// Where the path comes in along a flat side, over its rim, that is the side's normal, no better; the rim is
-// seen from before it, somewhere in the gap.
+// Adds the final axis of the GJK ray cast if the axes so far leave a gap below the answer. Steep axes of MPR do so at
+// an edge (their rounding counts by |n| |r| / -n.r). The added axis points from C towards the path. If the path comes
+// in along a flat side, over its rim, this axis is the side's normal, which is no better. The rim is found from a
+// point of the path before it, somewhere in the gap.
 template <Scalar S>
 void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Counters& counters) {
-  constexpr double kGap = 16 * kUnitRoundoff<double>;  // over scale: what is not worth a second search
+  constexpr double kGap = 16 * kUnitRoundoff<double>;  // relative to scale: a smaller gap is not worth a
+                                                       // second search
   constexpr int kHalvings = 8;
   const double upper = std::min(toi_upper, proof.toi_upper), speed = c.r.norm();
   const auto is_near = [&] {
@@ -325,7 +328,7 @@ void prove_nearer(const ProofContext<S>& c, double toi_upper, Proof& proof, Coun
     return distance_at(proof.toi_lower).upper - c.cso.radius() >
            kContact * kUnitRoundoff<double> * c.cso.scale();
   };
-  if (is_near() || !(upper < kInfinity<double>) || !is_apart()) return;  // what is endless has no middle
+  if (is_near() || !(upper < kInfinity<double>) || !is_apart()) return;  // an infinite interval has no middle
   double high = upper;
   for (int i = 0; i < kHalvings && !is_near(); ++i) {
     const double low = proof.toi_lower, middle = low + (high - low) / 2;
@@ -364,8 +367,8 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   proof.portal_size = 4;
 }
 
-// Under pass_over a start in contact that leaves voids every contact, and no proof can say that a start does
-// not leave: without a lower bound above 0 nothing is claimed from above.
+// Under pass_over a start in contact that leaves voids every contact, and no proof can express that a start does not
+// leave. Without a lower bound above 0 the proof has no upper claim.
 [[nodiscard]] inline Proof under_policy(Proof proof, StartPolicy policy) {
   if (policy == StartPolicy::pass_over && !(proof.toi_lower > 0)) {
     proof.toi_upper = kInfinity<double>;
@@ -374,8 +377,8 @@ void prove_start(const ProofContext<S>& c, Proof& proof, Counters& counters) {
   return proof;
 }
 
-// n: the axis that the method found (world axes, from A to B), or zero. toi_upper: its answer; an axis that
-// proves more is not used to: a hit that is a miss by less than the rounding stays one answer.
+// n: the axis that the method found (world axes, from A to B), or zero. toi_upper: the method's answer. An axis that
+// proves more does not replace it: a hit that is a miss by less than the rounding stays one answer.
 template <Scalar S>
 Proof prove(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options, Outcome outcome, S toi_upper,
             const Vec3<S>& n, Counters& counters) {

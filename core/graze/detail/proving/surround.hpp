@@ -5,7 +5,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Of six points whose hull holds the origin, four that do so, for the proof.
+// Four of six points, for the proof. The hull of the six holds the origin, and so does the hull of the four.
 struct Surrounding {
   bool found = false;
   std::array<NamedPoint, 4> p;
@@ -46,8 +46,7 @@ bool surrounds(const NamedPoints<S>& points, const std::array<const NamedPoint*,
   return side != 0;
 }
 
-// Four of the corners of two portals, the one where a line through the origin enters C, the other where it
-// leaves.
+// Four of the corners of two portals. A line through the origin enters C by one and leaves by the other.
 template <Scalar S>
 Surrounding surrounding(const NamedPoints<S>& points, const ProvedPortal& in, const ProvedPortal& out,
                         bool strictly = false) {

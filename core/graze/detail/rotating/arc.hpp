@@ -1,21 +1,21 @@
-// How far below its chord the gap along an axis gets, by the arc on which a body that turns sees the axis.
+// Bounds the gap along an axis below its chord, by the arc on which a rotating body sees the axis.
 //
-// Lengths: internal; n unit; s_n(t) = the gap along n at t (slice.hpp).
+// Lengths: internal; n unit. s_n(t) = the gap along n at t (slice.hpp).
 //
 // Over a slice [t_0, t_1], tau = (t - t_0) / (t_1 - t_0), two bounds have the form
 //   s_n(t) >= (1 - tau) s_n(t_0) + tau s_n(t_1) - 4 tau (1 - tau) k.
 // - By the chord (slice.hpp): k = M (t_1 - t_0)^2 / 8. M is that of the point that bends most. A box that tips about an
-//   edge on the floor keeps that edge there, and its far corners bend: slices of sqrt(d) would be needed.
-// - By the arc. Seen from a body X that turns by w about the pivot c, an axis of the world moves on an arc of a circle by
-//   the angle 2 phi; so does an axis that turns with the other body, seen from one that does not turn. The arc lies in the
-//   triangle of its ends d_0, d_1 and the meeting d_m of its tangents: at the angle u from its middle, x = u / phi,
-//   d = a d_0 + b d_m + c d_1 with
+//   edge on the floor keeps that edge there, and its far corners bend. This bound would need slices of sqrt(d).
+// - By the arc. Seen from a body X that rotates by w about the pivot c, an axis of the world moves on an arc of a
+//   circle by the angle 2 phi. The same holds for an axis that rotates with the other body, seen from a body without
+//   rotation. The arc lies in the triangle of its ends d_0, d_1 and the meeting d_m of its tangents. At the angle u from
+//   its middle, x = u / phi, d = a d_0 + b d_m + c d_1 with
 //     a + b + c = 1,    c - a = sin u / sin phi,    b = cos phi (cos u - cos phi) / sin^2 phi <= (1 - x^2) / 2.
-//   The least of d.(x - c) over X's points is concave in d, hence no less than a p_0 + b p_m + c p_1, p that least along
-//   each. With q = p_m - (p_0 + p_1) / 2 this is p_0 + tau' (p_1 - p_0) + b q, tau' = (1 + c - a) / 2, which differs
-//   from tau = (1 + x) / 2 by at most 0.09 phi^2 (1 - x^2) for phi <= 1/2. As 1 - x^2 = 4 tau (1 - tau) and pivots move
-//   evenly, k = the sum over the bodies of max(0, -q) / 2 + 0.09 phi^2 |p_1 - p_0|. Points on the axis of rotation that
-//   stay the lowest cost nothing, whatever the others do.
+//   The least of d.(x - c) over X's points is concave in d, hence no less than a p_0 + b p_m + c p_1, where each p is
+//   the least along that direction. With q = p_m - (p_0 + p_1) / 2 this is p_0 + tau' (p_1 - p_0) + b q. Here tau' =
+//   (1 + c - a) / 2 differs from tau = (1 + x) / 2 by at most 0.09 phi^2 (1 - x^2) for phi <= 1/2. As 1 - x^2 =
+//   4 tau (1 - tau) and pivots move evenly, k = the sum over the bodies of max(0, -q) / 2 + 0.09 phi^2 |p_1 - p_0|.
+//   If the lowest points stay on the axis of rotation, they cost nothing, however the other points move.
 #pragma once
 
 #include <graze/detail/rotating/moving_pair.hpp>
@@ -35,27 +35,28 @@ struct AxisArc {
     const double half = std::sin(phi / 2);
     raise = 2 * half * half / std::cos(phi) * (1 + 16 * kUnitRoundoff<double>);
   }
-  // From the axis in the middle of the arc to where the tangents meet.
+  // From the axis in the middle of the arc to the meeting point of the tangents.
   [[nodiscard]] Vec3<double> tangents_meet(const Vec3<double>& n) const {
     return n + raise * (n - n.dot(axis) * axis);
   }
 };
 
-// Returns k of the arc, or infinity if the axis does not move on one. k includes its rounding errors: those of three support
-// points of each body, of an arm, and of the time in the middle of the slice, which is known within u.
+// Returns k of the arc, or infinity if the axis does not move on one. k includes its rounding errors. These are the
+// errors of three support points of each body, of an arm, and of the time in the middle of the slice, which is known
+// within u.
 inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>& own, double t_0, double t_1,
                           Counters& counters) {
   constexpr double kMostAngle = 0.5, u = kUnitRoundoff<double>;
   const double h = t_1 - t_0, t_m = t_0 + h / 2;
   const Mobility &m_a = pair.mobility_a(), &m_b = pair.mobility_b();
-  // Seen from a body that turns, the other one must stand still: turns about two axes make no arc.
+  // Seen from a rotating body, the other one must not rotate: rotations about two axes make no arc.
   if ((frame == AxisFrame::a && m_b.turns()) || (frame == AxisFrame::b && m_a.turns()))
     return kInfinity<double>;
   const AxisArc a = frame == AxisFrame::a ? AxisArc() : AxisArc(frame == AxisFrame::b ? m_b : m_a, h),
                 b = frame == AxisFrame::b ? AxisArc() : AxisArc(frame == AxisFrame::a ? m_a : m_b, h);
   if (!(std::max(a.phi, b.phi) <= kMostAngle)) return kInfinity<double>;
   double error = 0, rotation_displacement = 0;
-  // The greatest of A's points along its direction, and the least of B's, each about the pivot of the turn.
+  // The greatest of A's points along its direction, and the least of B's, each about the pivot of the rotation.
   const auto reach = [&](double t) {
     if (pair.time() != t) pair.place(t);
     ++counters.supports;
@@ -74,8 +75,8 @@ inline double bend_of_arc(MovingPair& pair, AxisFrame frame, const Vec3<double>&
                                 32 * u *
                                     (pair.center_a().norm() + pair.center_b().norm() +
                                      pair.pivot_b_now().norm() + way.norm()));
-    // Along an axis that turns, the pivots do not move apart evenly. The second derivative of n.(difference of the pivots) is
-    // at most 2 |n'| |v| + |n''| |v| h / 2.
+    // Along a rotating axis, the pivots do not separate evenly. The second derivative of n.(difference of the pivots)
+    // is at most 2 |n'| |v| + |n''| |v| h / 2.
     if (frame != AxisFrame::world) {
       const Mobility& m = frame == AxisFrame::a ? m_a : m_b;
       rotation_displacement = std::max(

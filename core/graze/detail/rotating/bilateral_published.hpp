@@ -1,13 +1,13 @@
-// Bilateral advancement as published: Catto, Continuous Collision, GDC 2013. The baseline that safe bilateral
-// advancement is measured against; it may pass an intermediate contact.
+// Bilateral advancement as published: Catto, Continuous Collision, GDC 2013. It is the baseline for safe bilateral
+// advancement, and it may miss an intermediate contact.
 //
-// From a time t_1 with the bodies apart: the closest features give an axis; the deepest points along it at
-// the end t_2 of what is left of the step are pushed back to the root of their own separation, until no point
-// is nearer than the target at t_2; then t_1 becomes t_2. A step at whose end the bodies are apart along the
-// axis counts as free of contact, whatever they did in between. The axis is fixed in the world for vertices
-// and edges, and turns with the body whose face is the closest feature.
+// From a time t_1 with the bodies apart, the closest features give an axis. The deepest points along it at the end
+// t_2 of the rest of the step are pushed back to the root of their own separation, until no point is nearer than the
+// target at t_2. Then t_1 becomes t_2. A step at whose end the bodies are apart along the axis counts as free of
+// contact, whatever they did in between. The axis is fixed in the world for vertices and edges. If the closest
+// feature is a face, the axis rotates with its body.
 //
-// The slides stop at a linear slop; here at the tolerance that the caller asks for, over scale.
+// The slides stop at a linear slop. This version stops at the tolerance that the caller passes, over scale.
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>
@@ -58,7 +58,7 @@ class PublishedBilateral {
     return out_;
   }
 
-  // The face's body turns the axis: its three closest points are distinct vertices.
+  // The axis rotates with the face's body: the one whose three closest points are distinct vertices.
   void set_axis(const Nearest& near) {
     const auto distinct = [&](auto vertex) {
       int count = 0;
@@ -112,7 +112,7 @@ class PublishedBilateral {
       if (s_2 > limits_.target - limits_.tolerance) return t_2;
       const double s_1 = separation(t_1, pair);
       if (s_1 <= limits_.target + limits_.tolerance) return t_1;
-      // The root, by turns of the secant and of halving.
+      // The root, by secant and bisection steps alternately.
       double low = t_1, high = t_2, s_low = s_1, s_high = s_2;
       for (int i = 0; i < limits_.root_steps; ++i) {
         const double t = i % 2 == 1 ? low + (limits_.target - s_low) * (high - low) / (s_high - s_low)

@@ -1,11 +1,11 @@
-// Proved contact of two placed bodies: pairs of support points that hold the origin between them.
+// Proves contact of two placed bodies by pairs of support points that hold the origin between them.
 //
-// Lengths: internal. e bounds how far a support point may be from the point of the true CSO that its feature
-// names, R is the sum of the radii and the target distance. Contact holds if either
-//   - |sum l_i w_i| + e <= R: the closest point of the cores is near enough; or
-//   - the ball of radius e about the origin lies inside the tetrahedron of four support points: then h(n) > e
+// Lengths: internal. e bounds the distance of a support point from the point of the true CSO that its feature names,
+// R is the sum of the radii and the target distance. Contact holds in either of two cases:
+//   - |sum l_i w_i| + e <= R: the closest point of the cores is near enough.
+//   - the ball of radius e about the origin lies inside the tetrahedron of four support points. Then h(n) > e
 //     for every unit n, and moving each point by up to e leaves h > 0. One of the four may be the mean of several,
-//     where no four hold the origin: below the tip of an octahedron every four have it on their border.
+//     if no four hold the origin: below the tip of an octahedron every four have it on their border.
 #pragma once
 
 #include <bit>
@@ -19,16 +19,16 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 struct Contact {
   bool proved = false;
-  Simplex<double> pairs;   // weighted, but for a crossing
-  bool unweighed = false;  // four that hold the origin: weigh() says how
-  // Of the last of four: it is the mean of these, if there are any.
+  Simplex<double> pairs;   // weighted, except for a crossing
+  bool unweighed = false;  // four that hold the origin, before weigh()
+  // The last of four points is the mean of these, if there are any.
   std::array<CsoPoint<double>, 3> mean_of;
   std::size_t means = 0;
   bool crossing = false;  // crossing.hpp: between `from` and the time of the contact
   double from = 0;
 };
 
-// Of a named support point.
+// Error bound of a named support point.
 inline double contact_error(const MovingPair& pair) {
   const Cso<double>& cso = pair.cso();
   constexpr double u = kUnitRoundoff<double>;
@@ -52,9 +52,9 @@ inline double determinant(const Vec3<double>& a, const Vec3<double>& b, const Ve
   return fuses() ? determinant_in_pairs<true>(a, b, c) : determinant_in_pairs<false>(a, b, c);
 }
 
-// The least distance of the origin from the faces of a tetrahedron that holds it, less its rounding; negative
-// where it does not, or cannot be said to. |det(a, b, c)| / |m| for the face a b c with the normal m, of
-// which the length alone counts: it is within 8 u longest^2 / |m| of itself.
+// The least distance of the origin from the faces of a tetrahedron that holds it, less its rounding. Negative if it
+// does not hold the origin, or if that cannot be decided. It is |det(a, b, c)| / |m| for the face a b c with the
+// normal m. Only the length of m is used, and the result is within 8 u longest^2 / |m| of itself.
 inline double depth_inside(const std::array<Vec3<double>, 4>& w) {
   constexpr double u = kUnitRoundoff<double>;
   double least = kInfinity<double>, side = 0;
@@ -122,8 +122,8 @@ inline void add_above(const Cso<double>& cso, Simplex<double>& three, Counters& 
   three.add(n.dot(above.w - a) > n.dot(a - below.w) ? above : below);
 }
 
-// To two points that the origin lies between, as where bodies meet along a common axis of revolution: of these
-// and the supports in three directions around, the four that hold it deepest, if any do.
+// For two points with the origin between them, as on bodies that meet along a common axis of revolution. Adds
+// supports in three directions around them, and keeps the four that hold the origin deepest, if any do.
 inline void add_around(const Cso<double>& cso, Simplex<double>& two, Counters& counters) {
   const Vec3<double> along = two.point[1].w - two.point[0].w;
   if (along == Vec3<double>::Zero()) return;
@@ -148,7 +148,8 @@ inline void add_around(const Cso<double>& cso, Simplex<double>& two, Counters& c
   }
 }
 
-// Weights of the origin in a tetrahedron, by volumes; in two doubles, as a thin one's are small differences.
+// Weights of the origin in a tetrahedron, by volumes. They are computed in two doubles, as those of a thin
+// tetrahedron are small differences.
 inline void weigh(Simplex<double>& pairs) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -159,10 +160,10 @@ inline void weigh(Simplex<double>& pairs) {
   for (double& l : pairs.lambda) l = sum > 0 ? l / sum : 0.25;
 }
 
-// The corners of two portals, one where a line through the origin enters C, one where it leaves.
+// The corners of two portals. A line through the origin enters C by one and leaves by the other.
 using CornersAround = std::array<CsoPoint<double>, 6>;
 
-// Of these the four that hold the origin deepest. 0: none do.
+// Selects the four of these that hold the origin deepest. 0: no four hold it.
 inline double surround(const CornersAround& all, Simplex<double>& four) {
   double best = 0;
   for (std::size_t skip = 0; skip < 6; ++skip) {
@@ -181,8 +182,8 @@ inline double surround(const CornersAround& all, Simplex<double>& four) {
   return best;
 }
 
-// Of these, three and the mean of the others, or of two of the others, that hold the origin deepest; less what the mean
-// rounds. 0: none do.
+// Selects three of these and the mean of the others, or of two of the others, that hold the origin deepest. The
+// result is reduced by the rounding of the mean. 0: no selection holds it.
 inline double surround_by_mean(const CornersAround& all, Contact& found) {
   double best = 0;
   // The others by their places among the three that are left: all, or all but one.
@@ -227,14 +228,14 @@ inline double surround_by_mean(const CornersAround& all, Contact& found) {
   return best;
 }
 
-// By portals. Where the line passes under an edge, a tie and the common case on aligned boxes, a tilted one
-// does not. n: a normal at the contact, so the origin is near where the line enters along -n; depth: about
-// how deep.
+// Proves contact by portals. If the line passes under an edge, a tie and the common case on aligned boxes, a tilted
+// line does not. `n`: a normal at the contact, so the origin is near the point at which the line enters along -n.
+// `depth`: the approximate depth.
 inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, double depth, double e, int budget,
                             Contact& found, Counters& counters) {
   using State = PortalSearch<double>::State;
   const Frame<double> about(n);
-  // Of the last tilt, and how deep any of them holds the origin.
+  // Corners of the last tilt, and the largest depth at which any tilt holds the origin.
   CornersAround corner;
   double most = 0;
   bool any = false;
@@ -255,21 +256,21 @@ inline bool hold_by_portals(const Cso<double>& cso, const Vec3<double>& n, doubl
     if (held > e) return true;
     most = std::max(most, held);
   }
-  // What four hold, if only within the rounding, they hold better a little later.
+  // If four points hold it only within the rounding, they hold it better a little later.
   if (any && most == 0 && surround_by_mean(corner, found) > e) return true;
   found.means = 0;
   return false;
 }
 
-// A direction out of C, where the origin is near its surface and nothing better is known.
+// A direction out of C, for an origin near its surface if nothing better is known.
 inline Vec3<double> away_from_middle(const MovingPair& pair) {
   const Vec3<double> middle = pair.cso().middle();
   return middle == Vec3<double>::Zero() ? Vec3<double>(Vec3<double>::UnitZ()) : Vec3<double>(-unit(middle));
 }
 
-// n_hint: a normal at the contact, or zero. depth: how deep the origin is in C, about. `known`: where a search
-// at this very time ended, or empty; four points that hold the origin are made deeper before any search. least: the
-// pairs hold a ball about the origin of this radius besides.
+// n_hint: a normal at the contact, or zero. depth: the approximate depth of the origin in C. `known`: the final
+// simplex of a search at this very time, or empty. Four points that hold the origin are made deeper before any
+// search. least: the pairs also hold a ball about the origin of this radius.
 inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint, double depth,
                               const Simplex<double>& known, int budget, Counters& counters,
                               double least = 0) {
@@ -288,7 +289,7 @@ inline Contact proved_contact(const MovingPair& pair, const Vec3<double>& n_hint
   const auto support = [&](const Vec3<double>& n) { return cso.support(n); };
   Distance<double> d = gjk_distance(support, zero, Vec3<double>(-cso.middle()), simplex, 0.0,
                                     std::max(R - 2 * e, 0.0), budget, counters);
-  // Beside a rim GJK stalls with a point that is not quite the closest: deep contacts would go unproved.
+  // Beside a rim, GJK does not converge to the closest point: deep contacts would remain unproved.
   if (R > 0 && d.upper + e > R && d.lower - R <= e) go_on(d, support, simplex, e, counters);
   out.pairs = simplex;
   out.proved = R > 0 && d.upper + e <= R;

@@ -1,11 +1,11 @@
-// Contact with a flat C, which has no interior: a point passes through a triangle, or an edge passes an edge.
-// Contact is then proved between two times t_1 < t_2 instead of at one.
+// Proves contact with a flat C, which has no interior: a point passes through a triangle, or an edge passes an edge.
+// The contact is proved between two times t_1 < t_2 instead of at one.
 //
-// Three support pairs span a triangle of C at every t. Let n be its normal at t_1. Seen along n, the origin
-// lies inside the triangle, farther from its edges than any of its corners moves until t_2. So the line
-// {s n} pierces the triangle at all times between, at a height that changes continuously. If the height
-// changes sign, it is 0 at some time between, and then the origin is in C. (The idea of continuous tests on
-// meshes, Provot 1997; here the coplanar instant is bracketed, not solved for.)
+// Three support pairs span a triangle of C at every t. Let n be its normal at t_1. Seen along n, the origin lies
+// inside the triangle, and its distance from the edges exceeds the motion of every corner until t_2. So the line
+// {s n} pierces the triangle at all times between, at a height that changes continuously. If the height changes sign, it
+// is 0 at some time between, and then the origin is in C. (The idea comes from continuous tests on meshes, Provot
+// 1997. Here the coplanar instant is bracketed, not computed.)
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -37,8 +37,8 @@ inline std::array<Vec3<double>, 3> corners_now(const MovingPair& pair, const Cro
   return out;
 }
 
-// Does the origin pass through the triangle between t_1 and t_2? Leaves the pair placed at either. Of
-// cores without a radius.
+// Does the origin pass through the triangle between t_1 and t_2? Only for cores without a radius. Leaves the pair
+// placed at either time.
 inline bool crosses(MovingPair& pair, const Simplex<double>& triangle, double t_1, double t_2) {
   if (triangle.size != 3 || pair.radius() > 0) return false;
   pair.place(t_1);
@@ -48,8 +48,8 @@ inline bool crosses(MovingPair& pair, const Simplex<double>& triangle, double t_
   const Vec3<double> m = face_normal(before[0], before[1], before[2]);
   const double area = m.norm();
   const double height = m.dot(before[0]) / area;
-  // Twice the area over an edge is an altitude; the part of it that is the origin's is its distance from it.
-  // A corner is a point of its body: it turns about a solid's own axis, too, which top_speed() leaves out.
+  // Twice the area over an edge is an altitude. The origin's part of it is its distance from the edge. A corner is a
+  // point of its body: it also rotates about a solid's own axis, which top_speed() leaves out.
   const auto turning = [](const Mobility& body) { return body.rate * body.rho; };
   const double fastest =
       pair.cso().curved() ? turning(pair.mobility_a()) + turning(pair.mobility_b()) + pair.velocity().norm()

@@ -1,15 +1,18 @@
-// How far apart are two cores as placed? GJK with few operations; it may give up.
+// Computes the distance of two cores as placed. This is GJK with few operations, and it may give up.
 //
-// Notation   y_i = w_i, the simplex's points as the origin sees them;   m = the normal of a triangle;
+// Notation   y_i = w_i, the simplex's points relative to the origin;   m = the normal of a triangle;
 //            n = unit vector from the simplex to the origin;   v = the simplex's point closest to it.
 //
-// As gjk.hpp, and what it hands out is bounded alike:
+// The results have the same bounds as those of gjk.hpp:
 //   upper   the length of a convex combination of support points, as rounded
-//   lower   -n.w of the support point w along a unit n: the pair's error() is of any n
-// But the regions of a simplex are told by signs in plain doubles, and only the feature that is kept is given a
-// unit normal. Where rounding shows, by no feature or no nearer one, a support that was known, a tetrahedron
-// too flat to have a sign or to have weights, it gives up, and gjk.hpp begins anew. [Ericson, Real-Time Collision
-// Detection, 2005, 5.1]
+//   lower   -n.w of the support point w along a unit n: the pair's error() holds for any n
+// The regions of a simplex are determined by signs in plain doubles, and only the feature that is kept gets a unit
+// normal. If rounding becomes visible, it gives up, and gjk.hpp starts from the beginning. It gives up in four cases:
+//   - No feature is closest.
+//   - The closest feature is not nearer than the last one.
+//   - A support was already known.
+//   - A tetrahedron is too flat to have a sign or weights.
+// [Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>
@@ -35,14 +38,14 @@ class FastClosest {
         tetrahedron();
     }
   }
-  // Of the feature that is closest: how many points, 0 where none is known; 4: the origin is inside.
+  // Number of points of the closest feature. 0 if none is known, 4 if the origin is inside.
   [[nodiscard]] int size() const { return kept_; }
   [[nodiscard]] std::size_t index(int i) const { return index_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double lambda(int i) const { return lambda_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double dist_sq() const { return dist_sq_; }
   [[nodiscard]] const Triple& n() const { return n_; }  // of any length
-  // Is |v| = `length` what a sum of the points itself may round to? Of a tetrahedron with one corner far from the
-  // other three the volume may have a sign, and the weights hardly a digit: its v then is far from the origin.
+  // Is |v| = `length` within the rounding of a sum of the points? For a tetrahedron with one corner far from the
+  // other three the volume may have a sign and the weights hardly a correct digit. Its v is then far from the origin.
   [[nodiscard]] bool is_noise(double length) const {
     double longest_sq = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
@@ -77,7 +80,8 @@ class FastClosest {
     if (!(along > 0)) return vertex(a);
     if (!(along < length_sq)) return vertex(b);
     const double t = along / length_sq;
-    // Once more: what the first subtraction left along the edge, which a long edge would make a tilted axis of.
+    // A second pass removes the remainder of the first subtraction along the edge. A long edge would make a tilted
+    // axis of it.
     Triple v = y_[a] + t * ab;
     v = v - (dot(v, ab) / length_sq) * ab;
     const double dist_sq = dot(v, v);
@@ -85,7 +89,7 @@ class FastClosest {
   }
   // m = (b - a) x (c - a).
   void triangle(std::size_t a, std::size_t b, std::size_t c, const Triple& m) {
-    // Which side of each edge, in the triangle's plane, the origin is on.
+    // The side of each edge, in the triangle's plane, on which the origin lies.
     const double la = dot(m, cross(y_[b], y_[c])), lb = dot(m, cross(y_[c], y_[a])),
                  lc = dot(m, cross(y_[a], y_[b]));
     if (la > 0 && lb > 0 && lc > 0) {
@@ -99,7 +103,7 @@ class FastClosest {
     if (!(lc > 0)) edge(a, b);
   }
   void tetrahedron() {
-    // The faces from the newest; the origin is beyond one if the corner opposite to it is on the other side.
+    // The faces from the newest. The origin is beyond a face if the corner opposite to it is on the other side.
     const Triple &a = y_[0], &b = y_[1], &c = y_[2], &d = y_[3];
     const Triple da = a - d, db = b - d, dc = c - d;
     const Triple bc = cross(db, dc), ca = cross(dc, da), ab = cross(da, db);
@@ -128,13 +132,14 @@ class FastClosest {
   std::array<double, 4> lambda_{};
 };
 
-// The distance of the origin from the core of a placed pair; the arguments are those of gjk_distance. False: it
-// gave up, and the simplex is of no more use.
+// The distance of the origin from the core of a placed pair. The arguments are those of gjk_distance. False: it gave
+// up, and the simplex is of no further use.
 inline bool fast_distance(const Cso<double>& cso, Simplex<double>& simplex, double gap, double near_enough,
                           int budget, Distance<double>& out, Counters& counters) {
-  constexpr int kSteps = 24;  // what takes longer is no common case
-  // A distance that is known to a part of what it exceeds near_enough by says as much about the time until contact: a
-  // slice that is a sixteenth shorter costs less than the steps that smooth shapes take to the last digit.
+  constexpr int kSteps = 24;  // a longer search is not a common case
+  // The accepted error of the distance, as a fraction of its excess over near_enough. The estimate of the time until
+  // contact needs no more: a slice that is a sixteenth shorter costs less than the steps to the last digit on smooth
+  // shapes.
   constexpr double kPart = 1.0 / 16;
   if (simplex.size == 0) {
     simplex.add(cso.support(Vec3<double>(-cso.middle())));

@@ -1,14 +1,14 @@
-// Follows a contact that is there at t = 0 until it gets deeper, or the bodies come apart: the start policy
-// pass_over of rotating bodies. A caller uses it to ask what a body that rests on another one hits next.
+// Follows a contact that exists at t = 0 until it gets deeper, or the bodies separate. This is the start policy
+// pass_over of rotating bodies. A caller uses it to find the next contact of a body that rests on another one.
 //
-// Lengths: internal; n unit; s_n(t) = the gap along n at t (slice.hpp), below 0 by how deep the bodies are along n at
-// most. "No deeper than x" is proved by one axis, over a slice of time: s_n >= -x. "Deeper than x" is proved at one time,
-// by pairs that hold a ball of radius x about the origin (contact.hpp). With the allowed depth d,
-//   a slice is passed where an axis shows that the bodies are no deeper than d / 2 on all of it;
-//   the contact got deeper where it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
+// Lengths: internal; n unit. s_n(t) = the gap along n at t (slice.hpp). If negative, the bodies are at most -s_n deep
+// along n. One axis proves "no deeper than x" over a slice of time: s_n >= -x. Pairs that hold a ball of radius x about
+// the origin (contact.hpp) prove "deeper than x" at one time. With the allowed depth d,
+// - a slice is passed if an axis shows that the bodies are no deeper than d / 2 on all of it.
+// - the contact got deeper if it is proved deeper than d / 4, and an axis shows no more than d since the last slice.
 //
-// Over a slice a gap is bounded by the chord of its ends, with what points bend (slice.hpp) or what the arc of the axis
-// allows (arc.hpp).
+// Over a slice a gap is bounded by the chord of its ends and the bend of the points (slice.hpp), or by the arc of the
+// axis (arc.hpp).
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>
@@ -18,9 +18,9 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 struct FollowLimits {
   double end = 1;
   double allowed = 0;   // d: depth of a contact that is followed
-  double apart = 0;     // a gap of more: the bodies came apart
-  double touching = 0;  // a start no farther apart is in contact
-  double width = 0;     // depth that the bracket of a contact that gets deeper may hide; at least d counts
+  double apart = 0;     // the bodies have separated at a larger gap
+  double touching = 0;  // contact at the start if the gap is no larger
+  double width = 0;     // depth that the bracket of a deepening contact may hide, at least d
   double stop = 0;      // of the closest-point searches
   int budget = 0;       // support evaluations
 };
@@ -29,9 +29,9 @@ struct Followed {
   enum class State {
     none,       // no contact at the start
     deep,       // the contact at the start is deeper than is followed
-    open,       // neither of the others is shown from found.lower on
+    open,       // no other state is proved after found.lower
     deeper,     // in [found.lower, found.upper] it gets deeper
-    separated,  // at found.lower the bodies are apart; no deeper contact before
+    separated,  // the bodies are apart at found.lower, with no deeper contact before
     ended,      // no deeper contact until the end
   } state = State::none;
   bool proved = false;  // of `deep`: by pairs
@@ -62,8 +62,8 @@ class ContactFollower {
   }
 
  private:
-  // Parts of the allowed depth: of what is followed, of what a contact that got deeper is proved to have, where such a
-  // time is looked for, and how deep it may be at most by then.
+  // Fractions of the allowed depth: for following a contact, for the proof that it got deeper, for the depth that the
+  // search for that time aims at, and for the largest depth allowed by then.
   static constexpr double kFollowed = 0.5, kProved = 0.25, kSought = 0.7, kDeepest = 0.95;
   // A slice is tried for this many times the last one that was passed.
   static constexpr double kFaster = 16;
@@ -91,7 +91,7 @@ class ContactFollower {
     if (n != Vec3<double>::Zero()) best = pair_.gap(n, counters_);
     if (best >= -followed() / 2) return best;
     if (pair_.radius() > 0) {
-      // The search ended as the balls about the cores met: where the cores are apart, their own axis is the best.
+      // The search ended when the balls about the cores met. If the cores are apart, their own axis is the best.
       Simplex<double> simplex;
       const Distance<double> d = gjk_distance(pair_.cso(), Vec3<double>(Vec3<double>::Zero()), simplex,
                                               pair_.error(), 0.0, limits_.budget, counters_);
@@ -140,7 +140,7 @@ class ContactFollower {
     return out_;
   }
 
-  // From now_ as far as a slice of no more than h passes, and how far that is. None: out_ is the answer.
+  // Advances from now_ by a slice of at most h and returns its length. No value: out_ is the answer.
   std::optional<double> advance(double h) {
     // A time that is known to be deep is not passed.
     if (deep_.t - now_.t <= h) h = towards_deep();
@@ -169,7 +169,7 @@ class ContactFollower {
       }
       if (least) return stopped(Followed::State::open);
       const double tried = t - now_.t, room = std::sqrt(std::max(now_.s + followed(), 0.0));
-      // By this much points bend as far as is followed.
+      // In this time points bend by as much as the depth that is followed.
       const double straight = tried * room / std::sqrt(slope.k);
       if (deep) {
         deeper_ = deep_;
@@ -187,8 +187,9 @@ class ContactFollower {
     return {};
   }
 
-  // Where the contact is due to be as deep as is sought, from now_: of the line through the last two times that are
-  // deep, as what lands is not deep at all before; else of the chord; at least a part of the way and not all of it.
+  // The time from now_ at which the contact is expected to reach the depth aimed at. It comes from the line through
+  // the last two times with depth, because a landing body has no depth before. Otherwise it comes from the chord. The
+  // result is at least a part of the way and never all of it.
   [[nodiscard]] double towards_deep() const {
     const double sought = -kSought * limits_.allowed, way = deep_.t - now_.t;
     const double slope = (deeper_.s - deep_.s) / (deeper_.t - deep_.t);
@@ -213,8 +214,8 @@ class ContactFollower {
     return out;
   }
 
-  // Apart in the middle of a slice whose ends are in contact: the slice ends there, if that can be shown. None: it is
-  // not; 0: it is and cannot.
+  // Are the bodies apart in the middle of a slice whose ends are in contact? The slice ends there, if that can be
+  // proved. No value: they are not apart. 0: they are, and it cannot be proved.
   std::optional<double> hops(const At& there) {
     const double middle = now_.t + (there.t - now_.t) / 2;
     if (!(now_.t < middle && middle < there.t)) return {};
@@ -236,7 +237,7 @@ class ContactFollower {
         .proved;
   }
 
-  // Of a slice: its least gap along an axis, at least, and the k of that bound.
+  // A lower bound of a slice's least gap along an axis, and the k of that bound.
   struct Slope {
     double low = -kInfinity<double>, k = kInfinity<double>;
   };
@@ -255,8 +256,9 @@ class ContactFollower {
     if (best.low < -followed()) along(now_.n, now_.t, there, best);
     return best;
   }
-  // An axis that moves evenly in the axes of the world or of a body, by what is known at both ends. It takes no support. In
-  // between it is shorter than 1, and the bodies are as much deeper along its unit vector.
+  // Uses an axis that moves evenly in the axes of the world or of a body, from the known axes at both ends. No
+  // support evaluations. In between it is shorter than 1, and the bodies are deeper along its unit vector by that
+  // factor.
   void between(const At& there, Slope& best) {
     const double h = there.t - now_.t;
     for (const AxisFrame frame : {AxisFrame::world, AxisFrame::a, AxisFrame::b}) {
@@ -275,8 +277,8 @@ class ContactFollower {
     return (frame == AxisFrame::a && !pair_.mobility_a().turns()) ||
            (frame == AxisFrame::b && !pair_.mobility_b().turns());
   }
-  // n as it stands at `stands`, one of the two ends; in the world, or turning with a body: a face that turns about a point
-  // of the contact keeps its normal.
+  // n has its direction at time `stands`, one of the two ends. It is fixed in the world or rotates with a body: a
+  // face that rotates about a point of the contact keeps its normal.
   void along(const Vec3<double>& n, double stands, const At& there, Slope& best) {
     const double h = there.t - now_.t;
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);

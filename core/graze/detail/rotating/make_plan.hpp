@@ -1,8 +1,8 @@
-// What must be simulated for a pair: the least of nothing, a static query, a linear cast, a rotating cast.
+// Decides which simulation a pair needs: none, a static query, a linear cast, or a rotating cast.
 //
-// Internal lengths. A turn counts as unseen where no point of the body, as a set, gets farther than `noise`
-// from where the linear motion has it: C is then the linear cast's C' within the tier's kappa u scale. In
-// tier certified nothing is below noise but 0. No plan depends on the tolerance.
+// Internal lengths. A rotation is negligible if it moves no point of the body, as a set, by more than `noise` from
+// its position in the linear motion. C is then the linear cast's C' within the tier's kappa u scale. In tier
+// certified only 0 is below noise. No plan depends on the tolerance.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -16,7 +16,7 @@ struct PlanLimits {
   double noise = 0;  // internal length
 };
 
-// Neither body turns: no bounds of turning points are needed.
+// Neither body rotates: no bounds of rotating points are needed.
 template <Scalar S>
 Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, const Economies& economies) {
   Plan out;
@@ -29,8 +29,8 @@ Plan plan_without_rotation(const RotatingBody<S>& a, const RotatingBody<S>& b, c
   return out;
 }
 
-// Both bodies turn alike about one axis, and move alike: they stand still to each other, but for how far the
-// pivots' difference c swings: |c x w| / |w| times the turn's chord.
+// Both bodies rotate equally about one axis, and translate equally. They are at rest relative to each other, except
+// that the pivots' difference c swings: |c x w| / |w| times the chord of the rotation.
 inline double swing_as_one(const MovingPair& pair, double t_end) {
   const Mobility &a = pair.mobility_a(), &b = pair.mobility_b();
   if (a.w != b.w || pair.velocity() != Vec3<double>::Zero()) return kInfinity<double>;
@@ -38,8 +38,8 @@ inline double swing_as_one(const MovingPair& pair, double t_end) {
   return std::min(a.rate * t_end, 2.0) * across;
 }
 
-// Is the pivots' difference exactly parallel to w, which both bodies turn by? What two doubles lost is
-// decided in dyadic numbers: a posed pivot is rational (numeric/vectors.hpp).
+// Is the pivots' difference exactly parallel to w, by which both bodies rotate? The rounding of two doubles is
+// resolved in dyadic numbers: a posed pivot is rational (numeric/vectors.hpp).
 template <Scalar S>
 bool swing_about_one_line(const RotatingBody<S>& a, const RotatingBody<S>& b) {
   const auto pivot_of = [](const RotatingBody<S>& moving) {
@@ -57,13 +57,13 @@ bool swing_about_one_line(const RotatingBody<S>& a, const RotatingBody<S>& b) {
   return true;
 }
 
-// The bodies turn as one as far as the noise lets one see, or where there is none exactly.
+// Do the bodies rotate as one within the noise, or exactly if the noise is 0?
 template <Scalar S>
 bool turn_as_one(const MovingPair& pair, const RotatingBody<S>& a, const RotatingBody<S>& b,
                  const PlanLimits& limits) {
   const double swing = swing_as_one(pair, limits.t_end);
   if (swing <= limits.noise) return true;
-  // A chord is 2 at most: what swings by more than was lost, swings.
+  // A chord is at most 2. A swing of more than the rounding error is a swing.
   return swing <= 4 * pair.drift_lost() && swing_about_one_line(a, b);
 }
 

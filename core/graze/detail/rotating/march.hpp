@@ -1,17 +1,19 @@
-// The safe march: from contact-free time to contact-free time, until contact is proved.
+// The safe march: steps from one contact-free time to the next until contact is proved.
 //
-// Internal lengths; t as the caller's. While the bodies are farther apart than `stop`, slices that an axis
-// proves free of contact (slice.hpp). Nearer than that axes do not lead; where the bodies turn almost as one,
-// nearer than an axis that turns with them can tell. Bodies within `touching` are in contact, if the caller takes
-// that for contact. Otherwise the march walks forward from there,
-// at first by what cannot pass through more than twice `stop`, then by twice as much, never by more than what
-// keeps the unseen depth below `stop`, until contact is proved (contact.hpp, crossing.hpp), and back by
-// halves where that was late, or the bodies are apart again. The time at which it began to walk is the lower
-// end of the bracket, whatever follows. A tie that the walk proves neither way stays open after kMostTieSupports.
+// Internal lengths, t as the caller's. While the bodies are farther apart than `stop`, the march takes slices that an
+// axis proves free of contact (slice.hpp). At smaller gaps no axis gives a useful slice. For bodies that rotate
+// almost as one, the limit is the accuracy of an axis that rotates with them. Bodies within `touching` are in
+// contact, if the caller accepts that as contact.
 //
-// A `width` ends the same march earlier and changes nothing else: where the closest points in hand, carried to a
-// time shortly after, prove contact there. That takes no support, so a wider bracket never costs more supports than
-// the least one, and as the contact is proved the verdict is the same.
+// Otherwise the march walks forward from there until contact is proved (contact.hpp, crossing.hpp), or the bodies are
+// apart again. The first stride is one that cannot pass through more than twice `stop`. Each further stride is twice
+// as long, but never so long that the unseen depth reaches `stop`. If the proof came late, the walk goes back by
+// halves. The lower end of the bracket is always the time at which the walk began. A tie that the walk proves neither
+// way stays open after kMostTieSupports.
+//
+// A `width` ends the same march earlier and changes nothing else. It ends the march if the current closest points,
+// carried to a time shortly after, prove contact there. This takes no support evaluation, so a wider bracket never
+// costs more of them than the least one. As the contact is proved, the verdict is the same.
 #pragma once
 
 #include <graze/detail/rotating/crossing.hpp>
@@ -41,7 +43,7 @@ class Marcher {
 
   March operator()() {
     walk();
-    // What stays open within the stop has a place, too.
+    // A cast that stays open within the stop has a location, too.
     if (out_.outcome == Outcome::not_converged && open_ && !left_to_caller_ && !is_spent()) name_contact();
     return std::move(out_);
   }
@@ -74,9 +76,9 @@ class Marcher {
     }
   }
 
-  // The gap below which slices do not lead. Bodies on long arms that turn alike move fast, and hardly to each
-  // other: axes of the world give slices of next to no length, and what those of a body cost in rounding is
-  // more than the stop.
+  // The gap below which slices make no progress. Bodies on long arms that rotate equally move fast, but hardly
+  // relative to each other. World axes give slices of almost no length, and the rounding of a body's axes is larger
+  // than the stop.
   static double too_near(const MovingPair& pair, const MarchLimits& limits) {
     constexpr double kAlmostAsOne = 0x1p-6;
     const double cost = std::max(pair.frame_error(AxisFrame::a), pair.frame_error(AxisFrame::b));
@@ -98,7 +100,7 @@ class Marcher {
     now_ = {t, near};
     if (near.n != Vec3<double>::Zero()) axis_ = near.n;
     if (open_) return;
-    GRAZE_ASSERT(t >= out_.lower);  // what was proved stays proved
+    GRAZE_ASSERT(t >= out_.lower);  // the proof so far stays valid
     met_at_lower_ = near.met;
     out_.lower = t;
     out_.apart = near.apart;
@@ -111,7 +113,8 @@ class Marcher {
   // False: the end of the slice is no later double. With the budget spent nothing moves on.
   bool slice_on() {
     Slice slice = search_(now_, before_);
-    // A search cut short says less than a whole one, or more: what counts is what more budget would find too.
+    // A search cut short proves less than a complete one, or more. Its slice is dropped: a larger budget might not
+    // find it.
     if (is_spent()) return true;
     if (!(slice.end > now_.t)) return false;
     if (limits_.record && !open_) out_.chain.push_back({slice.end, slice.axis, slice.frame});
@@ -154,13 +157,13 @@ class Marcher {
     if (met_at_lower_ || out_.n == Vec3<double>::Zero()) out_.n = entry_normal();
   }
 
-  // Within `width` of contact: do the closest points in hand, where they are a little later, prove it? By then the
-  // bodies have neared each other by what they are apart, a quarter of it for what is not linear in time, and
-  // 4 stops for what a proof rounds.
+  // Within `width` of contact: do the current closest points, at their positions a little later, prove it? By then
+  // the bodies have approached by their distance, a quarter of it for the terms that are not linear in time, and 4
+  // stops for the rounding of a proof.
   bool closes_in_hand() {
     const double apart = now_.near.apart, way = 1.25 * apart + 4 * limits_.stop;
     if (!(way <= limits_.width && now_.t > 0)) return false;
-    // A pair that is left where it was goes the way that it goes without a tolerance, to the bit.
+    // The pair returns to its time, so that the march continues as without a tolerance, to the bit.
     const double placed = pair_.time();
     if (closes_after(way)) return true;
     place(placed);
@@ -193,9 +196,9 @@ class Marcher {
   // The points of a crossing have names in a proof where none is a curved part's.
   [[nodiscard]] bool may_cross() const { return !limits_.record || !pair_.cso().curved(); }
 
-  // At `lower`, in contact or almost. The search knew only that the balls about the cores meet: the axis of
-  // the cores, where they are apart, with their closest points. Else where the line from the origin to C's
-  // middle enters C.
+  // At `lower`, in contact or almost. The search found only that the balls about the cores meet. The normal is the
+  // axis of the cores with their closest points, if the cores are apart. Otherwise it is the normal at the point at
+  // which the line from the origin to C's middle enters C.
   Vec3<double> entry_normal() {
     pair_.place(out_.lower);
     const Cso<double>& cso = pair_.cso();
@@ -212,7 +215,7 @@ class Marcher {
     const Vec3<double> n = facing_from_middle();
     return n != Vec3<double>::Zero() ? n : away_from_middle(pair_);
   }
-  // Of C's face where the line from the origin to C's middle enters C; zero where that is not known.
+  // The normal of C's face at which the line from the origin to C's middle enters C. Zero if that is not known.
   Vec3<double> facing_from_middle() {
     const Cso<double>& cso = pair_.cso();
     if (cso.middle() == Vec3<double>::Zero()) return Vec3<double>::Zero();
@@ -234,7 +237,7 @@ class Marcher {
     return true;
   }
 
-  // Where strides had grown before contact was proved, the first time at which it is lies nearer: by halves.
+  // If strides had grown before contact was proved, bisects for an earlier time with proved contact.
   void come_back() {
     constexpr int kHalves = 6;
     const double fast = speed_on();
@@ -263,9 +266,9 @@ class Marcher {
     return true;
   }
 
-  // In contact the search has no axis, and that of the last gap may be of another face: a crate that yaws from one tile
-  // onto the next meets its edge, and then rests on its top, along which nothing moves. Where the axis does not support C,
-  // that of the face that the origin is on does.
+  // In contact the search has no axis, and the last gap's axis may belong to another face. A crate that yaws from one
+  // tile onto the next meets its edge, and then rests on its top, along which nothing moves. If the axis does not
+  // support C, the normal of the face that holds the origin does.
   void face_contact() {
     if (now_.near.n != Vec3<double>::Zero() || supports(axis_)) return;
     const Vec3<double> n = facing_from_middle();

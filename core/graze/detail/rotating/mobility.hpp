@@ -1,24 +1,24 @@
-// How fast a turning body's points move along an axis: the bounds that every safe step rests on.
+// Bounds the speed of a rotating body's points along an axis. Every safe step relies on these bounds.
 //
-// Lengths in the unit of the points given, angles in radians, t in units of the step. n is a unit vector in
-// world axes, w the rotation vector, x(t) = R(w t) x_0 a point about the pivot. Then
+// Lengths in the unit of the points given, angles in radians, t in units of the step. The unit vector n is in
+// world axes, w is the rotation vector, x(t) = R(w t) x_0 a point about the pivot. Then
 //   |d/dt n.x|      = |(n x w) . x| <= |n x w| rho            rho: largest distance from the axis of rotation
 //   |d^2/dt^2 n.x|  = |n_perp . x_perp| |w|^2 <= |w| |n x w| rho      (n_perp, x_perp: across w).
-// The ball of a sphere, a capsule or a rounded shape turns with no effect, so rho is the core's alone: a ball
-// about its centre and a capsule about its axis do not move.
+// The ball of a sphere, a capsule or a rounded shape rotates with no effect, so rho is the core's alone. A ball about
+// its centre and a capsule about its axis do not move.
 //
-// A solid of revolution is the same set whatever its turn about its own axis a, so its points may be followed
-// in a frame that turns by w less its part along a(t), of length |w x a|, constant. About the foot c of the
-// pivot on the axis, with s = a.w and r the largest |x_0 - c|:
+// A solid of revolution is the same set however it is rotated about its own axis a. Its points may therefore be
+// followed in a frame that rotates by w less its part along a(t), of length |w x a|, constant. About the foot c
+// of the pivot on the axis, with s = a.w and r the largest |x_0 - c|:
 //   velocity     <= |n x w| |c_perp| + |w x a| r
 //   acceleration <= |w| |n x w| |c_perp| + |w x a| (|w x a| + |s|) r
 // The lesser of both bounds counts.   [Mirtich 1996, 2.3: the first bound, with |w| rho for |n x w| rho.]
 //
-// Rounding. Each number here is raised above what it stands for. Two of them vanish where their operands are
+// Rounding. Each number here is an upper bound of the exact value. Two of them are 0 if their operands are
 // parallel or cancel, and no factor raises a 0:
-//   n x w    is formed from exact products (`length_of_cross`): it is 0 only where n and w are parallel;
-//   arms     x - pivot: the difference is exact, hi + lo, what is left out counts whole (`Arm`).
-// tests/bounds holds each against ball arithmetic.
+//   n x w    is formed from exact products (`length_of_cross`). It is 0 only if n and w are parallel.
+//   arms     x - pivot: the difference is exact, hi + lo, and the discarded part counts whole (`Arm`).
+// tests/bounds checks each against ball arithmetic.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -27,15 +27,15 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// |l x r|, not below, and above by 2^-39 of itself at most; 0 only if the cross product is.
+// Returns |l x r|, never too small, and too large by at most 2^-39 of itself. It is 0 only if the cross product is 0.
 //
-// Where the angle is not small, in plain doubles: an entry is within u (|l_j r_k| + |l_k r_j|) and u of itself,
-// the vector within 3 u |l| |r| and 2 u of itself. If its length exceeds 2^-10 |l| |r|, that is less than 2^-41 of
-// it, and 2^-40 makes up for all. Squares of the lengths within 2^+-400 keep every rounding relative: what may
-// vanish in a product is below 2^-1074, and 2^-800 is not.
-// Else a difference of two exact products, within 2^-100 of itself (offset.hpp), however much cancels; above by
-// 16 u at most. Components of r are 0 or above 2^-200, so products are exact unless one of l's is below 2^-700:
-// that part of l is then counted whole.
+// If the angle is not small, it is computed in plain doubles. An entry is within u (|l_j r_k| + |l_k r_j|) and u of
+// itself, the vector within 3 u |l| |r| and 2 u of itself. If its length exceeds 2^-10 |l| |r|, that is less than
+// 2^-41 of it, and 2^-40 makes up for all. Squares of the lengths within 2^+-400 keep every rounding relative: the
+// underflow of a product is below 2^-1074, and 2^-800 is not. Otherwise each entry is a difference of two exact
+// products, within 2^-100 of itself (offset.hpp), however much cancels. The result is too large by at most 16 u.
+// Components of r are 0 or above 2^-200, so products are exact unless a component of l is below 2^-700. Such a part
+// of l is counted whole.
 inline double length_of_cross(const Vec3<double>& l, const Vec3<double>& r) {
   const double l_sq = l.squaredNorm(), r_sq = r.squaredNorm();
   if (l_sq > 0x1p-400 && l_sq < 0x1p400 && r_sq > 0x1p-400 && r_sq < 0x1p400) {
@@ -61,10 +61,10 @@ struct Mobility {
   double rate = 0;   // |w|
   double rho = 0;    // largest distance of the core's points from the axis of rotation
   double reach = 0;  // and from the pivot
-  // Whatever the turn, the core is in the cylinder of radius rho about the axis of rotation, between these
-  // two heights along w from the pivot.
+  // However the body rotates, the core is in the cylinder of radius rho about the axis of rotation, between these two
+  // heights along w from the pivot.
   double low = 0, high = 0;
-  bool revolves = false;      // a solid of revolution: the second kind of bound exists
+  bool revolves = false;      // a solid of revolution: the second bound exists
   double tilt_rate = 0;       // |w x a|
   double own_rate = 0;        // |a.w|
   double center_rho = 0;      // |c_perp|
@@ -73,15 +73,15 @@ struct Mobility {
   [[nodiscard]] bool turns() const { return rate > 0; }
   // |n x w|
   [[nodiscard]] double across(const Vec3<double>& n) const { return length_of_cross(n, w); }
-  // Of the turn alone, the motion that all points share not counted.
+  // Speed due to the rotation alone, without the translation that all points share.
   [[nodiscard]] double speed(const Vec3<double>& n) const {
     if (!turns()) return 0;
     const double sine = across(n), plain = sine * rho;
     return revolves ? std::min(plain, sine * center_rho + tilt_rate * revolved_reach) : plain;
   }
   [[nodiscard]] double acceleration(const Vec3<double>& n) const { return acceleration_for(across(n)); }
-  // The same, of an n for which |n x w| is known. Of an n that moves evenly, by axis_rate in a unit of t, the second
-  // derivative of n.x has 2 n'.x' more: twice axis_rate times the speed.
+  // The same for an n for which |n x w| is known. If n moves evenly, by axis_rate per unit of t, the second
+  // derivative of n.x gains 2 n'.x': twice axis_rate times the speed.
   [[nodiscard]] double acceleration_for(double across, double axis_rate = 0) const {
     if (!turns()) return 0;
     const double sine = rate * (across + 2 * axis_rate), plain = sine * rho;
@@ -89,14 +89,14 @@ struct Mobility {
     return std::min(plain,
                     sine * center_rho + tilt_rate * (tilt_rate + own_rate + 2 * axis_rate) * revolved_reach);
   }
-  // How far the body as a set gets from where it was, at most, within time t.
+  // Largest displacement of the body as a set due to its rotation within time t.
   [[nodiscard]] double rotation_displacement(double t) const {
     if (!turns()) return 0;
     const double chord = std::min(rate * t, 2.0);
     if (!revolves) return chord * rho;
     return chord * std::min(rho, center_rho + tilt_rate / rate * revolved_reach);
   }
-  // Of any point of the body as a set, along any n.
+  // Largest acceleration of any point of the body as a set, along any n.
   [[nodiscard]] double top_acceleration() const {
     if (!turns()) return 0;
     const double plain = rate * rate * rho;
@@ -110,7 +110,7 @@ struct Mobility {
   }
 };
 
-// The axis of revolution of a shape, own frame: 0, 1, 2, or -1 where there is none.
+// The axis of revolution of a shape, own frame: 0, 1 or 2, or -1 if the shape has no such axis.
 template <Scalar S>
 int axis_of_revolution(const Shape<S>& shape) {
   if (std::holds_alternative<Cylinder<S>>(shape) || std::holds_alternative<Cone<S>>(shape)) return 2;
@@ -122,14 +122,14 @@ int axis_of_revolution(const Shape<S>& shape) {
   return -1;
 }
 
-// Every axis is one of revolution.
+// Is every axis an axis of revolution?
 template <Scalar S>
 bool is_ball(const Shape<S>& shape) {
   const auto* e = std::get_if<Ellipsoid<S>>(&shape);
   return e && e->radii[0] == e->radii[1] && e->radii[1] == e->radii[2];
 }
 
-// The shape without what rounds it and without poses that do nothing: of the same core, and often a leaf,
+// The shape without its rounding and without poses that have no effect. It has the same core and is often a leaf,
 // whose bounds are exact.
 template <Scalar S>
 const Shape<S>& unwrapped(const Shape<S>& shape) {
@@ -140,8 +140,8 @@ const Shape<S>& unwrapped(const Shape<S>& shape) {
   return shape;
 }
 
-// Is w exactly along the body's own axis? Without an orientation, or with one that permutes the axes, that
-// can be read off the numbers.
+// Is w exactly along the body's own axis? The numbers show this for a body without an orientation, or with one that
+// permutes the axes.
 template <Scalar S>
 bool is_along_own_axis(const RotatingBody<S>& moving, int own) {
   const Quaternion<double> q = as_double(moving.body.orientation);
@@ -150,8 +150,8 @@ bool is_along_own_axis(const RotatingBody<S>& moving, int own) {
   return length_of_cross(a, wide(moving.rotation)) == 0;
 }
 
-// From the pivot to the body's point base + rest, own frame: near it by `lost` at most, |base| + |rest| and
-// |pivot| of any size.
+// The vector from the pivot to the body's point base + rest, own frame. Its error is at most `lost`. The lengths
+// |base| + |rest| and |pivot| may be of any size.
 struct Arm {
   Vec3<double> x;
   double lost = 0;
@@ -181,15 +181,15 @@ class AxisOfRotation {
 
  private:
   bool permutes_ = false;
-  Vec3<double> w_ = Vec3<double>::Zero();  // own axes, where those are the world's in another order
+  Vec3<double> w_ = Vec3<double>::Zero();  // own axes, if those are the world's in another order
 };
 template <Scalar S>
 bool is_on_axis(const RotatingBody<S>& moving, const Arm& arm) {
   return AxisOfRotation<S>(moving).holds(arm);
 }
 
-// Calls visit(base, rest) for points base + rest in the body's own frame whose hull holds the core, as far as
-// `beyond_bounds` says: its vertices, or the corners of its bounds.
+// Calls visit(base, rest) for points base + rest in the body's own frame. Their hull holds the core up to the
+// distance `beyond_bounds`. The points are its vertices, or the corners of its bounds.
 template <Scalar S, class Visit>
 void for_each_outer_point(const Shape<S>& shape, const Bounds& bounds, const Visit& visit) {
   const Vec3<double> zero = Vec3<double>::Zero();
@@ -218,9 +218,9 @@ bool is_combined(const Shape<S>& shape) {
          std::holds_alternative<Sum<S>>(shape) || std::holds_alternative<HullOf<S>>(shape);
 }
 
-// How far a point of the core may lie from the hull of the outer points. Of a leaf nothing rounds; a
-// combinator's bounds come from its own support points, one u of their coordinates each for the last sum, the
-// rest as tree.hpp counts it; points and choice both, as a greatest coordinate is either's.
+// Largest distance of a point of the core from the hull of the outer points. A leaf has no rounding. A combinator's
+// bounds come from its own support points. They add one u of their coordinates each for the last sum, and the rest as
+// tree.hpp counts it. Points and choice both count, as a greatest coordinate is either's.
 template <Scalar S>
 double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
   if (!is_combined(shape)) return 0;
@@ -230,20 +230,20 @@ double beyond_bounds(const Shape<S>& shape, const Bounds& bounds) {
               3 * kTwoDoublesOfANode * nodes_of<S>(shape) * lengths_of<S>(shape));
 }
 
-// What is made of an arm: a rotated vector is within 0.6 sqrt(3) u and a product's 3 u, a cross product with
-// a unit vector, itself within 4 u, adds 7 u: 12 u in all.
+// Error of the quantities computed from an arm. A rotated vector is within 0.6 sqrt(3) u and a product's 3 u. A cross
+// product with a unit vector, itself within 4 u, adds 7 u, so the total is 12 u.
 inline constexpr double kMobilityRounding = 16;
 
-// Of a body that does not turn only the reach counts, from a point of its own frame, within 8 u of itself.
+// For a body that does not rotate only the reach counts, from a point of its own frame, within 8 u of itself.
 inline double reach_at_rest(const Bounds& bounds, double beyond, const Vec3<double>& from) {
   const Arm middle(bounds.center, bounds.middle, from);
   const Vec3<double> most = bounds.half + middle.x.cwiseAbs();
   return (most.norm() + middle.lost + beyond) * (1 + kMobilityRounding * kUnitRoundoff<double>);
 }
 
-// unit: what one world length is; `bounds` are those of the unwrapped shape. pivot: the centre of the
-// rotation, or any point for a body that does not turn. turn: the rotation of a body's orientation, entries
-// within 0.6 u; not read of one that does not turn.
+// unit: the internal length of one world length. `bounds` are those of the unwrapped shape. pivot: the centre of
+// rotation, or any point for a body that does not rotate. turn: the rotation of a body's orientation, entries within
+// 0.6 u. It is not read for a body that does not rotate.
 template <Scalar S>
 Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, const Bounds& bounds, double unit,
                   const Mat3<double>& turn) {
@@ -261,7 +261,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   out.low = kInfinity<double>;
   out.high = -kInfinity<double>;
   const AxisOfRotation<S> about(moving);
-  // The greatest length of all, and the greatest slack of all: not below what any point has of both.
+  // The greatest length of all, and the greatest slack of all: an upper bound of both for every point.
   double across_sq = 0, arm_sq = 0, across_slack = 0, arm_slack = 0;
   for_each_outer_point(shape, bounds, [&](const Vec3<double>& base, const Vec3<double>& rest) {
     const Arm own(base, rest, pivot);
@@ -280,7 +280,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
   out.reach = unit * (std::sqrt(arm_sq) + arm_slack);
   const Vec3<double> zero = Vec3<double>::Zero();
   if (is_ball<S>(shape)) {
-    // About an axis along w: it turns with its centre.
+    // For an axis along w: it rotates with its centre.
     const Arm center(zero, zero, pivot);
     out.revolves = true;
     out.own_rate = out.rate;
@@ -292,7 +292,7 @@ Mobility mobility(const RotatingBody<S>& moving, const Vec3<double>& pivot, cons
     const Vec3<double> a = turn.col(own);
     out.tilt_rate = is_along_own_axis(moving, own) ? 0.0 : out.w.cross(a).norm() + noise * out.rate;
     out.own_rate = std::abs(out.w.dot(a)) * raise + noise * out.rate;
-    Vec3<double> foot = -pivot;  // of the pivot on the axis, about the pivot
+    Vec3<double> foot = -pivot;  // foot of the pivot on the axis, relative to the pivot
     foot[own] = 0;
     out.center_rho =
         foot == zero ? 0.0 : unit * (axis.cross(turn * foot).norm() + noise * foot.cwiseAbs().sum());

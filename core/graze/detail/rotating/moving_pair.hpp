@@ -1,17 +1,17 @@
-// Two turning bodies as a CSO that can be placed at any time.
+// Represents two rotating bodies as a CSO that can be placed at any time.
 //
-// Frame: world axes, origin on the path of A's pivot, c_A + v_A t; internal units of cso.hpp (world lengths
-// times 2^-k, k that of t = 0). With the arms r_X = R(orientation)(center - pivot) at t = 0 and the bodies'
-// turns R_X(t),
+// Frame: world axes, origin on the path of A's pivot, c_A + v_A t. Internal units of cso.hpp (world lengths
+// times 2^-k, k that of t = 0). The arms are r_X = R(orientation)(center - pivot) at t = 0, and R_X(t) are the
+// bodies' rotations. Then
 //   offset(t) = (c_B - c_A) + (v_B - v_A) t + R_B(t) r_B - R_A(t) r_A,
-// summed in two doubles and rounded once: large common positions, and arms of many sizes, cost nothing.
-// The rounding of what the CSO then says is cso.hpp's; `error()` is what it comes to.
+// summed in two doubles and rounded once. Large common positions and arms of many sizes cost no accuracy.
+// cso.hpp bounds the rounding of the CSO's results. `error()` is the total.
 //
-// How fast points move to each other is the sum of how fast either moves, or, where both bodies turn by one w
-// exactly, what is left of it: x_B - x_A = (c_B - c_A) + v t + R(t) (r_B - r_A + y_B - y_A), y from the
-// centres, so with `common_rho` the largest distance of r_B - r_A + y_B - y_A from the axis
+// The relative speed of points is bounded by the sum of both bodies' speeds. If both bodies rotate by exactly
+// one w, the common part cancels: x_B - x_A = (c_B - c_A) + v t + R(t) (r_B - r_A + y_B - y_A), y from the
+// centres. Let `common_rho` be the largest distance of r_B - r_A + y_B - y_A from the axis. Then
 //   |d/dt n.(x_B - x_A - v t)| <= |n x w| common_rho,     |d^2/dt^2 n.(x_B - x_A)| <= |w| |n x w| common_rho.
-// Bodies on equal arms about pivots apart stay as they are to each other, however long the arms.
+// Bodies on equal arms about different pivots do not move relative to each other, however long the arms.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -23,12 +23,12 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// One body's turning: its rotation and its arm at any time.
+// One body's rotation and arm at any time.
 struct TurningSide {
   TurnsAbout turns{Vec3<double>::Zero()};
   Quaternion<double> start;  // scaled by a power of two, so that its components are near 1
   Mat3<double> start_rotation = Mat3<double>::Identity();
-  TurnedRotation rotation;                    // of a body that turns
+  TurnedRotation rotation;                    // of a rotating body
   Vec3<double> pivot = Vec3<double>::Zero();  // own frame, world lengths
   TwoDoubles3 arm{};                          // internal units
   bool has_arm = false;
@@ -59,7 +59,7 @@ inline TwoDoubles3 posed(const Quaternion<double>& q, const Vec3<double>& x) {
   return q.is_identity() || x == Vec3<double>::Zero() ? exactly(x) : rotate_accurately(q, x);
 }
 
-// Valid while the bodies live; they must have passed the door. Placing is cheap beside a closest-point
+// Valid while the bodies live. The bodies must have passed validation. Placing is cheap compared with a closest-point
 // search.
 class MovingPair {
  public:
@@ -91,7 +91,7 @@ class MovingPair {
 
   void place(double t) {
     GRAZE_ASSERT(t >= 0 && t < kInfinity<double>);
-    // A slice is asked for at its ends in turns.
+    // A slice queries its two ends alternately.
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       if (placed_[i].t == t) return stand(i);
     }
@@ -105,19 +105,19 @@ class MovingPair {
 
   [[nodiscard]] double time() const { return t_; }
   [[nodiscard]] const Cso<double>& cso() const { return cso_; }
-  [[nodiscard]] double radius() const { return radius_; }  // of both cores' balls and the target distance
+  [[nodiscard]] double radius() const { return radius_; }  // both cores' balls and the target distance
   [[nodiscard]] double scale() const { return cso_.scale(); }
   [[nodiscard]] double target() const { return target_; }
-  [[nodiscard]] int poses() const { return poses_; }  // those that were computed
+  [[nodiscard]] int poses() const { return poses_; }  // number of computed poses
   [[nodiscard]] const Mobility& mobility_a() const { return a_.mobility; }
   [[nodiscard]] const Mobility& mobility_b() const { return b_.mobility; }
   [[nodiscard]] Vec3<double> velocity() const { return rounded_once(velocity_); }
-  // c_B - c_A at t = 0, within u of itself and pivots_error(): what is left where far pivots cancel.
+  // c_B - c_A at t = 0, within u of itself and pivots_error(): the remainder if distant pivots cancel.
   [[nodiscard]] Vec3<double> pivots() const { return rounded_once(pivots_); }
   [[nodiscard]] double pivots_error() const { return 0x1p-96 * lengths_; }
-  // Own frame, world lengths: the given centre of rotation, or a point of a body that does not turn.
+  // Own frame, world lengths: the given centre of rotation, or a point of a body that does not rotate.
   [[nodiscard]] const Vec3<double>& pivot_a() const { return a_.pivot; }
-  // |w x (c_B - c_A)|, and what the two doubles that it is formed in may have lost, over |w|.
+  // |w x (c_B - c_A)| over |w|, raised by the rounding error of the two doubles that hold it.
   [[nodiscard]] double pivot_drift(const Mobility& body) const {
     if (!body.turns()) return 0;
     Vec3<double> product;
@@ -130,42 +130,42 @@ class MovingPair {
     return product.stableNorm() * (1 + 16 * kUnitRoundoff<double>)+body.rate * drift_lost();
   }
   [[nodiscard]] double drift_lost() const { return pivots_error() + 0x1p-96 * pivots().norm(); }
-  // From A's pivot to the centres of the sides (cso.hpp) as placed.
+  // Vectors from A's pivot to the centres of the sides (cso.hpp) as placed.
   [[nodiscard]] Vec3<double> center_a() const { return rounded_once(now().arm_a); }
   [[nodiscard]] Vec3<double> center_b() const { return rounded_once(now().arm_b); }
-  // Unrounded: far from the pivot, a point of the body is as near its centre as the body is large.
+  // Not rounded: far from the pivot, the distance of a point from its centre is about the body's size.
   [[nodiscard]] const TwoDoubles3& center_a_in_two() const { return now().arm_a; }
   [[nodiscard]] const TwoDoubles3& center_b_in_two() const { return now().arm_b; }
-  // And to B's pivot.
+  // The vector from A's pivot to B's pivot.
   [[nodiscard]] const Vec3<double>& pivot_b_now() const { return now().pivot_b; }
 
-  // A bound of the rounding of the gap along any unit axis.
+  // An error bound of the gap along any unit axis.
   [[nodiscard]] double error() const { return now().error; }
-  // Of the offset, where it is what is left of lengths that cancel. Turned arms are within turn_error of
-  // their lengths (turn.hpp), what is posed within 2^-98, and ways within 2^-100; at the start no arm counts.
+  // Error bound of the offset, which is a difference of lengths that cancel. Rotated arms are within turn_error of
+  // their lengths (turn.hpp), posed arms within 2^-98, and translations within 2^-100. At the start no arm counts.
   [[nodiscard]] double offset_error() const {
     if (t_ == 0) return 0x1p-96 * start_lengths_;
     const double angle = std::max(a_.mobility.rate, b_.mobility.rate) * t_;
     return 2 * turn_error(angle) * lengths_ + 0x1p-89 * speed_ * t_;
   }
-  // min over B of n.b - max over A of n.a, less the target distance: not above the true one, n unit.
+  // A lower bound of min over B of n.b - max over A of n.a, less the target distance, n unit.
   [[nodiscard]] double gap(const Vec3<double>& n, Counters& counters) const {
     ++counters.supports;
     return gap_of(cso_.support(n).w, n);
   }
-  // Of one point of C.
+  // The gap of one point of C.
   [[nodiscard]] double gap_of(const Vec3<double>& w, const Vec3<double>& n) const {
     return -n.dot(w) - radius_ - error();
   }
-  // The gap along a fixed n shrinks by no more than this in one unit of t.
+  // Upper bound of the rate at which the gap along a fixed n shrinks, per unit of t.
   [[nodiscard]] double closing(const Vec3<double>& n) const {
     const Vec3<double> v = velocity();
     const double each = a_.mobility.speed(n) + b_.mobility.speed(n);
     return (turns_in_common() ? std::min(each, a_.mobility.across(n) * common_rho_) : each) - n.dot(v) +
            8 * kUnitRoundoff<double> * v.cwiseAbs().sum();
   }
-  // An axis that turns with a body (frame a or b), from the body's own axes to the world as placed, and back;
-  // each within 24 u.
+  // Converts an axis that rotates with a body (frame a or b) from the body's own axes to the world as placed, and
+  // back. Each conversion is within 24 u.
   [[nodiscard]] Vec3<double> to_world(AxisFrame frame, const Vec3<double>& n) const {
     return frame == AxisFrame::world
                ? n
@@ -176,18 +176,18 @@ class MovingPair {
                ? n
                : Vec3<double>((frame == AxisFrame::a ? now().rotation_a : now().rotation_b).transpose() * n);
   }
-  // In world axes at t = 0.
+  // The axis in world axes at t = 0.
   [[nodiscard]] Vec3<double> to_start(AxisFrame frame, const Vec3<double>& own) const {
     return frame == AxisFrame::world ? own
                                      : Vec3<double>((frame == AxisFrame::a ? a_ : b_).start_rotation * own);
   }
-  // What that rounding does to the gap along a turned axis.
+  // Error bound of the gap along a rotated axis, from that rounding.
   [[nodiscard]] double frame_error(AxisFrame frame) const {
     return frame == AxisFrame::world ? 0.0 : 64 * kUnitRoundoff<double> * (cso_.extent() + radius_);
   }
-  // As bend(), for an axis that turns with a body, n as it stands now, within 64 u (to_world, to_own and
-  // to_start), for times up to t_end. Seen from A, positions
-  // are taken from the path of its pivot, in its axes: x = R_A^T (R_B p + c + v t). A's points stand still, and
+  // As bend(), for an axis that rotates with a body, n in its current direction, within 64 u (to_world, to_own
+  // and to_start), for times up to t_end. Seen from A, positions are taken from the path of its pivot, in its
+  // axes: x = R_A^T (R_B p + c + v t). A's points are at rest, and
   //   |n.x''| <= |w_B - w_A| (|w_A| + |w_B|) |p| + |w_A x n| (2 |v| + |w_A x c| + |w_A x v| t),
   // since, with d = w_B - w_A,
   //   (R_A^T R_B)'' = R_A^T ([d][w_B] - [w_A][d]) R_B,
@@ -196,15 +196,15 @@ class MovingPair {
     if (frame == AxisFrame::world) return bend(n);
     return bend_of(frame, (frame == AxisFrame::a ? a_ : b_).mobility.across(n), t_end);
   }
-  // Of the frames world, a and b.
+  // The bends in the frames world, a and b.
   [[nodiscard]] std::array<double, 3> bends(const Vec3<double>& n, double t_end) const {
     const double across_a = a_.mobility.across(n), across_b = b_.mobility.across(n);
     return {bend_of_world(across_a, across_b), bend_of(AxisFrame::a, across_a, t_end),
             bend_of(AxisFrame::b, across_b, t_end)};
   }
-  // As bend(), for an axis that moves evenly in the frame's axes, from n_0 as it stands in the world at t_0 to n_1 at t_1.
-  // In between it is no longer than 1, and |n x w| no more than at an end. The second derivative of n.x has 2 n'.x' more.
-  // Leaves the bodies at t_1.
+  // As bend(), for an axis that moves evenly in the frame's axes, from n_0 in the world at t_0 to n_1 at t_1. In
+  // between, its length is at most 1, and |n x w| is at most its value at an end. The second derivative of n.x gains
+  // 2 n'.x'. Leaves the bodies at t_1.
   [[nodiscard]] double bend_between(AxisFrame frame, const Vec3<double>& n_0, double t_0,
                                     const Vec3<double>& n_1, double t_1, double t_end) {
     const auto across = [&](const Mobility& m) { return std::max(m.across(n_0), m.across(n_1)); };
@@ -218,7 +218,7 @@ class MovingPair {
             2 * axis_rate * relative_speed(frame, t_end)) *
            raise;
   }
-  // |m_1 - m_0|: m_i = n_i as above in the frame's axes. Leaves the bodies at t_1.
+  // Returns |m_1 - m_0|, where m_i is n_i as above in the frame's axes. Leaves the bodies at t_1.
   [[nodiscard]] double axis_change(AxisFrame frame, const Vec3<double>& n_0, double t_0,
                                    const Vec3<double>& n_1, double t_1) {
     if (frame == AxisFrame::world) return (n_1 - n_0).norm() * (1 + 8 * kUnitRoundoff<double>);
@@ -227,9 +227,9 @@ class MovingPair {
     place(t_1);
     return (to_own(frame, n_1) - m_0).norm() + 64 * kUnitRoundoff<double>;
   }
-  // How fast the one body's points move at most as seen in the axes of the other, from the path of its pivot,
-  // for times up to t_end: of x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance
-  // of the bodies is the same in all axes, so it changes no faster, however fast both turn as one.
+  // Upper bound of the speed of one body's points as seen in the axes of the other, from the path of its pivot, for
+  // times up to t_end. For x above, |x'| <= |w_B - w_A| |p| + |v| + |w_A x c| + |w_A x v| t. The distance of the
+  // bodies is the same in all axes, so it changes no faster, however fast both rotate as one.
   [[nodiscard]] double relative_speed(AxisFrame frame, double t_end) const {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
@@ -240,7 +240,7 @@ class MovingPair {
   [[nodiscard]] double approach_speed(double t_end) const {
     return std::min({top_speed(), relative_speed(AxisFrame::a, t_end), relative_speed(AxisFrame::b, t_end)});
   }
-  // And each point's distance along n lies this much, times (t - t_0)(t_1 - t)/2, off its chord at most.
+  // Each point's distance along n deviates from its chord by at most this, times (t - t_0)(t_1 - t)/2.
   [[nodiscard]] double bend(const Vec3<double>& n) const {
     return bend_of_world(a_.mobility.across(n), b_.mobility.across(n));
   }
@@ -249,7 +249,7 @@ class MovingPair {
     const double each = a_.mobility.top_acceleration() + b_.mobility.top_acceleration();
     return turns_in_common() ? std::min(each, a_.mobility.rate * a_.mobility.rate * common_rho_) : each;
   }
-  // Of any point of one body seen from any of the other's.
+  // Largest speed of any point of one body seen from any point of the other.
   [[nodiscard]] double top_speed() const {
     const double each = a_.mobility.top_speed() + b_.mobility.top_speed();
     return (turns_in_common() ? std::min(each, a_.mobility.rate * common_rho_) : each) +
@@ -257,7 +257,7 @@ class MovingPair {
   }
 
  private:
-  // Where everything is at one time.
+  // The positions of both bodies at one time.
   struct Stand {
     double t = std::numeric_limits<double>::quiet_NaN();
     Mat3<double> rotation_a, rotation_b;
@@ -270,7 +270,8 @@ class MovingPair {
     if (t > 0x1p500) {
       for (std::size_t i = 0; i < 3; ++i) d[i] = d[i] + times(velocity_[i], t);
     } else if (t != 0) {
-      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the way.
+      // In pairs that are not normalised (pair.hpp), within 2^-100 of the pivots' distance and 2^-96 of the
+      // translation.
       for (std::size_t i = 0; i < 3; ++i) {
         const exact::Pair way = exact::Pair{velocity_[i].hi, velocity_[i].lo} * exact::Pair{t, 0};
         const exact::Pair sum = exact::Pair{d[i].hi, d[i].lo} + way;
@@ -296,12 +297,12 @@ class MovingPair {
                now.offset);
   }
   [[nodiscard]] const Stand& now() const { return placed_[at_]; }
-  // |w_A x c| + |w_A x v| t of the above.
+  // The term |w_A x c| + |w_A x v| t of the bound above.
   [[nodiscard]] double drift_until(AxisFrame frame, double t_end) const {
     const TurningSide& with = frame == AxisFrame::a ? a_ : b_;
     return with.swing + with.across_velocity * t_end;
   }
-  // The above, |n x w| of the frame's body given, of both bodies.
+  // The bound above for both bodies, with |n x w| of the frame's body given.
   [[nodiscard]] double bend_of(AxisFrame frame, double across_n, double t_end) const {
     const Mobility &with = frame == AxisFrame::a ? a_.mobility : b_.mobility,
                    &other = frame == AxisFrame::a ? b_.mobility : a_.mobility;
@@ -317,14 +318,14 @@ class MovingPair {
                              : each;
   }
   [[nodiscard]] bool turns_in_common() const { return common_rho_ < kInfinity<double>; }
-  // See above; raised by what it is rounded by, and by what points are off.
+  // See above. Raised by its own rounding error and by the error of the points.
   [[nodiscard]] double distance_in_common_turn() const {
     const Vec3<double> arms = rounded_once(b_.arm + -a_.arm), axis = unit(a_.mobility.w);
     const double about = cso_.side_a().reach() + cso_.side_b().reach();
     return (axis.cross(arms).norm() + about + 8 * cso_.point_error()) * (1 + 0x1p-44) +
            32 * kUnitRoundoff<double> * arms.norm() + 0x1p-96 * lengths_;
   }
-  // What is added up to say where the body is, its pivot aside.
+  // The sum of the lengths that give the body's position, without its pivot.
   template <Scalar S>
   static double lengths_of(const RotatingBody<S>& given, const Side<double>& side) {
     return wide(given.body.position).norm() + side.center.norm();
@@ -344,7 +345,7 @@ class MovingPair {
       out.start_rotation = rotation_matrix(out.start);
     }
     const Bounds bounds = detail::bounds(unwrapped<S>(given.body.shape));
-    // Of a body that does not turn any point serves: the middle of its bounds is the tightest.
+    // For a body that does not rotate, any point serves. The middle of its bounds is the tightest.
     out.pivot = out.turns.turns() ? wide(given.pivot) : Vec3<double>(bounds.center + bounds.middle);
     out.has_arm = side.center != out.pivot;
     if (out.has_arm) out.arm = scaled_by(posed(out.start, side.center) + -posed(out.start, out.pivot), unit);
@@ -359,7 +360,7 @@ class MovingPair {
   double radius_ = 0, target_ = 0, t_ = 0;
   Vec3<double> start_offset_ = Vec3<double>::Zero();
   double start_lengths_ = 0, lengths_ = 0, speed_ = 0;
-  double common_rho_ = kInfinity<double>;  // where both turn by one w
+  double common_rho_ = kInfinity<double>;  // if both rotate by one w
   int poses_ = 0;
 };
 

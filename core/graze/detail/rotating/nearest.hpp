@@ -1,7 +1,8 @@
-// How far apart the bodies are as placed, with an axis that proves it: GJK, warm from some other time.
+// Computes the distance of the bodies as placed, with an axis that proves it: GJK, started from another time's
+// result.
 //
-// Internal lengths; the gap is the distance less the target distance. Its lower bound has the rounding taken
-// off, so a positive one is proved.
+// Internal lengths. The gap is the distance less the target distance. The rounding is subtracted from its lower
+// bound, so a positive gap is proved.
 #pragma once
 
 #include <graze/detail/rotating/fast_nearest.hpp>
@@ -13,14 +14,14 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 struct Nearest {
   double gap = 0;                         // lower bound of the distance, less the target distance
   double apart = 0;                       // upper bound
-  Vec3<double> n = Vec3<double>::Zero();  // unit, from A to B; proves the gap; zero if nothing does
+  Vec3<double> n = Vec3<double>::Zero();  // unit, from A to B, proves the gap, or zero if nothing does
   Simplex<double> simplex;
   // The search ended as the balls about the cores met: neither n nor the simplex is that of the least
   // distance.
   bool met = false;
 };
 
-// The same features, where they are now: a search that begins with them takes a step or two.
+// The same features at their present positions. A search that begins with them takes a step or two.
 inline Simplex<double> carried_over(const MovingPair& pair, const Simplex<double>& before) {
   const Cso<double>& cso = pair.cso();
   const auto &a = cso.side_a(), &b = cso.side_b();
@@ -35,8 +36,8 @@ inline Simplex<double> carried_over(const MovingPair& pair, const Simplex<double
   return out;
 }
 
-// `before`: what was closest at some other time; it may be empty. `expected`: a lower bound of the gap that
-// is known; the search may be as much rougher. `stop`: the gap that matters.
+// `before`: the closest points at some other time, or empty. `expected`: a known lower bound of the gap. A larger
+// bound allows a rougher search. `stop`: the gap at which the search may stop.
 inline Nearest nearest(const MovingPair& pair, const Simplex<double>& before, double expected, double stop,
                        int budget, Counters& counters) {
   Nearest out;

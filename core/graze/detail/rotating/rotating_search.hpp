@@ -18,11 +18,12 @@ namespace detail {
 
 // kRotatingStop times the rounding of a gap is as near as axes lead: a contact a few times as deep is proved.
 inline constexpr double kRotatingStop = 4;
-// Of tier certified: the bracket's width over scale that is asked for where the caller asks for nothing, of bodies
-// that rotate and of others, and the part of it that either end may take.
+// Tier certified: the default width of the bracket over scale, for rotating bodies and for others, and the fraction
+// of it that each end may use.
 inline constexpr double kCertifiedTurningWidth = 1e-9, kCertifiedWidth = 1e-12, kWidthPart = 1.0 / 16;
-// Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u. Tier
-// certified proves what it says of it in double. Where the rounding of a gap is more, as with a target distance far
+// Depth over scale that a contact at the start may have and still be passed over: kappa of tier standard, times u.
+// Tier certified proves its result about it in double. If the rounding of a gap is larger, as with a target distance
+// far above the scale, so many times that.
 // above the scale, so many times that.
 template <Scalar S>
 constexpr double kFollowedDepth(Tier tier) {
@@ -30,10 +31,10 @@ constexpr double kFollowedDepth(Tier tier) {
                                                   : 4096 * kUnitRoundoff<double>;
 }
 inline constexpr double kFollowedErrors = 16;
-// Supports after which a contact is followed no more: a crate that tips about its edge until its next face lands takes a
-// thousand. What takes more would take slices as short as the rounding.
+// Support evaluations after which a contact is no longer followed. A crate that tips about its edge until its next
+// face lands takes a thousand. A longer search would need slices as short as the rounding.
 inline constexpr int kMostFollowedSupports = 2048;
-// The linear slop of the slides, over scale, where the caller names no tolerance.
+// The linear slop of the slides, over scale, if the caller sets no tolerance.
 inline constexpr double kPublishedSlop = 0.005;
 
 template <Scalar S>
@@ -69,7 +70,7 @@ Invalid validate(const RotatingBody<S>& a, const RotatingBody<S>& b, const Rotat
   return validate(b, options.t_max);
 }
 
-// Where validate() above refuses: the same checks in the same order.
+// Locates the value for which validate() above refuses: the same checks in the same order.
 template <Scalar S>
 [[gnu::noinline]] InvalidAt find_invalid(const RotatingBody<S>& a, const RotatingBody<S>& b,
                                          const RotatingOptions<S>& options) {
@@ -112,7 +113,7 @@ class RotatingCast {
 
  private:
   [[nodiscard]] bool passes_over() const { return options_.start_policy == StartPolicy::pass_over; }
-  // Of the methods, those that never pass a contact follow one.
+  // Only the methods that never miss a contact follow one.
   static bool follows(RotatingMethod method) {
     return method == RotatingMethod::conservative_advancement ||
            method == RotatingMethod::bilateral_advancement;
@@ -120,7 +121,8 @@ class RotatingCast {
   [[nodiscard]] bool wants_proof() const { return asks_for(options_.request, Request::proof); }
   [[nodiscard]] double scale() const { return pair_->scale(); }
   [[nodiscard]] double t_end() const { return static_cast<double>(options_.t_max); }
-  // Internal lengths: as near as axes lead, and what the caller leaves open at either end of the bracket.
+  // Internal lengths: the least gap at which axes are useful, and the caller's allowance at either end of the
+  // bracket.
   [[nodiscard]] double stop() const { return kRotatingStop * pair_->error(); }
   [[nodiscard]] double width() const {
     double width = static_cast<double>(options_.tolerance);
@@ -177,7 +179,7 @@ class RotatingCast {
     return out_.invalid == Invalid::none;
   }
 
-  // Seen without preparing anything, where the plan would find it.
+  // Decided without preparing anything, if the plan would find it.
   [[nodiscard]] bool passes_by() const {
     if (options_.method || !options_.economies.bounds) return false;
     if (!(options_.t_max < kInfinity<S>)) return false;
@@ -186,7 +188,7 @@ class RotatingCast {
     return outer_spheres_never_meet(a_, b_, static_cast<double>(options_.target_distance), t_end(), more);
   }
 
-  // Without an end, a turn that is seen has no meaning even where the bounds never meet.
+  // Without an end, a rotation that is not negligible has no meaning, even if the bounds never meet.
   [[nodiscard]] bool sees_turn_unended() const {
     if (out_.plan.effects != Effects::nothing) return false;
     if (options_.t_max < kInfinity<S>) return false;
@@ -197,8 +199,8 @@ class RotatingCast {
 
   void follow_plan() {
     if (wants_proof() && options_.t_max < kInfinity<S> && options_.tier != Tier::exact) {
-      // A chain says what was proved of the whole motion, whatever the plan spares. A linear motion's start in contact
-      // that is passed over, or reported, has none.
+      // A chain records the proof of the whole motion, whatever the plan omits. A linear motion's start in contact
+      // that is passed over, or reported, has no chain.
       if (passes_over() && is_linear()) {
         follow_effects();
         if (!(out_.toi_lower > 0) || out_.passed_over) return;
@@ -226,8 +228,9 @@ class RotatingCast {
         return run(RotatingMethod::bilateral_advancement);
     }
   }
-  // A linear cast reports a start whose depth is rounding's, where the motion neither leaves nor slides to the last bit: a
-  // ball that rolls along the floor. As of all contacts of rotating casts, what counts is whether it gets deeper.
+  // A linear cast reports a start whose depth is within rounding, if the motion neither leaves nor slides to the last
+  // bit, as for a ball that rolls along the floor. As for all contacts of rotating casts, the criterion is whether it
+  // gets deeper.
   void follow_linear_start() {
     if (!passes_over() || out_.outcome != Outcome::initially_overlapping) return;
     if (options_.tier == Tier::exact || !(options_.t_max < kInfinity<S>)) return;
@@ -326,8 +329,8 @@ class RotatingCast {
     if (out_.outcome != Outcome::miss) out_.passed_over = false;
   }
 
-  // By the policy pass_over: a contact at the start is followed. False: that is the answer, in out_. Else the march
-  // begins where the bodies are apart; what it finds is the answer, passed over if it is a miss.
+  // Under the policy pass_over, follows a contact at the start. False: that is the answer, in out_. Otherwise the
+  // march begins at a time with the bodies apart, and its result is the answer, passed over if it is a miss.
   bool leaves_start(MarchLimits& march_limits) {
     const double allowed =
         std::max(kFollowedDepth<S>(options_.tier) * scale(), kFollowedErrors * pair_->error());
@@ -370,8 +373,9 @@ class RotatingCast {
     return false;
   }
 
-  // A contact at t = 0 that no ball about the origin proves: the origin is on C's boundary, or nearer to the
-  // hull of any four support points' than rounding tells. Nothing has turned yet, so the linear tier may say.
+  // A contact at t = 0 that no ball about the origin proves. The origin is on C's boundary, or its distance from the
+  // border of the hull of any four support points is within rounding. No body has rotated yet, so the linear tier may
+  // decide.
   [[nodiscard]] bool is_open_at_start(const March& found) const {
     return options_.tier == Tier::certified && found.lower == 0 && found.outcome != Outcome::miss &&
            found.outcome != Outcome::initially_overlapping;
@@ -424,15 +428,15 @@ class RotatingCast {
     out_.toi_upper = found.upper < kInfinity<double> ? round_up<S>(found.upper) : kInfinity<S>;
     double apart = found.apart;
     if (found.upper < kInfinity<double> && found.upper > found.lower) {
-      // Contact is at upper: what is left of the way bounds the distance as well.
+      // Contact is at upper: the rest of the motion bounds the distance as well.
       apart = std::min(apart, pair_->approach_speed(t_end()) * (found.upper - found.lower) * (1 + 0x1p-50));
     }
     apart +=
         pair_->approach_speed(t_end()) * (found.lower - static_cast<double>(out_.toi_lower)) * (1 + 0x1p-50);
-    // Of a way that outgrew the doubles nothing is known.
+    // If a translation overflowed the range of doubles, nothing is known.
     if (!(apart < kInfinity<double>)) apart = kInfinity<double>;
     out_.distance = round_up<S>(pair_->cso().to_length(apart));
-    // Of a search that its budget ended before it saw an axis there is no place.
+    // A search that used up its budget before it found an axis has no location.
     if (found.n == Vec3<double>::Zero()) return;
     if (asks_for(options_.request, Request::normal)) out_.normal = found.n.template cast<S>();
     if (asks_for(options_.request, Request::witnesses)) set_witnesses(found);
@@ -440,8 +444,8 @@ class RotatingCast {
 
   // The closest points at toi_lower, each on its own body.
   void set_witnesses(const March& found) {
-    // Which points they are is asked where they were found, as a flat end answers by the last bit of a
-    // direction.
+    // The points are determined at the time at which they were found, because on a flat end they depend on the last
+    // bit of a direction.
     pair_->place(found.lower);
     const Cso<double>& cso = pair_->cso();
     Vec3<double> x_a = Vec3<double>::Zero(), x_b = Vec3<double>::Zero();

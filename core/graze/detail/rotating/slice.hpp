@@ -1,25 +1,28 @@
-// A slice of time that one axis proves free of contact: how long can it be?
+// Finds the longest slice of time that one axis proves free of contact.
 //
 // Lengths: internal; n unit, world axes, from A to B. The gap along n at time t is s(t) = min over B of n.b -
-// max over A of n.a, less the target distance; positive: apart. From a time t_0 with the bodies apart, either
+// max over A of n.a, less the target distance. A positive gap means that the bodies are apart. From a time t_0
+// with the bodies apart, one of three bounds gives the slice:
 //   conservative:  s(t) >= s_0 - L (t - t_0), L = -n.v + sum |n x w| rho (mobility.hpp), so the slice is
-//                  s_0 / L long; or along an axis that turns with a body, L how fast the other's points move
-//                  in its axes (moving_pair.hpp);
+//                  s_0 / L long. Along an axis that rotates with a body, L is the speed of the other body's
+//                  points in that body's axes (moving_pair.hpp).
 //   bilateral:     every point's n.x(t) stays within M (t - t_0)(t_1 - t)/2 of its chord, M the sum of the
 //                  accelerations, so s(t) is above the chord of s_0 and s_1 less that, and positive on all of
 //                  [t_0, t_1] iff sqrt(s_0) + sqrt(s_1) > (t_1 - t_0) sqrt(M/2).
 // [Mirtich 1996; Catto, Continuous Collision, GDC 2013, whose bilateral advancement asks for s_1 > 0 only.]
-//   along an axis that moves: evenly from n_0 at t_0 to n_1 at t_1. It is no longer than 1 in between, and n(t).x(t)
-//                  bends by 2 |n'| times the speed more. So the gap at either end is that of its own best axis: it is
-//                  the distance itself where line meets line, or a rim a face, and no one axis serves both ends. A
-//                  proof has no name for such an axis.
+//   along an axis that moves: the axis moves evenly from n_0 at t_0 to n_1 at t_1. Its length is at most 1 in
+//                  between, and n(t).x(t) bends by 2 |n'| times the speed more. Each end uses the gap along its
+//                  own best axis, which is the distance itself where a line meets a line or a rim meets a face.
+//                  No single axis serves both ends there. The proof format cannot express such an axis.
 //
-// Where the bilateral t_1 is looked for, in this order: a little before the root of the distance itself, by
-// the secant of its last two values, with the axis found there (where a face turns, an old axis is good for a
-// part of the way only, the new one for all of it); else along the old axis, as far as M allows or towards
-// the first root of s, by the secant, in the frame that lets points bend least, or in another; else the same
-// with the cylinder that a body sweeps in a whole turn (whole_turns.hpp). What no try proves becomes a
-// conservative slice. No root finder can stall, and none is believed.
+// The bilateral search tries these candidates for t_1, in this order:
+//   1. A little before the root of the distance itself, by the secant of its last two values, with the axis
+//      found there. Where a face rotates, an old axis covers part of the way only and the new one all of it.
+//   2. Along the old axis, to the extent that M allows or towards the first root of s, by the secant. It uses
+//      the frame in which points bend least, or another frame.
+//   3. As 2., with the cylinder that a body sweeps in a whole turn (whole_turns.hpp).
+// If no candidate can be proved, the slice is a conservative one. The root finders only propose times, so a root
+// finder that does not converge costs speed, not correctness.
 #pragma once
 
 #include <graze/detail/rotating/arc.hpp>
@@ -35,8 +38,8 @@ struct MarchLimits {
   Advance advance = Advance::bilateral;
   double begin = 0, end = 1;  // a contact that is passed over has ended at `begin`
   double stop = 0;            // a gap that axes cannot close
-  double width = 0;           // how far from contact either end of the bracket may be, where that is more
-  double touching = -1;       // bodies with no more distance are in contact; below 0: only what is proved
+  double width = 0;           // largest distance of either bracket end from contact. 0: the least one
+  double touching = -1;       // bodies within this distance are in contact. Negative: proof is needed
   bool proves_later = false;  // `touching` is about the start alone
   int budget = 0;             // support evaluations
   bool record = false;        // keep the chain
@@ -46,13 +49,13 @@ struct MarchLimits {
 
 struct Slice {
   double end = 0;
-  Vec3<double> axis = Vec3<double>::Zero();  // as a proof names it: at t = 0, where it turns
+  Vec3<double> axis = Vec3<double>::Zero();  // in the proof's convention: at t = 0 if it rotates
   AxisFrame frame = AxisFrame::world;
-  double expected = 0;           // the gap at the end is no less
-  std::optional<Nearest> there;  // at the end, where it is known
+  double expected = 0;           // lower bound of the gap at the end
+  std::optional<Nearest> there;  // closest points at the end, if known
 };
 
-// A time, and how far apart the bodies are then.
+// A time and the distance of the bodies at that time.
 struct Seen {
   double t = 0;
   Nearest near;
@@ -65,7 +68,7 @@ inline double not_after(double t, double h) {
   return end - t > h ? std::nextafter(end, t) : end;
 }
 
-// What failed is tried ever more seldom: the next try waits for about as many turns as there were failures.
+// Backs off after failures: the next try waits for about as many rounds as there were failures.
 class Patience {
  public:
   [[nodiscard]] bool waits() { return --wait_ > 0; }
@@ -86,10 +89,10 @@ class SliceSearch {
         speed_in_a_(pair.relative_speed(AxisFrame::a, limits.end)),
         speed_in_b_(pair.relative_speed(AxisFrame::b, limits.end)) {}
 
-  // What follows is part of no proof, so that bounds that a proof has no name for serve as well.
+  // The slices from here on are part of no proof. They may use bounds that the proof format cannot express.
   void stop_recording() { records_ = false; }
 
-  // now.near.gap > 0. Leaves the pair placed anywhere.
+  // Requires now.near.gap > 0. The pair may be left at any time.
   Slice operator()(const Seen& now, const std::optional<Seen>& before) {
     GRAZE_ASSERT(now.near.gap > 0 && now.t >= 0 && now.t <= limits_.end);
     ++slices_;
@@ -97,7 +100,7 @@ class SliceSearch {
     const double rest = limits_.end - now.t, safe = conservative(now, out);
     if (limits_.advance == Advance::conservative || safe >= rest) return out;
     if (towards_contact(now, before, safe, out)) return out;
-    // Where a face turns, an axis that turns with it may prove much more than the steadiest one.
+    // If a face rotates, an axis that rotates with it may prove much more than the steadiest one.
     const std::array<Frame, 3> all = frames(now.near.n);
     for (const Frame& frame : all) {
       const double longest = out.end - now.t;
@@ -112,8 +115,8 @@ class SliceSearch {
     return out;
   }
 
-  // Is the gap along n, in the frame that lets points bend least or with a spinning body as what it sweeps, above
-  // `least` from t to the end?
+  // Does the gap along n stay above `least` from t to the end? Tried in the frame in which points bend least, and
+  // with a spinning body replaced by the cylinder that it sweeps.
   bool keeps_above(double t, const Vec3<double>& n, double least) {
     const double rest = limits_.end - t;
     const auto above = [&](const Along& along) {
@@ -132,7 +135,8 @@ class SliceSearch {
     return whole.any() && above({t, n, 0, still(whole, n), whole});
   }
 
-  // How fast the closest points near each other: the derivative of the distance, while the features stay. A guess.
+  // The speed at which the closest points approach each other: the derivative of the distance while the features
+  // stay. An estimate.
   double approach(const Seen& now) {
     place(now.t);
     const Cso<double>& cso = pair_.cso();
@@ -146,20 +150,20 @@ class SliceSearch {
       apart += closest.lambda[i] * p.w;
     }
     b = side_b.to_world(b) + pair_.center_b();
-    const Vec3<double> a = b + apart;  // from A's pivot
+    const Vec3<double> a = b + apart;  // relative to A's pivot
     const Vec3<double> faster = pair_.velocity() + pair_.mobility_b().w.cross(b - pair_.pivot_b_now()) -
                                 pair_.mobility_a().w.cross(a);
     return -now.near.n.dot(faster);
   }
 
  private:
-  // Leaves the slice's end apart by as much as a proof may round.
+  // Leaves a gap at the slice's end that covers the rounding of a proof.
   static constexpr double kShort = 1 - 0x1p-10;
-  // An axis that turns costs rounding, here and in every proof: it must give as many times the length.
+  // A rotating axis costs rounding, here and in every proof. It must make the slice longer by at least this factor.
   static constexpr double kWorthAFrame = 2;
-  // And what another may give at best, for it to be tried.
+  // An alternative is tried only if its best case is longer by this factor.
   static constexpr double kWorthTrying = 4;
-  // Of the longest slice that ends at contact.
+  // Fraction of the longest slice that ends at contact.
   static constexpr double kTowards = 0.9;
 
   void place(double t) {
@@ -185,14 +189,14 @@ class SliceSearch {
     out.end = best >= rest ? limits_.end : not_after(now.t, best);
     return best;
   }
-  // A frame in which an axis can stand still, and sqrt(M/2).
+  // A frame in which an axis is held fixed, and sqrt(M/2).
   struct Frame {
     AxisFrame of = AxisFrame::world;
     double bend_root = 0;
   };
-  // For an axis n as it stands now; the one that lets points bend least first.
+  // The frames for an axis n in its current direction, sorted with the least bend first.
   [[nodiscard]] const std::array<Frame, 3>& frames(const Vec3<double>& n) {
-    if (n == frames_of_) return frames_;  // of the last slice's end
+    if (n == frames_of_) return frames_;  // the axis at the last slice's end
     frames_of_ = n;
     const std::array<double, 3> bends = pair_.bends(n, limits_.end);
     std::array<Frame, 3>& out = frames_;
@@ -200,7 +204,7 @@ class SliceSearch {
       const auto of = static_cast<AxisFrame>(i);
       out[i] = {of, std::sqrt(bends[i] / 2 * (1 + 0x1p-40))};
     }
-    // Three, in place, and stable.
+    // A stable in-place sort of three elements.
     const auto in_order = [&](std::size_t i) {
       if (out[i + 1].bend_root < out[i].bend_root) std::swap(out[i], out[i + 1]);
     };
@@ -212,16 +216,17 @@ class SliceSearch {
   static bool proves(double h, double s_0, double s_1, double bend_root) {
     return s_0 > 0 && s_1 > 0 && (std::sqrt(s_0) + std::sqrt(s_1)) * kShort > h * bend_root;
   }
-  // What may be left at the end of a slice towards contact: less and less, so that the search is superlinear.
+  // The gap wanted at the end of a slice towards contact. It shrinks faster each time, so that the search is
+  // superlinear.
   [[nodiscard]] double wished(double gap, const std::optional<Seen>& before) const {
     const double known = before ? std::min(1.0, before->near.gap) : 1.0;
     return std::max(gap * std::min(1.0 / 64, gap * known), limits_.stop / 2);
   }
 
-  // When the gap is due to be `left`, from now: of the polynomial of second degree in the gap through the time before,
-  // where there is one, and now, with what the gap changes by now; infinite where none is due.
+  // The time from now until the gap falls to `left`. It comes from the quadratic polynomial in the gap through the
+  // time before, if there is one, and now, with the present rate of the gap. Infinite if the gap does not fall.
   struct Due {
-    double slope = 0, bend = 0;  // of the time over the gap
+    double slope = 0, bend = 0;  // of the time as a function of the gap
     [[nodiscard]] double at(double fallen) const { return (slope + bend * fallen) * fallen; }
   };
   Due due(const Seen& now, const std::optional<Seen>& before) {
@@ -233,7 +238,7 @@ class SliceSearch {
     if (!(fallen > 0)) return out;
     // At the time before, -fallen: t - t_now = -slope fallen + bend fallen^2.
     const double bend = (out.slope * fallen - (now.t - before->t)) / (fallen * fallen);
-    // Only what turns the guess by less than half of itself is a correction.
+    // The quadratic term is used only if it changes the estimate by less than half.
     if (std::abs(bend) * now.near.gap < out.slope / 2) out.bend = bend;
     return out;
   }
@@ -242,12 +247,12 @@ class SliceSearch {
     const double gap = now.near.gap, rest = limits_.end - now.t;
     const Due guess = due(now, before);
     if (!(guess.slope < kInfinity<double>)) return false;
-    // Of any axis alike; and where the gap at the end is next to nothing.
+    // This limit holds for every axis, and also if the gap at the end is almost 0.
     const double root = frames(now.near.n)[0].bend_root, most = std::sqrt(gap) / root * kTowards;
     double last = kInfinity<double>, longest = kInfinity<double>;
     for (const double left : {wished(gap, before), gap / 8}) {
       const double due_in = guess.at(gap - left), h = std::min({due_in, most, rest, longest});
-      // What spins on before contact is due is left to the cylinder that it sweeps.
+      // A body that spins on before contact is due is left to the cylinder that it sweeps.
       if (due_in > most && spins(rest)) return false;
       if (!(h > safe && h < last)) return false;
       last = h;
@@ -277,13 +282,13 @@ class SliceSearch {
     return false;
   }
 
-  // By the axes at both ends. It takes no support.
+  // Uses the axes at both ends. No support evaluations.
   bool between_axes(const Seen& now, double end, const Nearest& there, Slice& out) {
     if (records_) return false;
     const double h = end - now.t;
     for (const Frame& frame : std::array<Frame, 3>(frames(there.n))) {
       const double error = pair_.frame_error(frame.of), s_0 = now.near.gap - error, s_1 = there.gap - error;
-      if (!proves(h, s_0, s_1, frame.bend_root)) continue;  // no more than the axis that stands still allows
+      if (!proves(h, s_0, s_1, frame.bend_root)) continue;  // no more than the fixed axis allows
       const double bend = pair_.bend_between(frame.of, now.near.n, now.t, there.n, end, limits_.end);
       if (!proves(h, s_0, s_1, std::sqrt(bend / 2 * (1 + 0x1p-40)))) continue;
       out.end = end;
@@ -293,8 +298,8 @@ class SliceSearch {
     return false;
   }
 
-  // Where the bodies do not near each other, but their axis moves on: as far as the gap allows if it stays, or a part
-  // of that.
+  // For bodies that do not approach each other while their axis moves. The slice is as long as the gap allows if it
+  // stays constant, or a part of that.
   void by_two_axes(const Seen& now, Slice& out) {
     if (records_) return;
     const double rest = limits_.end - now.t;
@@ -308,8 +313,8 @@ class SliceSearch {
     }
   }
 
-  // After many slices: a body that tips about its lowest point has far points that bend, and yet keeps its distance. A
-  // proof has no name for this bound.
+  // Used after many slices. A body that tips about its lowest point has distant points that bend, and yet keeps its
+  // distance. The proof format cannot express this bound.
   void by_arc(const Seen& now, Slice& out) {
     if (records_ || slices_ <= kManySlices || arcs_.waits()) return;
     const double rest = limits_.end - now.t;
@@ -336,8 +341,8 @@ class SliceSearch {
     arcs_.fail();
   }
 
-  // What a search along one axis is about: the gap at t, the frame in which the axis stands still, and whose
-  // turns do not count.
+  // The setting of a search along one axis: the gap at t, the frame in which the axis is held fixed, and the bodies
+  // whose rotation is replaced by their swept cylinder.
   struct Along {
     double t;
     Vec3<double> own;
@@ -346,7 +351,7 @@ class SliceSearch {
     WholeTurns whole;
   };
 
-  // Of a pair of points, at the beginning.
+  // The gap of a pair of points, at the beginning.
   double gap_at(const Along& from, const Simplex<double>& pair_of_points) {
     place(from.t);
     return pair_.gap_of(carried_over(pair_, pair_of_points).point[0].w,
@@ -357,7 +362,7 @@ class SliceSearch {
     const double gap = from.gap, rest = limits_.end - from.t, left = gap / 16, root = from.frame.bend_root;
     if (!(gap > 0)) return;
     double h = root > 0 ? std::min(rest, 2 * std::sqrt(gap) / root * kShort) : rest;
-    double good = 0, good_gap = gap;  // of what is proved
+    double good = 0, good_gap = gap;  // of the proved slice
     double bad, bad_gap;              // of the try before
     constexpr int kTries = 8;
     for (int i = 0; i < kTries && h > safe; ++i) {
@@ -376,7 +381,7 @@ class SliceSearch {
       if (proves(h, gap, s, root)) {
         good = h;
         good_gap = s;
-        break;  // what is longer failed, or there is none: the next slice has an axis of its own
+        break;  // longer slices failed or do not exist: the next slice gets its own axis
       }
       bad = h;
       bad_gap = s;
@@ -384,8 +389,9 @@ class SliceSearch {
         h = (std::sqrt(gap) + std::sqrt(std::min(bad_gap, gap))) / root * (kShort * kShort);
         if (!(h < bad)) h = bad / 2;
       } else {
-        // The secant between the beginning and what failed, towards the gap wished for: of the points that are in contact
-        // there, which may have been farther apart than the nearest at the beginning.
+        // Takes the secant between the beginning and the failed time, towards the gap wanted. The beginning's gap is
+        // that of the points in contact at the failed time. They may have been farther apart than the nearest points
+        // at the beginning.
         const double begin = from.whole.any() ? gap : std::max(gap, gap_at(from, nearest_pair));
         h = bad * (begin - left) / (begin - bad_gap);
         if (!(h > 0 && h < bad)) h = bad / 2;
@@ -399,13 +405,14 @@ class SliceSearch {
   }
 
   static constexpr int kManySlices = 12;
-  // Has a body more than a turn to go?
+  // Does a body have more than a turn left?
   static constexpr double kTurn = 6.3;
   [[nodiscard]] bool spins(double rest) const {
     return std::max(pair_.mobility_a().rate, pair_.mobility_b().rate) * rest > kTurn;
   }
-  // The bodies that spin in what is left: by more than a turn, or after many slices, of a wheel whose every corner
-  // passes near by, by more than a corner; and of which a slice sees a small part.
+  // The bodies to replace by their swept cylinder. Such a body spins by more than a turn in the rest of the step, and
+  // a slice covers a small part of that. After many slices a corner's rotation is enough, for a wheel whose every
+  // corner passes nearby.
   [[nodiscard]] WholeTurns swept_in(double rest, double slice) const {
     constexpr double kCorner = 0.5, kLittle = 2;
     const double much = slices_ > kManySlices ? kCorner : kTurn;
@@ -416,7 +423,7 @@ class SliceSearch {
   [[nodiscard]] Frame still(const WholeTurns& whole, const Vec3<double>& n) const {
     return {AxisFrame::world, std::sqrt(swept_bend(pair_, whole, n) / 2 * (1 + 0x1p-40))};
   }
-  // The cylinder is seldom clear where it was not a moment ago.
+  // The cylinder is seldom clear if it was not clear a moment ago.
   void by_whole_turns(const Seen& now, Slice& out) {
     const double h = out.end - now.t;
     const WholeTurns whole = swept_in(limits_.end - now.t, h);
@@ -431,7 +438,7 @@ class SliceSearch {
     swept.end = now.t;
     if (gap > 0) along_axis(Along{now.t, d.n, gap, still(whole, d.n), whole}, h, swept);
     if (swept.end > out.end) {
-      swept.expected = 0;  // of the cylinder, not of the body in it
+      swept.expected = 0;  // the gap is the cylinder's, not that of the body in it
       out = swept;
       turns_.succeed();
       return;

@@ -1,11 +1,12 @@
-// Spheres about the pivots that hold the bodies at every time: a linear cast of two balls.
+// Casts the spheres about the pivots that hold the bodies at every time: a linear cast of two balls.
 //
-// Internal lengths. Contact of the bodies needs |c + v t| <= R, c = c_B - c_A, R both reaches, radii and the
-// target distance: no turn can change that. [The lecture's idea for MPR: a bounding sphere's linear cast as a
-// first guess, here as a proved lower bound.]
-// Rounding: c is within u |c| and pivots_error() of itself; the least |c + v t| is computed as the part of c
-// across v, within 8 u |c|; R is raised by 32 u (|c| + R) and pivots_error(), so the half chord
-// sqrt(R^2 - across^2) only grows.
+// Internal lengths. Contact of the bodies needs |c + v t| <= R, c = c_B - c_A, R both reaches, radii and the target
+// distance. No rotation can change that. [The lecture's idea for MPR: a bounding sphere's linear cast as a first
+// guess, here as a proved lower bound.]
+//
+// Rounding: c is within u |c| and pivots_error() of itself. The least |c + v t| is computed as the part of c across
+// v, within 8 u |c|. R is raised by 32 u (|c| + R) and pivots_error(), so the half chord sqrt(R^2 - across^2) only
+// grows.
 #pragma once
 
 #include <graze/detail/rotating/moving_pair.hpp>
@@ -17,7 +18,7 @@ struct SphereCast {
   double begin = 0;  // not later than the first contact
 };
 
-// When a point that moves as c + v t is within R of the origin; any unit of length, R raised as above.
+// The time at which a point that moves as c + v t is within R of the origin. Any unit of length, R raised as above.
 inline SphereCast cast_spheres(const Vec3<double>& c, const Vec3<double>& v, double R, double t_end) {
   constexpr double u = kUnitRoundoff<double>;
   const double apart = c.norm();
@@ -46,19 +47,19 @@ inline SphereCast cast_spheres(const MovingPair& pair, double t_end, double more
   return cast_spheres(c, pair.velocity(), R, t_end);
 }
 
-// The same of bodies as they come, in the caller's unit, by spheres somewhat larger, before anything is prepared: where
-// they never meet, those above do not. Combinators, whose bounds take a walk, are left to those above.
+// The same for bodies as given, in the caller's unit, by slightly larger spheres, before anything is prepared. If
+// these never meet, those above do not. Combinators, whose bounds take a walk, are left to those above.
 //
-// The pivot is within 16 u of the lengths that it is added up from: of a rotation's entry 9 u, 3 u a sum of three, one
-// sum. The core is in the ball about the middle of its bounds with their half diagonal, each within 8 u of what it is
-// made from. `more`, in units in the last place: the tier's noise, of which the pair's scale is at most the
-// distance of the boxes' centres and a diagonal (cso.hpp).
+// The pivot is within 16 u of the sum of its summands' lengths: 9 u for a rotation's entry, 3 u for a sum of three,
+// and one sum. The core is in the ball about the middle of its bounds with their half diagonal, each within 8 u of
+// the lengths it is computed from. `more`, in units in the last place: the tier's noise. The pair's scale is at most
+// the distance of the boxes' centres and a diagonal (cso.hpp).
 struct OuterSphere {
   Vec3<double> pivot = Vec3<double>::Zero();  // world
   double reach = 0;                           // about it, the ball included
-  double lengths = 0;                         // of what the pivot is made from
+  double lengths = 0;                         // of the pivot's summands
 
-  // Of the distance of the body's points from the pivot above, however both round.
+  // Error bound of the distance of the body's points from the pivot above, including the rounding of both.
   [[nodiscard]] double bound() const {
     constexpr double u = kUnitRoundoff<double>;
     return reach * (1 + 32 * u) + 64 * u * lengths;

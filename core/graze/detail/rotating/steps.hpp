@@ -1,9 +1,9 @@
-// Time-step subdivision: overlap tests at equal steps, and halving between the last time apart and the first
-// in contact. What touches and leaves between two tests is missed; `hidden` says how far anything moves in
+// Time-step subdivision: overlap tests at equal steps, and bisection between the last time apart and the first in
+// contact. A contact that begins and ends between two tests is missed. `hidden` bounds the motion of every point in
 // between.
 //
-// [The lecture: "simplest implementation: time-step sub-division", slow and may miss; and its idea for MPR,
-// to begin where bounding spheres first meet.] Any overlap method serves: here GJK's distance at the noise.
+// [The lecture: "simplest implementation: time-step sub-division", slow and may miss, and its idea for MPR, to begin
+// where bounding spheres first meet.] Any overlap method can be used. This one is GJK's distance at the noise.
 #pragma once
 
 #include <graze/detail/rotating/march.hpp>
@@ -14,7 +14,7 @@ struct StepLimits {
   double begin = 0, end = 1;  // tests at begin, and at every later multiple of end / steps
   int steps = 64;
   double touching = 0;  // internal length
-  double width = 0;     // and as far from contact the bracket's beginning may be, where that is more
+  double width = 0;     // largest distance from contact at the bracket's beginning, if above 2 touching
   int budget = 0;
 };
 

@@ -1,7 +1,7 @@
-// Contact at t = 0, where the origin is on the boundary of C, so that no ball about it lies in C.
+// Proves contact at t = 0 if the origin is on the boundary of C, so that no ball about it lies in C.
 //
-// Nothing has turned yet at t = 0, so a named point (proving/named_point.hpp) is an exact number, and
-// whether the hull of up to four of them holds the origin, its boundary included, is decided exactly.
+// At t = 0 no body has rotated yet, so a named point (proving/named_point.hpp) is an exact number. It is decided
+// exactly whether the hull of up to four of them holds the origin, its boundary included.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? False as well where a
-// number outgrew Dyadic, and for three on a line.
+// Is the origin in the hull of c_0 .. c_(size-1), points of any positive weights? Also false if a number outgrew
+// Dyadic, and for three points on a line.
 inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   using exact::Dyadic, exact::Dyadic3;
   bool valid = true;
@@ -30,7 +30,7 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
       case 2:
         return is_zero(cross(c[0], c[1])) && sign(dot(c[0], c[1])) <= 0;
       case 3: {
-        // In the plane of the three the turns from each to the next are of one sense.
+        // In the plane of the three, the rotations from each to the next have one sense.
         const Dyadic3 l = cross(c[1], c[2]), m = cross(c[2], c[0]), n = cross(c[0], c[1]);
         if (sign(dot(c[0], l)) != 0 || (is_zero(l) && is_zero(m) && is_zero(n))) return false;
         return sign(dot(l, m)) >= 0 && sign(dot(m, n)) >= 0 && sign(dot(n, l)) >= 0;
@@ -48,8 +48,8 @@ inline bool holds_origin(const std::array<exact::Dyadic3, 4>& c, int size) {
   return holds() && valid;
 }
 
-// The pairs of a simplex that is closest at t = 0, as a proof of contact then; false where it is none. The
-// pair is placed at 0.
+// Turns the pairs of a simplex that is closest at t = 0 into a proof of contact then. False if they do not prove
+// contact. The pair is placed at 0.
 template <Scalar S>
 bool touches(const MovingPair& pair, const Body<S>& a, const Body<S>& b, const Simplex<double>& closest,
              RotatingProof& proof) {

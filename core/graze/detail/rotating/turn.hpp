@@ -1,10 +1,10 @@
-// Rotation by a rotation vector w over time t: the quaternion (cos(|w| t/2), sin(|w| t/2) w/|w|), as sums of
-// two doubles.
+// Computes the rotation by a rotation vector w over time t: the quaternion (cos(|w| t/2), sin(|w| t/2) w/|w|), as
+// sums of two doubles.
 //
-// Error: turn_error, 2^-90 and 2^-98 of the angle, up to kMostTurn radians. The half angle is reduced by
-// multiples of pi/2 in three doubles (Cody and Waite 1980), an eighth of what is left goes into Taylor's
-// series, whose last terms are of size 2^-105, and three doublings bring it back. Nothing here is libm's, so
-// the bits are the same everywhere and under contraction (offset.hpp).
+// Error: turn_error, 2^-90 and 2^-98 of the angle, up to kMostTurn radians. The half angle is reduced by multiples of
+// pi/2 in three doubles (Cody and Waite 1980). Taylor's series takes an eighth of the remainder. Its last terms are
+// of size 2^-105. Three doublings restore the angle. Nothing here uses libm, so the bits are the same everywhere and
+// under contraction (offset.hpp).
 #pragma once
 
 #include <graze/detail/numeric/pair.hpp>
@@ -14,18 +14,17 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 // Beyond, one unit in the last place of t would be many turns for a body of any size.
 inline constexpr double kMostTurn = 0x1p30;
 
-// How far a turned point may be from where it should be, over its distance from the pivot. A wrong angle
-// moves a point by as much, and the angle is within 2^-102 of itself: |w|^2 is three exact products and two
-// sums (2^-103.4), its root a step of Newton's (2^-104), and the product with t adds 2^-103.7. 2^-98 leaves
-// room. The reduced angle is within 2^-104 more, and the series, the doublings and what turns a point come to
-// 2^-90.
+// Error bound of a rotated point's position, relative to its distance from the pivot. A wrong angle moves a point by
+// as much. The angle is within 2^-102 of itself: |w|^2 is three exact products and two sums (2^-103.4), its root a
+// Newton step (2^-104), and the product with t adds 2^-103.7. 2^-98 leaves room. The reduced angle is within 2^-104
+// more. The series, the doublings and the rotation of a point add up to 2^-90.
 [[nodiscard]] constexpr double turn_error(double angle) { return 0x1p-90 + 0x1p-98 * angle; }
 
 template <class Number>
 struct SineCosine {
   Number sine, cosine;
 };
-// Of the angle with that sine and cosine and so many quarter turns more.
+// The sine and cosine of the angle with that sine and cosine plus the given number of quarter turns.
 template <class Number>
 SineCosine<Number> after_quarters(std::int64_t quarters, const Number& s, const Number& c) {
   switch (quarters & 3) {
@@ -44,8 +43,8 @@ namespace series {
 
 inline TwoDoubles of(double x) { return {x, 0}; }
 
-// x (1 - x^2/3! + ...), |x| < 0.0983; q = x^2 as two doubles. From x^11 on a double is enough: those terms
-// are below 2^-55 of x.
+// x (1 - x^2/3! + ...), |x| < 0.0983. q = x^2 as two doubles. From x^11 on a double is enough: those terms are below
+// 2^-55 of x.
 inline TwoDoubles sine(TwoDoubles x, TwoDoubles q) {
   const double z = q.hi;
   const double tail = -0x1.ae64567f544e4p-26 +
@@ -56,7 +55,7 @@ inline TwoDoubles sine(TwoDoubles x, TwoDoubles q) {
   sum = q * sum + TwoDoubles{-0x1.5555555555555p-3, -0x1.5555555555555p-57};
   return x + x * (q * sum);
 }
-// cos x - 1; from x^12 on a double is enough.
+// cos x - 1. From x^12 on a double is enough.
 inline TwoDoubles cosine_less_one(TwoDoubles q) {
   const double z = q.hi;
   const double tail = 0x1.1eed8eff8d898p-29 + z * (-0x1.93974a8c07c9dp-37 + z * 0x1.ae7f3e733b81fp-45);
@@ -98,10 +97,14 @@ inline SineCosine<TwoDoubles> sine_cosine(TwoDoubles x) {
 
 // Rounded: each within u. x as above, but of twice the size.
 //
-// What is left of x after whole quarter turns is r + e, |r| <= 0.7855, |e| <= u |r|, short of the true rest by
-// turn_error at most. Sine: r z S(z), z = r^2, is at most 0.1 |r| and known to 6 u of itself, 0.48 u; e (1 -
-// z/2) leaves 0.02 u, the series' next term less, and the last sum rounds by u/2, being below 1. Cosine: z/2 is
-// within u/4; what 1 - z/2 rounds is taken back exactly; z^2 C(z) is at most 0.016, within 0.1 u; and u/2 again.
+// The remainder of x after whole quarter turns is r + e, |r| <= 0.7855, |e| <= u |r|, which differs from the exact
+// one by at most turn_error.
+//
+// Sine: r z S(z), z = r^2, is at most 0.1 |r| and known to 6 u of itself, 0.48 u. The term e (1 - z/2) leaves 0.02 u,
+// the series' next term less, and the last sum rounds by u/2, being below 1.
+//
+// Cosine: z/2 is within u/4. The rounding of 1 - z/2 is corrected exactly. z^2 C(z) is at most 0.016, within 0.1 u,
+// and the last sum adds u/2 again.
 inline SineCosine<double> rounded_sine_cosine(TwoDoubles x) {
   std::int64_t quarter = 0;
   if (x.hi > 0.785) {
@@ -179,7 +182,7 @@ class TurnsAbout {
     const SineCosine<TwoDoubles> angle = sine_cosine(half_ * TwoDoubles{t, 0});
     return {angle.cosine, {angle.sine * axis_[0], angle.sine * axis_[1], angle.sine * axis_[2]}};
   }
-  // |w| t, and w / |w|, within 2^-100 of themselves; of a w that turns.
+  // |w| t, and w / |w|, within 2^-100 of themselves. Requires w != 0.
   [[nodiscard]] TwoDoubles angle(double t) const {
     return TwoDoubles{2 * half_.hi, 2 * half_.lo} * TwoDoubles{t, 0};
   }
@@ -190,12 +193,12 @@ class TurnsAbout {
   TwoDoubles3 axis_{};
 };
 
-// R(w t) R(q) for many t, in doubles: a turn leaves what of a column of R(q) is along its axis a, and turns the
-// rest:
+// R(w t) R(q) for many t, in doubles. A rotation leaves the part of a column of R(q) along its axis a, and rotates
+// the rest:
 //   along + cos |w| t across + sin |w| t aside,   along = a a^T R(q), across = R(q) - along, aside = a x R(q).
-// Each entry is within 7 u. The three matrices are made in pairs and rounded once. In an entry across^2 +
-// aside^2 <= 1, so the roundings of both and of the products come to u each (Cauchy), sine and cosine add
-// sqrt(2) u, the roundings of the inner sum, of `along` and of the outer sum u each: 6.42 u.
+// Each entry is within 7 u. The three matrices are made in pairs and rounded once. In an entry across^2 + aside^2 <=
+// 1, so the roundings of both and of the products add up to u each (Cauchy). Sine and cosine add sqrt(2) u. The
+// roundings of the inner sum, of `along` and of the outer sum add u each: 6.42 u.
 class TurnedRotation {
  public:
   TurnedRotation() = default;
@@ -204,7 +207,7 @@ class TurnedRotation {
   }
   // R(q), each entry within 0.6 u.
   [[nodiscard]] const Mat3<double>& start() const { return start_; }
-  // turns: those that this was made for.
+  // turns: the rotation that this object was made for.
   [[nodiscard]] Mat3<double> at(const TurnsAbout& turns, double t) const {
     const SineCosine<double> angle = rounded_sine_cosine(turns.angle(t));
     return along_ + (angle.cosine * across_ + angle.sine * aside_);

@@ -1,10 +1,10 @@
-// Bodies that turn fast, seen as what they sweep in a whole turn: a cylinder about the axis of rotation,
-// which only moves along. What keeps clear of it needs no look at the angle.
+// Replaces a fast rotating body by the cylinder about the axis of rotation that it sweeps in a whole turn. The
+// cylinder only translates. If another body stays clear of it, the angle of rotation does not matter.
 //
-// Internal lengths, frame of moving_pair.hpp. The core of a turning body is, at every time, in the cylinder
-// of radius rho between the heights low and high along w from the pivot (mobility.hpp); its support point
-// along n is exact up to 16 u of its size. Along a fixed n it has no acceleration, so slices are as long as
-// the other body's turn and the bodies' way allow.
+// Internal lengths, frame of moving_pair.hpp. The core of a rotating body is, at every time, in the cylinder of
+// radius rho between the heights low and high along w from the pivot (mobility.hpp). Its support point along n is
+// exact up to 16 u of its size. Along a fixed n it has no acceleration. The length of a slice is therefore limited
+// only by the other body's rotation and the bodies' translation.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -12,14 +12,14 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Which bodies stand for all their angles.
+// The bodies that are replaced by their swept cylinder.
 struct WholeTurns {
   bool a = false, b = false;
   [[nodiscard]] bool any() const { return a || b; }
 };
 
-// About the pivot. Where n is along the axis as far as can be told, any point of the rim will do, within u
-// rho, as long as it is across the axis: hence the products, not the difference n - (n.u) u.
+// A support point about the pivot. If n is along the axis within rounding, any point of the rim is a valid one,
+// within u rho, provided that it is across the axis. Therefore products are used, not the difference n - (n.u) u.
 inline Vec3<double> swept_point(const Mobility& m, const Vec3<double>& n) {
   const Vec3<double> axis = unit(m.w);
   const double along = n.dot(axis);
@@ -32,7 +32,7 @@ bool has_plain_ball(const Shape<S>& shape) {
   return !is_combined(shape);
 }
 
-// Of the CSO as placed.
+// A support point of the CSO as placed.
 inline CsoPoint<double> swept_support(const MovingPair& pair, const WholeTurns& whole,
                                       const Vec3<double>& n) {
   const Cso<double>& cso = pair.cso();

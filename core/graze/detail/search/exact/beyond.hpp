@@ -2,13 +2,14 @@
 //
 //   n = sign (f_1 x f_2), an exact cross product of two terms;   n.(w - c_0) > 0 for some vertex w of C?
 //
-// C is a sum, so each leaf is asked alone: whether it has a vertex x with n.(x - x_0) > 0, x_0 its vertex in
-// c_0. If none has, c_0 is a maximum, the proved one. Within a leaf, by the sign in doubles where that is
-// beyond its rounding, for free where it is a tie by its indices, else exactly (scene.hpp).
+// C is a sum, so each leaf is queried alone: does it have a vertex x with n.(x - x_0) > 0, x_0 its vertex in c_0? If
+// no leaf has one, c_0 is proved to be a maximum. Within a leaf, the sign in doubles decides if it is beyond its
+// rounding. A tie by indices is decided for free. Everything else is decided exactly (scene.hpp).
 //
-// Ties by construction. A step across an axis that n is parallel to. Where two vertices of C in n's plane
-// differ in one leaf only, their vertices of that leaf tie. One of these steps after the other. A box: x_0's three
-// neighbours are enough, n being separable.
+// Ties by construction are these three, or two of them combined:
+//   - A step across an axis that n is parallel to.
+//   - If two vertices of C in n's plane differ in one leaf only, their vertices of that leaf tie.
+//   - For a box, x_0's three neighbours are enough, n being separable.
 #pragma once
 
 #include <cstddef>
@@ -20,28 +21,28 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// n, and what doubles know of it: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 says
+// n and its approximation in doubles: |approx_i - lambda n_i| <= error_i for some lambda > 0. An error of 0 means
 // that n_i is 0.
 struct Direction {
   Term f1, f2;
   int sign = 1;
   Vec3<double> approx = Vec3<double>::Zero(), error = Vec3<double>::Zero();
-  // The same of R^T n, in the axes of one body, or of both where they are turned alike: where f_1 and f_2 are
-  // differences of vertices of that body alone, no rotation is in it. of_body: whose axes.
+  // R^T n in the same form, in the axes of one body, or of both if their rotations are equal. If f_1 and f_2 are
+  // differences of vertices of that body alone, it contains no rotation. of_body: whose axes.
   std::array<bool, 2> of_body = {false, false};
-  // There is no f_1 x f_2: what doubles leave open stays so (BeyondSearch::in_doubt).
+  // There is no f_1 x f_2: cases that doubles leave open stay open (BeyondSearch::in_doubt).
   bool rounded = false;
   Vec3<double> own = Vec3<double>::Zero(), own_error = Vec3<double>::Zero();
 };
 
-// Of which doubles know nothing; finite, so that no product with a 0 is NaN.
+// A direction with unknown components in doubles. They are finite, so that no product with a 0 is NaN.
 inline Direction unknown_direction(const Term& f1, const Term& f2, int sign) {
   Direction out{f1, f2, sign};
   out.error.setConstant(0x1p600);
   return out;
 }
 
-// The direction of two terms, rounded from pairs of doubles; for directions that are not at hand in doubles.
+// The direction of two terms, rounded from pairs of doubles. Used for directions that are not available in doubles.
 template <Scalar S>
 Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, int sign) {
   const Fine x = scene.fine(f1), y = scene.fine(f2);
@@ -51,8 +52,8 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   const Pair3 n = cross(scaled(x.x, scale_x), scaled(y.x, scale_y));
   Direction out{f1, f2, sign};
   for (int i = 0; i < 3; ++i) out.approx[i] = sign * rounded(n[static_cast<std::size_t>(i)]);
-  // Factors below 4, within 2^-90 of that each; and the rounding of the result. Of more parts, kMaxParts =
-  // 2^12 of them at most, the low halves grow to 2^-40 of the size, and each of as many sums loses 2^-92 of
+  // The factors are below 4, within 2^-90 of that each. The rounding of the result is added. With more parts,
+  // kMaxParts = 2^12 of them at most, the low halves grow to 2^-40 of the size. Each of as many sums loses 2^-92 of
   // it and each product 2^-79: within 2^-78 a factor.
   out.error.setConstant((scene.has_fine() ? 0x1p-85 : 0x1p-72) +
                         kUnitRoundoff<double> * out.approx.cwiseAbs().maxCoeff());
@@ -62,7 +63,7 @@ Direction direction_of(const Scene<S>& scene, const Term& f1, const Term& f2, in
   return out;
 }
 
-// More than what products lose below the range of doubles, flushed or not.
+// More than the underflow of products in doubles, flushed or not.
 inline constexpr double kUnderflow = 0x1p-960;
 
 // One edge of C in doubles: the steps of A and of B that it is the difference of, each of two given numbers.
@@ -70,7 +71,7 @@ struct Steps {
   Triple a, b;
 
   [[nodiscard]] Triple edge() const { return a - b; }
-  // What was added up: 0 where the edge's component is 0 exactly.
+  // The size of the summands: 0 if the edge's component is 0 exactly.
   [[nodiscard]] Triple size() const { return magnitude(a) + magnitude(b); }
 };
 // How far e x f in doubles is off: an edge is of two roundings, a product adds one, their difference another. 0 where
@@ -106,7 +107,7 @@ class BeyondSearch {
     }
     return found;
   }
-  // Of a rounded direction: was a vertex met that may be beyond?
+  // For a rounded direction: was a vertex found that may be beyond?
   [[nodiscard]] bool in_doubt() const { return in_doubt_; }
 
  private:
@@ -120,7 +121,7 @@ class BeyondSearch {
     std::uint32_t at = 0;                       // of x_0
     Vec3<double> d = Vec3<double>::Zero();      // n in the leaf's own axes, negated for B
     Vec3<double> error = Vec3<double>::Zero();  // of a step's height, over the step's components
-    Heights<S>* heights = nullptr;              // once doubles did not tell
+    Heights<S>* heights = nullptr;              // if doubles did not decide
     bool found = false;
     std::uint32_t best = 0;
   };
@@ -130,8 +131,8 @@ class BeyondSearch {
     if (leaf.count == 1) return;
     s.at = leaf.vertex(s.from);
     s.d = s.n.approx;
-    // Per component of d: n's own error (turned: of three), the rotation's; then three products and sums of
-    // differences that round once.
+    // Per component of d: the error of n (rotated: of three components) and that of the rotation. Then three products
+    // and sums of differences that round once.
     if (!leaf.turned) {
       s.error = s.n.error + 8 * kUnitRoundoff<double> * s.d.cwiseAbs();
     } else if (s.n.of_body[leaf.of_b] && leaf.inner.empty()) {
@@ -156,8 +157,8 @@ class BeyondSearch {
     }
   }
 
-  // The leaf's whole rotation; R^T n is within `turn` |n| per component: each matrix within 16 u a row, each
-  // product of two adds 3 sqrt(3) u.
+  // The leaf's whole rotation. R^T n is within `turn` |n| per component: each matrix within 16 u a row, each product
+  // of two adds 3 sqrt(3) u.
   [[nodiscard, gnu::noinline]] static Mat3<double> turn_into(const Leaf<S>& leaf, double& turn) {
     Mat3<double> r = rotation_matrix(leaf.outer);
     for (const Quaternion<double>& q : leaf.inner) r = Mat3<double>(r * rotation_matrix(q));
@@ -180,8 +181,9 @@ class BeyondSearch {
     if (ties_by_axes(s, step) || ties_by_index(s, k) || ties_by_both(s, k)) return;
     if (rises_exactly(s, s.at, k)) accept(s, k);
   }
-  // The farthest of those that are beyond, by the same signs: of a cap of thousands that is parallel to the plane but for
-  // the last bits, any other would do as well, and cost the walk a step each.
+  // Takes the farthest of the vertices that are beyond, by the same signs. A cap of thousands of vertices may be
+  // parallel to the plane up to the last bits. Any other choice would be correct there, and cost the walk one step
+  // per vertex.
   void accept(Search& s, std::uint32_t k) const {
     if (s.found) {
       const Vec3<double> step = vertex(s.leaf, k) - vertex(s.leaf, s.best);
@@ -265,9 +267,8 @@ class BeyondSearch {
     const Vec3<float> d = (scale * s.d).template cast<float>();
     const float *x = hull.approximate_scan(0), *y = hull.approximate_scan(1), *z = hull.approximate_scan(2);
     const float height = x[s.at] * d[0] + y[s.at] * d[1] + z[s.at] * d[2];
-    // Of a height as rounded: u of d, u of the point, 3 u of products and sums, u of float, over at most 9/8
-    // of the half extents (hull.hpp); of x_0's as well, and of the difference. And n's own error, over 2
-    // half.
+    // The rounding of a height: u of d, u of the point, 3 u of products and sums, u of float, over at most 9/8 of the
+    // half extents (hull.hpp). The same for x_0, and for the difference. The error of n counts over 2 half.
     const double rounding = 14 * kUnitRoundoff<float> * scale * s.d.cwiseAbs().dot(half);
     const double error = 1.01 * (2 * scale * s.error.dot(half) + rounding) + 0x1p-120;
     const float least = below(double(height) - error);
@@ -278,8 +279,8 @@ class BeyondSearch {
           if (k < hull.size()) try_vertex(s, static_cast<std::uint32_t>(k));
         });
   }
-  // Of a hull with a map, where n is known well enough, those of the list of n's cell alone: what is not in it is lower
-  // than one that is, by more than floats round. False: nothing was searched.
+  // For a hull with a map and an n that is known well enough, searches only the list of n's cell. Every vertex
+  // outside the list is lower than one in it by more than the rounding of floats. False: nothing was searched.
   [[nodiscard, gnu::noinline]] bool search_list(Search& s, const DirectionMap& map, const Vec3<float>& d,
                                                 float least) const {
     DirectionMap::List list;
@@ -291,8 +292,8 @@ class BeyondSearch {
     });
     return true;
   }
-  // Of the 64 vertices from `first` on a bit for x_0 and for those that tie by their index (ties_by_index), of two
-  // leaves and three corners: without a branch, as nothing foretells whose edges a portal has.
+  // For the 64 vertices from `first` on, a bit for x_0 and for those that tie by their index (ties_by_index), for two
+  // leaves and three corners. It has no branch, as the owners of a portal's edges cannot be predicted.
   [[nodiscard]] std::uint64_t known_in_chunk(const Search& s, std::size_t first) const {
     const auto bit = [&](std::uint32_t k, unsigned tie) {
       return std::uint64_t{tie & unsigned(k - first < kScanChunk)} << (k & 63u);
@@ -309,8 +310,7 @@ class BeyondSearch {
     out |= bit(at_q, with_q | (both & unsigned(at_p == s.at)));
     return out;
   }
-  // n's place on the cube is known within 2^-15: what the map's squares are larger than they need be
-  // (direction_map.hpp), and more.
+  // n's place on the cube is known within 2^-15. The map's squares are enlarged by that and more (direction_map.hpp).
   [[nodiscard]] static bool find_list(const Search& s, const DirectionMap& map, DirectionMap::List& out) {
     const Vec3<double> reach(map.reach()[0], map.reach()[1], map.reach()[2]);
     const double size = s.d.cwiseAbs().cwiseProduct(reach).maxCoeff();
@@ -318,8 +318,8 @@ class BeyondSearch {
     const double scale = power_of_two(-exponent_of(size));
     return map.find(float(scale * s.d[0]), float(scale * s.d[1]), float(scale * s.d[2]), out);
   }
-  // A float that is not above x, |x| < 2^60, and at most 2^-22 |x| + 2^-124 below it: what is taken off is more than the
-  // rounding to a float, subnormal ones flushed or not. Without a branch.
+  // A float that is not above x, |x| < 2^60, and at most 2^-22 |x| + 2^-124 below it. The amount subtracted exceeds
+  // the rounding to a float, whether or not subnormal numbers are flushed. No branch.
   [[nodiscard]] static float below(double x) {
     return static_cast<float>(x - (0x1p-23 * std::abs(x) + 0x1p-125));
   }

@@ -1,11 +1,10 @@
-// What an exact passage says besides the time: the normal, the witnesses, and the proof.
+// Computes the rest of an exact cast's result besides the time: the normal, the witnesses, and the proof.
 //
-// Normal: -(f_1 x f_2) / |.|, each component within 2 u of the true one. The cross product is within 2^-88 of
-// its factors' sizes in pairs of doubles; where it is smaller than 2^-30 of them, or a point has more parts
-// than pairs are proved for, it is formed exactly, so that its direction is within 2^-57, and the unit vector
-// rounds by u and a little. Witnesses: the weights of the line's point in the facet are quotients of sides
-// (walk.hpp), in pairs where those tell them, else exactly. Proof: nothing in it is rounded but the times,
-// outward (proof.hpp).
+// Normal: -(f_1 x f_2) / |.|, each component within 2 u of the exact one. The cross product is within 2^-88 of its
+// factors' sizes in pairs of doubles. It is formed exactly if it is smaller than 2^-30 of them, or if a point has
+// more parts than pairs are proved for. Its direction is then within 2^-57, and the unit vector rounds by u and a
+// little. Witnesses: the weights of the line's point in the facet are quotients of sides (walk.hpp), in pairs if
+// those are accurate enough, otherwise exactly. Proof: only its times are rounded, outward (proof.hpp).
 #pragma once
 
 #include <graze/detail/search/exact/facet.hpp>
@@ -19,7 +18,7 @@ double squared_length(const Vec3<double>& n) {
   const auto square = [&](int i) { return product<kFused>(n[i], n[i]); };
   return rounded((square(0) + square(1)) + square(2));
 }
-// n over its length, which is rounded once; 0 where a number outgrew its room.
+// n over its length, which is rounded once. 0 if a number outgrew its room.
 template <bool kFused>
 Vec3<double> over_length_as(Vec3<double> n) {
   const double most = n.cwiseAbs().maxCoeff();
@@ -58,8 +57,8 @@ template <Scalar S>
   return over_length(n);
 }
 
-// Of a triangle det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. Of a segment, c_2 is the
-// axis x of walk.hpp, f_2: det(v, c_1, f_2), det(v, f_2, c_0).
+// For a triangle: det(v, c_1, c_2), det(v, c_2, c_0), det(v, c_0, c_1), all >= 0. For a segment, c_2 is the axis x of
+// walk.hpp, f_2: det(v, c_1, f_2), det(v, f_2, c_0).
 template <class V, class Value>
 std::array<Value, 3> facet_sides(const Facet& facet, const V& motion, const std::array<V, 3>& c) {
   const auto side = [&](std::size_t i, std::size_t j) { return dot(motion.x, cross(c[i].x, c[j].x)); };
@@ -75,7 +74,7 @@ std::array<double, 3> facet_weights(const Scene<S>& scene, const Facet& facet, c
     return facet.size == 2 && i == 2 ? facet.f2 : Term::point(facet.corner[i]);
   };
   std::array<double, 3> weight{};
-  double total = 0, size = 0;  // of what the sides are summed up from
+  double total = 0, size = 0;  // of the summands of the sides
   if (scene.has_fine()) {
     const Fine motion = scene.fine(v);
     const std::array<Fine, 3> c = {scene.fine(corner(0)), scene.fine(corner(1)), scene.fine(corner(2))};
@@ -144,8 +143,8 @@ inline AxisFactor name(const Term& term) {
   return out;
 }
 
-// toi: the bracket of a hit in doubles. That a start in contact does not leave is not something a proof can
-// say: under pass_over it claims nothing.
+// toi: the bracket of a hit in doubles. A proof cannot express that a start in contact does not leave. Under
+// pass_over it claims nothing then.
 inline Proof prove(const Answer& answer, Outcome outcome, const TimeBracket& toi, StartPolicy policy) {
   Proof out;
   if (answer.passage == Passage::contact) {

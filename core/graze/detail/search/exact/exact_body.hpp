@@ -1,5 +1,5 @@
-// One body in exact arithmetic: vertices of a polytope, and how far a cylinder, a cone or an ellipsoid reaches. Use it
-// to decide contact at t = 0 where doubles cannot.
+// Represents one body in exact arithmetic: the vertices of a polytope, and the extent of a cylinder, a cone or an
+// ellipsoid. Use it to decide contact at t = 0 if doubles cannot.
 //
 //   a body is its core and a ball:   core = polytope (any combinators), or one curved leaf that posings and
 //                                    roundings lead to
@@ -7,9 +7,11 @@
 // A point is in a leaf by signs of rational numbers (x the own coordinates, w their weight):
 //   cylinder    x^2 + y^2 <= r^2 w^2,  z^2 <= h^2 w^2
 //   cone        4 h^2 (x^2 + y^2) <= r^2 (h w - z)^2,  z^2 <= h^2 w^2
-//   ellipsoid   sum (r_j r_k x_i)^2 <= (r_1 r_2 r_3 w)^2;  x_i = 0 where r_i = 0
-// How far it reaches along n is a rational number and the root of one:
-//   cylinder    h |n_z| + r |n_xy|;   cone  max(h n_z, -h n_z + r |n_xy|);   ellipsoid  |(r_i n_i)|
+//   ellipsoid   sum (r_j r_k x_i)^2 <= (r_1 r_2 r_3 w)^2, with x_i = 0 for r_i = 0
+// Its extent along n is a rational number plus the root of one:
+//   cylinder    h |n_z| + r |n_xy|
+//   cone        max(h n_z, -h n_z + r |n_xy|)
+//   ellipsoid   |(r_i n_i)|
 // Frame: world axes, the caller's lengths.
 #pragma once
 
@@ -18,8 +20,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// The root of x >= 0, rounded up by less than 2^-250 of itself; exactly, where it is a dyadic number of up to 250 bits.
-// By Newton's steps, each a double: a step wins 49 bits, and two of them may be spent on the grid.
+// The root of x >= 0, rounded up by less than 2^-250 of itself. It is exact if it is a dyadic number of up to 250
+// bits. Computed by Newton steps, each a double: a step gains 49 bits, and two of them may be spent on the grid.
 inline exact::Dyadic root_up(const exact::Dyadic& x) {
   using exact::Dyadic;
   if (x.sign() <= 0 || !x.valid()) return {};
@@ -109,7 +111,7 @@ class ExactLeaf {
     }
     return x;
   }
-  // Of a direction, its weight beside it.
+  // A direction in the leaf's own axes, with its weight.
   [[nodiscard]] exact::Exact turn_to_own(const exact::Dyadic3& n) const {
     exact::Exact out;
     out.x = n;
@@ -153,13 +155,14 @@ class ExactLeaf {
     }
     return out;
   }
-  // Of a cone: is its apex the farthest point along n?
+  // For a cone: is its apex the farthest point along n?
   [[nodiscard]] bool is_apex(const exact::Dyadic3& n) const {
     const exact::Dyadic r(radius()), up = exact::Dyadic(2 * half_height()) * n[2];
     return up.sign() >= 0 && (up * up - r * r * (n[0] * n[0] + n[1] * n[1])).sign() >= 0;
   }
 
-  // A point of the leaf near `own`: the nearest one, drawn in by 2^-250 where it is irrational. Of a cylinder or a cone.
+  // A point of the leaf near `own`: the nearest one, moved inwards by 2^-250 if it is irrational. For a cylinder or a
+  // cone.
   [[nodiscard]] exact::Exact nearest(const exact::Exact& own) const {
     using exact::Dyadic;
     const Dyadic& w = own.weight;
@@ -186,8 +189,9 @@ class ExactLeaf {
     return weighted({r * s * own.x[0], r * s * own.x[1], h * (length - s.times_power_of_two(1)) * across},
                     length * across);
   }
-  // Points of the leaf that reach farthest along n, own axes, or nearly: one, or the ends of a line where it lies flat.
-  // Cylinders and cones: `s` of the way from the end at +h to the other; of an ellipsoid it does not count.
+  // Points of the leaf that are farthest along n, own axes, or nearly so: one point, or the ends of a line if it lies
+  // flat. Cylinders and cones: `s` is the fraction of the way from the end at +h to the other. It is ignored for an
+  // ellipsoid.
   [[nodiscard]] exact::Exact along(const exact::Dyadic3& n, double s) const {
     using exact::Dyadic;
     if (kind_ == Kind::ellipsoid) {
@@ -208,7 +212,7 @@ class ExactLeaf {
     return weighted({out * n[0], out * n[1], z * across}, across);
   }
 
-  // Of a point on the border where the leaf has one normal, in own axes, of any length.
+  // The normal at a point of the border at which the leaf has only one, in own axes, of any length.
   [[nodiscard]] Dyadic3 normal_at(const exact::Exact& own) const {
     using exact::Dyadic;
     if (kind_ == Kind::ellipsoid) {
@@ -229,7 +233,7 @@ class ExactLeaf {
     return {h * h * own.x[0], h * h * own.x[1], r * r * (top - own.x[2])};
   }
 
-  // -1 inside, 0 on the border, 1 outside; `smooth`: on the border, and the leaf has one normal there.
+  // -1 inside, 0 on the border, 1 outside. `smooth`: on the border, and the leaf has one normal there.
   [[nodiscard]] int side_of(const exact::Exact& own, bool& smooth, bool& valid) const {
     using exact::Dyadic;
     const Dyadic& w = own.weight;
@@ -268,7 +272,7 @@ class ExactLeaf {
       const Dyadic rest = left - right * right * w * w;
       valid = valid && rest.valid();
       across = rest.sign();
-      // A disc: what is in its plane lies below its apex as well.
+      // A disc: a point in its plane lies below its apex as well.
       if (half_height() == 0) across = (square - r * r).sign();
     }
     if (below > 0 || above > 0 || across > 0) return 1;
@@ -315,7 +319,7 @@ class ExactLeaf {
   std::vector<Step> path_;
 };
 
-// The radius of the ball in a shape; `valid` turns false for a hull of parts whose radii differ.
+// The radius of the ball in a shape. `valid` becomes false for a hull of parts whose radii differ.
 template <Scalar S>
 exact::Dyadic exact_ball(const Shape<S>& shape, bool& valid) {
   using exact::Dyadic;
@@ -342,8 +346,9 @@ exact::Dyadic exact_ball(const Shape<S>& shape, bool& valid) {
                     shape);
 }
 
-// The vertices of a polytope, or of a rounded one's core, that reach farthest along n, exactly; one of them unless `all`
-// are wanted. n: the shape's own axes, of any length but 0. A step between two vertices of a leaf takes no rotation.
+// The vertices of a polytope, or of a rounded one's core, that are farthest along n, exactly. One of them unless
+// `all` is set. n: the shape's own axes, of any length but 0. A step between two vertices of a leaf takes no
+// rotation.
 template <Scalar S>
 std::vector<std::uint32_t> exact_farthest(const Shape<S>& shape, const exact::Dyadic3& n, bool all,
                                           bool& valid) {
@@ -448,7 +453,7 @@ std::vector<std::uint32_t> exact_farthest(const Shape<S>& shape, const exact::Dy
                  }},
       shape);
 }
-// Of a body, along n in world axes.
+// The farthest vertices of a body along n in world axes.
 template <Scalar S>
 std::vector<std::uint32_t> exact_farthest(const Body<S>& body, const exact::Dyadic3& n, bool all,
                                           bool& valid) {
@@ -505,7 +510,7 @@ class ExactBody {
   [[nodiscard]] std::uint32_t farthest(const exact::Dyadic3& n, bool& valid) const {
     return exact_farthest(body_, n, false, valid).front();
   }
-  // Of the core, along n in world axes.
+  // The extent of the core along n in world axes.
   [[nodiscard]] ExactReach reach(const exact::Dyadic3& n, bool& valid) const {
     if (is_polytope_) {
       const exact::Exact x = vertex(farthest(n, valid));

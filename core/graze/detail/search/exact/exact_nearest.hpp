@@ -1,17 +1,18 @@
-// Decides exactly whether a polytope K comes within R of the origin. Use it where rounding leaves that open.
+// Decides exactly whether a polytope K comes within R of the origin. Use it if rounding leaves that open.
 //
 //   f = min |x|^2 over K;   sign of f - R^2, and p, a positive multiple of the nearest point.
-// K is given by its vertices: `points.at(id)` is an exact vector with a weight, and `points.lowest(p)` names a vertex x
-// with the least p.x. The search is GJK in dyadic numbers, so that every decision is the sign of a rational number:
+// K is given by its vertices: `points.at(id)` is an exact vector with a weight, and `points.lowest(p)` returns a
+// vertex x with the least p.x. The search is GJK in dyadic numbers, so that every decision is the sign of a rational
+// number:
 //
 //   feature     p                          |p|^2 as a fraction       the foot is inside
 //   vertex X    X                          X.X                       -
 //   edge e      (e.e) X - (X.e) e          |X x e|^2 / e.e           0 <= -X.e <= e.e
 //   face e, g   (X.N) N,  N = e x g        (X.N)^2 / N.N             N.((-X) x g), N.(e x (-X)) and N.N less both >= 0
 //
-// Of a simplex that feature is nearest whose foot is inside and that no other corner lies beyond: p.(c - X) >= 0.
-// A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. Either feature is right
-// on a tie. A decision stops once it is sure; `settle` goes on to the nearest point of K.
+// The nearest feature of a simplex is the one whose foot is inside and that no other corner lies beyond:
+// p.(c - X) >= 0. A support point strictly beyond it shortens |p|, and simplices are finite, so the search ends. On a
+// tie both features are correct. A decision stops once it is certain. `settle` continues to the nearest point of K.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -51,13 +52,13 @@ inline double ratio(const exact::Dyadic& x, const exact::Dyadic& y) {
   return std::ldexp(x.leading() / y.leading(), std::clamp(x.order() - y.order(), -1000, 1000));
 }
 
-// What is known of a start. `n` is a positive multiple of a normal from A to B, with h(n) over C and the balls:
+// The result for a start. `n` is a positive multiple of a normal from A to B, with h(n) over C and the balls:
 enum class StartKind : std::uint8_t {
   open,
   apart,     // h(n) + R |n| < 0
   touching,  // in contact, and h(n) + R |n| = 0 if n != 0
   deep,      // in contact, and the origin is inside of C
-  contact,   // in contact; whether it is touching is not known
+  contact,   // in contact, possibly only touching
 };
 struct ExactStart {
   StartKind kind = StartKind::open;
@@ -84,7 +85,7 @@ class ExactNearest {
       ExactStart out;
       if (sign_of_f_ < 0) return {StartKind::deep, {}, false};
       if (is_zero(p_)) {
-        // The origin is in K, and R is 0: inside, or on the border, which nobody has asked for yet.
+        // The origin is in K, and R is 0: inside, or on the border. This query does not need the difference.
         return {size_ == 4 ? StartKind::deep : StartKind::contact, {}, false};
       }
       const std::optional<Id> next = points_.lowest(p_);
@@ -125,7 +126,7 @@ class ExactNearest {
   }
   // After settle(). The feature's corners: all of the hull's four if the origin is inside.
   [[nodiscard]] std::span<const Id> corners() const { return {id_.data(), size_}; }
-  // A corner times the weight W of all; p is below W times the nearest point unless that is in a face.
+  // A corner times the weight W of all. p is below W times the nearest point unless that is in a face.
   [[nodiscard]] const Dyadic3& corner(std::size_t i) const { return x_[i]; }
   [[nodiscard]] const Dyadic& weight() const { return weight_; }
   [[nodiscard]] const Dyadic3& p() const { return p_; }
@@ -137,7 +138,7 @@ class ExactNearest {
   [[nodiscard]] double share(std::size_t i) const { return size_ == 1 ? 1 : ratio(share_[i], below_); }
 
  private:
-  // GJK takes about as many as K's features have corners; far more means that something is wrong.
+  // GJK takes about as many steps as K's features have corners. A far larger number indicates a defect.
   static constexpr int kSteps = 200;
 
   void add(const Id& id) {

@@ -1,14 +1,13 @@
-// Two posed polytopes as exact vectors, each to be had in two arithmetics beyond plain doubles.
+// Represents two posed polytopes as exact vectors. Each is available in two arithmetics beyond plain doubles.
 //
-// What the cast decides is the sign of a determinant of three terms (term.hpp): points of C, their
-// differences, v, triples of doubles. Each has a Fine and an Exact form (vectors.hpp).
+// The cast decides the sign of a determinant of three terms (term.hpp): points of C, their differences, v, triples of
+// doubles. Each has a Fine and an Exact form (vectors.hpp).
 //
 // Lengths are in the pair's internal unit, 2^k of the caller's, and v in its own, 2^j (prepared_pair.hpp).   Frame:
-// world axes.   Range: magnitudes 1e-60 to 1e60. A difference of two coordinates of a leaf is exact
-// (two_sum).
+// world axes.   Range: magnitudes 1e-60 to 1e60. A difference of two coordinates of a leaf is exact (two_sum).
 //
-// A grid: every coordinate of an unrotated term is a multiple of 2^grid. A determinant is one of 2^(sum of
-// the three), so what is below that is 0: that decides the ties of numbers of few bits.
+// A grid: every coordinate of an unrotated term is a multiple of 2^grid. A determinant is a multiple of 2^(sum of the
+// three), so a smaller value is 0. This decides the ties of numbers of few bits.
 #pragma once
 
 #include <graze/detail/numeric/vectors.hpp>
@@ -49,7 +48,7 @@ class Scene {
   [[nodiscard]] int speed_exponent() const { return j_; }
   [[nodiscard]] double unit() const { return unit_; }  // 2^-k
 
-  // `straight`: in the bodies' own axes, without their rotation; for terms that is_straight() is true of.
+  // `straight`: in the bodies' own axes, without their rotation. Only for terms for which is_straight() is true.
   [[nodiscard]] Fine fine(const Term& term, bool straight = false) const {
     return straight || unturned_ ? fine_unturned(term) : evaluate<Fine>(term);
   }
@@ -61,17 +60,17 @@ class Scene {
 
   // No combinators: a body is a leaf.
   [[nodiscard]] bool is_of_two_leaves() const { return leaves_.data() == own_.data(); }
-  // Two leaves, neither of which turns.
+  // Are there two leaves without rotation?
   [[nodiscard]] bool is_unturned() const { return unturned_; }
   // Two leaves by the same rotation.
   [[nodiscard]] bool turned_alike() const { return alike_; }
 
-  // sign a.(b x c). Of steps and differences within one body, or within two that are turned alike, the rotation
-  // drops out: det(R x, R y, R z) = det(x, y, z).
+  // sign a.(b x c). For steps and differences within one body, or within two with equal rotations, the rotation
+  // cancels: det(R x, R y, R z) = det(x, y, z).
   //
-  // |error of the fine determinant| <= 2^-87 of the product of the sizes: six products of
-  // three, each of whose factors is within 2^-92, and what pairs round. The product of the sizes must leave
-  // room for low parts above the least normal number.
+  // |error of the fine determinant| <= 2^-87 of the product of the sizes: six products of three, each of whose
+  // factors is within 2^-92, and the rounding of pairs. The product of the sizes must leave room for low parts above
+  // the least normal number.
   [[nodiscard, gnu::noinline]] int determinant_sign(const Term& a, const Term& b, const Term& c) const {
     const bool straight = unturned_ || is_straight(a, b, c);
     if (has_fine()) {
@@ -97,12 +96,12 @@ class Scene {
     return value.sign();
   }
 
-  // Is a vertex of C exactly 0 along an axis? Only told of two leaves that do not turn.
+  // Is a vertex of C exactly 0 along an axis? Only decided for two leaves without rotation.
   [[nodiscard]] bool is_zero_along(int axis, const Vertex& v) const {
     if (!unturned_) return false;
     const Pair c = difference(at(own_[0], v.a)[axis], at(own_[1], v.b)[axis]),
                apart = difference(unit_ * double(b_.position[axis]), unit_ * double(a_.position[axis]));
-    // Rounded sums and what they dropped: equal sums have equal parts.
+    // Rounded sums and their remainders: equal sums have equal parts.
     return c.hi == apart.hi && c.lo == apart.lo;
   }
 
@@ -115,15 +114,16 @@ class Scene {
   [[nodiscard]] Pair3 motion() const {
     return scaled_difference(power_of_two(-j_), b_.displacement, a_.displacement);
   }
-  // Of one that turns.
+  // The rotation of a rotated body.
   [[nodiscard]] const FineTurn& turn(bool of_b) const { return turn(of_b, own_[of_b].outer); }
-  // det(a, b, c) - s det(a, b, d) is a multiple of 2^grid; far below the range of doubles where that is not known.
+  // det(a, b, c) - s det(a, b, d) is a multiple of 2^grid. The grid is far below the range of doubles if it is
+  // unknown.
   [[nodiscard]] int grid_of_rest(const Term& a, const Term& b, const Term& c, const Term& d, double s) const {
     if (!unturned_) return -kAnyGrid;
     return grid_of(a) + grid_of(b) + std::min(grid_of(c), grid_of(d) + trailing_exponent(s));
   }
 
-  // Whether each is a step or a difference that only bodies with one rotation take part in.
+  // Is each term a step or a difference of bodies with one rotation only?
   [[nodiscard]] bool is_straight(const Term& a, const Term& b, const Term& c) const {
     if (!is_of_two_leaves()) return false;
     std::array<bool, 2> takes_part = {false, false};
@@ -139,7 +139,7 @@ class Scene {
     }
     return alike_ || !(takes_part[0] && takes_part[1]);
   }
-  // Of a body with that orientation.
+  // The rotation of a body with that orientation.
   const FineTurn& turn(bool of_b, const Quaternion<double>& q) const {
     if (!has_turn_[of_b]) {
       turn_[of_b] = FineTurn(q);
@@ -186,7 +186,7 @@ class Scene {
   }
 
   static constexpr double kLeastSize = 0x1p-700, kMostSize = 0x1p700, kFineError = 0x1p-87;
-  // What is added up for a point: a part of each leaf, each shift, and the bodies' positions.
+  // Number of summands of a point: a part of each leaf, each shift, and the bodies' positions.
   static constexpr std::size_t kFineParts = 16;
   [[nodiscard]] bool has_fine() const { return leaves_.size() + shifts_.size() + 1 <= kFineParts; }
 
@@ -320,7 +320,7 @@ class Scene {
     }
     return out;
   }
-  // The same, straight: two leaves that do not turn.
+  // The same, straight: two leaves without rotation.
   [[nodiscard]] Fine fine_unturned(const Term& term) const {
     const Leaf<S>&a = own_[0], &b = own_[1];
     Fine out;
@@ -357,14 +357,14 @@ class Scene {
     const auto at = [&](int i) { return difference(unit * double(x[i]), unit * double(y[i])); };
     return {at(0), at(1), at(2)};
   }
-  // Zero, exactly and of size 0, where it does not move.
+  // Zero, exactly and of size 0, if it does not move.
   template <class V>
   [[nodiscard]] V step_of(const Leaf<S>& leaf, std::uint32_t k, std::uint32_t l) const {
     return k == l ? V() : V::of(at(leaf, l), at(leaf, k));
   }
 
-  // out += the leaves of A, - those of B, each body's turned once; and their shifts. A point's weight must
-  // not depend on which vertex it is, so nothing is left out of it; a difference has its own weight.
+  // out += the leaves of A, - those of B, each body's rotated once, and their shifts. A point's weight must not
+  // depend on the choice of the vertex, so every factor stays in it. A difference has its own weight.
   template <class V, class Part>
   void add_bodies(V& out, const Part& part_of, bool shifted) const {
     for (const bool of_b : {false, true}) {
@@ -411,7 +411,7 @@ class Scene {
   const Body<S>&a_, &b_;
   int k_, j_;
   double unit_;                            // 2^-k
-  bool unturned_ = false, alike_ = false;  // of two leaves: none turns; both turn as one
+  bool unturned_ = false, alike_ = false;  // two leaves: neither is rotated, both have one rotation
   std::array<Leaf<S>, 2> own_;
   std::vector<Leaf<S>> more_;
   std::vector<Shift> shifts_;

@@ -1,16 +1,17 @@
-// Are two bodies in contact at t = 0? Decided exactly, for starts that rounding leaves open: bodies at rest.
+// Decides exactly whether two bodies are in contact at t = 0. Used for bodies at rest whose start is too close for
+// rounded arithmetic.
 //
-// Spheres, capsules, polytopes and what is rounded of them, and an ellipsoid with a polytope: always, by the nearest
-// point of the difference of their cores (exact_nearest.hpp); the ellipsoid is a ball after it is scaled.
-// Cylinders, cones, and what else has one curved leaf: by candidates.
+// Spheres, capsules, polytopes and their roundings, and an ellipsoid with a polytope are always decided, by the
+// nearest point of the difference of their cores (exact_nearest.hpp). The ellipsoid is a ball after it is scaled.
+// Cylinders, cones, and every other body with one curved leaf are decided by candidates.
 //
-//   contact   a point of one core whose distance from the other is at most R. It is rational where bodies stand, lie or
-//             roll on a plane, and else a point within 2^-250 of the deepest one
-//   apart     a direction n with h(n) + R |n| < 0: the normal of a face, an axis of a leaf, an edge times an axis, what
-//             is between a vertex and the leaf's point nearest to it
+//   contact   a point of one core whose distance from the other is at most R. It is rational if bodies stand, lie or
+//             roll on a plane, and otherwise a point within 2^-250 of the deepest one.
+//   apart     a direction n with h(n) + R |n| < 0: the normal of a face, an axis of a leaf, an edge times an axis, or
+//             the vector between a vertex and the leaf's point nearest to it.
 //
-// Each candidate is verified in exact arithmetic, so a wrong one costs time and never an answer. Where none decides, the
-// start is open. Notation: exact_body.hpp.
+// Each candidate is verified in exact arithmetic, so a wrong one costs time and never an answer. If no candidate
+// decides, the start remains undecided. Notation: exact_body.hpp.
 #pragma once
 
 #include <graze/detail/search/exact/exact_body.hpp>
@@ -57,7 +58,7 @@ class StartDecision {
   }
 
  private:
-  // Of two heights along a direction that is rounded itself; twice what the CSO says of one, and more.
+  // Rounding of two heights along a direction that is itself rounded: more than twice the CSO's bound for one.
   static double rounding(const Cso<double>& cso) { return 4 * (cso.reach_error() + 0x1p-46 * cso.extent()); }
 
   // ---- both cores are polytopes ----
@@ -130,12 +131,12 @@ class StartDecision {
 
   [[nodiscard]] const ExactBody<S>& polytope() const { return of_a_ ? a_ : b_; }
   [[nodiscard]] const ExactLeaf<S>& leaf() const { return of_a_ ? b_.leaf() : a_.leaf(); }
-  // Of a contact it is still asked whether it is touching.
+  // A contact still needs the check whether it is touching.
   [[nodiscard]] bool done() const {
     return !valid_ || (found_.kind != StartKind::open && found_.kind != StartKind::contact);
   }
 
-  // The direction from A to B where they are nearest: where they touch it is noise, so A is moved off a little.
+  // The direction from A to B at their nearest points. In contact it is noise, so A is moved off a little.
   [[nodiscard]] bool find_direction() {
     const auto seen_from = [&](const Vec3<double>& x) {
       Simplex<double> simplex;
@@ -214,7 +215,7 @@ class StartDecision {
       found_contact(leaf().turn_to_world(between.x));
     }
   }
-  // A vertex, or an edge's point nearest to the axis, and what is between it and the leaf.
+  // A vertex, or an edge's point nearest to the axis, and the vector between it and the leaf.
   void try_point_and_normal(const Exact& own) {
     if (done()) return;
     Dyadic3 t;
@@ -253,7 +254,7 @@ class StartDecision {
     }
     for (std::size_t i = 0; i < corner.size() && !done(); ++i) try_point_and_normal(corner[i].own);
   }
-  // Of many corners of one face, six: as far out as they are in as many directions of the plane, from the leaf's middle.
+  // Keeps six of many corners of one face: the farthest along six directions of the plane, from the leaf's middle.
   void thin_out(std::vector<std::uint32_t>& near) const {
     if (near.size() <= kCorners) return;
     const Vec3<double> n = unit(towards_);
@@ -364,7 +365,7 @@ class StartDecision {
     const OnPlane one = foot(plane, leaf().to_world(leaf().along(down, 0)));
     if (leaf().kind() == Kind::ellipsoid) return try_foot(one);
     const OnPlane other = foot(plane, leaf().to_world(leaf().along(down, 1)));
-    // The middle of what lies over the face, between the two and of a flat end; and then their ends.
+    // The middle of the part over the face, between the two and of a flat end. After that, their ends.
     double from = 0, to = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       const double at = ratio(one.share[i], one.world.weight),
@@ -382,7 +383,7 @@ class StartDecision {
     for (const Corner* corner : {&p, &q, &r}) try_point(corner->own);
   }
 
-  // Points of an edge: nearest to the axis, where a cone's equation is least, and where it passes the ends.
+  // Points of an edge: the nearest to the axis, the least of a cone's equation, and the crossings of the ends.
   void try_edge(const Corner& p, const Corner& q) {
     if (leaf().kind() == Kind::ellipsoid) return;
     Dyadic3 x = p.own.x;
@@ -409,7 +410,7 @@ class StartDecision {
       try_point(own);
       try_point_and_normal(own);
     };
-    // Of an edge along the axis, the middle between the ends.
+    // For an edge along the axis, the middle between the ends.
     const double way = ratio(e[2], w), low = ratio(x[2], w);
     if (way != 0) {
       const double one = (leaf().half_height() - low) / way, other = (-leaf().half_height() - low) / way;
@@ -464,7 +465,7 @@ class StartDecision {
     try_own(first.along(up, 0));
     if (round) return;
     try_own(first.along(up, 1));
-    // Over the middle of what both have, along the axis, and of two ends that overlap.
+    // Over the middle of the common part along the axis, and of two ends that overlap.
     const Exact origin = first.to_own(leaf().to_world({}));
     const double h = first.half_height(), r = first.radius();
     const double z = ratio(origin.x[2], origin.weight),
@@ -485,8 +486,8 @@ class StartDecision {
   }
 
   static constexpr double kAway = 0x1p-20;  // internal length
-  // Corners within this of the farthest, over the extent of C, may belong to one face; a face or an axis within this of
-  // the direction (1 - cos) may be its normal. Candidates alone depend on them.
+  // Corners within this of the farthest, over the extent of C, may belong to one face. A face or an axis within this
+  // of the direction (1 - cos) may be its normal. Only candidates depend on these values.
   static constexpr double kNear = 0x1p-14, kAligned = 0x1p-12;
   static constexpr std::size_t kCorners = 6;
 

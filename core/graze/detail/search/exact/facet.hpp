@@ -1,11 +1,12 @@
-// Where a line meets a supporting plane of C, to the last bit.
+// Computes where a line meets a supporting plane of C, to the last bit.
 //
-//   n = f_1 x f_2, n.v > 0;   t = n.c_0 / n.v,  exact;   handed out as the largest double not above and the
+//   n = f_1 x f_2, n.v > 0;   t = n.c_0 / n.v,  exact;   returned as the largest double not above and the
 //   least not below it.
 //
-// First in pairs of doubles: t_0 = the quotient rounded, r = n.c_0 - t_0 n.v; where the sign of r is beyond
-// its rounding, and r less than a unit in the last place, t lies between t_0 and its neighbour on that side.
-// Else exactly. Times are in the caller's unit; 2^(k - j) of them is one of the scene's.
+// The quotient is first computed in pairs of doubles: t_0 = the quotient rounded, r = n.c_0 - t_0 n.v. If the sign of
+// r is beyond its rounding, and r less than a unit in the last place, t lies between t_0 and its neighbour on that
+// side. Otherwise it is computed exactly. Times are in the caller's unit, and 2^(k - j) of them is one of the
+// scene's.
 #pragma once
 
 #include <graze/detail/search/exact/exact_scene.hpp>
@@ -15,7 +16,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 struct Facet {
   Vertex c0;
   Term f1, f2;
-  // Of C, in the plane; o is in their hull, seen along v.
+  // Vertices of C in the plane. o is in their hull, seen along v.
   std::array<Vertex, 3> corner;
   int size = 0;
 };
@@ -58,7 +59,7 @@ ExactTime exact_time(const Scene<S>& scene, const Facet& facet, const Term& v) {
   return out;
 }
 
-// A double near numerator / denominator, within a few units in the last place; of the subnormal ones too.
+// A double near numerator / denominator, within a few units in the last place, also of the subnormal numbers.
 inline double near_quotient(const Dyadic& numerator, const Dyadic& denominator) {
   if (numerator.sign() == 0) return 0;
   const double q = numerator.leading() / denominator.leading();  // in +-(1/2, 2)
@@ -89,13 +90,13 @@ inline TimeBracket bracket_of(const ExactTime& time) {
   }
 }
 
-// The quotient in pairs of doubles, where they can tell it.
+// The quotient in pairs of doubles, if they are accurate enough.
 struct FineTime {
   Pair numerator{0, 0}, denominator{1, 0};
   double error_n = 0, error_d = 0;
   bool known = false;  // the denominator is beyond its error, and all is in the range of scene.hpp
 
-  // numerator - s denominator, s >= 0 in size; and how far off.
+  // numerator - s denominator, s >= 0 in size, and its error bound.
   [[nodiscard]] double rest(double s, double& error) const {
     error = error_n + std::abs(s) * error_d;
     return rounded(numerator - denominator * Pair{s, 0});
@@ -145,8 +146,8 @@ TimeBracket round_time(const Scene<S>& scene, const Facet& facet, const Term& v)
     constexpr double u = kUnitRoundoff<double>;
     const double below = (rounded(f.denominator) * (1 - 2 * u) - f.error_d) * (1 - 4 * u);
     double s = rounded(f.numerator) / rounded(f.denominator);
-    // The quotient of two rounded numbers may be off by more than a unit: then once more, from where the rest
-    // says.
+    // The quotient of two rounded numbers may be off by more than a unit. A second round then starts from the
+    // corrected value.
     for (int round = 0; round < 2; ++round) {
       // Scaling by a power of two is exact here.
       if (!(std::abs(s) > 0x1p-500 && std::abs(s) < 0x1p500)) break;

@@ -1,18 +1,21 @@
-// Which of two vertices of a leaf is farther along an exact direction n = f_1 x f_2? For many of them along one n.
+// Compares two vertices of a leaf along an exact direction n = f_1 x f_2. Use it for many comparisons along one n.
 //
 //   n.(+-R x) = +-(R^T n).x,   R the leaf's rotation, - for a leaf of B:
 //
 // n is formed once, in the leaf's own axes, in each of the two arithmetics beyond plain doubles (scene.hpp), and each
-// when it is first needed. A step between two vertices is there the difference of two given numbers, exact as a pair, so
-// that a sign costs three products. Thousands of vertices may lie within the rounding of doubles of the plane: the caps
-// of two prisms that are parallel but for the last bits.
+// when it is first needed. A step between two vertices is there the difference of two given numbers, exact as a pair,
+// so that a sign costs three products. Thousands of vertices may be closer to the plane than the rounding of doubles,
+// as the caps of two prisms that are parallel up to the last bits.
 //
-// Fine, |q|^2 the weight of R, X and Y the sizes of f_1 and f_2, D the step's largest component: f_1 and f_2 are within
-// 2^-92 of their sizes, so n, at most 2 X Y, is within 2^-89.9 X Y (two products; what pairs round is below 2^-95 X Y);
-// R^T n, at most 6 |q|^2 X Y, within three times that times |q|^2, and 2^-95 |q|^2 X Y of its entries and products: 2^-88.3
-// |q|^2 X Y; its product with the step within three times that times D, and 2^-93 |q|^2 X Y D: below 2^-86 |q|^2 X Y D.
+// Fine. |q|^2 is the weight of R, X and Y the sizes of f_1 and f_2, D the step's largest component. The error bounds
+// are:
+//   - f_1 and f_2: 2^-92 of their sizes.
+//   - n, at most 2 X Y: 2^-89.9 X Y (two products, and the rounding of pairs is below 2^-95 X Y).
+//   - R^T n, at most 6 |q|^2 X Y: three times that times |q|^2, and 2^-95 |q|^2 X Y of its entries and products,
+//     which is 2^-88.3 |q|^2 X Y.
+//   - its product with the step: three times that times D, and 2^-93 |q|^2 X Y D, which is below 2^-86 |q|^2 X Y D.
 //
-// Leaves that combinators turn inside their body have several rotations: theirs are determinants.
+// Leaves that combinators rotate inside their body have several rotations. Their comparisons are determinants.
 #pragma once
 
 #include <graze/detail/search/exact/exact_scene.hpp>
@@ -125,7 +128,8 @@ class Heights {
   bool on_grid_ = false, has_grid_ = false;
   int grid_ = 0;
   std::array<bool, 3> level_ = {false, false, false};  // f_1 and f_2 are 0 along the axis
-  // n in the leaf's axes, times |q|^2 where it is turned there; size_: |q|^2 X Y, 0 where pairs do not serve.
+  // n in the leaf's axes, times |q|^2 if the leaf is rotated. size_: |q|^2 X Y, or 0 if pairs are not accurate
+  // enough.
   Pair3 fine_;
   double size_ = 0;
   std::optional<Dyadic3> exact_;

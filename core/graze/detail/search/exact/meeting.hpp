@@ -1,23 +1,25 @@
-// Where a moving origin meets a facet of C: time, normal and weights from one set of corners, each formed once.
+// Computes where a moving origin meets a facet of C: time, normal and weights from one set of corners, each formed
+// once.
 //
-//   c(lambda) = c_0 + at_.lambda1 e + at_.lambda2 f     is in the facet's plane, whatever at_.lambda1 and at_.lambda2 are;
+//   c(lambda) = c_0 + at_.lambda1 e + at_.lambda2 f     is in the facet's plane for any at_.lambda1 and at_.lambda2
 //   t - s     = N.(c(lambda) - s v) / N.v         for every s, N = e x f exactly.
 //
-// Plain doubles find s and lambda, so that g = c(lambda) - s v is nearly 0; they need not be right. Only g is formed in
-// pairs of doubles, with one rotation a body. It is as small as s and lambda are good, so that N and v may be rounded in
-// the quotient: n.g / n.v tells t - s far below a unit in the last place of s. What it does not tell is left to
-// facet.hpp. The same lambda are the weights of the contact, and g says whether the two bodies' points are one.
+// Plain doubles find s and lambda, so that g = c(lambda) - s v is nearly 0. They need not be exact. Only g is formed
+// in pairs of doubles, with one rotation a body. It is as small as s and lambda are accurate, so that N and v may be
+// rounded in the quotient. The quotient n.g / n.v gives t - s far below a unit in the last place of s. The remaining
+// cases are left to facet.hpp. The same lambda are the weights of the contact, and g shows whether the two bodies'
+// points coincide.
 //
-// For two bodies that are no combinators, a path and a facet of three corners. What is done to both is done to both at
-// once, side by side; one that does not turn, beside one that does, is turned by the identity, which rounds nothing.
+// Applies to two bodies that are no combinators, a path and a facet of three corners. Both bodies are processed at
+// once, side by side. If only one body is rotated, the other is rotated by the identity, which rounds nothing.
 //
-// Errors, internal length, per component; u in double; X, Y bound the coordinates of A's and B's vertices:
+// Errors, internal length, per component. u in double. X, Y bound the coordinates of A's and B's vertices:
 //   e, f   25 u S,  S = |steps of A|_1 + |steps of B|_1 bounds |e|_2: each step rounds once, its rotation is within
-//          21 u (prepared_pair.hpp), their difference rounds once;
-//   n      2 * 25 sqrt(3) u S_e S_f, 3 u S_e S_f for the product, and what is left of second order: 100 u S_e S_f;
-//   g      2^-90 (X + Y + |p_A - p_B| + |s v|):  a body's point within 2^-95 X (two products with 2^-97 of at most 2 X
-//          lambda, lambda <= 1, and sums), its rotation within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2 each, three
-//          of them: 2^-93 X; the quotient by |q|^2 within 2^-97; three sums of what is so large, 2^-100 each.
+//          21 u (prepared_pair.hpp), their difference rounds once.
+//   n      2 * 25 sqrt(3) u S_e S_f, 3 u S_e S_f for the product, and the second-order terms: 100 u S_e S_f.
+//   g      2^-90 (X + Y + |p_A - p_B| + |s v|).  A body's point is within 2^-95 X (two products with 2^-97 of at most
+//          2 X lambda, lambda <= 1, and sums). Its rotation is within 2^-96 |q|^2 X and its rows within 2^-99 |q|^2
+//          each, three of them: 2^-93 X. The quotient by |q|^2 is within 2^-97. Three sums of that size add 2^-100 each.
 #pragma once
 
 #include <graze/detail/search/exact/exact_answer.hpp>
@@ -30,7 +32,7 @@ PairOf<kFused, T> times(const PairOf<kFused, T>& x, T s) {
   const PairOf<kFused, T> p = product<kFused>(x.hi, s);
   return {p.hi, p.lo + rounded_product(x.lo, s)};
 }
-// x / w, w > 0; within 2^-97 of x's size over w, as its first guess, with the reciprocal rounded, is within 2^-48.
+// x / w, w > 0, within 2^-97 of x's size over w. Its first guess, with the reciprocal rounded, is within 2^-48.
 template <bool kFused, class T>
 PairOf<kFused, T> over(const PairOf<kFused, T>& x, const PairOf<kFused, T>& w, T reciprocal) {
   const T q = x.hi * reciprocal;
@@ -94,21 +96,22 @@ class Meeting {
   // e x f over its length, each component within 2 u.
   [[nodiscard]] Vec3<double> normal() const { return fused_ ? fused_normal() : normal_as<false>(); }
 
-  // Of A and of B the point where the origin is at time t, caller's unit of it; world coordinates.
+  // The points of A and of B at the origin's position at time t, in the caller's unit of time and world coordinates.
   [[nodiscard]] std::array<Vec3<double>, 2> witnesses(double t) {
     if (!known_) return facet_points(t);
     const std::array<double, 2> weight = has_near_weights() ? at_.lambda : finer_weights();
     return fused_ ? fused_points(t, weight) : points_at(t, weight);
   }
 
-  // What tests hold to the truth. Internal units; t is within `error` of s + delta, each component of g within g_error.
+  // Tests compare this with the exact values. Internal units. t is within `error` of s + delta, each component of g
+  // within g_error.
   struct Quotient {
     double s = 0, delta = 0, error = 0;
     std::array<double, 2> lambda{};
     Triple g{0, 0, 0};
     double g_error = 0;
   };
-  // Where plain doubles know that the plane is not along the path.
+  // The quotient, if plain doubles show that the plane is not parallel to the path.
   [[nodiscard]] const Quotient* quotient() const { return known_ ? &at_ : nullptr; }
 
  private:
@@ -153,7 +156,8 @@ class Meeting {
             facet_point(b.body(), b, k, facet_, weight, false, t)};
   }
 
-  // What the bodies have in the corners: their vertices in c_0 and the steps from there, exactly, in their own axes.
+  // Gathers the bodies' parts of the corners: their vertices in c_0 and the steps from there, exactly, in their own
+  // axes.
   void gather() {
     const auto leaves = scene_.leaves();
     const auto at = [&](std::size_t i) {
@@ -188,8 +192,8 @@ class Meeting {
     return {dot(row_[0], x), dot(row_[1], x), dot(row_[2], x)};
   }
 
-  // Are the bodies' points, by weights in doubles, within 8 u of the pair's extent of each other, as what they are added
-  // up from rounds?
+  // Are the bodies' points, by weights in doubles, within 8 u of the pair's extent of each other? That is the
+  // rounding of their summands.
   [[nodiscard]] bool has_near_weights() const {
     return largest(at_.g - at_.delta * pair_.direction()) <= 8 * kU * pair_.extent();
   }
@@ -261,18 +265,18 @@ class Meeting {
     const double n = largest(n_);
     at_.g_error = 0x1p-90 * size;
     at_.delta = dot(n_, at_.g) / along_;
-    // Of n.g: n's error, the sum's rounding and g's, of three components each.
+    // Error of n.g: the error of n, the rounding of the sum and that of g, of three components each.
     const double error = (n_error_ + 6 * kU * n) * sum(magnitude(at_.g)) + 3.1 * (n + n_error_) * at_.g_error;
     at_.error = 1.1 * (error + std::abs(at_.delta) * along_error_) / (along_ - along_error_) +
                 2 * kU * std::abs(at_.delta);
     return at_.error < kInfinity<double>;
   }
 
-  // False where s + delta does not tell.
+  // False if s + delta does not decide.
   bool round(TimeBracket& out) const {
     const int exponent = scene_.length_exponent() - scene_.speed_exponent();
     if (std::abs(exponent) >= 500 || !(std::abs(at_.delta) < 0x1p-10 * std::abs(at_.s))) return false;
-    // s and near are within a factor of 2: their difference is exact, and what remains of delta rounds once.
+    // s and near are within a factor of 2: their difference is exact, and the remainder of delta rounds once.
     const double near = at_.s + at_.delta, rest = at_.delta - (near - at_.s),
                  error = at_.error + 2 * kU * std::abs(rest);
     const double t = near * power_of_two(exponent);  // exact
@@ -293,14 +297,14 @@ class Meeting {
     return true;
   }
 
-  // e x f up to a factor > 0, each component within 2^-57 of the largest before it is rounded; false where it is not
-  // that easily had.
+  // e x f up to a factor > 0, each component within 2^-57 of the largest before it is rounded. False if that accuracy
+  // needs more work.
   template <bool kFused>
   bool find_normal(Vec3<double>& n) const {
     double size = 0;
     Pair3Of<kFused> fine;
     if (const bool of_b = is_still(0); of_b || is_still(1) || scene_.turned_alike()) {
-      // In the bodies' own axes, and turned once.
+      // In the bodies' own axes, and rotated once.
       double size_e = 0, size_f = 0;
       const Pair3Of<kFused> e = edge<kFused>(0, size_e), f = edge<kFused>(1, size_f);
       fine = cross(e, f);
@@ -335,7 +339,7 @@ class Meeting {
     return size > Scene<S>::kLeastSize && size < Scene<S>::kMostSize &&
            n.cwiseAbs().maxCoeff() > 0x1p-30 * size;
   }
-  // e or f where nothing turns, or all as one.
+  // e or f if no body is rotated, or both by one rotation.
   template <bool kFused>
   Pair3Of<kFused> edge(std::size_t i, double& size) const {
     const Both own = high(i);
@@ -353,9 +357,9 @@ class Meeting {
   Quotient at_;
   Triple n_{};
   double along_ = 0, n_error_ = 0, along_error_ = 0;
-  // Of A and B, where known_: c_0's vertices as given and about the centres, the steps from there, which are 0 where a
-  // body does not move, and where turned_ the rotations, in doubles and in pairs; of a body that does not turn, the
-  // identity.
+  // For A and B, where known_: c_0's vertices as given and about the centres, and the steps from there, which are 0
+  // for a body without a step. If turned_ is set, also the rotations in doubles and in pairs. They are the identity
+  // for a body that is not rotated.
   Both x0_, own_;
   std::array<Pair3Of<false, TwoLanes>, 2> step_;
   std::array<std::array<bool, 2>, 2> moves_;

@@ -1,12 +1,13 @@
-// What the line {t v} does with C, as far as a question needs it: beside it, in it at t = 0, ahead or behind.
+// Decides how the line {t v} passes C, to the extent that a query needs it: beside it, in it at t = 0, ahead or
+// behind.
 //
-// The line is in C for t in [t_in, t_out], or never (walk.hpp). Contact at t = 0 iff
-// t_in <= 0 <= t_out: seen on the way, as the portal passes the origin. Bodies at rest relative to each
-// other: any line through the origin answers.
+// The line is in C for t in [t_in, t_out], or never (walk.hpp). Contact at t = 0 iff t_in <= 0 <= t_out. The walk
+// determines this when the portal passes the origin. For bodies at rest relative to each other, any line through the
+// origin gives the answer.
 //
-// A motion that starts in contact leaves or slides (StartPolicy::pass_over) iff t_out = 0, or the line runs
-// along the border of C, seen along v (walk.hpp, `outward`); at rest, iff the origin is on C's border: also
-// t_in = 0.
+// A motion that starts in contact leaves or slides (StartPolicy::pass_over) iff t_out = 0, or the line runs along the
+// border of C, seen along v (walk.hpp, `outward`). At rest, it does so iff the origin is on C's border: also t_in =
+// 0.
 #pragma once
 
 #include <graze/detail/search/exact/walk.hpp>
@@ -14,12 +15,12 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// What the line does, as far as the question needs it.
+// The position of the line relative to C, to the extent that the query needs it.
 enum class Passage : std::uint8_t {
-  beside,   // it misses C, or, where a path was asked about, the path does
+  beside,   // the line misses C, or for a query about a path, the path does
   contact,  // t_in <= 0 <= t_out
-  ahead,    // t_in > 0; the facet is the entry's
-  behind,   // t_out < 0; the facet is the exit's
+  ahead,    // t_in > 0, the facet is the entry's
+  behind,   // t_out < 0, the facet is the exit's
 };
 
 struct Answer {
@@ -52,7 +53,7 @@ class PassageSearch {
         pair_(a, b),
         counters_(counters),
         has_fast_search_(has_fast_search(a.shape) && has_fast_search(b.shape)) {}
-  // Of a pair that is prepared, and walked before: no quick walk goes first.
+  // For a pair that is prepared and was walked before, so that no quick walk runs first.
   PassageSearch(const PreparedPair<S>& pair, Counters& counters)
       : a_(pair.a().body()), b_(pair.b().body()), pair_(pair), counters_(counters), has_fast_search_(false) {}
 
@@ -119,9 +120,9 @@ class PassageSearch {
     out.hull_size = facet.size;
     for (std::size_t i = 0; i < static_cast<std::size_t>(facet.size); ++i) out.hull[i] = facet.corner[i];
   }
-  // The quick walk goes first (fast_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2 with
-  // f_1 = (n_z, 0, -n_x) and f_2 = (0, n_z, -n_y), z being the axis of n's largest component. Else where it
-  // ended is where the exact walk begins.
+  // Runs the quick walk first (fast_walk.hpp). True: it proves a miss by an axis n, as n_z n = f_1 x f_2. Here f_1 =
+  // (n_z, 0, -n_x) and f_2 = (0, n_z, -n_y), z being the axis of n's largest component. False: the exact walk begins
+  // at the vertices with which the quick walk ended.
   bool seek(double t_max, Seeds& seeds, Miss& miss) {
     if (!pair_.moves() || !(t_max > 0) || !has_fast_search_) return false;
     const double horizon = t_max * power_of_two(pair_.speed_exponent() - pair_.length_exponent());
@@ -134,8 +135,8 @@ class PassageSearch {
     }
     const Triple& n = walk.axis();
     const Triple size = magnitude(n);
-    // The quick walk lets a path end where C does. Of a longer one n proves a miss only if n.v > 0, r being within
-    // u of v per component, below 2, and three products and sums as large: 14 u |n|_1.
+    // The quick walk cuts a path at the end of C. For a longer path n proves a miss only if n.v > 0. r is within u of
+    // v per component, below 2, and three products and sums are as large: 14 u |n|_1.
     if (!(horizon <= 2 * pair_.extent()) && !(dot(n, pair_.direction()) > 16 * kU * sum(size))) return false;
     const int z = largest_axis(size), x = z == 2 ? 0 : z + 1, y = 3 - z - x;
     Vec3<double> f1 = Vec3<double>::Zero(), f2 = Vec3<double>::Zero();
@@ -161,7 +162,7 @@ class PassageSearch {
     });
   }
   GRAZE_FUSED void pass_fused(const Seeds& seeds, Answer& out) { pass_from(seeds, out); }
-  // `go(walk)` once the line is found to pass through C; else how it misses.
+  // Calls `go(walk)` once the line is found to pass through C. Otherwise determines how it misses.
   template <class Go>
   void with_walk(const Seeds& seeds, Answer& out, const Go& go) {
     PortalWalk<S> walk(pair_, scene(), motion(), counters_);
@@ -174,7 +175,7 @@ class PassageSearch {
 
   const Body<S>&a_, &b_;
   PreparedPair<S> pair_;
-  // Made when they are asked for: a miss that the quick walk proves asks for neither.
+  // Created when needed: a miss that the quick walk proves needs neither.
   mutable std::optional<Scene<S>> scene_;
   mutable std::optional<Line> line_;
   Counters& counters_;

@@ -1,20 +1,20 @@
-// Proves in pairs of doubles between which two doubles a round walk's contact lies. Use it first: what it leaves open is
-// decided by round_search.hpp.
+// Brackets a round walk's contact between two neighbouring doubles, proved in pairs of doubles. Use it first.
+// round_search.hpp decides the cases that it leaves open.
 //
 //   F     the feature that the walk ended with: corners c_i of K, all times the weight W of the bodies' rotations
-//   z     = s W v - c_0;   e, g = c_1 - c_0, c_2 - c_0;   N = e x g;   the quadratic q has the sign of f - R^2:
+//   z     = s W v - c_0, e = c_1 - c_0, g = c_2 - c_0, N = e x g. The quadratic q has the sign of f - R^2:
 //         vertex z.z - (R W)^2      edge |z x e|^2 - (R W)^2 e.e      face (z.N)^2 - (R W)^2 N.N
-//   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI is
-//          above that double
-//   upper: q < 0 with the foot inside of F: TOI is below that double; and q = 0 there, under the same terms as at the lower,
-//          TOI is that double
-// All is formed once, at the walk's time; q is a quadratic in s, so that a step of a few units in the last place to the
-// two doubles takes plain doubles.
+//   lower: q > 0, the foot of z is inside of F, no vertex of K is beyond F (beyond.hpp), and the path approaches: TOI
+//          is above that double.
+//   upper: q < 0 with the foot inside of F: TOI is below that double. If q = 0 there, under the same terms as at the
+//          lower, TOI is that double.
+// All is formed once, at the walk's time. As q is a quadratic in s, plain doubles suffice for a step of a few units
+// in the last place to the two doubles.
 //
-// Every number carries a bound of its error. With |x| <= X within x', |y| <= Y within y', pairs kept normal:
+// Every number carries its error bound. With |x| <= X within x', |y| <= Y within y', pairs kept normal:
 //   dot    3 (X y' + x' Y + x' y') + 2^-94 3 X Y,  as products are within 2^-97 X Y and their sums within 2^-101 of theirs
 //   cross  2 (X y' + x' Y + x' y') + 2^-94 2 X Y
-//   z      2^-91 of what is added up, the terms being within 2^-92 (vectors.hpp)
+//   z      2^-91 of the size of its summands, the terms being within 2^-92 (vectors.hpp)
 // Units and frame: internal, prepared_pair.hpp.
 #pragma once
 
@@ -62,7 +62,7 @@ class BoundedNumbers {
   }
 };
 
-// Between two neighbouring doubles, of the caller's time; the normal and the weights of the walk's corners.
+// A bracket of two neighbouring doubles, of the caller's time, with the normal and the weights of the walk's corners.
 struct RoundProof {
   bool proved = false;
   TimeBracket toi;
@@ -94,7 +94,7 @@ class RoundProver {
       name_[size_++] = {c.vertex_a, c.vertex_b};
     }
     if (size_ == 0 || !take_corners()) return out;
-    // Where q(s + d) = q + slope d + rise d^2 is 0, d being a few units in the last place of s.
+    // The root of q(s + d) = q + slope d + rise d^2, d being a few units in the last place of s.
     const double s = found.upper;
     const Value q = at(s);
     const double first = -q.value / q.slope;
@@ -102,7 +102,7 @@ class RoundProver {
     if (!(q.slope < 0) || !(std::abs(d) < kFar / 2 * s) || q.size == 0) return out;
     const double near = s + d;
     double lower = near, upper = near;
-    // Of bodies that do not turn q is a multiple of a power of two: what is below that is 0.
+    // For bodies that do not rotate, q is a multiple of a power of two. A smaller value is 0.
     double predicate_error = 0;
     const double rest = q.after(near - s, predicate_error);
     const int grid = scene_.is_unturned() ? grid_at(near) : -1000;
@@ -119,14 +119,14 @@ class RoundProver {
   }
 
  private:
-  // The foot and w are asked for at s + d, |d| < kFar s.
+  // The foot and w are needed at s + d, |d| < kFar s.
   static constexpr double kFar = 0x1p-40;
   struct Value {
     double value = 0, error = 0;  // q(s)
     double slope = 0, slope_error = 0, rise = 0;
-    bool inside = true;                          // the foot, beyond predicate_error
+    bool inside = true;                          // is the foot inside, beyond predicate_error
     Vec3<double> w = Vec3<double>::Zero();       // a positive multiple of s v minus the foot
-    double size = 0, w_error = 0;                // of its components; the error is of all s + d
+    double size = 0, w_error = 0;                // of w's components. The error holds for all s + d
     Vec3<double> across = Vec3<double>::Zero();  // dw / ds
     std::array<double, 2> share{};
 
@@ -136,7 +136,7 @@ class RoundProver {
                         0x1p-51 * std::abs(value);
       return value + d * (slope + rise * d);
     }
-    // Its sign; 0: in predicate_error.
+    // The sign of q after d. It is 0 if |q| is within predicate_error.
     [[nodiscard]] int sign_after(double d) const {
       double predicate_error = 0;
       const double rest = after(d, predicate_error);
@@ -171,7 +171,7 @@ class RoundProver {
       g_ = step(2);
       n_ = B::cross_of(e_, g_);
     }
-    // In the range where products are exact, and what they lose below it is little beside the bounds.
+    // Within the range of exact products. Their underflow is small compared with the bounds.
     return size < 0x1p100 && radius_.hi > 0x1p-100 && (size_ < 2 || e_.size > 0x1p-100) &&
            (size_ < 3 || (g_.size > 0x1p-100 && n_.size > 0x1p-250));
   }
@@ -246,7 +246,7 @@ class RoundProver {
     }
     return out;
   }
-  // No vertex beyond, and the path approaches; then normal and weights.
+  // Checks that no vertex is beyond and that the path approaches. Then sets normal and weights.
   [[nodiscard]] bool finish(const Value& q, double d, RoundProof& out) const {
     if (!(q.w_error < 0x1p-30 * q.size) || !(q.w.dot(v_.value()) < -0x1p-20 * q.size * v_.size)) return false;
     Direction n = unknown_direction(Term::motion(), Term::motion(), 1);
@@ -279,7 +279,7 @@ class RoundProver {
     out.lambda[at_[0]] = 1 - q.share[0] - q.share[1];
     return true;
   }
-  // The one along which an edge leads, of bodies that do not turn; or -1.
+  // The axis that an edge is parallel to, for bodies that do not rotate, or -1.
   [[nodiscard]] int axis_of_edge() const {
     int axis = -1;
     const Vertex &p = name_[0], &q = name_[1];

@@ -1,20 +1,20 @@
-// Decides exactly when two moving rounded polytopes are first in contact: spheres, capsules, roundings of polytopes, and
-// polytopes at a target distance.
+// Decides exactly when two moving rounded polytopes are first in contact: spheres, capsules, roundings of polytopes,
+// and polytopes at a target distance.
 //
 //   K the hull of the differences c = a - b of the cores' posed vertices;   v = v_B - v_A;   R = r_A + r_B + m, exact
 //   p(t) the point of K nearest to t v;   w(t) = t v - p(t);   f = w.w, which is convex, f' = 2 w.v
 // Contact at t is f(t) <= R^2. Every decision is the sign of a rational number at a double t (exact_nearest.hpp):
 //   start    f(0) against R^2
 //   verdict  w*.w* against R^2, w* the shortest vector from K to the path: the nearest point of K swept by -v
-//   time     t <= TOI iff f(t) >= R^2 and w(t).v < 0, where w*.w* < R^2: before TOI f falls strictly, as it gets below R^2
-//            later, and after TOI f is at R^2 only where it grows. TOI is the largest such double iff f is R^2 there
-//   graze    w*.w* = R^2: contacts are the t with t v - w* in K. If w*.v != 0 that is the path's end, else a line in the
-//            plane of K's face towards w*, which is cut in two dimensions. TOI is rational then
-//   leaving  (pass_over, r = r_A + r_B > 0) iff the ray from the start keeps w*.w* >= r^2; at rest, f(0) >= r^2
-// A path without end is cut where v.(t v - c) >= 0 for every c: f does not fall from there on.
+//   time     if w*.w* < R^2, t <= TOI iff f(t) >= R^2 and w(t).v < 0. Before TOI f falls strictly, as it gets below R^2
+//            later. After TOI f is at R^2 only while it grows. TOI is the largest such double iff f is R^2 there.
+//   graze    w*.w* = R^2: contacts are the t with t v - w* in K. If w*.v != 0, contact is at the path's end. Otherwise
+//            it is on a line in the plane of K's face towards w*, which is cut in two dimensions. TOI is rational then.
+//   leaving  (pass_over, r = r_A + r_B > 0) iff the ray from the start keeps w*.w* >= r^2. At rest, iff f(0) >= r^2.
+// A path without end is cut at a t with v.(t v - c) >= 0 for every c: f does not fall from there on.
 //
-// Search: Newton's steps from below for the root of |w| - R, which is convex, so that they do not pass it but for
-// rounding; then doubling steps and bisection over the doubles. A guess changes the cost and never the answer.
+// Search: Newton steps from below for the root of |w| - R, which is convex, so that they pass it only by rounding.
+// Then doubling steps and bisection over the doubles. An estimate changes the cost and never the answer.
 // Frame: world axes, the caller's units.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// Where the path meets C: the normal, and the contact's weights in up to three pairs of vertices.
+// The contact of the path with C: the normal, and the contact's weights in up to three pairs of vertices.
 struct RoundContact {
   TimeBracket toi;
   Dyadic3 normal;  // from A to B, of any length
@@ -32,7 +32,7 @@ struct RoundContact {
   std::array<double, 3> share{};
 };
 
-// About when and where, by a search in doubles; time 0: not known.
+// Approximate time and place, by a search in doubles. Time 0: unknown.
 struct RoundGuess {
   double time = 0;
   int size = 0;
@@ -67,7 +67,7 @@ class RoundSearch {
     settle(Dyadic(), moves() ? end(kInfinity<double>) : Dyadic(), balls_);
     return near_->sign_of_f();
   }
-  // From A to B, of any length, of the last question; zero where the cores overlap.
+  // The vector from A to B, of any length, of the last query. Zero if the cores overlap.
   [[nodiscard]] Dyadic3 separating() const { return minus(near_->p()); }
 
   // No f falls beyond it: the earlier of it and t_max is a path's end.
@@ -79,7 +79,7 @@ class RoundSearch {
   [[nodiscard]] Dyadic begin() { return -power_beyond(minus(v_), true); }
 
   enum class Path : std::uint8_t { misses, grazes, enters };
-  // Of t in [from, to], not in contact at `from`.
+  // The path for t in [from, to], not in contact at `from`.
   [[nodiscard]] Path path(const Dyadic& from, const Dyadic& to) {
     from_ = from;
     to_ = to;
@@ -87,8 +87,8 @@ class RoundSearch {
     const int sign = near_->sign_of_f();
     return sign > 0 ? Path::misses : sign < 0 ? Path::enters : Path::grazes;
   }
-  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the next.
-  // No more need be asked: neither the start nor the verdict.
+  // The first contact, if it is near the guess: f falls from R^2 or above at one double, and is not above R^2 at the
+  // next. Neither the start nor the verdict needs a check then.
   [[nodiscard]] std::optional<RoundContact> contact_near(const RoundGuess& guess) {
     seeds_.clear();
     for (std::size_t i = 0; i < std::size_t(guess.size); ++i)
@@ -111,7 +111,7 @@ class RoundSearch {
     }
     return {};
   }
-  // The first contact of a path that does not miss; `guess`: a time near it.
+  // The first contact of a path that does not miss. `guess`: a time near it.
   [[nodiscard]] RoundContact first_contact(Path path, double guess) {
     return path == Path::grazes ? graze() : enter(guess);
   }
@@ -145,7 +145,7 @@ class RoundSearch {
     valid_ = valid_ && x.valid();
     return x.sign();
   }
-  // A power of two above max c.n / n.n, n = v or -v; `apart`: above that and R / |n|. Or 0.
+  // A power of two above max c.n / n.n, n = v or -v, or 0. `apart`: above that and R / |n|.
   [[nodiscard]] Dyadic power_beyond(const Dyadic3& n, bool apart) {
     const Exact c = difference({farthest(a_, n), farthest(b_, detail::minus(n)), false});
     const Dyadic far = dot(c.x, n), speed = dot(n, n);
@@ -220,7 +220,7 @@ class RoundSearch {
       if (!(next > t)) break;
       t = next;
     }
-    // Doubling steps away from the end that the guess is at; the other end is the path's.
+    // Doubling steps away from the end nearest to the estimate. The other end is the path's.
     const bool up = lower > first;
     for (std::int64_t step = 1; valid_ && key_of(upper) - key_of(lower) > 1; step *= 2) {
       const std::int64_t low = key_of(lower), high = key_of(upper);
@@ -253,9 +253,10 @@ class RoundSearch {
       out.share[i] = near_->share(i);
     }
   }
-  // w at TOI, from what is nearest at toi_lower, where a radius far below |v| of a double's time leaves nothing of it:
-  // the feature's w moves by V = v across the feature, so that |w + delta V| = R. In units of `below` and W, W delta =
-  // c / (-b + root(b^2 - a c)) with a = V.V, b = w.V, c = w.w - R^2. In a face w keeps its direction.
+  // Computes w at TOI from the nearest feature at toi_lower. A radius far below |v| times the spacing of doubles
+  // would cancel completely in w at a double's time. The feature's w moves by V = v across the feature, so that |w +
+  // delta V| = R. In units of `below` and W, W delta = c / (-b + root(b^2 - a c)) with a = V.V, b = w.V, c = w.w -
+  // R^2. In a face w keeps its direction.
   Dyadic3 normal_at_contact() {
     const Dyadic3 w = minus(near_->p());
     if (near_->corners().size() > 2) return w;
@@ -364,7 +365,7 @@ class RoundSearch {
     return out;
   }
 
-  // A few are needed, and 54 at a graze, where each halves what is left.
+  // A few are needed, and 54 at a graze, at which each step halves the remainder.
   static constexpr int kNewton = 64;
   // From a time that is right to a float: two of Newton's steps, and the neighbours.
   static constexpr int kSteps = 8;

@@ -1,8 +1,8 @@
-// The names of what the exact tier decides about: vertices of C, its summands, and vectors between them.
+// Names the vectors that the exact tier decides about: vertices of C, its summands, and vectors between them.
 //
-// A vertex of C is one of A and one of B (shape.hpp has the indices). C is a sum of leaves, +R x for the
-// vertices x of A's parts and -R x for B's, and of what the parts are moved by. A term is a vector that is
-// given by such names, and so exact.
+// A vertex of C is one of A and one of B (shape.hpp has the indices). C is a sum of leaves, +R x for the vertices x
+// of A's parts and -R x for B's, and of the translations of the parts. A term is a vector that is given by such
+// names, and is therefore exact.
 #pragma once
 
 #include <graze/body.hpp>
@@ -11,7 +11,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// Of C.
+// A vertex of C.
 struct Vertex {
   std::uint32_t a, b;
   friend bool operator==(const Vertex&, const Vertex&) = default;
@@ -35,8 +35,8 @@ bool is_exact(const Shape<S>& shape, bool rounded = false) {
       shape);
 }
 
-// One summand of C: sign R x for the vertices x of a shape that is no combinator. R is a product of
-// rotations, outermost first; what they are moved by is in the scene's shifts.
+// One summand of C: sign R x for the vertices x of a shape that is no combinator. R is a product of rotations,
+// outermost first. The translations are in the scene's shifts.
 template <Scalar S>
 struct Leaf {
   enum class Kind : std::uint8_t { point, few, list, box };
@@ -46,7 +46,7 @@ struct Leaf {
   std::uint32_t stride = 1, count = 1;  // its vertex is (body's vertex / stride) % count
   const Shape<S>* shape = nullptr;
   const Vec3<S>* list = nullptr;  // a hull's vertices
-  std::array<Vec3<S>, 3> few;     // a segment's or a triangle's; of a box the half extents first
+  std::array<Vec3<S>, 3> few;     // a segment's or a triangle's, for a box the half extents first
   Quaternion<double> outer = {};  // the body's
   std::vector<Quaternion<double>> inner = {};
 
@@ -79,7 +79,7 @@ struct Leaf {
     }
   }
 
-  // As given; caller's units, the leaf's own frame.
+  // As given, in caller's units and the leaf's own frame.
   [[nodiscard]] Vec3<double> point(std::uint32_t k) const {
     switch (kind) {
       case Kind::list:
@@ -118,13 +118,13 @@ struct Term {
   enum class Kind : std::uint8_t {
     motion,      // v
     given,       // a triple of doubles
-    point,       // of C: to
+    point,       // vertex `to` of C
     difference,  // to - from, both of C
     step,        // of a leaf, as part of C: from its vertex k to its vertex l
     inside,      // around[0] + around[1] + around[2] - 3 from
   };
   Kind kind;
-  // What the kind needs of these; the rest is not set.
+  // Only the members that the kind needs are set.
   Vertex from, to;
   std::uint32_t leaf, k, l;
   std::array<Vertex, 3> around;

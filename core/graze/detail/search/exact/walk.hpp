@@ -1,34 +1,36 @@
-// The exact portal cast: where does the line {t v} enter C = A - B, and where does it leave?
+// The exact portal cast: computes where the line {t v} enters C = A - B and where it leaves.
 //
 // Seen along v, C is a polygon and the line is the origin o. Every decision is the sign of a determinant of
-// exact terms: in doubles with a bound of its rounding, else by `scene.hpp`. Notation
+// exact terms: in doubles with an error bound, else by `scene.hpp`. Notation
 //   side(c, d) = det(c, d, v):  > 0 where o is to the left of the edge c -> d;
 //   portal     = three vertices of C, o inside their triangle, all sides > 0;
 //   n          = -+ (c_1 - c_0) x (c_2 - c_0), the portal's normal against v (entry) or along it (exit).
 //
-//   1 start    three vertices that are a triangle, seen along v;
-//   2 around   while o is outside an edge: the vertex farthest beyond it takes the triangle there; if none
-//              is beyond it, the line misses;
+//   1 start    three vertices that are a triangle, seen along v.
+//   2 around   while o is outside an edge: the vertex farthest beyond it takes the triangle there. If no vertex
+//              is beyond it, the line misses.
 //   3 towards  while a vertex w is beyond the portal's plane: w replaces one corner, so that o stays inside.
 // [portal refinement: Snethen 2008; the lecture's MPR; here with exact decisions, as a simplex method]
 //
-// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its
-// edges: o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0). m is interior to the polygon, so the moved o is inside
-// iff o is, and the entry of a polytope is continuous along the way: verdict and time are o's own. No side of
-// two vertices that are seen apart is then zero, as no edge is parallel to both edges of a triangle.
+// Ties. o is moved, infinitesimally, towards the barycentre m of the first triangle, then along two of its edges:
+//   o + e m + e^2 (d_1 - d_0) + e^3 (d_2 - d_0).
+// As m is interior to the polygon, the moved o is inside iff o is. The entry of a polytope is continuous along the
+// way, so verdict and time are o's own. No side of two vertices that are seen apart is then zero, as no edge is
+// parallel to both edges of a triangle.
 //
-// Flat. Seen as a segment, C lies in a plane parallel to v. Where that holds the line, x being an axis that is not
-// parallel to it, the portal is two vertices c, d with side(c, x) < 0 < side(d, x): x is the third corner, infinitely far
-// away. So the portal's plane is that of d - c and x, the walk the same one dimension lower, o moved towards the middle
-// of the first two vertices, then along the segment. Seen as a point, C lies on a line along v: the portal is one vertex.
+// Flat. If C is seen as a segment, it lies in a plane parallel to v. Let x be an axis that is not parallel to this
+// plane. If the plane holds the line, the portal is two vertices c, d with side(c, x) < 0 < side(d, x), and x is the
+// third corner, infinitely far away. So the portal's plane is that of d - c and x, and the walk is the same one
+// dimension lower. It moves o towards the middle of the first two vertices, then along the segment. If C is seen as a
+// point, it lies on a line along v, and the portal is one vertex.
 //
-// It ends. In 2, every vertex is strictly beyond an edge of the hull of those before it: a new one. In 3, w
-// is strictly beyond the plane, and the moved o strictly inside: the portal's height over it strictly falls,
-// so no portal comes twice; there are finitely many. That a vertex is beyond is proved, and that none is
-// (beyond.hpp); along which rounded direction it was looked for does not matter. (Where a number outgrows its
-// room, dyadic.hpp, no sign can be trusted: the walk stops, and the cast is refused.)
+// Termination. In 2, every vertex is strictly beyond an edge of the hull of those before it, so it is a new one. In
+// 3, w is strictly beyond the plane, and the moved o strictly inside. The portal's height over it strictly falls, so
+// no portal occurs twice, and there are finitely many. Both results of a search beyond a plane are proved
+// (beyond.hpp): that a vertex is beyond, and that no vertex is. The rounded direction of the search does not matter.
+// (If a number outgrows its room, dyadic.hpp, no sign can be trusted. The walk stops, and the cast is refused.)
 //
-// Frame: world axes; lengths in units of 2^k, v of 2^j. The plane that is seen: with z the axis of v's
+// Frame: world axes, lengths in units of 2^k, v of 2^j. The plane that is seen: with z the axis of v's
 // largest component, q = (c_x - (v_x/v_z) c_z, c_y - (v_y/v_z) c_z), and side(c, d) = v_z (q_c x q_d).
 #pragma once
 
@@ -41,7 +43,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 inline constexpr double kU = kUnitRoundoff<double>;
 
 struct Corner {
-  Triple a, b, w;  // of A and B about the bodies' centres, world axes; a - b - offset
+  Triple a, b, w;  // of A and B about the bodies' centres, world axes, and a - b - offset
   double qx, qy;
   Vertex id;
 };
@@ -51,14 +53,15 @@ struct Line {
   Term v;
   Triple r;  // v rounded, within u per component
   int x = 0, y = 1, z = 2;
-  Triple across_x, across_y;  // q_x = across_x.c = c_x - (v_x/v_z) c_z, the slopes within 3.1 u; q_y likewise
-  int sign = 1;               // of v_z
+  Triple across_x, across_y;  // q_x = across_x.c = c_x - (v_x/v_z) c_z, the slopes within 3.1 u. The same for
+                              // q_y
+  int sign = 1;               // sign of v_z
 
   Line(const Term& v_term, const Triple& rounded) : v(v_term), r(rounded) {
     z = largest_axis(magnitude(rounded));
     x = z == 2 ? 0 : z + 1;
     y = 3 - z - x;
-    // By numbers: nothing foretells the axis.
+    // Selects by arithmetic, because a branch on the axis cannot be predicted.
     const std::array<double, 3> at = {rounded.x, rounded.y, rounded.z};
     const auto axis = [](int i) { return static_cast<std::size_t>(i); };
     const double along = at[axis(z)];
@@ -73,13 +76,13 @@ struct Line {
   }
 };
 
-// Bounds of the rounding, lengths in internal units, per component:
-//   body   of a vertex of A or B about its centre, both added (prepared_pair.hpp);
-//   edge   of the difference of two vertices of C, formed from those of A and of B, with what a determinant
-//          of three such adds (8 u of the product of three, each below 6 reach: 16 u reach each);
-//   seen   of q: twice that of w, 3.1 u + u of the slope's product, 2 u of the sum;
-//   far    of how far C reaches along a rounded direction n, over |n|_1: what the guess passed over (|n| is
-//          at most 1.5 |n|_1 in space), n's own rounding.
+// Error bounds, lengths in internal units, per component:
+//   body   of a vertex of A or B about its centre, both added (prepared_pair.hpp).
+//   edge   of the difference of two vertices of C, formed from those of A and of B. It includes the error of a
+//          determinant of three such (8 u of the product of three, each below 6 reach: 16 u reach each).
+//   seen   of q: twice that of w, 3.1 u + u of the slope's product, 2 u of the sum.
+//   far    of the extent of C along a rounded direction n, over |n|_1: the error of the guess (|n| is
+//          at most 1.5 |n|_1 in space) and n's own rounding.
 struct Bounds {
   double body = 0, edge = 0, seen = 0, far = 0;
 
@@ -94,15 +97,15 @@ struct Bounds {
   }
 };
 
-// A number in doubles, and how far off it may be.
+// A number in doubles and its error bound.
 struct Measured {
   double value = 0, error = 0;
 
   [[nodiscard]] int sign() const { return value > error ? 1 : value < -error ? -1 : 0; }
 };
-// det(d - c, x, v) / v_z with x = the sum of three vertices less 3 c, the sum as seen; q within `seen`. Of d - c 2.5 of
-// that (twice, and u of its length, below 2.9 extent); of x 9 of it (6, and 12 u of what is below twice the extent each);
-// and 3 u of the product, |x| below 12 extent: 5 of it, over d - c.
+// det(d - c, x, v) / v_z with x = the sum of three vertices less 3 c, the sum as seen, q within `seen`. The error of
+// d - c is 2.5 of that (twice, and u of its length, below 2.9 extent). The error of x is 9 of it (6, and 12 u of a
+// length below twice the extent each). The product adds 3 u, |x| below 12 extent: 5 of it, over d - c.
 inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, double sum_y, double seen) {
   const double ex = d.qx - c.qx, ey = d.qy - c.qy, x = sum_x - rounded_product(3.0, c.qx),
                y = sum_y - rounded_product(3.0, c.qy);
@@ -115,10 +118,10 @@ inline Measured side_of_middle(const Corner& c, const Corner& d, double sum_x, d
 struct Seeds {
   std::array<Vertex, 3> vertex;
   bool known = false;
-  bool last = false;  // a portal that nothing is likely to lie beyond
+  bool last = false;  // a portal that no vertex is likely to be beyond
 };
 
-// Why a line misses C: n = sign (f1 x f2) has n.v = 0 and h(n) < 0. Or a path: h(n) < min(0, t_max n.v).
+// The proof that a line misses C: n = sign (f1 x f2) has n.v = 0 and h(n) < 0. For a path: h(n) < min(0, t_max n.v).
 struct Miss {
   Term f1, f2;
   int sign = 1;
@@ -133,7 +136,7 @@ class PortalWalk {
   }
 
   // Steps 1 and 2: a portal, or a miss. `outward`: o is moved away from m instead, so that a line along C's border
-  // misses. `seeds`: any three vertices to begin with, wherever they come from; a triangle of them is as good as another.
+  // misses. `seeds`: any three vertices to begin with, from any source. Every triangle of them is a valid start.
   bool find(bool outward = false, const Seeds& seeds = {}) {
     outward_ = outward;
     if (seeds.known && plant(seeds)) {
@@ -149,8 +152,8 @@ class PortalWalk {
   }
   [[nodiscard]] const Miss& miss() const { return miss_; }
 
-  // Step 3: along v for `toward` = -1 (entry), against it for +1 (exit). Stops early, and returns true, once
-  // stop() says so of a new portal.
+  // Step 3: along v for `toward` = -1 (entry), against it for +1 (exit). Stops early, and returns true, once stop()
+  // returns true for a new portal.
   template <class Stop>
   bool refine(int toward, const Stop& stop) {
     toward_ = toward;
@@ -162,7 +165,7 @@ class PortalWalk {
     return false;
   }
 
-  // Of the portal: its plane, n.v > 0.
+  // The portal's facet: its plane, n.v > 0.
   [[nodiscard]] Facet facet() const {
     const Vertex &a = at(0).id, &b = at(1).id, &c = at(2).id;
     if (size_ == 1) return {a, axis(0), axis(1), {a}, 1};
@@ -180,7 +183,7 @@ class PortalWalk {
     if (height < -error) return -1;
     return height_sign_exactly();
   }
-  // The portal before the last step, and the vertex that came in: their hull holds both portals.
+  // The portal before the last step, and the vertex that came in. Their hull holds both portals.
   [[nodiscard]] int hull_before(std::array<Vertex, 4>& out) const {
     out = {previous_[0], previous_[1], previous_[2]};
     out[static_cast<std::size_t>(size_)] = newest_;
@@ -188,14 +191,14 @@ class PortalWalk {
   }
 
  private:
-  // Counts a step. The walk ends of itself (see above): were it not to, by a mistake here, the cast is refused.
+  // Counts a step. The walk terminates by itself (see above). If a defect prevents that, the cast is refused.
   [[nodiscard]] bool goes_on() {
     constexpr int kMostSteps = 1 << 20;
     if (++counters_.portal_steps > kMostSteps) scene_.invalidate();
     return scene_.valid();
   }
-  // Corners live in four slots, three of the portal and the next, and change places by their index: a copy of
-  // what was just written would wait for it.
+  // Corners live in four slots, three of the portal and the next, and change places by their index. A copy of a value
+  // just written would wait for that write.
   [[nodiscard]] const Corner& at(std::size_t i) const { return slot_[order_[i]]; }
   [[nodiscard]] Corner& next() { return slot_[order_[3]]; }
   void put_next(std::size_t i) { std::swap(order_[i], order_[3]); }
@@ -214,7 +217,7 @@ class PortalWalk {
   }
   [[gnu::noinline]] void support(const Triple& n, Corner& out) const {
     ++counters_.supports;
-    // Near 1, so that no component that counts leaves the range of floats.
+    // Scaled to near 1, so that no significant component leaves the range of floats.
     const double size = largest(n);
     const Triple scaled_near_one = size > 0 ? power_of_two(-exponent_of(size)) * n : n;
     const Triple a = pair_.a().support(scaled_near_one, out.id.a),
@@ -222,9 +225,9 @@ class PortalWalk {
     place(out, a, b);
   }
 
-  // The support along n2, and whether it proves in doubles that the line misses: n = v x (n_y, -n_x, 0).
+  // The support along n2. Returns whether it proves in doubles that the line misses: n = v x (n_y, -n_x, 0).
   bool support_across(double nx, double ny, Corner& out) {
-    // Perpendicular to v but for its rounding.
+    // Perpendicular to v up to its rounding.
     support(nx * line_.across_x + ny * line_.across_y, out);
     const double height = rounded_product(nx, out.qx) + rounded_product(ny, out.qy);
     if (!(height < -(rounded_product(bounds_.far, 2 * (std::abs(nx) + std::abs(ny))) + kUnderflow)))
@@ -245,13 +248,13 @@ class PortalWalk {
     const Facet at = facet();
     return scene_.determinant_sign(Term::point(at.c0), at.f1, at.f2);
   }
-  // The sign of v_z (u_x w_y - u_y w_x), each within e; 0 where that is not beyond its rounding.
+  // The sign of v_z (u_x w_y - u_y w_x), each within e. Returns 0 if the value is within its error bound.
   [[nodiscard]] int sign_in_doubles(double ux, double uy, double wx, double wy, double e) const {
     const double value = rounded_product(ux, wy) - rounded_product(uy, wx);
     const double error = 2 * e * (std::abs(ux) + std::abs(uy) + std::abs(wx) + std::abs(wy)) + 4 * e * e;
     return value > error ? line_.sign : value < -error ? -line_.sign : 0;
   }
-  // Of det(c, d, v), o moved; 0 only for vertices that are seen at one point.
+  // The sign of det(c, d, v), o moved. It is 0 only for vertices that are seen at one point.
   [[nodiscard]] int side(const Corner& c, const Corner& d) const {
     const int sign = sign_in_doubles(c.qx, c.qy, d.qx, d.qy, bounds_.seen);
     return sign != 0 ? sign : side_exactly(c, d);
@@ -274,17 +277,17 @@ class PortalWalk {
     }
     return 0;
   }
-  // c, d and v in one plane across an axis: as of faces that slide along each other.
+  // Are c, d and v in one plane across an axis, as with faces that slide along each other?
   [[nodiscard]] bool is_level(const Vertex& c, const Vertex& d) const {
     for (int axis = 0; axis < 3; ++axis) {
-      // r is 0 only where v is.
+      // r is 0 only if v is.
       if (line_.r[axis] == 0 && scene_.is_zero_along(axis, c) && scene_.is_zero_along(axis, d)) return true;
     }
     return false;
   }
-  // Of det(d - c, e - c, v): do the three turn left?
+  // The sign of det(d - c, e - c, v): do the three turn left?
   [[nodiscard]] int turn(const Corner& c, const Corner& d, const Corner& e) const {
-    // Of a difference: twice that of q, and u of its length, below 2.9 extent.
+    // Error of a difference: twice that of q, and u of its length, below 2.9 extent.
     const double error = 2.5 * bounds_.seen;
     const int sign = sign_in_doubles(d.qx - c.qx, d.qy - c.qy, e.qx - c.qx, e.qy - c.qy, error);
     return sign != 0 ? sign : turn_exactly(c, d, e);
@@ -296,7 +299,7 @@ class PortalWalk {
 
   // ---- 1 ----
 
-  // The seeds as a triangle that turns left, if they are one.
+  // Takes the seeds as a triangle that turns left, if they form one.
   bool plant(const Seeds& seeds) {
     for (std::size_t i = 0; i < 3; ++i) find_corner(seeds.vertex[i], slot_[i]);
     const int s = turn(slot_[0], slot_[1], slot_[2]);
@@ -304,7 +307,7 @@ class PortalWalk {
     return s != 0;
   }
 
-  // Three vertices, in the hope that they are a triangle around o, or close to it.
+  // Proposes three vertices that are likely a triangle around o, or close to it.
   [[gnu::noinline]] bool start() {
     Corner &first = slot_[0], &second = slot_[1], &third = slot_[2];
     support(-line_.r, first);
@@ -313,17 +316,18 @@ class PortalWalk {
     if (!support_across(nx, ny, second)) return false;
     double ex = second.qx - first.qx, ey = second.qy - first.qy;
     if (!(std::abs(ex) + std::abs(ey) > 4 * bounds_.seen)) {
-      // Nothing lies beyond the foremost vertex: another way, across.
+      // No vertex lies beyond the foremost one: tries another direction, across.
       if (!support_across(ny, -nx, second)) return false;
       ex = second.qx - first.qx;
       ey = second.qy - first.qy;
     }
-    // To the side where o is.
+    // Towards the side of o.
     const bool left = rounded_product(first.qx, second.qy) >= rounded_product(first.qy, second.qx);
     return support_across(left ? -ey : ey, left ? ex : -ex, third);
   }
 
-  // The first three as a triangle that turns left; false: seen along v, C has no area, and size_ says what it has.
+  // Takes the first three as a triangle that turns left. False: seen along v, C has no area, and size_ is set
+  // accordingly.
   [[gnu::noinline]] bool make_triangle() {
     int s = turn(at(0), at(1), at(2));
     if (s == 0) s = find_triangle();
@@ -359,7 +363,7 @@ class PortalWalk {
   // ---- flat ----
 
   static Term unit(int i) { return Term::given(Vec3<double>(Vec3<double>::Unit(i))); }
-  // x and, of a point, y: (x x y).v > 0.
+  // x and, for a point, y: (x x y).v > 0.
   [[nodiscard]] Term axis(std::size_t i) const { return unit(axis_[i]); }
   // A vertex beyond an exact plane through the corner as the next.
   [[gnu::noinline]] bool look_beyond(const Term& f1, const Term& f2, int sign, const Corner& from) {
@@ -391,7 +395,7 @@ class PortalWalk {
     }
     if (along < 0) std::swap(order_[0], order_[1]);
     around_ = {at(0).id, at(1).id, at(1).id};
-    // Both ends on one side of o: towards it, while there is more of C.
+    // Both ends are on one side of o. The segment grows towards o, while there is more of C.
     for (const std::size_t i : {0u, 1u}) {
       const int wanted = i == 0 ? -1 : 1;
       while (side_of_axis(at(i)) != wanted && goes_on()) {
@@ -402,12 +406,12 @@ class PortalWalk {
     }
     return true;
   }
-  // The sign of side(c, x), o moved; never 0.
+  // The sign of side(c, x), o moved. Never 0.
   [[nodiscard]] int side_of_axis(const Corner& c) const {
     if (const int s = scene_.determinant_sign(Term::point(c.id), axis(0), line_.v); s != 0) return s;
     const Term middle = Term::inside({around_[0], around_[1], c.id}, c.id);
     if (const int s = scene_.determinant_sign(middle, axis(0), line_.v); s != 0) return -s;
-    return -1;  // o moves along the segment, where s rises
+    return -1;  // o moves along the segment, in the direction of rising s
   }
 
   // ---- 2 ----
@@ -428,7 +432,7 @@ class PortalWalk {
       const double ex = d.qx - c.qx, ey = d.qy - c.qy;
       if (!support_across(line_.sign * ey, -line_.sign * ex, w)) return false;
       if (!(turn(c, d, w) < 0)) {
-        // Not shown beyond by the rounded direction: by the exact one?
+        // The rounded direction does not show a vertex beyond. The exact direction decides.
         const Direction n = direction_of(scene_, Term::difference(c.id, d.id), line_.v, 1);
         Vertex id;
         if (!beyond_.find(n, c.id, std::array{d.id}, id)) {
@@ -436,7 +440,7 @@ class PortalWalk {
         }
         find_corner(id, w);
       }
-      // The triangle beyond the edge turns left as c, w, d; o is left of d -> c.
+      // The triangle beyond the edge turns left as c, w, d. o is left of d -> c.
       order_ = {order_[0], order_[3], order_[1], order_[2]};
       edge = side(at(0), at(1)) < 0 ? 0 : side(at(1), at(2)) < 0 ? 1 : -1;
     }
@@ -456,7 +460,7 @@ class PortalWalk {
   [[nodiscard]] static Steps steps(const Corner& from, const Corner& to) {
     return {to.a - from.a, to.b - from.b};
   }
-  // A vertex strictly beyond the portal's plane as the next, or a proof that there is none.
+  // A vertex strictly beyond the portal's plane as the next, or a proof that there is no such vertex.
   bool above_portal() {
     if (size_ < 3) {
       const Facet plane = facet();
@@ -485,12 +489,12 @@ class PortalWalk {
     }
     return surely_above(n, e, f, w);
   }
-  // The normal in the axes of the one body whose vertices alone make the portal's edges, or of both, if they are
-  // turned alike. Of leaves: their vertices are known without rounding in their own axes.
+  // The normal in the axes of the one body whose vertices alone make the portal's edges, or of both, if their
+  // rotations are equal. Only for leaves: their vertices are known without rounding in their own axes.
   void find_own_normal(Direction& out) const {
     if (!scene_.is_of_two_leaves()) return;
     const Vertex &v0 = at(0).id, &v1 = at(1).id, &v2 = at(2).id;
-    // All of them are asked: one branch that nothing foretells is enough.
+    // All conditions are evaluated: one branch that cannot be predicted is enough.
     const bool alike = scene_.turned_alike(), of_a = ((v0.b ^ v1.b) | (v0.b ^ v2.b)) == 0,
                of_b = ((v0.a ^ v1.a) | (v0.a ^ v2.a)) == 0;
     if (!(unsigned(alike) | unsigned(of_a) | unsigned(of_b))) return;
@@ -500,7 +504,7 @@ class PortalWalk {
       e = {pair_.a().own(v1.a) - pair_.a().own(v0.a), pair_.b().own(v1.b) - pair_.b().own(v0.b)};
       f = {pair_.a().own(v2.a) - pair_.a().own(v0.a), pair_.b().own(v2.b) - pair_.b().own(v0.b)};
     } else {
-      // As steps of A, either of them: two that are negated have the same product.
+      // As steps of A, whichever body it is: two negated steps have the same product.
       const PreparedCore<S>& body = of_b ? pair_.b() : pair_.a();
       const Triple first = body.own(of_b ? v0.b : v0.a);
       e.a = body.own(of_b ? v1.b : v1.a) - first;
@@ -528,7 +532,7 @@ class PortalWalk {
   [[nodiscard]] bool is_corner(const Vertex& id) const {
     return id == at(0).id || id == at(1).id || id == at(2).id;
   }
-  // The next takes the place of the corner whose opposite edge makes with it the triangle that holds o.
+  // The next vertex replaces the corner whose opposite edge makes with it the triangle that holds o.
   [[gnu::noinline]] void replace() {
     const Corner& w = next();
     previous_ = {at(0).id, at(1).id, at(2).id};
