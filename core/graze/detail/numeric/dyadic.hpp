@@ -119,7 +119,7 @@ class Dyadic {
     out.valid_ = value.valid_ && other.valid_;
     return out;
   }
-  // x + y, x.exponent_ >= y.exponent_; both != 0.
+  // x + y, where x.exponent_ >= y.exponent_ and both are nonzero.
   static Dyadic sum(const Dyadic& x, const Dyadic& y) {
     Dyadic high = x.shifted_left(x.exponent_ - y.exponent_);
     high.valid_ = high.valid_ && y.valid_;
@@ -203,7 +203,7 @@ class Dyadic {
 
   int size_ = 0, exponent_ = 0;
   bool negative_ = false, valid_ = true;
-  std::array<Limb, kLimbs> limb_;  // little-endian; beyond size_ nothing
+  std::array<Limb, kLimbs> limb_;  // little-endian, unspecified beyond size_
 };
 
 using Dyadic3 = std::array<Dyadic, 3>;

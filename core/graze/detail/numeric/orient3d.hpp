@@ -39,7 +39,7 @@ class PointSet {
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] const Vec3<double>& operator[](std::size_t i) const { return points_[i]; }
 
-  // +1 if d lies on the side from which a, b, c turn anticlockwise; 0 if the four are coplanar.
+  // +1 if d lies on the side from which a, b, c turn anticlockwise, 0 if the four are coplanar.
   [[nodiscard]] int orientation(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
     return orientation(points_[a], points_[b], points_[c], points_[d]);
   }
@@ -127,10 +127,10 @@ inline bool PointSet::collinear(std::size_t a, std::size_t b, std::size_t c) con
 }
 
 // sign n . (a - b), exactly, for |a_i|, |b_i| <= 4 that are multiples of 2^-460, and n whose components are 0
-// or within a factor 2^1000 of the largest: n is scaled to 2^600, so that products are multiples of 2^-1021
-// at most 2^604. First by two doubles: products and sums each within 2^-100 relatively, four of them on a
-// way; where a part of a product falls below the range of doubles it costs less than 2^-1000 besides, and an
-// overflow makes a NaN, which decides nothing.
+// or within a factor 2^1000 of the largest. n is scaled to 2^600, so that products are multiples of 2^-1021
+// at most 2^604. The first attempt uses two doubles. Products and sums are each within 2^-100 relatively,
+// with four of them on a way. A part of a product that falls below the range of doubles costs less than
+// 2^-1000 besides. An overflow makes a NaN, which decides nothing.
 inline int height_sign(const Vec3<double>& n, const Vec3<double>& a, const Vec3<double>& b) {
   TwoDoubles sum;
   double magnitude = 0;

@@ -30,7 +30,7 @@ struct Fine {
     }
     return out;
   }
-  // Bounds |x|, x being a sum of two that was rounded, |lo| <= u |hi|; 0 only where x is.
+  // Bounds |x|, x being a rounded sum of two with |lo| <= u |hi|. It is 0 only if x is.
   static double size_of(const Pair& x) { return (1 + 0x1p-52) * std::abs(x.hi); }
   static Fine of(const Vec3<double>& x) {
     Fine out;
@@ -147,7 +147,7 @@ struct ExactTurn {
   }
 };
 
-// The exponent of the last bit of x that is set; kAnyGrid for 0.
+// The exponent of the last bit of x that is set, or kAnyGrid for 0.
 inline constexpr int kAnyGrid = 100000;
 inline int trailing_exponent(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);

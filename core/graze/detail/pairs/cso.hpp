@@ -5,8 +5,8 @@
 //   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance), axes the world's.
 // Powers of two are exact, so scaling a problem by one changes no bit of what the solvers see.
 //
-// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is
-// the core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
+// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is the
+// core's. `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
 // Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp; |a|, |b| the cores' radii about
 // their scan's origin, M = |a| + |b| + |d|. Turning a vector x is within kTurn u |x| per component: rows of R
@@ -25,8 +25,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// A support point of C: w = a - b, by the vertices of A and B, on a rounded C the ball's unit direction e,
-// and on a curved core the direction n that it is the support point of, of any length.
+// A support point w = a - b of C. It keeps the vertices of A and B. On a rounded C it also keeps the ball's unit
+// direction e, and on a curved core the direction n that it is the support point of, of any length.
 template <Scalar S>
 struct CsoPoint {
   Vec3<S> w = Vec3<S>::Zero();
@@ -69,7 +69,7 @@ class Cso {
     const double speed = v.cwiseAbs().maxCoeff();
     j_ = speed > 0 ? exponent_of(speed) : 0;
     r_ = (power_of_two(-j_) * v).template cast<S>();
-    // What validate() lets pass is finite, and near 1 in internal units.
+    // Valid bodies have finite values, near 1 in internal units.
     GRAZE_ASSERT(scale_ >= 0 && scale_ <= 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
   }
 
@@ -81,7 +81,7 @@ class Cso {
     d_ = offset;  // of a way that outgrows the doubles infinite or NaN: then nothing is found or proved
   }
 
-  // The core's support point along n (any length); the rounded C's, n a unit vector, or 0 for any point of C.
+  // The core's support point along n (any length). For the rounded C, n is a unit vector, or 0 for any point of C.
   [[nodiscard]] CsoPoint<S> support(const Vec3<S>& n) const {
     CsoPoint<S> out;
     const SidePoint<S> a = a_.support(a_, a_.to_own(n), nullptr);
@@ -108,12 +108,12 @@ class Cso {
   // (p_B + R_B c_B) - (p_A + R_A c_A), c the centres of the sides.
   [[nodiscard]] const Vec3<S>& offset() const { return d_; }
   [[nodiscard]] bool curved() const { return curved_; }
-  [[nodiscard]] const Vec3<S>& direction() const { return r_; }  // r; zero if nothing moves
+  [[nodiscard]] const Vec3<S>& direction() const { return r_; }  // r, or zero if nothing moves
   [[nodiscard]] bool moves() const { return r_ != Vec3<S>::Zero(); }
   [[nodiscard]] S radius() const { return radius_; }
   [[nodiscard]] S target() const { return target_; }
-  // In [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale: the
-  // largest side of either box in its own axes, or the largest coordinate of the distance between their
+  // It is in [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale. That
+  // scale is the largest side of either box in its own axes, or the largest coordinate of the distance between their
   // centres.
   [[nodiscard]] S scale() const { return scale_; }
   // See above. `extent` is M, which also bounds |w|.
@@ -136,7 +136,7 @@ class Cso {
 
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
-  // t = s 2^(k - j), and back; infinite where t_max is, or where it is out of S's range.
+  // t = s 2^(k - j), and its inverse. It is infinite if t_max is, or if it is out of S's range.
   [[nodiscard]] S to_time(S s) const {
     return static_cast<S>(static_cast<double>(s) * power_of_two(k_ - j_));
   }
