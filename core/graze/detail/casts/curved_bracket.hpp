@@ -8,13 +8,12 @@
 //           of the order of the tilt's square.
 //   width   (upper - lower) |r|, and the depth before upper, h(n) - n.(upper r) over |n|.
 // A miss is proved as in the walk. A start in contact is left to the wider search.
-//
-// Rounding, internal length, u in double; M + R bounds |w|. Axes: margin of the walk over |n|_1, as the point that it
-// ends with is the farthest one in doubles. Seen along the path, where e and f are of length 1 within 4 u and level
-// within 6 u, and r is rounded once, a coordinate is within sqrt(3) point_error + 11 u (M + R) < predicate_error,
+// Rounding, internal length, u in double. M + R bounds |w|. Axes: margin of the walk over |n|_1, as the point that it
+// ends with is the farthest one in doubles. Seen along the path, e and f have length 1 within 4 u and are level
+// within 6 u, and r is rounded once. A coordinate is then within sqrt(3) point_error + 11 u (M + R) <
+// predicate_error. Here
 //   predicate_error = 2 point_error + 16 u (M + R).
-// What that leaves of the height of the plane at the line: proving/prove.hpp, height_at_line.
-// Tested as a bound: tests/core/certified/curved_bracket_test.cpp.
+// The effect on the height of the plane at the line is derived in proving/prove.hpp, height_at_line.
 #pragma once
 
 #include <graze/detail/casts/certified_bracket.hpp>

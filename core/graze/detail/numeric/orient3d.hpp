@@ -3,12 +3,12 @@
 // Points of a prepared set: every coordinate 0 or in [2^-280, 2). Differences are then multiples of 2^-332,
 // and the products of three multiples of 2^-996: nothing underflows, flushed or not.
 //
-// Three stages; P is the permanent, the sum of the magnitudes of the six products of three:
+// There are three stages. P is the permanent, the sum of the magnitudes of the six products of three.
 //   double           |error| <= (7 + 56 u) u P       [Shewchuk 1997, orient3d, bound A]
 //   two doubles      |error| <= 2^-96 P              six operations of 2^-100 each on a product's way
 //   expansions       exact.
-// All coordinates are multiples of a grid step g, so a determinant is one of g^3: where its magnitude is less
-// than g^3 it is 0, which decides lattices and numbers of few bits without an expansion.
+// All coordinates are multiples of a grid step g, so a determinant is a multiple of g^3. If its magnitude is
+// less than g^3 it is 0, which decides lattices and numbers of few bits without an expansion.
 #pragma once
 
 #include <algorithm>

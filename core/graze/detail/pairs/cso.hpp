@@ -1,24 +1,25 @@
 // C = A - B at t = 0, by its support function, in the units and the frame that the solvers work in.
 //
-//   internal length = world length 2^-k,  k such that the scale of the pair is near 1;
-//   origin at the world's, so that contact at t is  s r in C + ball(R),  with the path parameter s and
-//   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance), axes the world's.
+//   internal length = world length 2^-k,  k such that the scale of the pair is near 1
+//   The origin is the world's, so contact at t is  s r in C + ball(R),  with the path parameter s and
+//   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance). The axes are the world's.
 // Powers of two are exact, so scaling a problem by one changes no bit of what the solvers see.
 //
 // A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is the
 // core's. `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
-// Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp; |a|, |b| the cores' radii about
-// their scan's origin, M = |a| + |b| + |d|. Turning a vector x is within kTurn u |x| per component: rows of R
-// within 9 sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms 3 u; nothing where R
-// permutes the axes. Per component
-//   point_error = 4 u M + kTurn u (|a| + |b|) + e:  d is within 2 u, two sums round once each; e, the point_error of
-//   the sides, is what curved leaves and combinators round themselves (leaf.hpp, tree.hpp), and what centres far out
-//   leave of d where they cancel (offset.hpp).
+// Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp. |a|, |b| are the cores' radii about their
+// scan's origin, M = |a| + |b| + |d|. Rotating a vector x is within kTurn u |x| per component: rows of R are within 9
+// sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms within 3 u. If R permutes the axes, the
+// rotation is exact. Per component
+//   point_error = 4 u M + kTurn u (|a| + |b|) + e.  d is within 2 u, and two sums round once each. e is the
+//                                                   point_error
+//   of the sides: the rounding of curved leaves and combinators themselves (leaf.hpp, tree.hpp), and the error of d
+//   where centres far out cancel (offset.hpp).
 // Rounding of h(n) = n.w, over |n|:
-//   reach_error = sqrt(3) point_error + 3 u M + choice_error: the product, and a point that is not the
-//   greatest because n was turned, 2 kTurn u (|a| + |b|), or because products were compared: support_error, 8 u (|a| +
-//   |b|) for polytopes.
+//   reach_error = sqrt(3) point_error + 3 u M + choice_error. 3 u M is for the product. choice_error is for a point
+//   that is not the greatest. Either n was rotated, 2 kTurn u (|a| + |b|), or products were compared: support_error,
+//   8 u (|a| + |b|) for polytopes.
 #pragma once
 
 #include <graze/detail/pairs/side.hpp>

@@ -83,16 +83,16 @@ class RayTarget {
   std::array<Triple, 3> row_;  // of R, where it turns
 };
 
-// What a clip says.
+// The result of a clip.
 struct RayHit {
   enum class Kind : std::uint8_t {
     open,   // rounding decides, or the shape is degenerate: another search answers
     start,  // in contact at t = 0, deeper than the predicate_error
     miss,   // no contact up to t_max, by more than the predicate_error
-    hit,  // n supports the body at its point x, and the ray is there at t; both up to half the predicate_error
+    hit,  // n supports the body at its point x, where the ray is at t, within predicate_error / 2
   };
   Kind kind = Kind::open;
-  // hit: own axes; n points outward, of length 1. Not set for another kind.
+  // Set for a hit: own axes, n points outward and has length 1. Not set for another kind.
   double t;
   Triple n, x;
 };
