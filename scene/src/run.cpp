@@ -1,6 +1,6 @@
 // The run of a scene: candidates in an order that spares most, in parts whose size does not depend on the
-// threads. What an event of one part settles bounds the parts that follow, so that every pair is asked the
-// same question in any number of threads.
+// threads. The events of one part bound the parts that follow. So every pair gets the same question with any
+// number of threads.
 #include <graze/scene.hpp>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
 // A first part is small, as its events may make the rest moot.
 constexpr std::size_t kFirstPart = 16, kMostPart = 1024;
 
-// What is known so far of what was asked: the latest time at which an event still counts.
+// The bound for the question so far: the latest time at which an event still counts.
 class Horizon {
  public:
   Horizon(const Options& options, std::size_t bodies) : options_(options), scene_(options.t_max) {

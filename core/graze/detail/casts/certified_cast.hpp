@@ -25,12 +25,15 @@
 //
 // Method. The exact tier answers spheres, capsules and polytopes at a distance. It also answers other rounded
 // polytopes if all other methods leave them open. casts/curved_bracket.hpp answers pairs with a cylinder, a cone or
-// an ellipsoid. In all other cases the two halves of the bracket are proved as follows. Upper half: a portal of
-// exactly named points (proving/certified_portal.hpp), with decisions beyond predicate_error. Lower half: the axis of
-// that portal, of MPR or of the GJK ray cast. These axes are too short when an edge lies between a face that is
-// nearly along the path and another face. Then the axis runs from C to a point of the path a little before contact.
-// That point is farther from C than the rounding of h, so its axis is proved. It is also nearer than the width, which
-// is enough. Both halves' backward errors are then bounded:
+// an ellipsoid. In all other cases the two halves of the bracket are proved as follows.
+//   - Upper half: a portal of exactly named points (proving/certified_portal.hpp), with decisions beyond
+//   predicate_error. - Lower half: the axis of that portal, of MPR or of the GJK ray cast. These axes are too short
+//   when an edge lies
+//     between a face that is nearly along the path and another face. Then the axis runs from C to a point of the path
+//     a little before contact. This point is farther from C than the rounding of h, so its axis is proved. It is also
+//     nearer than the width, which is enough.
+//
+// Both halves' backward errors are then bounded:
 //   distance of t v from C      <= (upper - t) |v|, and by GJK
 //   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: moved so far along -n, C
 //                                  lies beneath the path

@@ -1,8 +1,8 @@
 // Detects at run time the processor features that the compiler may not assume.
 //
-// Code for every x86-64 processor may not contain fused multiply-adds. Where one computes the same bits sooner, there
-// are two copies of the performance-critical code and one test before it: a load and a branch. On other processors,
-// and where the compiler may use it anyway, there is one copy.
+// Code for every x86-64 processor may not contain fused multiply-adds. If fused multiply-adds compute the same bits
+// sooner, there are two copies of the performance-critical code and one test before it: a load and a branch. On other
+// processors, and where the compiler may use it anyway, there is one copy.
 //
 // The fused instruction is written explicitly and not left to the compiler. In a function compiled for such
 // processors, g++ and clang may fuse every sum, and so round it differently from the next machine. Code that runs

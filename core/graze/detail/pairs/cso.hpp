@@ -12,14 +12,14 @@
 // scan's origin, M = |a| + |b| + |d|. Rotating a vector x is within kTurn u |x| per component: rows of R are within 9
 // sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms within 3 u. If R permutes the axes, the
 // rotation is exact. Per component
-//   point_error = 4 u M + kTurn u (|a| + |b|) + e.  d is within 2 u, and two sums round once each. e is the
-//                                                   point_error
-//   of the sides: the rounding of curved leaves and combinators themselves (leaf.hpp, tree.hpp), and the error of d
-//   where centres far out cancel (offset.hpp).
+//   point_error = 4 u M + kTurn u (|a| + |b|) + e.
+// d is within 2 u, and two sums round once each. e is the point_error of the sides: the rounding of curved leaves and
+// combinators themselves (leaf.hpp, tree.hpp), and the error of d where centres far out cancel (offset.hpp).
+//
 // Rounding of h(n) = n.w, over |n|:
-//   reach_error = sqrt(3) point_error + 3 u M + choice_error. 3 u M is for the product. choice_error is for a point
-//   that is not the greatest. Either n was rotated, 2 kTurn u (|a| + |b|), or products were compared: support_error,
-//   8 u (|a| + |b|) for polytopes.
+//   reach_error = sqrt(3) point_error + 3 u M + choice_error.
+// 3 u M is for the product. choice_error is for a point that is not the greatest. Either n was rotated,
+// 2 kTurn u (|a| + |b|), or products were compared: support_error, 8 u (|a| + |b|) for polytopes.
 #pragma once
 
 #include <graze/detail/pairs/side.hpp>
@@ -113,9 +113,9 @@ class Cso {
   [[nodiscard]] bool moves() const { return r_ != Vec3<S>::Zero(); }
   [[nodiscard]] S radius() const { return radius_; }
   [[nodiscard]] S target() const { return target_; }
-  // It is in [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale. That
-  // scale is the largest side of either box in its own axes, or the largest coordinate of the distance between their
-  // centres.
+  // It is in [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale. The
+  // pair's scale is the largest side of either box in its own axes, or the largest coordinate of the distance between
+  // their centres.
   [[nodiscard]] S scale() const { return scale_; }
   // See above. `extent` is M, which also bounds |w|.
   [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + d_.norm(); }

@@ -9,8 +9,8 @@
 // "Seen" is "strictly above". A triangle in whose plane the new point p lies is not seen, and p is collinear
 // with no edge of the horizon: it is strictly above the triangle on the seen side of it. So no triangle is
 // degenerate, every edge is convex or flat, and a flat face is several triangles. A point above a vanishing
-// triangle and outside the new hull is above a new one. Its visible region is connected. Where that region
-// crosses the horizon at an edge, the new triangle's outer half space holds the intersection of its two
+// triangle and outside the new hull is above a new one. Its visible region is connected. At an edge where the
+// horizon crosses that region, the new triangle's outer half space holds the intersection of its two
 // neighbours'.
 #pragma once
 

@@ -1,7 +1,7 @@
 // The first of many points that is greatest along a direction, its coordinates stored by axis.
 //
-//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused);  the least k of
-//   the greatest value. NaN loses against everything.
+//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused).
+// The scan returns the least k of the greatest value. NaN loses against everything.
 //
 // It works in chunks. For each chunk it computes the values and their greatest, without a branch, and finds the index
 // only if that is a new greatest. n counts whole blocks of 8 (hull.hpp pads with copies of point 0).

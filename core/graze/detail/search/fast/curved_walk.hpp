@@ -6,9 +6,9 @@
 // the largest of h_k, one for each pair of pieces of A and B (prepared_curved.hpp), and each h_k is smooth:
 //   gradient            the pair's point w_k(n) seen along the path, q_k
 //   second derivative   B_k, the bend of the pieces
-// Portal refinement knows the values and gradients of three of them. Where C is curved, it closes in by a constant
-// factor per step. Newton's method with several functions also uses the bends. With B = sum l_k B_k, the step d is
-// the least of
+// Portal refinement knows the values and gradients of three of them. It closes in by a constant factor per step if C
+// is curved. Newton's method with several functions also uses the bends. With B = sum l_k B_k, the step d is the
+// least of
 //   max over k of (h_k + q_k.d)  +  d.B d / 2.
 // There one, two or three h_k are equal, and the weights l_k >= 0, sum 1, solve sum l_k q_k + B d = 0. Examples are a
 // vertex that meets a face, a rim on an edge, and an ellipsoid's inside. Each has its pieces, and none is a special

@@ -7,7 +7,7 @@
 //   upper   the length of a convex combination of vertices of C
 //   lower   -h(n) / |n|, confirmed with the farthest vertex along n
 // or when a tetrahedron of C holds the origin.
-// [Gilbert, Johnson, Keerthi 1988; Ericson, Real-Time Collision Detection, 2005, 5.1]
+// [Gilbert, Johnson, Keerthi 1988, and Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>

@@ -2,8 +2,9 @@
 // In doubles, quick rather than right: a wrong feature costs its user a step.
 //
 // Notation   y = a point.   n = a vector from the feature to the origin, of any length. It is -v, v being the closest
-// point, or the normal of a triangle, which is known where v is noise. It computes no weights and no roots. A caller
-// that ends with a feature computes the weights then. [Ericson, Real-Time Collision Detection, 2005, 5.1]
+// point, or the normal of a triangle, which is known where v is noise.
+// No weights and no roots are computed here. A caller that ends with a feature computes the weights then.
+// [Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>

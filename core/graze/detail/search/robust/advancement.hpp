@@ -124,9 +124,9 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   out.upper = above.upper;
 }
 
-// Distance, advance, distance, ... [Mirtich 1996; the lecture].  Differs from the lecture in: the loop runs
-// while the shapes are apart (not while they are near); an axis along which they do not approach proves a
-// miss, it divides nothing; the path's end is checked before a contact is claimed.
+// Distance, advance, distance, ... [Mirtich 1996, and the lecture]. It differs from the lecture in three points. The
+// loop runs while the shapes are apart, not while they are near. An axis along which they do not approach proves a
+// miss and divides nothing. The path's end is checked before a contact is claimed.
 template <Scalar S>
 Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin,
                                   const Vec3<S>& n_begin, Counters& counters) {

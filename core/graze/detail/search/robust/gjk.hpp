@@ -1,10 +1,10 @@
 // distance(x, C) = min |c - x| over c in C, for the core C of a CSO: GJK.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-// Guarantee: lower <= distance <= upper, up to `Cso::reach_error` and a few u |x|. Both are honest at every
+// Guarantee: lower <= distance <= upper, up to `Cso::reach_error` and a few u |x|. Both hold at every
 // step: upper is the length of a convex combination of points of C - x, lower = n.x - h(n) for a unit n.
-// Notation   y = w - x;   v = the simplex's point closest to 0;   n = unit vector from the simplex to x.
-// Stops when upper - lower <= gap. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003, 4.3]
+// Notation   y = w - x.   v = the simplex's point closest to 0.   n = unit vector from the simplex to x.
+// Stops when upper - lower <= gap. [Gilbert, Johnson, Keerthi 1988, and van den Bergen 2003, 4.3]
 // Differs: a step that neither adds a point nor brings v nearer ends the search with the bracket that it has.
 #pragma once
 

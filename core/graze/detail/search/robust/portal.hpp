@@ -280,13 +280,13 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
 }
 
 // Replaces a triangle that is seen edge on by one of its edges. Candidates have the origin between their ends and
-// pass it nearest, up to the height that such a triangle may have (`height_lost`). Of these the edge that the line
+// pass it nearest, up to the height that such a triangle may have (`height_lost`). The edge of these that the line
 // meets first is taken. So the height of the portal never rises, and the refinement does not cycle between two
 // portals. It does not suffice that the origin is between the ends: this also holds for the long edge of a thin
 // triangle, which may pass far away. `grown`: the last corner has just been found beyond the edge of the other two.
-// That edge is kept only if no edge to the new corner is a candidate, since otherwise the same corner would be found
-// again for ever. This happens near an end of the edge, where heights agree as rounded. It also happens beneath an
-// end, beside the line by less than rounding and far lower.
+// An edge beside the new corner is kept only if no edge to that corner is a candidate, since otherwise the same
+// corner would be found again for ever. This happens near an end of the edge, where heights agree as rounded. It also
+// happens beneath an end, beside the line by less than rounding and far lower.
 template <Scalar S>
 void flatten(Portal<S>& portal, S height_lost, bool grown) {
   GRAZE_ASSERT(portal.size == (grown ? 2 : 3));
@@ -466,8 +466,8 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
           length_across(own[0], own[1]) <= 2 * noise) {
         search.upper = own[2];
       }
-      // That point may lie later than the plane said, so the width of the bracket is checked again. If it is not,
-      // only the fine gap will do: callers rely on the point being no deeper in C than that.
+      // Its time may be later than the plane said, so the width of the bracket is checked again. If it is not, only
+      // the fine gap will do: callers rely on the point being no deeper in C than that.
       if (told() || !(reach - face > fine)) {
         search.state = State::entered;
         search.facing = view.world(n);

@@ -2,10 +2,10 @@
 // balls inside of the bodies prove.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base).   c is the offset of the centres. m_k n are
-//                                                                          the
-//   radii of an ellipsoid or a disc times n's own coordinates. a_i and half_i are the segments of boxes, cylinders
-//   and capsules.
+//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base)
+//
+// c is the offset of the centres. m_k n are the radii of an ellipsoid or a disc times n's own coordinates. a_i and
+// half_i are the segments of boxes, cylinders and capsules.
 #pragma once
 
 #include <algorithm>
@@ -108,8 +108,8 @@ class RoundSum {
     std::array<Vec, 2> end = {Vec(Vec::Zero()), Vec(Vec::Zero())};
     const double length = x.norm();
     if (disc[0] == nullptr || !(length > 0)) return end;
-    // The sum ends along u at end[0] + end[1]. That end rotates with u, so halvings find the u whose end is towards
-    // x. Circles end along u itself.
+    // The sum ends along u at end[0] + end[1]. The position of that end changes as u rotates, so halvings find the u
+    // whose end is towards x. Circles end along u itself.
     const Vec e = x / length, f = n.cross(e);
     Vec from = -f, to = f, u = e;
     constexpr int kMostHalvings = 52;
