@@ -11,12 +11,12 @@
 // the rotation_displacement holds the body. A rotation of more than kMostAngle is not followed either if the
 // rotation_displacement is less than the ball about the pivot. Otherwise that ball stands for the core.
 //
-// Contact is asked at t = 0 alone, whatever the turn. Points w_i of C, each within e of where it is computed. If the
+// Contact is tested at t = 0 alone, whatever the rotation. Points w_i of C, each within e of where it is computed. If the
 // computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
 // e at most. For a core with a ball of radius R about it: a convex combination v of the w_i with |v| <= R - e - d is as
 // good.
 //
-// Rounding. Entries of R are within 9 u, those of the turned one within (48 + 8 angle) u: the half angle within 2 u of
+// Rounding. Entries of R are within 9 u, those of the rotated one within (48 + 8 angle) u: the half angle within 2 u of
 // itself, a product of quaternions, and 9 u. A point is three products of a row. A direction is rotated back at
 // either of two vertices that are compared. These cost (288 + 48 angle) u of the core's size. Positions, ways and
 // pivots are sums of at most six terms. All are below 512 u (1 + angle) of L, the sum of the lengths. The choice and
@@ -43,7 +43,7 @@ constexpr double u = kUnitRoundoff<double>;
 constexpr double kUp = 1 + 0x1p-40;  // above what a few roundings leave
 constexpr double kMostAngle = 1;     // radians of a step
 constexpr double kUnseen =
-    0x1p-36;                 // of a body's size: a turn of less rotation_displacement is not worth following
+    0x1p-36;                 // of a body's size: a rotation of less rotation_displacement is not followed
 constexpr int kBudget = 24;  // supports of a search, beyond which the pair is cast
 
 Vec3<double> zero() { return Vec3<double>::Zero(); }

@@ -1,4 +1,4 @@
-// A run's side of a Memory: what it says of a pair, what the run adds, and what the next step is handed.
+// A run's side of a Memory: its data about a pair, the additions of the run, and the data for the next step.
 #pragma once
 
 #include <graze/scene/memory.hpp>
@@ -28,7 +28,7 @@ class Recall {
   void prepare(std::span<const Candidate> pairs);
   // Over [0, until]. Reads only, so that many threads may look at once.
   [[nodiscard]] Looked look(const Candidate& pair, double until) const;
-  // A pair that nobody looks at.
+  // For a pair that is not examined.
   [[nodiscard]] Looked pass_over(const Candidate& pair) const;
   // The knowledge about the pairs for the next step, in the order of the pairs.
   void keep(const Looked& looked);

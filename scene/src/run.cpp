@@ -29,7 +29,7 @@ class Horizon {
     if (options.ask == Ask::body) body_.assign(bodies, options.t_max);
   }
 
-  // Of a pair. Beyond it nothing of theirs was asked.
+  // The horizon of a pair. Nothing beyond it is needed for the pair.
   [[nodiscard]] double of(std::uint32_t a, std::uint32_t b) const {
     switch (options_.ask) {
       case Ask::pair:
@@ -52,7 +52,7 @@ class Horizon {
     body_[event.a] = std::min(body_[event.a], event.toi_upper);
     body_[event.b] = std::min(body_[event.b], event.toi_upper);
   }
-  // May the event be the first of what was asked? An open one may, wherever its bracket begins early enough.
+  // Can the event be the first one requested? An open event can, if its bracket begins early enough.
   [[nodiscard]] bool counts(const Event& event) const {
     switch (options_.ask) {
       case Ask::pair:

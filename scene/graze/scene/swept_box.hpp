@@ -2,10 +2,10 @@
 //
 //   box(s) = [low0 + s (low1 - low0), high0 + s (high1 - high0)] per axis,   s = t / t_max in [0, 1].
 //
-// Bounds. At every s the box holds the body. The body's own bounds, c + v t - h and c + v t + h, are linear in t.
-// low0 and low1 are below the first at either end, high0 and high1 above the second, so the chords are too. So only
-// the ends are rounded, and outward (bounds.cpp). A box of boxes takes the least and the greatest of each end: chords
-// of lesser ends are lesser, and nothing rounds.
+// Bounds. At every s the box holds the body. The body's own bounds, c + v t - h and c + v t + h, are linear in t. The
+// bounds low0 and low1 are below the first at either end, high0 and high1 above the second, so the chords are too. So
+// only the ends are rounded, and outward (bounds.cpp). A box of boxes takes the least and the greatest of each end:
+// chords of lesser ends are lesser, and nothing rounds.
 //
 // Meeting. On an axis, P and Q meet at s iff P.high(s) >= Q.low(s) and Q.high(s) >= P.low(s): two linear
 // functions of s with ends e0, e1. The sign of a rounded difference of doubles is that of the exact one (a flushed
@@ -72,8 +72,8 @@ struct Meeting {
   return out;
 }
 
-// The time, rounded up, by which a body that starts in a box has left a box at s = 0 for good. It moves by v for each
-// unit of t, v != 0. A negative time means that they never meet. On each axis along which it moves it leaves at the
+// The time, rounded up, by which a body that starts in a box has left a box at s = 0 for good. The body moves by v
+// for each unit of t, v != 0. A negative time means that they never meet. On each axis along which it moves it leaves at the
 // far side.
 [[nodiscard]] inline double last_exit(const Vec3<double>& v, const SweptBox& start,
                                       const SweptBox& standing) {
@@ -87,7 +87,7 @@ struct Meeting {
   return least;
 }
 
-// A body's turn, as in RotatingBody.
+// A body's rotation, as in RotatingBody.
 struct Turn {
   Vec3<double> rotation = Vec3<double>::Zero(), pivot = Vec3<double>::Zero();
 };

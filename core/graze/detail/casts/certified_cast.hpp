@@ -365,8 +365,9 @@ class CertifiedCast {
     prove_lower(context_, axis, false, proof, counters_);
     return proof.toi_lower > before;
   }
-  // So near to C the direction to it is rounding, and a search may stall: it asks at points of the path farther and farther
-  // before s. A later bound may be proved by what it finds there, and C is no farther from s than from there and the way back.
+  // So near to C the direction to it is rounding, and a search may not converge. It searches at points of the path ever
+  // farther before s. Its axis there may prove a later bound. C is no farther from s than the distance of C from that
+  // point plus the way back.
   [[nodiscard]] bool looks_from_before(double s, Near& at) {
     const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
     for (double before = width_allowed_ / 16 / speed; before < kFarBefore; before *= 2) {

@@ -96,8 +96,8 @@ GRAZE_FUSED RoundProof prove_fused(const PreparedPair<S>& pair, const Scene<S>& 
 
 // The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there. A corner of
 // F is within sqrt(3) point_error of one of K. The weights are >= 0 and sum up to 1 within 4 u, and p's own sums
-// round by 4 u M. |p| is within 4 u of itself, R within 3 u, and |p| <= M. If it returns false, nothing is proved and
-// only the counters of `out` have changed. `guess` describes a hit.
+// round by 4 u M. The norm |p| is within 4 u of itself, R within 3 u, and |p| <= M. If it returns false, nothing is
+// proved and only the counters of `out` have changed. `guess` describes a hit.
 template <Scalar S>
 [[nodiscard]] bool fast_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                    CastResult<S>& out, RoundGuess& guess) {

@@ -8,8 +8,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Outcome, times and distance, in the caller's units. Returns false and sets nothing in three cases: the walk gave
-// up, it found a start in contact that the policy passes over, or a hit is so near the start or the end that its
+// Outcome, times and distance, in the caller's units. Returns false and sets nothing in three cases. The walk gave
+// up. It found a start in contact that the policy passes over. Or a hit is so near the start or the end that its
 // times have no normal number.
 template <Scalar S, class Pair, class Found>
 [[nodiscard]] bool fill_times(const Pair& pair, const Found& found, const CastOptions<S>& options,

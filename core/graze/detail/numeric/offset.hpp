@@ -2,7 +2,7 @@
 //
 //   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 2 u |offset| + 2^-97 (|c_A| + |c_B|),
 //
-// as p_B - p_A is exact, the turns are within 2^-98 of |c| and the two sums after them within 2^-100 of what
+// as p_B - p_A is exact, the rotations are within 2^-98 of |c| and the two sums after them within 2^-100 of what
 // they add up, at most |offset| + 2 (|c_A| + |c_B|). It is computed as an unevaluated sum hi + lo of two doubles
 // (Dekker 1971, and Knuth, TAOCP 2, 4.2.2). Sums are Knuth's. Products use std::fma if the compiler has it (and may
 // contract), and otherwise Veltkamp's splitting (and it cannot). Every product that goes into a sum is rounded before
@@ -140,8 +140,8 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
 }
 
 // R(q), each entry within 9 u. The numerators are within 4 u |q|^2, as three sums of rounded products whose
-// magnitudes add up to at most |q|^2. |q|^2 is within 4 u relatively, the quotient rounds once, and no entry exceeds
-// 1.
+// magnitudes add up to at most |q|^2. The divisor |q|^2 is within 4 u relatively, the quotient rounds once, and no
+// entry exceeds 1.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
   const double ww = rounded_product(q.w, q.w), xx = rounded_product(q.x, q.x), yy = rounded_product(q.y, q.y),
                zz = rounded_product(q.z, q.z), xy = rounded_product(q.x, q.y), xz = rounded_product(q.x, q.z),

@@ -21,7 +21,7 @@ inline constexpr double kLeastCoordinate = 0x1p-280, kCoordinateBound = 2;
 
 class PointSet {
  public:
-  // Points outside the range above make the set invalid: no sign may be asked for.
+  // Points outside the range above make the set invalid, and no sign may be computed.
   explicit PointSet(std::vector<Vec3<double>> points) : points_(std::move(points)) {
     int step = 0;  // exponent of the grid step
     for (const Vec3<double>& p : points_) {
@@ -127,8 +127,8 @@ inline bool PointSet::collinear(std::size_t a, std::size_t b, std::size_t c) con
 }
 
 // sign n . (a - b), exactly, for |a_i|, |b_i| <= 4 that are multiples of 2^-460, and n whose components are 0
-// or within a factor 2^1000 of the largest. n is scaled to 2^600, so that products are multiples of 2^-1021
-// at most 2^604. The first attempt uses two doubles. Products and sums are each within 2^-100 relatively,
+// or within a factor 2^1000 of the largest. First n is scaled to 2^600, so that products are multiples of
+// 2^-1021 at most 2^604. Two doubles are tried first. Products and sums are each within 2^-100 relatively,
 // with four of them on a way. A part of a product that falls below the range of doubles costs less than
 // 2^-1000 besides. An overflow makes a NaN, which decides nothing.
 inline int height_sign(const Vec3<double>& n, const Vec3<double>& a, const Vec3<double>& b) {

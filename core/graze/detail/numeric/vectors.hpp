@@ -2,7 +2,7 @@
 // a positive weight, the |q|^2 of the rotations in it.
 //
 //   Fine   pairs of doubles (pair.hpp): each coordinate within 2^-92 size of what it stands for, where size
-//          bounds |x_i|, if it is a sum of at most 16 parts (Scene::has_fine) that at most 17 rotations turn:
+//          bounds |x_i|, if it is a sum of at most 16 parts (Scene::has_fine) after at most 17 rotations:
 //          a rotation adds 2^-97 of size (what was added before anything cancelled), a sum or a weight 2^-99,
 //          and low halves stay below 2^-49 of size, as 16 sums add 2^-53 of it each;
 //   Exact  dyadic numbers.

@@ -3,9 +3,9 @@
 //   internal length = world length 2^-k,  k such that the scale of the pair is near 1
 //   The origin is the world's, so contact at t is  s r in C + ball(R),  with the path parameter s and
 //   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance). The axes are the world's.
-// Powers of two are exact, so scaling a problem by one changes no bit of what the solvers see.
+// Powers of two are exact, so scaling a problem by one changes no bit of the solvers' input.
 //
-// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is the
+// A sphere is a point with a radius: the solvers use the polytope of the cores, with R beside it. `support` is the
 // core's. `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
 // Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp. |a|, |b| are the cores' radii about their
@@ -74,8 +74,8 @@ class Cso {
     GRAZE_ASSERT(scale_ >= 0 && scale_ <= 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
   }
 
-  // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those
-  // that turn, each entry within 11 u, and the offset, internal units, within 2 u.
+  // The moved bodies of a rotating cast at some time: the rotations of the cores of the rotating ones, each
+  // entry within 11 u, and the offset, internal units, within 2 u.
   void place(const Mat3<S>* rotation_a, const Mat3<S>* rotation_b, const Vec3<S>& offset) {
     if (rotation_a) a_.turn_to(*rotation_a);
     if (rotation_b) b_.turn_to(*rotation_b);

@@ -2,7 +2,7 @@
 //
 // A core is the hull of pieces. Each piece has one farthest point along a direction, which changes smoothly with that
 // direction: a vertex, a cylinder's rims (0 below, 1 above), a cone's rim (0) and apex (1), an ellipsoid (0). For a
-// piece the walk needs its point p(n) and its bend, the second derivative of n.p(n), by which p turns as n does.
+// piece the walk needs its point p(n) and its bend, the second derivative of n.p(n), by which p changes as n rotates.
 //
 // Rounding per component, internal length, u in double. A rim's point and an ellipsoid's are within 6 u of the reach
 // (leaf.hpp). The choice falls short of the greatest along n by at most 12 u of the reach. These lie within error()

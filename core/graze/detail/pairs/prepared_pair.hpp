@@ -5,7 +5,7 @@
 //
 // Takes point, segment, triangle, box, hull, and the cores of sphere and capsule. Any other shape is reached through
 // its side (side.hpp). In doubles whatever the scalar of the bodies. A guess along a direction is by floats on hulls:
-// it costs half, and whoever needs the farthest vertex must make sure of it.
+// it costs half, and a caller that needs the farthest vertex must confirm it.
 //
 // Rounding, internal length, per component, u in double, with |a|, |b| <= reach:
 //   body     0 for R x if R is the identity, else kCoreRotation u |x|: entries of R within 10 u (as
@@ -115,7 +115,7 @@ class PreparedCore {
         return turn + 16 * u * reach_;
     }
   }
-  // n turned into the body's axes: within kCoreRotation u |n|.
+  // n rotated into the body's axes: within kCoreRotation u |n|.
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     double x = n.x, y = n.y, z = n.z;
     if (turned_) {
@@ -131,7 +131,7 @@ class PreparedCore {
     if (!far_out_) return p + to_world(center_);
     return triple(detail::placed_center(p.vector(), as_double(body_.orientation), center_.vector()));
   }
-  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
+  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, unless it is the identity
   [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
     double i = x.x, j = x.y, k = x.z;
     if (turned_) {
@@ -142,7 +142,7 @@ class PreparedCore {
     return {i, j, k};
   }
 
-  // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
+  // The farthest vertex along n in doubles, n of any length but 0: within 8 u |n| reach (leaf.hpp).
   [[nodiscard]] Triple farthest(const Triple& n, std::uint32_t& vertex) const {
     if (kind_ != Kind::hull && kind_ != Kind::mapped) return support(n, vertex);
     vertex = hull_support<double, S>(*hull_, to_own(n).vector());
@@ -216,7 +216,7 @@ class PreparedCore {
   // Vertex in the body's own axes, about the centre, internal length. It is exact except for shapes reached through
   // their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
-    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
+    // By number: a Triple that is passed in memory is copied 16 bytes at a time, which waits for its
     // stores.
     double x, y, z;
     switch (kind_) {
@@ -284,7 +284,7 @@ class PreparedCore {
     }
   }
   // About their bounds' centre where they lie farther out than they are large: along the axes where the offset exceeds
-  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be turned.
+  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be rotated.
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
     kind_ = Kind::few;
     count_ = count;
@@ -401,7 +401,7 @@ class PreparedPair {
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
-    // One rounding of a difference, or of a sum of pairs with what turned the centres.
+    // One rounding of a difference, or of a sum of pairs with the error of rotating the centres.
     const double turned = (core_a.turned() ? largest(core_a.center()) : 0.0) +
                           (core_b.turned() ? largest(core_b.center()) : 0.0);
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;

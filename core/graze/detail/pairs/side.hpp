@@ -125,7 +125,7 @@ struct Side {
   Mat3<S> rotation = Mat3<S>::Identity();
   bool rotated = false, curved = false;
   Turning turning = Turning::quick;
-  S turn = 0;           // turning x is within turn u |x| per component
+  S turn = 0;           // rotating x is within turn u |x| per component
   S point_error = 0;    // a point's own rounding, per component, internal units
   S support_error = 0;  // how far over |n| the chosen point may lie below the greatest, n being exact
   S radius = 0;
@@ -175,7 +175,7 @@ SidePoint<S> hull_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   const std::uint32_t k = chosen ? *chosen : hull_support(hull, d);
   return {side.unit * hull_vertex<S>(hull, k), k};
 }
-// The direction in which a combinator's parts are asked.
+// The direction of the support queries on a combinator's parts.
 template <Scalar S>
 Vec3<double> walked_along(const Vec3<S>& d) {
   const Vec3<double> x = wide(d);

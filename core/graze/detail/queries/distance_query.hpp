@@ -72,7 +72,7 @@ DistanceResult<S>& robust_distance(const Body<S>& a, const Body<S>& b, const Dis
     out.lower = out.upper = 0;
     return out;
   }
-  // A search that ended inside C without a tetrahedron around x knows neither: MPR does.
+  // A search that ended inside C without a tetrahedron around x gives neither, but MPR does.
   if (!(d.lower - R > 0) &&
       mpr_overlap(cso, limits, out.counters).outcome == Outcome::initially_overlapping) {
     out.lower = out.upper = 0;

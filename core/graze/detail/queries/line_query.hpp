@@ -9,7 +9,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
-// One end of the line's part in C, z = s |r| as the view sees it (mirrored at the far end).
+// One end of the line's part in C, z = s |r| in the view (mirrored at the far end).
 template <Scalar S>
 struct LineEnd {
   using State = typename PortalSearch<S>::State;

@@ -152,7 +152,7 @@ template <Scalar S>
   if (!pair.moves()) return false;
   CurvedWalk<S> walk(pair, horizon(pair), 0, options.max_iterations, out.counters);
   const CurvedSweep& found = walk.run();
-  // As goes_to_the_end() asks, without its second try.
+  // The test of goes_to_the_end(), without its second try.
   const bool ends = horizon(pair) <= 2 * (pair.extent() + pair.radius()) ||
                     dot(found.n, pair.direction()) > 16 * kUnitRoundoff<double> * sum(magnitude(found.n));
   return (found.outcome != Outcome::miss || ends) && take(out, found.outcome, found.n);

@@ -6,7 +6,7 @@
 //
 // predicate_error   bounds the error of a point x = o + t w of the ray that is near the body, |x| <= reach (1 + 2^-10), and of
 //         n.x / |n| and h(n) / |n|. u in double, per component, d = p - position:
-//           R          entries within 10 u (prepared_pair.hpp): 10 sqrt(3) u reach, as o and t w are turned alike
+//           R          entries within 10 u (prepared_pair.hpp): 10 sqrt(3) u reach, as o and t w are rotated alike
 //           d and v    u |d| and u |t v|, and |t v| <= |d| + reach
 //           R^T d      3 u |d| and 3 u |t v|
 //           o + t w    2 u (|d| + |t v|)
@@ -80,7 +80,7 @@ class RayTarget {
 
   const Body<S>& body_;
   bool turned_;
-  std::array<Triple, 3> row_;  // of R, where it turns
+  std::array<Triple, 3> row_;  // of R, unless it is the identity
 };
 
 // The result of a clip.

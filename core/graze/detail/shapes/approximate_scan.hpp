@@ -1,4 +1,4 @@
-// A point that is greatest along a direction, as floats see it, of points stored by axis: the scan of
+// A point that is greatest along a direction, computed in floats, of points stored by axis: the scan of
 // scan.hpp for few points, where calls, loops and buffers cost more than the sums. The first of those that tie.
 //
 // n counts whole blocks of 8 (hull.hpp). Up to 64 points the count is a constant of the code.

@@ -4,7 +4,7 @@
 // The scan returns the least k of the greatest value. NaN loses against everything.
 //
 // It works in chunks. For each chunk it computes the values and their greatest, without a branch, and finds the index
-// only if that is a new greatest. n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
+// only if that is a new greatest. The number n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
 //
 // Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/reports/costs.md.
 #pragma once

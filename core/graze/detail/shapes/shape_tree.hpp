@@ -1,4 +1,4 @@
-// Combinators: a walk through the tree, in double whatever scalar asks.
+// Combinators: a walk through the tree, in double whatever the caller's scalar.
 //
 // Frame: the body's own, about a centre that the caller subtracts.   Units: the caller's length.
 // A shape is its core plus a ball of common_radius. If the parts of a hull_of have balls of different radii,
@@ -143,7 +143,7 @@ bool is_curved(const Shape<S>& shape) {
 // The matrix of a rotation as quickly as its error allows, or as accurately as doubles can hold it.
 enum class Turning : std::uint8_t { quick, accurate };
 
-// Rounding in a tree besides the last sum and sums of two doubles, over u: the error of a point per
+// Rounding in a tree besides the last sum and sums of two doubles, over u. It bounds the error of a point per
 // component, and how far the one chosen along a unit n may lie below the greatest.
 struct TreeRounding {
   double point = 0, choice = 0;

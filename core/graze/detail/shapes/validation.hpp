@@ -43,7 +43,7 @@ inline bool rounds_to_nearest() {
 // Was this compiled with flags, unnamed by any macro (scalar.hpp), that reorder sums, multiply by reciprocals
 // or take no number for a NaN or for infinity? Each changes one of these lines, which are short enough for
 // any compiler to change. (1 + x) - 1 would be x. Two quotients by 49 would be products with 1/49 as rounded.
-// A NaN would equal itself, or pass a comparison that is turned round. A sum with infinity would be no number
+// A NaN would equal itself, or pass an inverted comparison. A sum with infinity would be no number
 // at all, known before the program runs. Inlined, so that the flags are the query's own.
 [[gnu::always_inline]] inline bool keeps_arithmetic() {
   const volatile double given[] = {1, 0x1p-60, 49, 98, 49, std::numeric_limits<double>::quiet_NaN()};

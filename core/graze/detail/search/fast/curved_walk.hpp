@@ -111,7 +111,7 @@ class CurvedWalk {
   // Three points of C about the line, near where a hit's axis n supports C: along n and up to `tilt` |n| beside it.
   [[nodiscard]] bool surround(const Triple& n, double tilt) {
     budget_ += kCurvedSteps / 2;
-    // A guess in floats does not see the tilt.
+    // A guess in floats does not resolve the tilt.
     sure_ = guess_ > noise_;
     base_ = n;
     tilt_ = tilt * std::sqrt(dot(n, n));
@@ -127,7 +127,7 @@ class CurvedWalk {
     std::uint32_t a, b;
     double lambda;
     Triple on_a, on_b;  // of a polytope's: where it is
-    CurvedCorner at;    // its point along the axis in hand
+    CurvedCorner at;    // its point along the current axis
     double h;
   };
   // Values of a curved body's pieces along the current axis.

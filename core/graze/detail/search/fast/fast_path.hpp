@@ -46,8 +46,9 @@ struct FastTriangle {
   //
   // The weights are quotients of determinants of corners. These round by u of the square of C's distance, over the
   // triangle's area as seen. If the path is far longer than C is large, the point p that the weights make is off the
-  // line. Its distance g = p - s r is the correction. With e, f the edges from c_0 and N = e x f, the weights of c_1
-  // and c_2 that remove g are g.(r x f) / N.r and g.(e x r) / N.r. g is small and rounds by u of its two terms.
+  // line. Its distance g = p - s r is the correction. Let e, f be the edges from c_0 and N = e x f. The weights of
+  // c_1 and c_2 that remove g are g.(r x f) / N.r and g.(e x r) / N.r. The vector g is small and rounds by u of its
+  // two terms.
   double pass(double near, std::array<double, 4>& lambda) const {
     const Triple m0 = cross(c0, r), m1 = cross(c1, r), m2 = cross(c2, r);
     const double l0 = std::max(dot(c1, m2), 0.0), l1 = std::max(dot(c2, m0), 0.0),

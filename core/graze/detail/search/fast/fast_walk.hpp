@@ -67,7 +67,7 @@ class FastWalk {
     if (find()) refine();
     return out_;
   }
-  // A portal for another walk to begin with: in double's noise whatever S is, and nothing is made sure of.
+  // A portal for another walk to begin with: in double's noise whatever S is, and without verification.
   [[nodiscard]] Seed seek() {
     static_assert(kSeeks);
     target_ = kContact * kUnitRoundoff<double> * support_.pair().size();

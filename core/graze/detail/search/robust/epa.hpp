@@ -391,7 +391,7 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
     if (loose > gap && !closed && least >= 0 && h <= out.upper && out.upper - out.lower <= loose &&
         touching_face(P, S(out.upper + noise), out.contact) == f)
       return out;
-    // No new point, no room, or no budget: what is known is handed back. NaN ends here too.
+    // No new point, no room, or no budget: the search returns its bracket. NaN ends here too.
     const bool known_point = P.holds(w, same);
     if (budget-- > 0 && known_point && enclosed && !face.settled) {
       P.settle(f);

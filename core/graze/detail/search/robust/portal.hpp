@@ -450,7 +450,7 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
     }
     S face = n.dot(p[0].q);
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
-    // `told`: the bracket of z is as narrow as was asked for. It need not be where the gap is closed: a steep
+    // `told`: the bracket of z is as narrow as requested. It need not be where the gap is closed: a steep
     // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
     // before that. In both cases the gap is closed further, to the limit of rounding.
     const S gap = is_decided(search, limits, noise) ? std::max(limits.gap, limits.loose_gap) : limits.gap;

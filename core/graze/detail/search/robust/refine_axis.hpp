@@ -2,7 +2,7 @@
 //
 // GJK knows |v| to u of itself, but the direction of v only to the root of u. If the foot of the origin on an
 // edge or a face cannot be told from a smaller feature, it ends there, with a tilted axis that proves little.
-// If an edge is long beside |v|, a turn that |v| does not show decides which vertex is the support point, and
+// If an edge is long beside |v|, a rotation that |v| does not show decides which vertex is the support point, and
 // so whether a nearer one is found. Let e be the angle of an edge of length L to the plane across v at its
 // end. The edge makes |v| shorter by e^2 |v| / 2 at most, and rotates it by e. A vertex at the other end of
 // the face that it bounds may lie e L before that plane. |v| does not show an e up to the root of u.

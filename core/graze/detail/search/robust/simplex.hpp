@@ -5,11 +5,11 @@
 // Notation   e = an edge,  m = the normal of a face.
 //
 // v is always a convex combination as rounded, so |v| bounds the distance from above, regardless of earlier
-// errors. n is found from the feature, not from v: at contact v is noise, but the normal of a triangle is
-// not. A feature too thin to have a normal (a sliver, a flat tetrahedron) is left to its own edges and faces.
-// Cf. Ericson, Real-Time Collision Detection (2005), 5.1, and van den Bergen, Collision Detection (2003),
-// 4.3. Differs: the answer is the least |v| over all features whose weights are positive, so that a wrong
-// region can cost a step, never an answer.
+// errors. The axis n is found from the feature, not from v: at contact v is noise, but the normal of a
+// triangle is not. A feature too thin to have a normal (a sliver, a flat tetrahedron) is left to its own
+// edges and faces. Cf. Ericson, Real-Time Collision Detection (2005), 5.1, and van den Bergen, Collision
+// Detection (2003), 4.3. Differs: the answer is the least |v| over all features whose weights are positive,
+// so that a wrong region can cost a step, never an answer.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -17,7 +17,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// y_i = w_i - x: the CSO as the point x of the path sees it.
+// y_i = w_i - x: the CSO relative to the point x of the path.
 template <Scalar S>
 struct Simplex {
   int size = 0;
@@ -169,8 +169,8 @@ void try_triangle(Closest<S>& best, const Points4<S>& y, int i, int j, int k) {
 }
 
 // The interior of the tetrahedron, by the signs of its volumes. The size is 0 if the origin is outside, or if
-// the tetrahedron is too flat for its volume to have a sign (then the faces decide). v is the residual of its
-// weights: the distance by which rounding let the combination miss the origin.
+// the tetrahedron is too flat for its volume to have a sign (then the faces decide). The vector v is the
+// residual of its weights: the distance by which rounding let the combination miss the origin.
 template <Scalar S>
 Closest<S> closest_inside(const Points4<S>& y) {
   const Vec3<S> e1 = y[1] - y[0], e2 = y[2] - y[0], e3 = y[3] - y[0], a = -y[0];

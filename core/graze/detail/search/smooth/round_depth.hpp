@@ -1,5 +1,5 @@
-// Computes min over unit n of h(n), for the core C of two primitives, at least one of them curved. penetration()
-// calls it for points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
+// Computes min over unit n of h(n), for the core C of two primitives, at least one of them curved. It serves
+// penetration() for points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
 // h (round_sum.hpp) is smooth except on the seams, where two pieces of it meet. These are the great circles n.a_i =
