@@ -11,8 +11,8 @@
 // the rotation_displacement holds the body. A rotation of more than kMostAngle is not followed either if the
 // rotation_displacement is less than the ball about the pivot. Otherwise that ball stands for the core.
 //
-// Contact is tested at t = 0 alone, whatever the rotation. Points w_i of C, each within e of where it is computed. If the
-// computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
+// Contact is tested at t = 0 alone, whatever the rotation. Points w_i of C, each within e of where it is computed. If
+// the computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
 // e at most. For a core with a ball of radius R about it: a convex combination v of the w_i with |v| <= R - e - d is as
 // good.
 //

@@ -73,8 +73,8 @@ struct Meeting {
 }
 
 // The time, rounded up, by which a body that starts in a box has left a box at s = 0 for good. The body moves by v
-// for each unit of t, v != 0. A negative time means that they never meet. On each axis along which it moves it leaves at the
-// far side.
+// for each unit of t, v != 0. A negative time means that they never meet. On each axis along which
+// it moves it leaves at the far side.
 [[nodiscard]] inline double last_exit(const Vec3<double>& v, const SweptBox& start,
                                       const SweptBox& standing) {
   double least = kInfinity<double>;
