@@ -24,7 +24,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 template <Scalar S>
 struct Body {
   Shape<S> shape = {};               ///< In the body's own frame. By default a point.
-  Vec3<S> position = {0, 0, 0};      ///< Where the origin of the body's frame is at t = 0.
+  Vec3<S> position = {0, 0, 0};      ///< Position of the origin of the body's frame at t = 0.
   Quaternion<S> orientation = {};    ///< Any quaternion other than 0. An `Eigen::Quaternion` converts to it.
   Vec3<S> displacement = {0, 0, 0};  ///< Length per unit of t.
 };

@@ -2,7 +2,7 @@
 /// Casts: when do two linearly moving convex shapes first touch? Rays too, as a ray is the cast of a Point.
 ///
 /// The time of impact (TOI) is the least t in [0, t_max] at which A + t v_A and B + t v_B are in contact, if there is
-/// one. Touching counts. What the answer guarantees depends on CastOptions::tier:
+/// one. Touching counts. CastOptions::tier decides the guarantee of the answer:
 ///
 /// - *standard*, for all shapes: the answer is true for some convex set within kappa u scale of C = A - B. u is the
 ///   unit roundoff, and scale the size of the scene. The table of guarantees has kappa for each method.

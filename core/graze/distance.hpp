@@ -2,7 +2,7 @@
 /// Distance: how far apart are two bodies at t = 0, and where are they closest?
 ///
 /// distance(A, B) = min |a - b| over a in A and b in B, by GJK. The search stops at the requested duality gap upper -
-/// lower. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003]
+/// lower. [Gilbert, Johnson, Keerthi 1988, and van den Bergen 2003]
 #pragma once
 
 #include <graze/body.hpp>
@@ -18,7 +18,7 @@ struct DistanceOptions {
   Request request = Request::normal | Request::witnesses;  ///< The results to compute. There is no proof.
   S tolerance = 0;  ///< The width upper - lower, over scale, at which to stop. 0 stops at the rounding bound.
   int max_iterations = 256;  ///< The largest number of support evaluations.
-  WarmStart start = {};      ///< What an earlier answer about the pair returned as `warm`.
+  WarmStart start = {};      ///< The `warm` of an earlier answer about the pair.
 };
 
 /// The answer of distance().

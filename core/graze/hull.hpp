@@ -47,7 +47,7 @@ template <Scalar S>
 class Hull {
  public:
   /// @cond
-  // Scans run over whole blocks; the padding repeats vertex 0, which can win no tie against it.
+  // Scans run over whole blocks. The padding repeats vertex 0, which can win no tie against it.
   static constexpr std::size_t kBlock = 8;
   /// @endcond
 
@@ -113,7 +113,7 @@ class Hull {
   // The mean of the six vertices that are least and greatest along the axes, about `center`, in the caller's unit: a
   // point of the hull, within 8 u of double of the largest.
   [[nodiscard]] const Vec3<double>& inside() const { return data_->inside; }
-  // Of the bounding box, in the caller's unit: the largest magnitude of a coordinate about `center`, and a bound of |x|.
+  // The bounding box, in the caller's unit: the largest magnitude of a coordinate about `center`, and a bound of |x|.
   [[nodiscard]] double size_about_center() const { return data_->size; }
   [[nodiscard]] double reach_about_center() const { return data_->reach; }
   /// @endcond
@@ -130,7 +130,7 @@ class Hull {
   struct Data {
     explicit Data(std::span<const Vec3<S>> given);
 
-    // What every query reads first, side by side.
+    // The data that every query reads first, side by side.
     std::vector<Vec3<S>> vertices;
     std::vector<float> guess;  // of a double hull
     std::size_t padded = 0;

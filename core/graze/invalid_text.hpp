@@ -11,7 +11,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
-// What is wrong with it, said of the field.
+// The reason for the refusal, worded for the field.
 [[nodiscard]] constexpr std::string_view predicate_of(const InvalidAt& at) {
   switch (at.why) {
     case Invalid::none:

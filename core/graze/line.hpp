@@ -36,7 +36,7 @@ struct LineResult {
   /// For a hit, if requested: unit, from A to B, world axes. They are supporting normals of C where the line enters
   /// and leaves, and 0 at rest. For a miss, normal_in is an axis that separates the bodies at all times.
   Vec3<S> normal_in = Vec3<S>::Zero();
-  Vec3<S> normal_out = Vec3<S>::Zero();  ///< Where the line leaves.
+  Vec3<S> normal_out = Vec3<S>::Zero();  ///< Normal at the exit of the line.
   Counters counters;                     ///< The work that was done.
 };
 

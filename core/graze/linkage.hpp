@@ -28,8 +28,8 @@
 #define GRAZE_LINKAGE header_only
 #endif
 
-// What the caller of a function must have ensured, or what an algorithm's argument rests on; never a check of
-// input, which is validate()'s. Without GRAZE_ASSERTIONS it is compiled, and not evaluated.
+// States a precondition of a function, or an assumption of an algorithm. It never checks input, which is the task of
+// validate(). Without GRAZE_ASSERTIONS it is compiled, and not evaluated.
 #ifdef GRAZE_ASSERTIONS
 #ifndef GRAZE_ASSERTION_FAILED
 #include <cstdio>

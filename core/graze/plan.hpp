@@ -7,7 +7,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// What must be simulated, from the cheapest to the most expensive.
+/// Effects that must be simulated, from the cheapest to the most expensive.
 enum class Effects : std::uint8_t {
   nothing,   ///< Nothing: the bounds show the answer.
   at_rest,   ///< One static query: the bodies do not move relative to each other.
@@ -15,7 +15,7 @@ enum class Effects : std::uint8_t {
   rotating,  ///< A rotating cast.
 };
 
-/// What a plan may save. Each can be switched off alone, and none changes a verdict.
+/// Savings that a plan may use. Each can be switched off alone, and none changes a verdict.
 ///
 /// @code
 /// const graze::Economies all, no_bounds{.bounds = false};
@@ -84,8 +84,8 @@ inline constexpr int kPlanReasons = 8;
   return {};
 }
 
-/// What must be simulated for a pair, and why. A rotating cast returns it, and plan() of rotating_cast.hpp computes
-/// it alone.
+/// The effects that must be simulated for a pair, and the reasons. A rotating cast returns it, and plan() of
+/// rotating_cast.hpp computes it alone.
 ///
 /// @code
 /// graze::Plan plan;

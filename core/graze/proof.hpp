@@ -7,7 +7,7 @@
 /// **Axis** n, not 0 and not normalised. It is a triple of doubles, or symbolic: plus or minus the cross product of
 /// two factors. The axis of an exact answer is rarely a triple of doubles. It proves
 ///
-/// - TOI >= h(n) / (n.v) if n.v < 0: every earlier t v is outside the half-space n.c <= h(n);
+/// - TOI >= h(n) / (n.v) if n.v < 0: every earlier t v is outside the half-space n.c <= h(n).
 /// - TOI = infinity, a miss, if h(n) < min(0, T n.v), with T 0 = 0 for T = infinity too.
 ///
 /// **Portal**: k support pairs (a_i, b_i), k <= 3, or k <= 4 for contact at t = 0. If some convex combination of the
@@ -46,13 +46,13 @@ struct SupportPair {
 
 /// One factor of a symbolic axis.
 struct AxisFactor {
-  /// What the factor is made of.
+  /// The source of the factor.
   enum class Kind : std::uint8_t {
     given,   ///< A triple of doubles.
     motion,  ///< The relative motion v.
     difference,  ///< (a_to - b_to) - (a_from - b_from). One offset or both may stand for a curved or rounded point.
   };
-  Kind kind = Kind::given;                    ///< Which of them it is.
+  Kind kind = Kind::given;                    ///< Kind of the factor.
   Vec3<double> given = Vec3<double>::Zero();  ///< For Kind::given.
   SupportPair from;                           ///< For Kind::difference.
   SupportPair to;                             ///< For Kind::difference.

@@ -11,7 +11,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// What a query found out. T is `t_max`, and TOI the time of impact.
+/// The outcome of a query. T is `t_max`, and TOI the time of impact.
 enum class Outcome : std::uint8_t {
   initially_overlapping,  ///< Contact at t = 0, touching included. TOI = 0.
   hit,                    ///< First contact at a TOI in (0, T].
@@ -83,12 +83,12 @@ enum class Tier : std::uint8_t {
   return {};
 }
 
-/// What a start in contact means.
+/// The treatment of a start in contact.
 enum class StartPolicy : std::uint8_t {
   report,  ///< It is the answer: initially_overlapping.
   /// A start that the motion leaves, or along which it slides, does not count.
   ///
-  /// *Linear casts*: the answer is a miss if n.v >= 0 for some n != 0 with h(n) <= 0, where v is the relative motion
+  /// *Linear casts*: the answer is a miss if n.v >= 0 for some n != 0 with h(n) <= 0. Here v is the relative motion
   /// and h the support function of C without the target distance. Any other start in contact is reported.
   ///
   /// *Rotating casts* follow a start that is no deeper than kappa u scale. The hit is where the contact gets deeper,
@@ -218,9 +218,9 @@ enum class Invalid : std::uint8_t {
 
 /// Whose input was refused.
 enum class InvalidBody : std::uint8_t {
-  none,  ///< That of the options, of the machine, or of both bodies.
-  a,     ///< That of the first body.
-  b,     ///< That of the second body.
+  none,  ///< The options, the machine, or both bodies.
+  a,     ///< The first body.
+  b,     ///< The second body.
 };
 /// "body a", "body b" or "neither body".
 [[nodiscard]] constexpr std::string_view to_text(InvalidBody body) {
@@ -308,7 +308,7 @@ enum class InvalidField : std::uint8_t {
   return {};
 }
 
-/// Where an input was refused: the first place that is wrong. invalid_text.hpp puts it in words.
+/// The first place at which an input was refused. invalid_text.hpp puts it in words.
 struct InvalidAt {
   Invalid why = Invalid::none;              ///< The reason.
   InvalidBody body = InvalidBody::none;     ///< Whose input.
@@ -329,13 +329,13 @@ struct InvalidAt {
 /// @endcode
 template <Scalar S>
 struct CastOptions {
-  Tier tier = Tier::standard;  ///< What the answer guarantees.
+  Tier tier = Tier::standard;  ///< Guarantee of the answer.
   /// The method of the standard tier. The other tiers have one each. Without a method, it is mpr_sweep for points,
   /// segments, triangles, boxes and hulls without a target distance, and for ellipsoids, cylinders and cones beside
   /// each other or beside any of these, spheres and capsules. For every other pair it is gjk_ray_cast.
   //
-  // Measured, time of gjk over mpr: 1.0 to 2.2 on polytopes (1.3 random, 2.2 grazing); 0.05 to 0.5 on spheres, capsules
-  // and rounded shapes.
+  // Measured, time of gjk over mpr: 1.0 to 2.2 on polytopes (1.3 random, 2.2 grazing), and 0.05 to 0.5 on spheres,
+  // capsules and rounded shapes.
   std::optional<Method> method = {};
   Request request = Request::normal | Request::witnesses;  ///< The results to compute.
   S t_max = 1;            ///< T, the end of the cast. Infinity makes it a ray.
@@ -343,7 +343,7 @@ struct CastOptions {
   /// Convergence target, a length over scale: the search may stop once the path is this near to contact. 0 stops at
   /// the rounding bound of the method, where nothing is left to gain.
   S tolerance = 0;
-  StartPolicy start_policy = StartPolicy::report;  ///< What a start in contact means.
+  StartPolicy start_policy = StartPolicy::report;  ///< Treatment of a start in contact.
   /// The largest number of support evaluations. A cast needs 5 to 20 typically. When they are used up, the outcome is
   /// not_converged, and the bracket is valid.
   int max_iterations = 256;

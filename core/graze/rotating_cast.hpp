@@ -34,7 +34,7 @@ template <Scalar S>
 RotatingResult<S> cast(const RotatingBody<S>& a, const RotatingBody<S>& b,
                        const RotatingOptions<S>& options = {});
 
-/// What cast() would simulate without a method. For invalid input the plan has no meaning.
+/// The plan of cast() without a method. For invalid input the plan has no meaning.
 ///
 /// @code
 /// const graze::RotatingBody<double> spinning_ball{.body = {.shape = graze::Sphere<double>{1}}, .rotation = {0, 0, 300}};

@@ -31,7 +31,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// What the axis of a slice rotates with.
+/// The frame in which the axis of a slice is fixed.
 enum class AxisFrame : std::uint8_t {
   world,  ///< It does not rotate.
   a,      ///< It rotates with A.
@@ -54,7 +54,7 @@ enum class AxisFrame : std::uint8_t {
 struct TimeSlice {
   double end = 0;                            ///< It begins where the slice before it ends, the first at 0.
   Vec3<double> axis = Vec3<double>::Zero();  ///< World axes, at t = 0 if it rotates. Not normalised.
-  AxisFrame frame = AxisFrame::world;        ///< What the axis rotates with.
+  AxisFrame frame = AxisFrame::world;        ///< Frame in which the axis is fixed.
 };
 
 /// The most support pairs that prove contact.

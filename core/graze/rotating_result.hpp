@@ -43,15 +43,15 @@ enum class RotatingMethod : std::uint8_t {
 /// @endcode
 template <Scalar S>
 struct RotatingOptions {
-  Tier tier = Tier::standard;  ///< What the answer guarantees. exact is only for invisible rotations.
+  Tier tier = Tier::standard;  ///< Guarantee of the answer. exact is only for invisible rotations.
   std::optional<RotatingMethod> method = {};               ///< The method, or by the plan.
-  Economies economies = {};                                ///< What the plan may save.
+  Economies economies = {};                                ///< Savings that the plan may use.
   Request request = Request::normal | Request::witnesses;  ///< The results to compute.
   S t_max = 1;            ///< The end of the cast. It is finite if a rotation is visible.
   S target_distance = 0;  ///< m, a length: contact is when the distance reaches m.
   S tolerance = 0;  ///< The requested width of the bracket, over scale. 0 is the least that the tier reaches.
-  /// What a start in contact means. With a visible rotation, pass_over needs the plan, conservative_advancement or
-  /// bilateral_advancement.
+  /// The treatment of a start in contact. With a visible rotation, pass_over needs the plan, conservative_advancement
+  /// or bilateral_advancement.
   StartPolicy start_policy = StartPolicy::report;
   int max_iterations = 262144;  ///< The largest number of support evaluations.
   int time_steps = 64;          ///< The number of steps of time_steps and bounding_spheres, over [0, t_max].
@@ -63,7 +63,7 @@ struct RotatingResult {
   Outcome outcome = Outcome::invalid_input;  ///< Contact or no contact.
   Invalid invalid = Invalid::none;           ///< For invalid_input: the reason.
   InvalidAt invalid_at = {};                 ///< For invalid_input: the place.
-  Plan plan;                                 ///< What was simulated, and why.
+  Plan plan;                                 ///< The simulated effects, and the reasons.
   /// The bracket, toi_lower <= TOI <= toi_upper, as the tier guarantees it. Both are 0 for initially_overlapping,
   /// infinite for miss, and NaN for invalid_input.
   S toi_lower = std::numeric_limits<S>::quiet_NaN();

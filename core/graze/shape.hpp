@@ -85,7 +85,7 @@ using SharedShape = std::shared_ptr<const ShapeNode<S>>;
 template <Scalar S>
 struct Posed {
   SharedShape<S> shape;                ///< The shape that is placed.
-  Vec3<S> position = Vec3<S>::Zero();  ///< Where its origin is, a length.
+  Vec3<S> position = Vec3<S>::Zero();  ///< Position of its origin, a length.
   Quaternion<S> orientation = {};      ///< Any quaternion other than 0.
 };
 
@@ -123,8 +123,8 @@ struct HullOf {
 /// assert(std::holds_alternative<graze::Rounded<double>>(die));
 /// @endcode
 //
-// What copies, moves and destroys fourteen kinds is compiled with the library, and not again in every file that holds a
-// shape.
+// The functions that copy, move and destroy fourteen kinds are compiled with the library, and not again in every file
+// that holds a shape.
 template <Scalar S>
 class Shape
     : public std::variant<Point<S>, Segment<S>, Triangle<S>, Sphere<S>, Capsule<S>, Box<S>, Ellipsoid<S>,
@@ -144,7 +144,7 @@ class Shape
   /// @endcond
 };
 
-/// What a SharedShape points to.
+/// The object that a SharedShape points to.
 template <Scalar S>
 struct ShapeNode {
   Shape<S> shape;  ///< The part.
@@ -189,7 +189,8 @@ template <Scalar S>
 Shape<S> hull_of(Shape<S> first, Shape<S> second) {
   return HullOf<S>{{share<S>(std::move(first)), share<S>(std::move(second))}};
 }
-/// What a shape sweeps along a displacement, {x + s displacement : x in shape, 0 <= s <= 1}: its sum with a segment.
+/// The set that a shape sweeps along a displacement, {x + s displacement : x in shape, 0 <= s <= 1}: its sum with a
+/// segment.
 template <Scalar S>
 Shape<S> swept(Shape<S> shape, const Vec3<S>& displacement) {
   return sum<S>(std::move(shape), Segment<S>{Vec3<S>::Zero(), displacement});

@@ -7,7 +7,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE {
 
-/// Where a search ended. Pass the `warm` of a result to the next query about the pair.
+/// The state in which a search ended. Pass the `warm` of a result to the next query about the pair.
 ///
 /// A stale, unrelated or NaN warm start never invalidates a guarantee. It is a guess that is tried: a good one saves
 /// support evaluations, a bad one costs one or a few. The last bits of an answer may depend on it, as they depend on
@@ -20,7 +20,7 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 /// assert(warm.has_axis());
 /// @endcode
 struct WarmStart {
-  /// A direction in world axes, of a length near 1. 0 if there is none.
+  /// A direction in world axes, of a length near 1. 0 if there is no such direction.
   Vec3<double> axis = Vec3<double>::Zero();
   int size = 0;                             ///< The number of vertices of C = A - B that follow, 0 to 4.
   std::array<std::uint32_t, 4> vertex_a{};  ///< Their indices in the core of A.

@@ -1,5 +1,5 @@
-// What a run of a scene answers, graze.events/1: one JSON object that a player needs nothing beside. Numbers
-// read back to the same bits, and nothing in it depends on time or threads.
+// The answer of a run of a scene, graze.events/1: one complete JSON object for a player. Numbers read back to
+// the same bits, and nothing in it depends on time or threads.
 #pragma once
 
 #include "scene/format/scene_io.hpp"
@@ -11,7 +11,7 @@ namespace graze::scene {
 // The plan alone: its counts, and every pair that would be simulated.
 [[nodiscard]] std::string write_plan(const Document& document, const Planned& planned);
 
-// Of an event that has a proof: its case and the proof, a line for `graze check`.
+// For an event that has a proof: its case and the proof, a line for `graze check`.
 [[nodiscard]] std::string write_event_proof(const Document& document, const Event& event, bool of_probe);
 
 }  // namespace graze::scene

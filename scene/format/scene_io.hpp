@@ -1,7 +1,7 @@
 // Reading and writing scenes, graze.scene/1 (docs/reference/scenes.md).
 //
-// A number is the double nearest to its decimal or hexfloat. What a writer wrote reads back to the same bits.
-// An error names the file and the field, what is wrong there and what would be right.
+// A number is the double nearest to its decimal or hexfloat. A written scene reads back to the same bits. An
+// error names the file and the field, what is wrong there and what would be right.
 #pragma once
 
 #include <graze/scene.hpp>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kSceneSchema = "graze.scene/1";
 struct Document {
   std::string id, comment;
   Scene scene;
-  Options options;  // tier, ask, request, t_max, target_distance, tolerance; the rest is the caller's
+  Options options;  // tier, ask, request, t_max, target_distance, tolerance, the rest is the caller's
 };
 
 struct ReadResult {

@@ -53,7 +53,7 @@ void cast_all(const Body<double>& one, std::span<const Body<double>> many,
 
 /// A ray: the path of a point.
 struct RayQuestion {
-  Vec3<double> origin = Vec3<double>::Zero();        ///< Where it starts, in world axes.
+  Vec3<double> origin = Vec3<double>::Zero();        ///< Start of the ray, in world axes.
   Vec3<double> displacement = Vec3<double>::Zero();  ///< Its direction, a length per unit of t.
 };
 /// Many rays against one body: answers[k] is cast(body, point). Rays that stay clear of the body's bounds are not
@@ -70,7 +70,8 @@ void cast_rays(const Body<double>& body, std::span<const RayQuestion> rays,
                std::span<CastResult<double>> answers, const CastOptions<double>& options = {},
                unsigned threads = 1);
 
-// What most callers read of it: 80 bytes instead of 1,568. Each number is that of the CastResult, to the bit.
+// The fields of the result that most callers read: 80 bytes instead of 1,568. Each number is that of the CastResult,
+// to the bit.
 struct RayAnswer {
   Outcome outcome = Outcome::invalid_input;
   double toi_lower = std::numeric_limits<double>::quiet_NaN();

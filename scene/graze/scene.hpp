@@ -1,5 +1,6 @@
 /// @file
-/// Scenes: many bodies over one step, and rays and casts among them. What first touches what, and when?
+/// Scenes: many bodies over one step, and rays and casts among them. Finds the first contacts of each body and their
+/// times.
 ///
 /// run() returns the events in the order of time, and what was simulated for them. plan() returns what run() would
 /// simulate, pair by pair, and why. Bodies are in world axes, the caller's units and radians, in double. The step is
@@ -21,7 +22,7 @@
 
 namespace graze::scene {
 
-/// Which bodies may meet: each one's group must have a bit of the other's mask.
+/// The filter of the pairs that may meet: each one's group must have a bit of the other's mask.
 struct Filter {
   std::uint32_t group = 1;                 ///< The bits of this body. By default everything meets.
   std::uint32_t mask = ~std::uint32_t{0};  ///< The bits of those that it may meet.
@@ -36,7 +37,7 @@ struct Filter {
 struct Member {
   std::string name = {};      ///< Empty, or unique. Events at one time are ordered by it, then by the index.
   RotatingBody<double> body;  ///< Shape, pose and motion.
-  Filter filter = {};         ///< Which bodies and probes it may meet.
+  Filter filter = {};         ///< The bodies and probes that it may meet.
 };
 
 /// A shape that moves among the bodies as they stand at t = 0. A ray is the cast of a point.
@@ -47,7 +48,7 @@ struct Probe {
   std::string name = {};      ///< Empty, or unique.
   RotatingBody<double> body;  ///< Shape, pose and motion.
   double t_max = 1;           ///< The end of the cast. It is finite if the probe rotates.
-  Filter filter = {};         ///< Which bodies it may meet.
+  Filter filter = {};         ///< The bodies that it may meet.
   /// True for its first contact only, and those that may be first. Else one for each body.
   bool first_only = true;
 };
@@ -61,7 +62,7 @@ struct Scene {
   std::vector<Probe> probes;   ///< The rays and casts among them.
 };
 
-/// Which events to find. Only the first contact of a pair is an event.
+/// The events to find. Only the first contact of a pair is an event.
 enum class Ask : std::uint8_t {
   verdict,  ///< Does anything touch? The run ends with the first contact that is found.
   first,    ///< The first event of the scene, and those that may be first by their brackets.
@@ -81,13 +82,13 @@ using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 /// The options of a run.
 struct Options {
-  Tier tier = Tier::standard;                              ///< What each event guarantees.
-  Ask ask = Ask::pair;                                     ///< Which events to find.
+  Tier tier = Tier::standard;                              ///< Guarantee of each event.
+  Ask ask = Ask::pair;                                     ///< The events to find.
   Request request = Request::normal | Request::witnesses;  ///< The results to compute.
   double t_max = 1;                                        ///< The end of the step. Finite.
   double target_distance = 0;  ///< A length: contact is when the distance reaches it.
   double tolerance = 0;        ///< The requested width of a bracket, over the scale of its pair.
-  Economies economies = {};    ///< What may be skipped.
+  Economies economies = {};    ///< Steps that may be skipped.
   unsigned threads = 1;        ///< The number of threads. The answer does not depend on it.
   /// The most pairs that may be looked at. A scene whose n bodies are all in one spot has n^2/2 pairs. It is refused
   /// in less than a second, before anything is cast.
@@ -183,8 +184,8 @@ struct Planned {
   std::vector<PairPlan> pairs;  ///< The pairs that are simulated, by (a, b).
   Counts counts;                ///< How many pairs would be simulated or skipped, and why.
 };
-/// What run() would simulate, pair by pair. For Ask::verdict, first and body it names the pairs that may have to be
-/// looked at. Which of them an earlier event makes unnecessary is not known before that is cast.
+/// Returns the plan of run(), pair by pair. For Ask::verdict, first and body it names the pairs that may have to be
+/// looked at. An earlier event makes some of them unnecessary, but this is not known before that event is cast.
 ///
 /// @code
 /// graze::scene::Scene scene;

@@ -1,28 +1,32 @@
-// Notation: C = A - B grown by the target distance, h(n) its support, n unit; the gap along n is -h(n), and v(t) the way
-// from A's centre to B's. Internal lengths.
+// Notation: C = A - B grown by the target distance, h(n) its support, n unit. The gap along n is -h(n), and v(t) the
+// vector from A's centre to B's. Internal lengths.
 //
-// An axis. With the gaps s_0 and s_1 at the two ends, less the margin,
-//   neither turns   the gap is linear in t: s_0 > 0 and s_1 > 0 prove all between;
-//   one turns       every point stays within M t (T - t) / 2 of its chord along n, M <= |w| |n x w| rho of each body, so
-//                   sqrt(s_0) + sqrt(s_1) > T sqrt(M / 2) proves all between (rotating/slice.hpp).
-// A turn that nobody sees (mobility.hpp: no point of the body, as a set, gets farther than its rotation_displacement from where the
-// linear motion has it) is not followed: the linear motion's body grown by the rotation_displacement holds the body. So is one of more
-// than kMostAngle where the rotation_displacement is less than the ball about the pivot; else that ball stands for the core.
+// An axis separates the bodies for the whole step in two cases. Let s_0 and s_1 be the gaps at the two ends, less the
+// margin.
+//   none rotates   The gap is linear in t: s_0 > 0 and s_1 > 0 prove all between.
+//   one rotates    Every point stays within M t (T - t) / 2 of its chord along n, M <= |w| |n x w| rho of each body.
+//                  So sqrt(s_0) + sqrt(s_1) > T sqrt(M / 2) proves all between (rotating/slice.hpp).
+// An invisible rotation is not followed. With it, no point of the body, as a set, gets farther than its
+// rotation_displacement from its position in the linear motion (mobility.hpp). So the linear motion's body grown by
+// the rotation_displacement holds the body. A rotation of more than kMostAngle is not followed either if the
+// rotation_displacement is less than the ball about the pivot. Otherwise that ball stands for the core.
 //
-// Contact is asked at t = 0 alone, whatever the turn. Points w_i of C, each within e of where it is computed. If the
-// computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
+// Contact is tested at t = 0 alone, whatever the rotation. Points w_i of C, each within e of where it is computed. If
+// the computed ones' hull holds a ball of radius e + d about the origin, the true ones' holds one of radius d: h(n) falls by
 // e at most. For a core with a ball of radius R about it: a convex combination v of the w_i with |v| <= R - e - d is as
 // good.
 //
-// Rounding. Entries of R are within 9 u, those of the turned one within (48 + 8 angle) u: the half angle within 2 u of
-// itself, a product of quaternions, and 9 u. A point, three products of a row, a direction turned back at either of two
-// vertices that are compared: (288 + 48 angle) u of the core's size; positions, ways and pivots are sums of at most six
-// terms. All are below 512 u (1 + angle) of L, the sum of the lengths. What a side chooses or rounds itself is its support_error
-// and its point_error (side.hpp), taken four times for three coordinates and two points.
+// Rounding. Entries of R are within 9 u, those of the rotated one within (48 + 8 angle) u: the half angle within 2 u of
+// itself, a product of quaternions, and 9 u. A point is three products of a row. A direction is rotated back at
+// either of two vertices that are compared. These cost (288 + 48 angle) u of the core's size. Positions, ways and
+// pivots are sums of at most six terms. All are below 512 u (1 + angle) of L, the sum of the lengths. The choice and
+// the rounding of a side itself are its support_error and its point_error (side.hpp), taken four times for three
+// coordinates and two points.
 //
-// The margin. A cast answers by the verdict where clearance and depth exceed the tier's width: kLinearCertifiedWidth of
-// scale; of turning bodies 1e-9 (kCertifiedTurningWidth), or the caller's tolerance. Standard methods answer within
-// kappa u scale, below 2^-36 of it (swept_box.hpp). scale is at most the sum of the sizes and the distance.
+// The margin. A cast answers by the verdict if clearance and depth exceed the tier's width. This is
+// kLinearCertifiedWidth of scale, for rotating bodies 1e-9 (kCertifiedTurningWidth), or the caller's tolerance.
+// Standard methods answer within kappa u scale, below 2^-36 of it (swept_box.hpp). scale is at most the sum of the
+// sizes and the distance.
 #include "apart.hpp"
 
 #include <Eigen/Geometry>
@@ -39,8 +43,8 @@ constexpr double u = kUnitRoundoff<double>;
 constexpr double kUp = 1 + 0x1p-40;  // above what a few roundings leave
 constexpr double kMostAngle = 1;     // radians of a step
 constexpr double kUnseen =
-    0x1p-36;                 // of a body's size: a turn of less rotation_displacement is not worth following
-constexpr int kBudget = 24;  // supports of a search; what needs more is cast
+    0x1p-36;                 // of a body's size: a rotation of less rotation_displacement is not followed
+constexpr int kBudget = 24;  // supports of a search, beyond which the pair is cast
 
 Vec3<double> zero() { return Vec3<double>::Zero(); }
 
@@ -182,7 +186,7 @@ bool StepPair::holds_origin(const std::array<Vec3<double>, 4>& w, int size) cons
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3<double>&p = w[i], &q = w[(i + 1) % 4], &r = w[(i + 2) % 4], &opposite = w[(i + 3) % 4];
     const Vec3<double> m = (q - p).cross(r - p);
-    // The height of the origin over the face, times |m|; products of three lengths round by 64 u of their cube.
+    // The height of the origin over the face, times |m|. Products of three lengths round by 64 u of their cube.
     const double height = -m.dot(p), lost = most * m.norm() * kUp + 64 * u * longest * longest * longest;
     const double altitude = m.dot(opposite - p);
     if (!(altitude > 0 ? altitude > lost && height > lost : altitude < -lost && height < -lost)) return false;

@@ -1,6 +1,6 @@
-// A pair over a step, by a test of a support or two instead of a cast: does one axis part it from the beginning to the
-// end, or do a few of its points show that it is in contact at the beginning? With every rounding counted; and a short
-// search for such an axis, or such points.
+// Tests a pair over a step with a support or two instead of a cast. One axis may separate it from the beginning to
+// the end, or a few of its points may show that it is in contact at the beginning. Every rounding is counted. A short
+// search finds such an axis, or such points.
 #pragma once
 
 #include <graze/detail/pairs/side.hpp>
@@ -20,15 +20,15 @@ struct StepBody {
   StepBody(const RotatingBody<double>& moving, const StepLimits& limits);
 
   detail::Side<double> side;
-  std::array<Mat3<double>, 2> rotation;  // at 0 and t_end; the same where no turn is followed
+  std::array<Mat3<double>, 2> rotation;  // at 0 and t_end, equal if no rotation is followed
   Vec3<double> start;                    // the side's centre at 0
   std::array<Vec3<double>, 2> center;    // of what is followed over the step: the side, or the ball
   Vec3<double> w;                        // rotation vector
   double rate = 0, rho = 0;              // |w|, and how far the core's points are from the pivot, at most
-  double radius = 0, size = 0;           // of what is added to the core; of the whole
-  double swept = 0;      // the radius, and what a turn that is not followed adds to it over the step
+  double radius = 0, size = 0;           // of the ball added to the core, and of the whole
+  double swept = 0;      // the radius, with the addition for a rotation that is not followed
   double error = 0;      // of a point, and of h(n)
-  bool turns = false;    // the turn is followed
+  bool turns = false;    // the rotation is followed
   bool is_ball = false;  // over the step the ball about the pivot stands for the core
 };
 
@@ -39,7 +39,7 @@ class StepPair {
   // n, unit, parts the bodies over [0, t_end], by more than any method's rounding and the width of any tier's answer: the
   // pair's cast is a miss.
   [[nodiscard]] bool is_parted_by(const Vec3<double>& n);
-  // Such an n, from a hint or from nothing (0); 0 where a short search finds none.
+  // Such an n, from a hint or from nothing (0). It is 0 if a short search finds none.
   [[nodiscard]] Vec3<double> find_axis(const Vec3<double>& hint);
 
   // Points of A - B along these directions hold the origin at t = 0, as deep: the pair's cast is initially_overlapping.

@@ -1,19 +1,18 @@
-// What a body sweeps: bounds linear in time, rounded outward.
+// The swept bounds of a body: linear in time, rounded outward.
 //
 // Own frame: the shape's core lies in the box of centre m and half extents e, and a ball of radius r is added
 // (`core_box`). World, R = R(orientation), p = position:
 //
-//   linear    c = p + R m,        h_i = sum_j |R_ij| e_j + r
-//   turning   c = p + R pivot,    h_i = |points - pivot| + r at any angle,
-//   or        the linear motion's c and h, with the rotation_displacement: no point gets farther than min(|w| t, 2) times its
-//             distance from the pivot from where the linear motion has it.
+//   linear     c = p + R m,        h_i = sum_j |R_ij| e_j + r
+//   rotating   c = p + R pivot,    h_i = |points - pivot| + r at any angle,
+//   or         the linear motion's c and h, with the rotation_displacement: no point gets farther from its position
+//              in the linear motion than min(|w| t, 2) times its distance from the pivot.
 //
-// Rounding. Entries of R are within 9 u (offset.hpp) of theirs, |R_ij| <= 1. A component of R m has three
-// products and two sums: within (9 + 3) u |m|_1; p + R m within u (|p| + |m|_1) more; of h the same with e.
-// A distance of two points within u of either's coordinates, a norm within 4 u of itself. All are below 16 u
-// of L = |p|_1 + |m|_1 + |e|_1 + |pivot|_1 + r, of which 32 u are added to h. At the end c + v t: within
-// 2 u (|c| + |v| t). A difference c - h rounds by u (|c| + h): 8 u of both are taken off. 2^-1000 stands for
-// what underflows.
+// Rounding. Entries of R are within 9 u (offset.hpp) of theirs, |R_ij| <= 1. A component of R m has three products
+// and two sums: within (9 + 3) u |m|_1. p + R m is within u (|p| + |m|_1) more. The same holds for h with e. A
+// distance of two points within u of either's coordinates, a norm within 4 u of itself. All are below 16 u of L =
+// |p|_1 + |m|_1 + |e|_1 + |pivot|_1 + r, of which 32 u are added to h. At the end c + v t: within 2 u (|c| + |v| t).
+// A difference c - h rounds by u (|c| + h): 8 u of both are taken off. 2^-1000 stands for what underflows.
 #include <graze/detail/rotating/mobility.hpp>
 
 #include <graze/scene/swept_box.hpp>
@@ -28,8 +27,8 @@ struct CoreBox {
   double radius;
 };
 
-// Core's bounds round by one u of each number that they are made of; what a combinator's own points may lie
-// beyond is said by core.
+// Core's bounds round by one u of each number that they are made of. Core also returns how far a combinator's own
+// points may lie beyond them.
 CoreBox core_box(const Shape<double>& shape) {
   const detail::Bounds bounds = detail::bounds(shape);
   const Vec3<double> middle = bounds.center + bounds.middle;

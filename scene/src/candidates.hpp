@@ -1,4 +1,4 @@
-// Which pairs of a scene have to be looked at, by their swept bounds; the others are counted.
+// Finds the pairs of a scene that must be examined, by their swept bounds. The other pairs are counted.
 #pragma once
 
 #include <graze/scene.hpp>
@@ -10,7 +10,7 @@ struct Candidate {
   std::uint32_t a = 0, b = 0;  // a < b
   double begin = 0;            // their bounds do not meet before
 
-  // The order in which an earlier event spares most; a total one.
+  // The order in which an earlier event saves most. It is total.
   [[nodiscard]] bool before(const Candidate& other) const {
     if (begin != other.begin) return begin < other.begin;
     return a != other.a ? a < other.a : b < other.b;
@@ -26,7 +26,7 @@ struct Candidates {
 [[nodiscard]] bool is_at_rest(const RotatingBody<double>& body);
 // A tree of all bodies over [0, t_max], contact being at the target distance.
 [[nodiscard]] Tree tree_of(const Scene& scene, const Options& options);
-// What a scene with more pairs than these is answered.
+// The answer for a scene with more pairs than this.
 [[nodiscard]] std::string over_budget_text(std::uint64_t most_pairs);
 [[nodiscard]] Candidates candidates(const Scene& scene, const Options& options, const Tree& tree);
 

@@ -1,4 +1,4 @@
-// What a scene must be: the door of run() and plan().
+// Checks the requirements on a scene at the entry of run() and plan().
 #include <graze/detail/rotating/mobility.hpp>
 #include <graze/detail/rotating/turn.hpp>
 #include <graze/detail/search/exact/term.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
-// Which of core's rules the body breaks, as of body a; its name stands before it.
+// The rules of core that the body breaks, as of body a. Its name stands before it.
 std::string why_invalid_body(const RotatingBody<double>& moving, double t_max) {
   detail::InvalidFinder<double> find;
   if (validate(moving.body) != Invalid::none && find.body(moving.body, InvalidBody::none))

@@ -16,7 +16,7 @@ Request request_of_turning(const Options& options) {
   return proves ? request_of(options) : Request::normal | Request::witnesses;
 }
 
-// Neither body turns: a static overlap, or a linear cast.
+// Neither body rotates: a static overlap, or a linear cast.
 graze::Plan plan_without_turning(const RotatingBody<double>& a, const RotatingBody<double>& b,
                                  const Options& options) {
   graze::Plan plan;

@@ -13,7 +13,7 @@ struct Answer {
 // By the least that the pair calls for, over [0, t_max].
 [[nodiscard]] Answer answer(const RotatingBody<double>& a, const RotatingBody<double>& b,
                             const Options& options, double t_max);
-// What answer() would do.
+// The plan of answer().
 [[nodiscard]] graze::Plan plan_of(const RotatingBody<double>& a, const RotatingBody<double>& b,
                                   const Options& options);
 

@@ -1,5 +1,6 @@
-// job(i) for every i < count, on a few threads: for scenes, and for the tools beside them. What job(i) writes is its own,
-// so that nothing depends on how many threads there are. The first exception of a job ends the run and is thrown again here.
+// job(i) for every i < count, on a few threads: for scenes, and for the tools beside them. job(i) writes only its own
+// data, so that nothing depends on the number of threads. The first exception of a job ends the run and is thrown
+// again here.
 #pragma once
 
 #include <algorithm>

@@ -124,7 +124,7 @@ bool Recall::follows(const Candidate& pair, Looked& looked) const {
   return false;
 }
 
-// Of what has been cast.
+// For a pair that has been cast.
 void Recall::learn(const Candidate& pair, Looked& looked) const {
   const Answer& found = *looked.answer;
   Memory::Pair& next = looked.next;

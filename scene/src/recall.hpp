@@ -1,4 +1,4 @@
-// A run's side of a Memory: what it says of a pair, what the run adds, and what the next step is handed.
+// A run's side of a Memory: its data about a pair, the additions of the run, and the data for the next step.
 #pragma once
 
 #include <graze/scene/memory.hpp>
@@ -9,13 +9,13 @@
 
 namespace graze::scene {
 
-// What was found about one pair, and by what.
+// The finding about one pair, and its source.
 struct Looked {
   enum class How : std::uint8_t { moot, cast, kept, parted, held };
   How how = How::moot;
   std::optional<Answer> answer;  // of a cast
   const Event* kept = nullptr;   // of bodies that rest as they did, in contact
-  Memory::Pair next;             // what the next step may know of it; its touching is the one below
+  Memory::Pair next;             // knowledge for the next step, with the touching below
   std::optional<Touching> touching;
   Counters counters;  // beside the answer's
 };
@@ -24,13 +24,13 @@ class Recall {
  public:
   Recall(const Scene& scene, const Options& options, Memory& memory);
 
-  // Which pairs are going to be looked at.
+  // The pairs to be examined.
   void prepare(std::span<const Candidate> pairs);
   // Over [0, until]. Reads only, so that many threads may look at once.
   [[nodiscard]] Looked look(const Candidate& pair, double until) const;
-  // A pair that nobody looks at.
+  // For a pair that is not examined.
   [[nodiscard]] Looked pass_over(const Candidate& pair) const;
-  // What the next step is to know of the pair; in the order of the pairs.
+  // The knowledge about the pairs for the next step, in the order of the pairs.
   void keep(const Looked& looked);
   // The memory is now of this step.
   void end();
@@ -40,7 +40,7 @@ class Recall {
   [[nodiscard]] bool both_rest(const Candidate& pair) const {
     return is_at_rest(scene_.bodies[pair.a].body) && is_at_rest(scene_.bodies[pair.b].body);
   }
-  // Of bodies that do not both rest.
+  // For bodies that do not both rest.
   [[nodiscard]] StepPair step_of(const Candidate& pair, Counters& counters) const {
     return {bodies_[places_[pair.a]], bodies_[places_[pair.b]], limits_, counters};
   }

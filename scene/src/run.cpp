@@ -1,6 +1,6 @@
 // The run of a scene: candidates in an order that spares most, in parts whose size does not depend on the
-// threads. What an event of one part settles bounds the parts that follow, so that every pair is asked the
-// same question in any number of threads.
+// threads. The events of one part bound the parts that follow. So every pair gets the same question with any
+// number of threads.
 #include <graze/scene.hpp>
 
 #include <algorithm>
@@ -22,14 +22,14 @@ double seconds_since(Clock::time_point start) {
 // A first part is small, as its events may make the rest moot.
 constexpr std::size_t kFirstPart = 16, kMostPart = 1024;
 
-// What is known so far of what was asked: the latest time at which an event still counts.
+// The bound for the question so far: the latest time at which an event still counts.
 class Horizon {
  public:
   Horizon(const Options& options, std::size_t bodies) : options_(options), scene_(options.t_max) {
     if (options.ask == Ask::body) body_.assign(bodies, options.t_max);
   }
 
-  // Of a pair. Beyond it nothing of theirs was asked.
+  // The horizon of a pair. Nothing beyond it is needed for the pair.
   [[nodiscard]] double of(std::uint32_t a, std::uint32_t b) const {
     switch (options_.ask) {
       case Ask::pair:
@@ -52,7 +52,7 @@ class Horizon {
     body_[event.a] = std::min(body_[event.a], event.toi_upper);
     body_[event.b] = std::min(body_[event.b], event.toi_upper);
   }
-  // May the event be the first of what was asked? An open one may, wherever its bracket begins early enough.
+  // Can the event be the first one requested? An open event can, if its bracket begins early enough.
   [[nodiscard]] bool counts(const Event& event) const {
     switch (options_.ask) {
       case Ask::pair:

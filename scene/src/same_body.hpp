@@ -1,5 +1,5 @@
-// Are two bodies one and the same, to the bit? Hulls and the parts of combinators are, where they are shared; others are
-// taken for different, which costs a cast.
+// Are two bodies one and the same, to the bit? Hulls and the parts of combinators count as the same if they are
+// shared. Others are taken for different, which costs a cast.
 #pragma once
 
 #include <graze/body.hpp>
@@ -64,7 +64,7 @@ struct SameShape {
   }
 };
 
-// Of bodies at rest.
+// For bodies at rest.
 [[nodiscard]] inline bool is_same(const Body<double>& l, const Body<double>& r) {
   return same_bits(l.position, r.position) && same_bits(l.orientation, r.orientation) &&
          std::visit(SameShape{}, l.shape, r.shape);

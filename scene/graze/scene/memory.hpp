@@ -14,7 +14,7 @@ struct Touching {
 };
 /// @endcond
 
-/// What is known of the pairs after a step: the axis that separated a pair, a few directions whose support points
+/// Knowledge about the pairs after a step: the axis that separated a pair, a few directions whose support points
 /// showed contact, or for bodies at rest their overlap.
 ///
 /// A step is much like the one before. A pair that missed is tested along its last axis first. If that separates the
@@ -45,7 +45,7 @@ class Memory {
     std::uint32_t a = 0, b = 0;                // a < b
     std::uint32_t answer = kNothing;           // of bodies at rest: kMiss, or an index of events_
     std::uint32_t touching = kNothing;         // an index of touching_
-    Vec3<double> axis = Vec3<double>::Zero();  // unit, from a to b, in world axes; 0: none is known
+    Vec3<double> axis = Vec3<double>::Zero();  // unit, from a to b, in world axes, or 0 if not known
     // Searches for an axis or for points of contact that found none: the next waits for as many casts.
     std::uint8_t failures = 0, wait = 0;
   };
@@ -53,7 +53,7 @@ class Memory {
     std::uint32_t index = 0;
     Body<double> body;
   };
-  // What an overlap at rest depends on beside the bodies.
+  // The inputs of an overlap at rest beside the bodies.
   struct Settings {
     Tier tier = Tier::standard;
     Request request = Request::verdict;

@@ -8,7 +8,7 @@
 
 namespace graze::scene {
 
-/// What is simulated for a pair of bodies, and why.
+/// The effects that are simulated for a pair of bodies, and the reasons.
 struct PairPlan {
   std::uint32_t a = 0;  ///< The index of a body.
   std::uint32_t b = 0;  ///< The index of another, a < b.

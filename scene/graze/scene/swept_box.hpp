@@ -2,16 +2,16 @@
 //
 //   box(s) = [low0 + s (low1 - low0), high0 + s (high1 - high0)] per axis,   s = t / t_max in [0, 1].
 //
-// Bounds. At every s the box holds the body. The body's own bounds, c + v t - h and c + v t + h, are linear in
-// t; low0 and low1 are below the first at either end, high0 and high1 above the second, so the chords are too.
-// So only the ends are rounded, and outward (bounds.cpp). A box of boxes takes the least and the greatest of
-// each end: chords of lesser ends are lesser, and nothing rounds.
+// Bounds. At every s the box holds the body. The body's own bounds, c + v t - h and c + v t + h, are linear in t. The
+// bounds low0 and low1 are below the first at either end, high0 and high1 above the second, so the chords are too. So
+// only the ends are rounded, and outward (bounds.cpp). A box of boxes takes the least and the greatest of each end:
+// chords of lesser ends are lesser, and nothing rounds.
 //
 // Meeting. On an axis, P and Q meet at s iff P.high(s) >= Q.low(s) and Q.high(s) >= P.low(s): two linear
-// functions of s with ends e0, e1. The sign of a rounded difference of doubles is that of the exact one (a
-// flushed one is 0, which counts as meeting), so "never on this axis", e0 < 0 and e1 < 0, is decided exactly.
-// Else the root is e0 / (e0 - e1), of two differences and a quotient of positive numbers, four roundings: it
-// is moved outward by 8 u. If on all axes together no s is left, the boxes never meet.
+// functions of s with ends e0, e1. The sign of a rounded difference of doubles is that of the exact one (a flushed
+// one is 0, which counts as meeting). So "never on this axis", e0 < 0 and e1 < 0, is decided exactly. Else the root
+// is e0 / (e0 - e1), of two differences and a quotient of positive numbers, four roundings: it is moved outward by 8
+// u. If on all axes together no s is left, the boxes never meet.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace graze::scene {
 struct SweptBox {
   Vec3<double> low0, high0, low1, high1;
 
-  // Holds nothing; grown by boxes it becomes their box.
+  // Holds nothing at first. Grown by boxes it becomes their box.
   [[nodiscard]] static SweptBox nothing() {
     const Vec3<double> most = Vec3<double>::Constant(kInfinity<double>);
     return {most, -most, most, -most};
@@ -35,7 +35,7 @@ struct SweptBox {
   }
 };
 
-// The s in [begin, end] at which boxes may meet; none if begin > end.
+// The s in [begin, end] at which boxes may meet. The interval is empty if begin > end.
 struct Meeting {
   double begin = 0, end = 1;
 
@@ -72,8 +72,9 @@ struct Meeting {
   return out;
 }
 
-// By when what starts in a box and moves by v for each unit of t, v != 0, has left what stands at s = 0 for
-// good, rounded up; negative: it never meets it. On each axis along which it moves it leaves at the far side.
+// The time, rounded up, by which a body that starts in a box has left a box at s = 0 for good. The body moves by v
+// for each unit of t, v != 0. A negative time means that they never meet. On each axis along which
+// it moves it leaves at the far side.
 [[nodiscard]] inline double last_exit(const Vec3<double>& v, const SweptBox& start,
                                       const SweptBox& standing) {
   double least = kInfinity<double>;
@@ -86,19 +87,20 @@ struct Meeting {
   return least;
 }
 
-// A body's turn, as in RotatingBody.
+// A body's rotation, as in RotatingBody.
 struct Turn {
   Vec3<double> rotation = Vec3<double>::Zero(), pivot = Vec3<double>::Zero();
 };
 
-// What the body sweeps over [0, t_end], t_end finite, with so much around it; the body is valid. Of turning
-// bodies: the ball about the pivot, or the linear motion's box with the rotation_displacement added, whichever is smaller.
+// The bounds of the body over [0, t_end], t_end finite, grown by a margin. The body must be valid. A rotating body
+// gets the ball about the pivot, or the linear motion's box with the rotation_displacement added, whichever is
+// smaller.
 [[nodiscard]] SweptBox swept_box(const Body<double>& body, const Turn& turn, double t_end, double around);
 [[nodiscard]] inline SweptBox swept_box(const RotatingBody<double>& moving, double t_end, double around) {
   return swept_box(moving.body, {moving.rotation, moving.pivot}, t_end, around);
 }
 
-// The box of a body whose contacts, at the target distance, a pair's cast may report: half the distance around it, and
+// The box of a body whose contacts, at the target distance, a pair's cast may report. It adds half the distance, and
 // 2^-36 of its scale, 131072 u, for tier standard, which answers for shapes within kappa u scale.
 [[nodiscard]] SweptBox contact_box(const Body<double>& body, const Turn& turn, double t_end,
                                    double target_distance);

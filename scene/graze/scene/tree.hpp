@@ -1,11 +1,11 @@
 // A tree over swept boxes: which bodies may meet, in about n log n for n bodies with few contacts.
 //
-// A bounding volume hierarchy whose nodes move as what is in them does: a node is a box at either end of the
-// step (swept_box.hpp), as in ray tracing with motion point_error. [Glassner 1988; Hou et al. 2010 for nodes at both
-// ends] A body that flies across the scene is a small box at every time, where its swept bounds at rest would
-// hold the whole scene. Built from the top by halves: of the seven numbers of a box, its centre at either end
-// and its size, the one that differs most is split in the middle of its range, so bodies of very different
-// speed or size part early, and a large one does not swell the nodes of small ones.
+// A bounding volume hierarchy whose nodes move with their contents: a node is a box at either end of the step
+// (swept_box.hpp), as in ray tracing with motion blur. [Glassner 1988, and Hou et al. 2010 for nodes at both ends] A
+// body that flies across the scene is a small box at every time. Its swept bounds at rest would hold the whole scene.
+// The tree is built from the top by halves. A box has seven numbers: its centre at either end and its size. The
+// number that differs most is split in the middle of its range. So bodies of very different speed or size part early,
+// and a large one does not swell the nodes of small ones.
 //
 // Nothing rounds here that may drop a pair: nodes take least and greatest ends, and the meeting of two boxes is
 // decided as swept_box.hpp proves.
@@ -22,7 +22,7 @@ class Tree {
   struct Node {
     SweptBox box;
     std::uint32_t first = 0, count = 0;   // of order
-    std::uint32_t right = 0;              // the right child; the left one is the next node; 0: a leaf
+    std::uint32_t right = 0;              // the right child, 0 for a leaf. The left one is the next node
     std::uint32_t groups = 0, masks = 0;  // of any body in it
   };
   struct Item {

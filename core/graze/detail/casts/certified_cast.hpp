@@ -1,36 +1,42 @@
 // Tier certified of linear casts: a bracket of the first contact, proved without condition for the true
 // shapes.
 //
-//   toi_lower <= TOI <= toi_upper for the sets that the given numbers define, every rounding of the search,
-//   of the support functions and of the times counted; and its width, the larger backward error of the two
+//   toi_lower <= TOI <= toi_upper for the sets that the given numbers define. This counts every rounding of the
+//   search, of the support functions and of the times. The width of the bracket, the larger backward error of the two
 //   ends, is proved to be at most kLinearCertifiedWidth of scale. The verdict is never wrong.
 //
-// Every shape, S float or double; all is computed in double, and the two times are rounded outward to S at
-// the end (for float that comes on top of the width). Polytopes, and rounded ones, are answered by the exact tier, whose
-// bracket is narrower still.
-//   miss                   an axis proves it, or exact arithmetic: apart at the start, and the motion does not approach;
-//   initially_overlapping  C holds the origin: between two portals, of the line forwards and backwards, or by exact
-//                          arithmetic (exact_start.hpp): bodies that touch;
-//   hit                    an axis and a portal. toi_lower = 0 where the start is within the width of contact, is not
-//                          proved to be in contact, and contact is proved a little later;
-//   not_converged          a tie: at toi_lower the bodies are within the width of contact, or the motion ends there, and
-//                          neither contact nor a miss is proved. The answer has a normal, witnesses and `distance`, a
-//                          bound of the gap that is at most the width, so that a caller can take it for contact. Only
-//                          where clearance or depth is below the width, or under pass_over where that much decides
-//                          whether the start leaves. A search that the caller's own max_iterations ends may say less.
-//                          For a shape that lies far out in its own frame, 1e12 scale and more, the width is
-//                          what sums of two doubles can tell of it: 2^10 times the error of named_point.hpp
+// Supports every shape, with S float or double. Everything is computed in double, and the two times are rounded
+// outward to S at the end (for float this adds to the width). The exact tier answers polytopes and rounded polytopes,
+// with an even narrower bracket.
+//   miss                   proved by an axis or by exact arithmetic: apart at the start, and the motion does not
+//                          approach
+//   initially_overlapping  C holds the origin. Proved by two portals, of the line forwards and backwards, or by exact
+//                          arithmetic (exact_start.hpp), which covers touching bodies
+//   hit                    proved by an axis and a portal. toi_lower = 0 if the start is within the width of contact,
+//                          is not proved to be in contact, and contact is proved a little later
+//   not_converged          a tie: at toi_lower the bodies are within the width of contact, or the motion ends there,
+//                          and neither contact nor a miss is proved. The answer has a normal, witnesses and
+//                          `distance`, a bound of the gap that is at most the width, so a caller can take it for
+//                          contact. This occurs only if clearance or depth is below the width, or under pass_over if
+//                          that much decides whether the start leaves. A search that ends at the caller's own
+//                          max_iterations may say less. For a shape far out in its own frame, at 1e12 scale and more,
+//                          the width is limited by the resolution of sums of two doubles there: 2^10 times the error
+//                          of named_point.hpp
 //
-// How. Spheres, capsules and polytopes at a distance: by the exact tier, and so are other rounded polytopes where all else
-// leaves them open; with a cylinder, a cone or an ellipsoid: casts/curved_bracket.hpp. Else:
-// upper half: a portal of exactly named points (proving/certified_portal.hpp), its decisions beyond predicate_error. Lower
-// half: the axis of that portal, of MPR, of the GJK ray cast, or, where these are short (an edge between a
-// face that is nearly along the path and another), the axis from C to a point of the path a little before
-// contact: as that point is farther from C than h rounds, its axis is proved, and as it is nearer than the
-// width, that is enough. Both halves' backward errors are then bounded:
-//   distance of t v from C      <= (upper - t) |v|, and by GJK;
+// Method. The exact tier answers spheres, capsules and polytopes at a distance. It also answers other rounded
+// polytopes if all other methods leave them open. casts/curved_bracket.hpp answers pairs with a cylinder, a cone or
+// an ellipsoid. In all other cases the two halves of the bracket are proved as follows.
+//   - Upper half: a portal of exactly named points (proving/certified_portal.hpp), with decisions beyond
+//   predicate_error. - Lower half: the axis of that portal, of MPR or of the GJK ray cast. These axes are too short
+//   when an edge lies
+//     between a face that is nearly along the path and another face. Then the axis runs from C to a point of the path
+//     a little before contact. This point is farther from C than the rounding of h, so its axis is proved. It is also
+//     nearer than the width, which is enough.
+//
+// Both halves' backward errors are then bounded:
+//   distance of t v from C      <= (upper - t) |v|, and by GJK
 //   depth of [0, t) v in C      <= max(0, h(n) - min(0, t n.v)) for every unit n: moved so far along -n, C
-//                                  lies beneath the path.
+//                                  lies beneath the path
 #pragma once
 
 #include <graze/detail/casts/certified_ray.hpp>
@@ -90,7 +96,7 @@ class CertifiedCast {
     run();
   }
 
-  // Of a hit: points of A and B, in the world at t = 0, that are at contact at `lower`, up to the width.
+  // Witnesses of a hit: points of A and B, in the world at t = 0, that are in contact at `lower`, within the width.
   struct Contact {
     Vec3<double> on_a = Vec3<double>::Zero(), on_b = Vec3<double>::Zero();
     void add(double weight, const NamedPoint& p) {
@@ -118,7 +124,8 @@ class CertifiedCast {
       const CsoPoint<double>& p = simplex.point[i];
       const Vec3<double> e = p.n != Vec3<double>::Zero() ? unit(p.n) : towards;
       out.add(simplex.lambda[i], points_.named(p, e));
-      // A curved core's points are found along directions of their own; the balls about them look one way.
+      // A curved core's points are found along directions of their own, but the balls about them all use one
+      // direction.
       out.on_a += simplex.lambda[i] * context_.radius_a * (towards - e);
       out.on_b -= simplex.lambda[i] * context_.radius_b * (towards - e);
     }
@@ -126,19 +133,19 @@ class CertifiedCast {
   }
 
   // After run() of a start in contact, or maybe in contact: does its ray go into C's inside, or leave, or
-  // slide? Of C without the target distance.
+  // slide? This concerns C without the target distance.
   [[nodiscard]] Start start() {
     Proof away;
     prove_miss(context_, Vec3<double>(Vec3<double>::Zero()), away, counters_);
     if (away.toi_lower == kInfinity<double>) return Start::leaves;
     if (const Start exactly = start_exactly(); exactly != Start::open) return exactly;
-    // An n with h(n) <= 0 has n.v <= 0 where C has a point ahead on the line; and n.v = 0, too, only if seen
-    // along the line it keeps all of C in a half-plane. Where points of C surround the line none does. At
-    // rest the line is any, and the origin inside of C if it is between the portals. And from C's inside
-    // every motion stays there for a while.
+    // An n with h(n) <= 0 has n.v <= 0 if C has a point ahead on the line. In addition n.v = 0 only if n, seen along
+    // the line, keeps all of C in a half-plane. If points of C surround the line, no such n exists. At rest any line
+    // will do, and the origin is inside C if it is between the portals. And from C's inside every motion stays there
+    // for a while.
     const ProvedView<S> ahead = view(false);
     const ProvedPortal in = ahead.enter({}, gap()), out = view(true).enter({}, gap());
-    // Of long thin shapes the search's axis is rounded by more than they are thick.
+    // For long thin shapes the rounding of the search's axis exceeds their thickness.
     for (const Vec3<double>& axis : {in.n, in.across, out.n, out.across}) {
       if (prove_lower(context_, axis, true, away, counters_)) return Start::leaves;
     }
@@ -158,9 +165,9 @@ class CertifiedCast {
   }
 
   Outcome outcome = Outcome::not_converged;
-  Proof proof;  // times in double; a portal's pairs only while its points have names
+  Proof proof;  // times in double, with a portal's pairs only while its points have names
   double lower = 0, upper = kInfinity<double>;  // t
-  double apart = kInfinity<double>;             // of the bodies at lower, at most; world length
+  double apart = kInfinity<double>;             // upper bound of the gap at lower, world length
   Vec3<double> n = Vec3<double>::Zero();  // hit, not_converged: unit, supports C at the contact, or nearly
   ProvedPortal portal;                    // hit
 
@@ -196,7 +203,7 @@ class CertifiedCast {
                                                                   {-0.40625, 0.859375, 0.3125},
                                                                   {0.28125, -0.34375, 0.89453125},
                                                                   {-0.640625, -0.5703125, 0.515625}}};
-  // Where it enters C; at s <= 0 it need not be known how far back.
+  // Finds the entry into C. For an entry at s <= 0 its exact position is not needed.
   [[nodiscard]] ProvedPortal enter(const Portal<double>& first = {}) {
     return view(false).enter(first, gap(), 0);
   }
@@ -245,8 +252,8 @@ class CertifiedCast {
     if (in.found && out.found && in.upper <= 0 && out.upper <= 0) return overlap(in, out);
     if (is_miss(in.n) || is_miss(out.n) || is_miss(in.across) || is_miss(out.across)) return;
     if (is_miss_by_search(d.n) || is_deep_at_start()) return;
-    // GJK ends where a step is no nearer, as far as doubles tell, though its axis would turn. Seen along a
-    // line, what separates C from it is exact.
+    // GJK ends when a step brings no progress within the precision of doubles, even if its axis would still change.
+    // Seen along a line, what separates C from it is exact.
     for (const auto& [x, y, z] : kSkew) {
       const ProvedPortal aside = along(Vec3<double>(x, y, z), false).enter({}, gap());
       if (is_miss(aside.found ? aside.n : aside.across)) return;
@@ -277,7 +284,7 @@ class CertifiedCast {
     }
     bound_below(search);
     if (!(proof.toi_lower > 0) && is_deep_at_start()) return;
-    // The portal's point may lie before the start; with one of C behind the start, contact is in between.
+    // The portal's point may lie before the start. With a point of C behind the start, contact is in between.
     if (!(portal.least >= 0)) {
       const ProvedPortal out = leave();
       if (!out.found || !(out.upper <= 0)) return;
@@ -285,8 +292,8 @@ class CertifiedCast {
     close();
   }
 
-  // Where the portals along the path are not to be had, or lie almost along it, contact at its start may be
-  // plain along another direction.
+  // If the portals along the path cannot be found, or lie almost along it, contact at its start may be plain along
+  // another direction.
   bool is_deep_at_start() {
     if (is_shown_at_start()) return true;
     const auto portals = around_origin(false);
@@ -358,8 +365,9 @@ class CertifiedCast {
     prove_lower(context_, axis, false, proof, counters_);
     return proof.toi_lower > before;
   }
-  // So near to C the direction to it is rounding, and a search may stall: it asks at points of the path farther and farther
-  // before s. A later bound may be proved by what it finds there, and C is no farther from s than from there and the way back.
+  // So near to C the direction to it is rounding, and a search may not converge. It searches at points of the path ever
+  // farther before s. Its axis there may prove a later bound. C is no farther from s than the distance of C from that
+  // point plus the way back.
   [[nodiscard]] bool looks_from_before(double s, Near& at) {
     const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
     for (double before = width_allowed_ / 16 / speed; before < kFarBefore; before *= 2) {
@@ -369,8 +377,8 @@ class CertifiedCast {
     }
     return false;
   }
-  // Whether a start that is not proved to be free of contact is one in contact, in exact arithmetic. True: it is, or
-  // the bodies are apart and stay so.
+  // Decides in exact arithmetic whether a start that is not proved to be free of contact is in contact. Returns true
+  // if it is, or if the bodies are apart and stay so.
   bool settle_start() {
     if (proof.toi_lower > 0) return false;
     const ExactStart start = decide_start();
@@ -392,7 +400,7 @@ class CertifiedCast {
     const exact::Exact v = exact::Exact::of(wide(b_.displacement), wide(a_.displacement));
     return exact::dot(direction, v.x).sign();
   }
-  // Of C without the target distance.
+  // This concerns C without the target distance.
   [[nodiscard]] Start start_exactly() {
     const ExactStart start = decide_start();
     if (start.kind == StartKind::deep) return Start::enters;
@@ -405,8 +413,8 @@ class CertifiedCast {
   void fill_open() {
     lower = std::min(proof.toi_lower, context_.t_max);
     proof.toi_lower = lower;
-    // Where they touch, what a search says of the direction between them may be noise. The best is what C reaches least
-    // beyond the path along, of those from points beside it as well.
+    // If the bodies touch, the search's direction between them may be noise. The best direction is the one along
+    // which C extends least beyond the path, among those of points beside it as well.
     const Vec3<double> x = cso_.to_parameter(lower) * context_.r;
     double least = kInfinity<double>;
     Vec3<double> best = Vec3<double>::Zero();
@@ -467,7 +475,7 @@ class CertifiedCast {
     return std::sqrt(closest_to_origin(triangle, x).dist_sq);
   }
 
-  // A hit is proved. What is the width of its bracket, and can it be made narrow?
+  // A hit is proved. Computes the width of its bracket and narrows it if necessary.
   void close() {
     const double speed = context_.r.norm() * (1 + 4 * kUnitRoundoff<double>);
     upper = std::min(cso_.to_time(portal.upper) * (1 + kUnitRoundoff<double>), context_.t_max);
@@ -524,8 +532,8 @@ class CertifiedCast {
         if (proved.distance <= width_allowed_) return proved.distance;
       }
     }
-    // Where the path meets the rim of a flat end, the axes from C to it are tilted as far as it is off the
-    // rim; the end's own normal is along one of the body's axes.
+    // If the path meets the rim of a flat end, the axes from C to it are tilted by its distance from the rim. The
+    // end's own normal is along one of the body's axes.
     for (const Side<double>* side : {&cso_.side_a(), &cso_.side_b()}) {
       for (int i = 0; i < 3; ++i) {
         const Vec3<double> own = side->to_world(Vec3<double>(Vec3<double>::Unit(i)));
@@ -548,10 +556,10 @@ class CertifiedCast {
     proof.toi_upper = upper;
   }
 
-  // Of the path's parameter: the root of the width, from where an axis is tilted by more than the width
-  // allows.
+  // A path parameter: the root of the width, from which an axis is tilted by more than the width allows.
   static constexpr double kFarBefore = 1e-6;
-  // Of come_near(): 40 halvings of the way are from the scale to the width, and as many where rounding takes some back.
+  // The limit of come_near(): 40 halvings of the way lead from the scale to the width, and as many more are for
+  // rounding that undoes some.
   static constexpr int kAdvances = 80;
 
   const Body<S>&a_, &b_;
@@ -580,7 +588,7 @@ void pass_over_start(const Body<S>& a, const Body<S>& b, const CastOptions<S>& o
     cast.lower = cast.upper = kInfinity<double>;
     return;
   }
-  // Whether it is a start in contact, or whether that leaves, is open: then so is all that follows.
+  // It is open whether the start is in contact, or whether it leaves. All that follows is then open too.
   cast.leave_open();
 }
 

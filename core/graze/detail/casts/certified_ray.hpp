@@ -1,11 +1,11 @@
 // The cast of a point at a sphere, capsule, cylinder, cone or ellipsoid in tier certified: a bracket around the clip's time.
 //
-// With e = predicate_error (ray.hpp) and the clip's unit normal n, at the time t that it found:
+// Let e = predicate_error (ray.hpp), n be the clip's unit normal and t the time that the clip found.
 //   lower   n.x = h(n) + 1.25 e there: n.x falls along the ray, so no time before is in contact. e / 4 is for the
-//           rounding of lower itself, 4 u t |w| <= 4 u (|o|_1 + reach)
-//   upper   the solid holds the ball of radius e about x
-//   width   |x - nearest(x)| at lower, and the depth before upper, h(n) - n.x there, each with e more
-// A miss and a start in contact are proved by the clip.
+//           rounding of lower itself, 4 u t |w| <= 4 u (|o|_1 + reach).
+//   upper   The solid holds the ball of radius e about x.
+//   width   |x - nearest(x)| at lower, and the depth before upper, h(n) - n.x there, each with e more.
+// The clip proves a miss and a start in contact.
 #pragma once
 
 #include <graze/detail/casts/certified_bracket.hpp>

@@ -1,19 +1,19 @@
 // Tier certified of cylinders, cones and ellipsoids: a bracket from the answer of the curved walk.
 //
-// The walk (search/fast/curved_walk.hpp, whose notation this is) ends with an axis n and a time. From these the bracket is
-// proved in plain doubles, as its width leaves room for thousands of roundings:
-//   lower   n.(s r) >= h(n) at s = lower, and 0 > h(n): n.(s r) is linear in s, so no s before lower is in contact
-//   upper   three points of C that the path passes between, beyond predicate_error: support points along n and `tilt` beside it.
-//           They are as far apart as the tilt times what is curved there, and below the surface by its square alone
-//   width   (upper - lower) |r|, and the depth before upper, h(n) - n.(upper r) over |n|
-// Miss: as the walk proves it. A start in contact is left to the wider search.
-//
-// Rounding, internal length, u in double; M + R bounds |w|. Axes: margin of the walk over |n|_1, as the point that it
-// ends with is the farthest one in doubles. Seen along the path, where e and f are of length 1 within 4 u and level
-// within 6 u, and r is rounded once, a coordinate is within sqrt(3) point_error + 11 u (M + R) < predicate_error,
+// The walk (search/fast/curved_walk.hpp, which defines the notation) ends with an axis n and a time. From these the
+// bracket is proved in plain doubles, as its width leaves room for thousands of roundings.
+//   lower   n.(s r) >= h(n) at s = lower, and 0 > h(n): n.(s r) is linear in s, so no s before lower is in contact.
+//   upper   Three points of C that the path passes between, beyond predicate_error: support points along n and `tilt`
+//           beside it. Their spacing is the tilt times the radius of curvature. Their depth below the surface is only
+//           of the order of the tilt's square.
+//   width   (upper - lower) |r|, and the depth before upper, h(n) - n.(upper r) over |n|.
+// A miss is proved as in the walk. A start in contact is left to the wider search.
+// Rounding, internal length, u in double. M + R bounds |w|. Axes: margin of the walk over |n|_1, as the point that it
+// ends with is the farthest one in doubles. Seen along the path, e and f have length 1 within 4 u and are level
+// within 6 u, and r is rounded once. A coordinate is then within sqrt(3) point_error + 11 u (M + R) <
+// predicate_error. Here
 //   predicate_error = 2 point_error + 16 u (M + R).
-// What that leaves of the height of the plane at the line: proving/prove.hpp, height_at_line.
-// Tested as a bound: tests/core/certified/curved_bracket_test.cpp.
+// The effect on the height of the plane at the line is derived in proving/prove.hpp, height_at_line.
 #pragma once
 
 #include <graze/detail/casts/certified_bracket.hpp>
@@ -22,7 +22,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Of a hit that the walk found.
+// The bracket of a hit that the walk found.
 template <Scalar S>
 [[nodiscard]] CertifiedBracket bracket_curved(const CurvedPair<S>& pair, CurvedWalk<S>& walk,
                                               const CurvedSweep& found, double horizon) {

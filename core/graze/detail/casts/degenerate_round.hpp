@@ -2,7 +2,7 @@
 //
 //   a sphere or a rounding of radius 0, a capsule, cylinder or cone of radius 0, an ellipsoid of at most one
 //   radius.
-// Their casts are the exact tier's; a vertex of the polytope is then named as the given shape names it.
+// Their casts are left to the exact tier. A vertex of the polytope is then named as the given shape names it.
 #pragma once
 
 #include <graze/detail/casts/exact_cast.hpp>
@@ -56,13 +56,13 @@ std::optional<Shape<S>> as_polytope(const Shape<S>& shape) {
                     shape);
 }
 
-// The polytope that a shape is; nothing if it has roundness.
+// The polytope that a shape is equal to, or nothing if it has roundness.
 template <Scalar S>
 std::optional<Shape<S>> flat(const Shape<S>& shape) {
   return exact::is_exact(shape) ? std::optional<Shape<S>>(shape) : as_polytope(shape);
 }
 
-// Of a body whose shape is one.
+// For a body whose shape is such a polytope.
 template <Scalar S>
 Body<S> flat(const Body<S>& body) {
   Body<S> out = body;

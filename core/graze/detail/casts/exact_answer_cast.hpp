@@ -8,8 +8,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace exact {
 
-// The passage as a cast's answer. `out`: of the method that says it, with what was counted; a number that outgrew its room
-// refuses the cast.
+// The passage as a cast's answer. `out` comes from the method that determines it, with its counters. A number that
+// exceeds its storage makes the cast refuse the case.
 template <Scalar S>
 void answer_cast(PassageSearch<S>& cast, const Answer& answer, const CastOptions<S>& options,
                  CastResult<S>& out) {

@@ -1,9 +1,9 @@
 // Tier exact: the first contact of two moving polytopes, rounded ones and a target distance included, correctly rounded.
 //
-//   toi_lower = the largest S not above the exact TOI of the true shapes, toi_upper = the least not below it;
-//   the verdict is exact, touching included. For every valid input: point, segment, triangle, box, hull,
-//   posed and summed (so swept), any orientation. It never stalls. Spheres, capsules, roundings, and polytopes at a
-//   target distance: casts/exact_round_answer.hpp; these answers have no proof.
+//   toi_lower is the largest S not above the exact TOI of the true shapes, and toi_upper is the least S not below it.
+//   The verdict is exact, touching included. For every valid input: point, segment, triangle, box, hull, posed and
+//   summed (so swept), any orientation. It always converges. casts/exact_round_answer.hpp covers spheres, capsules,
+//   roundings, and polytopes at a target distance. These answers have no proof.
 //
 // The proof of every answer of polytopes is accepted to the last bit: its axis is symbolic, its times are the double
 // bracket (for S = float the closer one). queries/exact_queries.hpp has the other questions.

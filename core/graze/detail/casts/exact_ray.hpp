@@ -1,7 +1,8 @@
 // The cast of a point at a box or a triangle in tier exact, where doubles know the facet that is met.
 //
-// The clips decide what is beyond their predicate_error. Of a hit the facet's corners are then known, and the time is the exact
-// tier's own (search/exact/meeting.hpp), to the last bit. What is left open, and every proof, is the exact walk's.
+// The clips decide what is beyond their predicate_error. For a hit the facet's corners are then known, and the time
+// agrees with the exact tier (search/exact/meeting.hpp) to the last bit. The exact walk decides the open cases and
+// provides every proof.
 #pragma once
 
 #include <graze/detail/casts/exact_answer_cast.hpp>

@@ -1,8 +1,10 @@
-// What tier exact answers of rounded polytopes, and of polytopes at a target distance: verdict, time, normal, witnesses.
+// The exact tier's answers for rounded polytopes, and for polytopes at a target distance: verdict, time, normal,
+// witnesses.
 //
 // Verdict and bracket are those of casts/exact_cast.hpp, decided by round_search.hpp. The normal is within 2 u per component of
 // the direction between the cores' nearest points at TOI. Witnesses are a + r_A n and b - r_B n for the cores' nearest
-// points a and b: so m apart at TOI. A round walk goes first; pairs of doubles prove most of its answers (round_proof.hpp).
+// points a and b: so m apart at TOI. A round walk goes first. Pairs of doubles prove most of its answers
+// (round_proof.hpp).
 #pragma once
 
 #include <graze/detail/casts/degenerate_round.hpp>
@@ -63,7 +65,7 @@ RoundGuess guess_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S
   return out;
 }
 
-// Of one body at time t: the contact's point of its core, and its ball.
+// One body at time t: the contact's point of its core, and its ball.
 template <Scalar S>
 Vec3<double> round_witness(const Body<S>& body, const RoundContact& contact, bool of_a, double t,
                            const Vec3<double>& n) {
@@ -92,10 +94,10 @@ GRAZE_FUSED RoundProof prove_fused(const PreparedPair<S>& pair, const Scene<S>& 
   return RoundProver<S, true>(pair, scene, options).prove(walk, found);
 }
 
-// The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there: a corner of F
-// is within sqrt(3) point_error of one of K; the weights are >= 0 and sum up to 1 within 4 u, and p's own sums round by
-// 4 u M; |p| is up to 4 u of itself, R 3 u, and |p| <= M. False: nothing is claimed, and of `out` only the counters have
-// changed; `guess` is of a hit.
+// The round walk's answer where doubles, or pairs of them, prove it. Contact at t = 0 is |p| <= R there. A corner of
+// F is within sqrt(3) point_error of one of K. The weights are >= 0 and sum up to 1 within 4 u, and p's own sums
+// round by 4 u M. The norm |p| is within 4 u of itself, R within 3 u, and |p| <= M. If it returns false, nothing is
+// proved and only the counters of `out` have changed. `guess` describes a hit.
 template <Scalar S>
 [[nodiscard]] bool fast_round_cast(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                    CastResult<S>& out, RoundGuess& guess) {

@@ -1,4 +1,4 @@
-// What the fast walks share on the way from their answer to the cast's result: times, distance and proof.
+// Shared by the fast walks: converts their answer into the cast's result with times, distance and proof.
 #pragma once
 
 #include <graze/detail/numeric/rounding.hpp>
@@ -8,8 +8,9 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Outcome, times and distance, in the caller's units. False, and nothing is set: the walk gave up, or found a start in
-// contact that the policy passes over, or a hit so near the start or the end that its times have no normal number.
+// Outcome, times and distance, in the caller's units. Returns false and sets nothing in three cases. The walk gave
+// up. It found a start in contact that the policy passes over. Or a hit is so near the start or the end that its
+// times have no normal number.
 template <Scalar S, class Pair, class Found>
 [[nodiscard]] bool fill_times(const Pair& pair, const Found& found, const CastOptions<S>& options,
                               CastResult<S>& out) {

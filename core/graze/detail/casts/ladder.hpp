@@ -1,5 +1,5 @@
-// Which searches answer a linear cast: one ladder for each tier or method and kind of pair, the first rung that answers
-// counts.
+// Selects the searches that answer a linear cast. There is one ladder for each tier or method and kind of pair, and
+// the first rung that answers counts.
 //
 //   kind of pair   MPR                  GJK ray              certified                              exact
 //   ray            ray_cast             ray_cast             ray_bracket                            ray_exact
@@ -14,10 +14,10 @@
 //   other          robust_mpr_sweep     robust_gjk_ray       exact_walk_if_flat                     exact_or_refused
 //                                                            certified_search
 //
-// A ray is a point against one of seven shapes. What its rung leaves open, the row of its kind decides.
-// Conservative advancement has the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes
-// and curved pairs, and the GJK ray for the rest. fast_cast and fast_ray_cast hand what rounding decides to the exact
-// walk. docs/explanation/architecture.md shows this table, and a test compares the two.
+// A ray is a point against one of seven shapes. If its rung leaves it open, the row of its kind decides. Conservative
+// advancement has the one rung robust_advancement. Without a method, tier standard takes MPR for polytopes and curved
+// pairs, and the GJK ray for the rest. fast_cast and fast_ray_cast pass the cases that rounding decides to the exact
+// walk. The table is also in docs/explanation/architecture.md, and a test compares the two.
 #pragma once
 
 #include <graze/cast.hpp>

@@ -24,9 +24,9 @@ template <Scalar S, class Search>
   return (core.placed_center() + (t * triple(body.displacement) + turned)).vector().template cast<S>();
 }
 
-// By `Search`, one of FastWalk and FastRay. Where it gives up, or there is no path to search, otherwise(pair, search)
-// answers, search being null in the latter case. False: nothing is claimed, and of `out` only the counters have changed.
-// The bodies have passed validate().
+// By `Search`, one of FastWalk and FastRay. If it gives up, or there is no path to search, otherwise(pair, search)
+// answers, search being null in the latter case. If it returns false, nothing is proved and only the counters of
+// `out` have changed. The bodies have passed validate().
 template <template <Scalar> class Search, Scalar S, class Otherwise>
 [[nodiscard]] bool fast_cast_by(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                                 CastResult<S>& out, const Otherwise& otherwise) {

@@ -25,7 +25,7 @@ template <Scalar S>
   return {point.position, point.displacement, double(options.t_max), double(options.target_distance)};
 }
 
-// Of a hit: normal and witnesses at `lower`, the caller's time.
+// A hit's normal and witnesses at `lower`, the caller's time.
 template <Scalar S>
 [[gnu::always_inline]] inline void fill_ray_contact(const RayTarget<S>& target, const RayPath<S>& path,
                                                     const RayHit& hit, bool point_is_b, S lower,

@@ -6,8 +6,8 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Of a hit its normal, of length 1, and witnesses at `lower`, the caller's time, with what is nearest then: its axis and
-// its feature.
+// A hit's normal, of length 1, and its witnesses at `lower`, the caller's time. They belong to the closest features
+// then, their axis and feature.
 template <Scalar S>
 void fill_round_contact(const Body<S>& a, const Body<S>& b, const CastOptions<S>& options,
                         const PreparedPair<S>& pair, const RoundWalk<S>& walk, const Triple& normal,

@@ -1,12 +1,12 @@
 // An exact number m 2^e: what is left to decide when doubles and pairs of doubles could not.
 //
-// Sums and products are exact and do not allocate; m has at most kLimbs 64-bit limbs. What a cast forms fits
-// (magnitudes 1e-60 to 1e60 are multiples of 2^-252 below 2^200, so a number takes 452 bits):
+// Sums and products are exact and do not allocate. m has at most kLimbs 64-bit limbs. The numbers of a cast
+// fit (magnitudes 1e-60 to 1e60 are multiples of 2^-252 below 2^200, so a number takes 452 bits):
 //   a posed vertex, times |q|^2 of both bodies        2,270 bits
 //   the determinant of three of them                  6,820 bits
 //   the same minus a time times another determinant   7,900 bits, as a time is a double
-// and more where combinators nest rotations. Beyond kLimbs `valid` turns false and stays so; the caller then
-// refuses the case (too_complex), it never guesses.
+// Nested rotations of combinators take more. Beyond kLimbs `valid` turns false and stays so. The caller then
+// refuses the case (too_complex) and never guesses.
 //
 // Why this and neither of the others (bench/exact_bench.cpp): docs/reports/costs.md.
 #pragma once
@@ -119,7 +119,7 @@ class Dyadic {
     out.valid_ = value.valid_ && other.valid_;
     return out;
   }
-  // x + y, x.exponent_ >= y.exponent_; both != 0.
+  // x + y, where x.exponent_ >= y.exponent_ and both are nonzero.
   static Dyadic sum(const Dyadic& x, const Dyadic& y) {
     Dyadic high = x.shifted_left(x.exponent_ - y.exponent_);
     high.valid_ = high.valid_ && y.valid_;
@@ -203,7 +203,7 @@ class Dyadic {
 
   int size_ = 0, exponent_ = 0;
   bool negative_ = false, valid_ = true;
-  std::array<Limb, kLimbs> limb_;  // little-endian; beyond size_ nothing
+  std::array<Limb, kLimbs> limb_;  // little-endian, unspecified beyond size_
 };
 
 using Dyadic3 = std::array<Dyadic, 3>;

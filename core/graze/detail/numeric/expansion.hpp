@@ -1,12 +1,12 @@
 // Exact sums and products of doubles: expansions.
 //
-// An expansion is a sum of doubles, non-zero, non-overlapping, of increasing magnitude; its last component
-// has its sign, and the sum as rounded is within 4 u of it, relatively. [Shewchuk, Adaptive Precision
-// Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997: grow-expansion (theorem 10),
-// scale-expansion (theorem 19)]
+// An expansion is a sum of nonzero, non-overlapping doubles of increasing magnitude. Its last component has
+// its sign, and the rounded sum is within 4 u of it, relatively. [Shewchuk, Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates, 1997: grow-expansion (theorem 10), scale-expansion
+// (theorem 19)]
 //
-// Exact while no intermediate product of magnitude below 2^-968 or above 2^1023 occurs; the callers check the
-// range of what they put in. Products use std::fma and sums are Knuth's, so contraction changes nothing.
+// Exact while no intermediate product of magnitude below 2^-968 or above 2^1023 occurs. The callers check the
+// range of their inputs. Products use std::fma and sums are Knuth's, so contraction changes nothing.
 #pragma once
 
 #include <graze/detail/numeric/offset.hpp>
@@ -15,7 +15,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail { namespace 
 
 class Expansion {
  public:
-  // A determinant of three columns of 4, 4 and 2 components has at most 768; three of them are summed.
+  // A determinant of three columns of 4, 4 and 2 components has at most 768. Three of them are summed.
   static constexpr int kCapacity = 2304;
 
   Expansion() = default;

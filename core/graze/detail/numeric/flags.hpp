@@ -1,11 +1,11 @@
 // Refuses to be compiled where arithmetic is not kept as written: every rounding bound depends on it.
 //
 // Under these flags the compiler may reorder sums, multiply by reciprocals, drop NaN checks or keep excess
-// precision. g++ names them by macros, and says in one (0: no IEC 559) that it was given any of them. clang
-// names few, but refuses to keep exceptions exact, for the lines between push and pop, of which there are
-// none, under each flag that reorders or approximates. Where neither says anything (clang for processors on
-// which it ignores that pragma; -fno-honor-nans alone) the door of every query asks the machine:
-// shapes/validation.hpp.
+// precision. The compiler g++ defines a macro for each of them, and a further one (0: no IEC 559) if any of
+// them was given. The compiler clang names few of them. But under each flag that reorders or approximates,
+// clang refuses to keep exceptions exact for the lines between push and pop (there are no such lines). Some
+// cases cannot be detected here: clang for processors on which it ignores that pragma, and -fno-honor-nans
+// alone. For these every query tests the machine at its entry: shapes/validation.hpp.
 #pragma once
 
 #include <cfloat>

@@ -6,7 +6,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// The numbers between lo and hi. Rounding is left to the slack of whoever compares.
+// The numbers between lo and hi. Rounding is covered by the slack of the caller's comparison.
 struct Interval {
   double lo = 0, hi = 0;
   Interval() = default;

@@ -1,14 +1,14 @@
-// What the processor has beyond what the compiler may use: asked while the program runs.
+// Detects at run time the processor features that the compiler may not assume.
 //
-// Code for every x86-64 processor may not contain fused multiply-adds. Where one gives the same bits sooner, there are
-// two copies of the code that it counts in, and one question before it: a load and a branch. Elsewhere, and where the
-// compiler may use it anyway, there is one.
+// Code for every x86-64 processor may not contain fused multiply-adds. If fused multiply-adds compute the same bits
+// sooner, there are two copies of the performance-critical code and one test before it: a load and a branch. On other
+// processors, and where the compiler may use it anyway, there is one copy.
 //
-// The fused instruction is written down rather than left to the compiler: of a function that is compiled for such
-// processors g++ and clang may fuse every sum, and round it otherwise than on the next machine. What runs only where
-// there is one is compiled for AVX, though (GRAZE_FUSED), which every processor with fused multiply-adds has: that fuses
-// nothing and rounds nothing otherwise, and most of the instructions that only copy registers, a quarter of all, are
-// left out.
+// The fused instruction is written explicitly and not left to the compiler. In a function compiled for such
+// processors, g++ and clang may fuse every sum, and so round it differently from the next machine. Code that runs
+// only with fused multiply-adds is compiled for AVX, though (GRAZE_FUSED), which every processor with fused
+// multiply-adds has. AVX fuses nothing and rounds nothing differently. It avoids most of the instructions that only
+// copy registers, a quarter of all.
 #pragma once
 
 #include <graze/linkage.hpp>
@@ -17,7 +17,7 @@
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__FMA__)
 #define GRAZE_FUSES_IF_THERE 1
-// Of a function that runs only where fuses(): what it calls becomes part of it.
+// Marks a function that runs only if fuses() is true. Its callees are inlined into it.
 #define GRAZE_FUSED [[gnu::target("avx"), gnu::flatten, gnu::noinline]]
 #else
 #define GRAZE_FUSES_IF_THERE 0
@@ -45,9 +45,9 @@ struct TwoLanes {
 #endif
 
 // x, a product, as it is rounded. Compilers may fuse a product with the sum that it goes into, where they may use such
-// instructions: g++ by default, and clang does not keep to the pragma that forbids it under -ffp-contract=fast. What has
-// to have the same bits everywhere says so, product by product. The asm is empty: nothing is done, and compilers do not
-// look through it. Without fused multiply-adds to use there is nothing to forbid.
+// instructions: g++ by default, and clang does not keep to the pragma that forbids it under -ffp-contract=fast. Code
+// that needs the same bits everywhere marks each product with this function. The asm is empty: nothing is done, and
+// compilers do not look through it. Without fused multiply-adds to use there is nothing to forbid.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline T as_rounded(T x) {
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -76,7 +76,8 @@ template <class T, class U>
 }
 
 #if GRAZE_FUSES_IF_THERE
-// a b - c, rounded once; only where fuses(): volatile, or the compiler might move it before that question.
+// a b - c, rounded once, only where fuses(). It is volatile, as the compiler might otherwise move it before that
+// test.
 inline double fused_difference(double a, double b, double c) {
   asm volatile("vfmsub231sd {%2, %1, %0|%0, %1, %2}" : "+x"(c) : "x"(a), "x"(b));
   return c;

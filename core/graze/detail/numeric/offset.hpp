@@ -2,12 +2,11 @@
 //
 //   offset = (p_B + R_B c_B) - (p_A + R_A c_A),   error <= 2 u |offset| + 2^-97 (|c_A| + |c_B|),
 //
-// as p_B - p_A is exact, the turns are within 2^-98 of |c| and the two sums after them within 2^-100 of what
-// they add up, at most |offset| + 2 (|c_A| + |c_B|). Computed as an unevaluated sum hi + lo of two doubles
-// (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Sums are Knuth's; products use std::fma where the compiler has it
-// (and may contract), else Veltkamp's splitting (and it cannot); every product that goes into a sum is rounded before
-// (machine.hpp): contraction changes no result. The splitting
-// is exact for |x| < 2^996.
+// as p_B - p_A is exact, the rotations are within 2^-98 of |c| and the two sums after them within 2^-100 of what
+// they add up, at most |offset| + 2 (|c_A| + |c_B|). It is computed as an unevaluated sum hi + lo of two doubles
+// (Dekker 1971, and Knuth, TAOCP 2, 4.2.2). Sums are Knuth's. Products use std::fma if the compiler has it (and may
+// contract), and otherwise Veltkamp's splitting (and it cannot). Every product that goes into a sum is rounded before
+// (machine.hpp), so contraction changes no result. The splitting is exact for |x| < 2^996.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 struct TwoDoubles {
   double hi = 0, lo = 0;
 };
-// Of two numbers side by side.
+// Operations on two numbers side by side.
 struct TwoDoublesOfTwo {
   TwoLanes hi, lo;
 };
@@ -140,9 +139,9 @@ inline TwoDoubles3 rotate_accurately(const Quaternion<double>& q, const Vec3<dou
   return fuses() ? rotated_in_pairs<true>(q, c) : rotated_in_pairs<false>(q, c);
 }
 
-// R(q), each entry within 9 u: the numerators are within 4 u |q|^2 (three sums of rounded products whose
-// magnitudes add up to at most |q|^2), |q|^2 is within 4 u relatively, the quotient rounds once, and no entry
-// exceeds 1.
+// R(q), each entry within 9 u. The numerators are within 4 u |q|^2, as three sums of rounded products whose
+// magnitudes add up to at most |q|^2. The divisor |q|^2 is within 4 u relatively, the quotient rounds once, and no
+// entry exceeds 1.
 inline Mat3<double> rotation_matrix(const Quaternion<double>& q) {
   const double ww = rounded_product(q.w, q.w), xx = rounded_product(q.x, q.x), yy = rounded_product(q.y, q.y),
                zz = rounded_product(q.z, q.z), xy = rounded_product(q.x, q.y), xz = rounded_product(q.x, q.z),

@@ -3,12 +3,12 @@
 // Points of a prepared set: every coordinate 0 or in [2^-280, 2). Differences are then multiples of 2^-332,
 // and the products of three multiples of 2^-996: nothing underflows, flushed or not.
 //
-// Three stages; P is the permanent, the sum of the magnitudes of the six products of three:
+// There are three stages. P is the permanent, the sum of the magnitudes of the six products of three.
 //   double           |error| <= (7 + 56 u) u P       [Shewchuk 1997, orient3d, bound A]
 //   two doubles      |error| <= 2^-96 P              six operations of 2^-100 each on a product's way
 //   expansions       exact.
-// All coordinates are multiples of a grid step g, so a determinant is one of g^3: where its magnitude is less
-// than g^3 it is 0, which decides lattices and numbers of few bits without an expansion.
+// All coordinates are multiples of a grid step g, so a determinant is a multiple of g^3. If its magnitude is
+// less than g^3 it is 0, which decides lattices and numbers of few bits without an expansion.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline constexpr double kLeastCoordinate = 0x1p-280, kCoordinateBound = 2;
 
 class PointSet {
  public:
-  // Points outside the range above make the set invalid: no sign may be asked for.
+  // Points outside the range above make the set invalid, and no sign may be computed.
   explicit PointSet(std::vector<Vec3<double>> points) : points_(std::move(points)) {
     int step = 0;  // exponent of the grid step
     for (const Vec3<double>& p : points_) {
@@ -39,7 +39,7 @@ class PointSet {
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] const Vec3<double>& operator[](std::size_t i) const { return points_[i]; }
 
-  // +1 if d lies on the side from which a, b, c turn anticlockwise; 0 if the four are coplanar.
+  // +1 if d lies on the side from which a, b, c turn anticlockwise, 0 if the four are coplanar.
   [[nodiscard]] int orientation(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
     return orientation(points_[a], points_[b], points_[c], points_[d]);
   }
@@ -127,10 +127,10 @@ inline bool PointSet::collinear(std::size_t a, std::size_t b, std::size_t c) con
 }
 
 // sign n . (a - b), exactly, for |a_i|, |b_i| <= 4 that are multiples of 2^-460, and n whose components are 0
-// or within a factor 2^1000 of the largest: n is scaled to 2^600, so that products are multiples of 2^-1021
-// at most 2^604. First by two doubles: products and sums each within 2^-100 relatively, four of them on a
-// way; where a part of a product falls below the range of doubles it costs less than 2^-1000 besides, and an
-// overflow makes a NaN, which decides nothing.
+// or within a factor 2^1000 of the largest. First n is scaled to 2^600, so that products are multiples of
+// 2^-1021 at most 2^604. Two doubles are tried first. Products and sums are each within 2^-100 relatively,
+// with four of them on a way. A part of a product that falls below the range of doubles costs less than
+// 2^-1000 besides. An overflow makes a NaN, which decides nothing.
 inline int height_sign(const Vec3<double>& n, const Vec3<double>& a, const Vec3<double>& b) {
   TwoDoubles sum;
   double magnitude = 0;

@@ -1,18 +1,18 @@
 // Numbers as unevaluated sums hi + lo of two doubles, quick rather than neat.
 //
-// Nothing is normalised: |lo| may be a few u of what was added up, which cancellation in hi does not shrink,
-// so errors are bounded by sizes, not by values. With |x| <= X, |x.lo| <= 2^-49 X, and likewise y:
-//   x + y    within 2^-101 (X + Y):  the sum of the high parts is exact, two roundings among the low ones.
-//            With P the power of two below m = 2^-49 (X + Y): u P for the low halves, and u P for what is
-//            at most 17/16 m, or 2 u P if that is 2 P or more, when 3 u P <= 1.6 u m; 2 u m at most.
-//   x y      within 2^-97 X Y:       the product of the high parts is exact, lo lo is left out (2^-98 X Y),
+// Nothing is normalised: |lo| may be a few u of what was added up, which cancellation in hi does not shrink.
+// So errors are bounded by sizes, not by values. With |x| <= X, |x.lo| <= 2^-49 X, and likewise y:
+//   x + y    within 2^-101 (X + Y).  The sum of the high parts is exact, two roundings among the low ones.
+//            Let P be the power of two below m = 2^-49 (X + Y). The low halves cost u P. Their sum is at most
+//            17/16 m and costs u P, or 2 u P if it is 2 P or more, when 3 u P <= 1.6 u m. In all 2 u m at most.
+//   x y      within 2^-97 X Y.       The product of the high parts is exact, lo lo is left out (2^-98 X Y),
 //            and three roundings of what is below 2^-47 X Y.
-// Sums are Knuth's, products exact by Veltkamp or std::fma (offset.hpp), or fused.
+// Sums are Knuth's. Products are exact by Veltkamp or std::fma (offset.hpp), or fused.
 //
-// Fused pairs   are the same numbers, their products by one instruction (machine.hpp): 2 instead of 17. Whoever forms
-// many asks fuses() once, and goes on in one of two copies of the code. Both products are exact, so both copies have the
-// same bits. Beyond 2^996 and below 2^-969 Veltkamp's is not: there their users do not go (scene.hpp), or add what is
-// far larger.
+// Fused pairs are the same numbers, with products by one instruction (machine.hpp): 2 operations instead of 17. A
+// caller that forms many of them calls fuses() once, and then runs one of two copies of the code. Both products are
+// exact, so both copies have the same bits. Beyond 2^996 and below 2^-969 Veltkamp's is not exact. Its users stay
+// within that range (scene.hpp), or add what is far larger.
 #pragma once
 
 #include <graze/detail/numeric/offset.hpp>

@@ -2,7 +2,7 @@
 // a positive weight, the |q|^2 of the rotations in it.
 //
 //   Fine   pairs of doubles (pair.hpp): each coordinate within 2^-92 size of what it stands for, where size
-//          bounds |x_i|, if it is a sum of at most 16 parts (Scene::has_fine) that at most 17 rotations turn:
+//          bounds |x_i|, if it is a sum of at most 16 parts (Scene::has_fine) after at most 17 rotations:
 //          a rotation adds 2^-97 of size (what was added before anything cancelled), a sum or a weight 2^-99,
 //          and low halves stay below 2^-49 of size, as 16 sums add 2^-53 of it each;
 //   Exact  dyadic numbers.
@@ -30,7 +30,7 @@ struct Fine {
     }
     return out;
   }
-  // Bounds |x|, x being a sum of two that was rounded, |lo| <= u |hi|; 0 only where x is.
+  // Bounds |x|, x being a rounded sum of two with |lo| <= u |hi|. It is 0 only if x is.
   static double size_of(const Pair& x) { return (1 + 0x1p-52) * std::abs(x.hi); }
   static Fine of(const Vec3<double>& x) {
     Fine out;
@@ -147,7 +147,7 @@ struct ExactTurn {
   }
 };
 
-// The exponent of the last bit of x that is set; kAnyGrid for 0.
+// The exponent of the last bit of x that is set, or kAnyGrid for 0.
 inline constexpr int kAnyGrid = 100000;
 inline int trailing_exponent(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);

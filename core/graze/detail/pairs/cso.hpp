@@ -1,32 +1,33 @@
 // C = A - B at t = 0, by its support function, in the units and the frame that the solvers work in.
 //
-//   internal length = world length 2^-k,  k such that the scale of the pair is near 1;
-//   origin at the world's, so that contact at t is  s r in C + ball(R),  with the path parameter s and
-//   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance), axes the world's.
-// Powers of two are exact, so scaling a problem by one changes no bit of what the solvers see.
+//   internal length = world length 2^-k,  k such that the scale of the pair is near 1
+//   The origin is the world's, so contact at t is  s r in C + ball(R),  with the path parameter s and
+//   r = v 2^-j,  t = s 2^(k - j),  R = r_A + r_B + m  (radii of spheres, target distance). The axes are the world's.
+// Powers of two are exact, so scaling a problem by one changes no bit of the solvers' input.
 //
-// A sphere is a point with a radius: the solvers see the polytope of the cores and R beside it. `support` is
-// the core's; `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
+// A sphere is a point with a radius: the solvers use the polytope of the cores, with R beside it. `support` is the
+// core's. `rounded_support` adds the ball, for MPR and for portals on curved surfaces.
 //
-// Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp; |a|, |b| the cores' radii about
-// their scan's origin, M = |a| + |b| + |d|. Turning a vector x is within kTurn u |x| per component: rows of R
-// within 9 sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms 3 u; nothing where R
-// permutes the axes. Per component
-//   point_error = 4 u M + kTurn u (|a| + |b|) + e:  d is within 2 u, two sums round once each; e, the point_error of
-//   the sides, is what curved leaves and combinators round themselves (leaf.hpp, tree.hpp), and what centres far out
-//   leave of d where they cancel (offset.hpp).
+// Rounding of a support point w = R_A a - (R_B b + d), d as in offset.hpp. |a|, |b| are the cores' radii about their
+// scan's origin, M = |a| + |b| + |d|. Rotating a vector x is within kTurn u |x| per component: rows of R are within 9
+// sqrt(3) u (or 0.6 sqrt(3) u where R is accurate), a product of three terms within 3 u. If R permutes the axes, the
+// rotation is exact. Per component
+//   point_error = 4 u M + kTurn u (|a| + |b|) + e.
+// d is within 2 u, and two sums round once each. e is the point_error of the sides: the rounding of curved leaves and
+// combinators themselves (leaf.hpp, tree.hpp), and the error of d where centres far out cancel (offset.hpp).
+//
 // Rounding of h(n) = n.w, over |n|:
-//   reach_error = sqrt(3) point_error + 3 u M + choice_error: the product, and a point that is not the
-//   greatest because n was turned, 2 kTurn u (|a| + |b|), or because products were compared: support_error, 8 u (|a| +
-//   |b|) for polytopes.
+//   reach_error = sqrt(3) point_error + 3 u M + choice_error.
+// 3 u M is for the product. choice_error is for a point that is not the greatest. Either n was rotated,
+// 2 kTurn u (|a| + |b|), or products were compared: support_error, 8 u (|a| + |b|) for polytopes.
 #pragma once
 
 #include <graze/detail/pairs/side.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// A support point of C: w = a - b, by the vertices of A and B, on a rounded C the ball's unit direction e,
-// and on a curved core the direction n that it is the support point of, of any length.
+// A support point w = a - b of C. It keeps the vertices of A and B. On a rounded C it also keeps the ball's unit
+// direction e, and on a curved core the direction n that it is the support point of, of any length.
 template <Scalar S>
 struct CsoPoint {
   Vec3<S> w = Vec3<S>::Zero();
@@ -69,19 +70,19 @@ class Cso {
     const double speed = v.cwiseAbs().maxCoeff();
     j_ = speed > 0 ? exponent_of(speed) : 0;
     r_ = (power_of_two(-j_) * v).template cast<S>();
-    // What validate() lets pass is finite, and near 1 in internal units.
+    // Valid bodies have finite values, near 1 in internal units.
     GRAZE_ASSERT(scale_ >= 0 && scale_ <= 2 && radius_ < kInfinity<S> && d_.allFinite() && r_.allFinite());
   }
 
-  // The bodies moved, as a cast with rotation sees them at some time: the rotations of the cores of those
-  // that turn, each entry within 11 u, and the offset, internal units, within 2 u.
+  // The moved bodies of a rotating cast at some time: the rotations of the cores of the rotating ones, each
+  // entry within 11 u, and the offset, internal units, within 2 u.
   void place(const Mat3<S>* rotation_a, const Mat3<S>* rotation_b, const Vec3<S>& offset) {
     if (rotation_a) a_.turn_to(*rotation_a);
     if (rotation_b) b_.turn_to(*rotation_b);
     d_ = offset;  // of a way that outgrows the doubles infinite or NaN: then nothing is found or proved
   }
 
-  // The core's support point along n (any length); the rounded C's, n a unit vector, or 0 for any point of C.
+  // The core's support point along n (any length). For the rounded C, n is a unit vector, or 0 for any point of C.
   [[nodiscard]] CsoPoint<S> support(const Vec3<S>& n) const {
     CsoPoint<S> out;
     const SidePoint<S> a = a_.support(a_, a_.to_own(n), nullptr);
@@ -108,13 +109,13 @@ class Cso {
   // (p_B + R_B c_B) - (p_A + R_A c_A), c the centres of the sides.
   [[nodiscard]] const Vec3<S>& offset() const { return d_; }
   [[nodiscard]] bool curved() const { return curved_; }
-  [[nodiscard]] const Vec3<S>& direction() const { return r_; }  // r; zero if nothing moves
+  [[nodiscard]] const Vec3<S>& direction() const { return r_; }  // r, or zero if nothing moves
   [[nodiscard]] bool moves() const { return r_ != Vec3<S>::Zero(); }
   [[nodiscard]] S radius() const { return radius_; }
   [[nodiscard]] S target() const { return target_; }
-  // In [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale: the
-  // largest side of either box in its own axes, or the largest coordinate of the distance between their
-  // centres.
+  // It is in [1, 2] internal units (0 for two coinciding points), and within a factor 3 below the pair's scale. The
+  // pair's scale is the largest side of either box in its own axes, or the largest coordinate of the distance between
+  // their centres.
   [[nodiscard]] S scale() const { return scale_; }
   // See above. `extent` is M, which also bounds |w|.
   [[nodiscard]] S extent() const { return a_.reach() + b_.reach() + d_.norm(); }
@@ -136,7 +137,7 @@ class Cso {
 
   [[nodiscard]] int length_exponent() const { return k_; }
   [[nodiscard]] int speed_exponent() const { return j_; }
-  // t = s 2^(k - j), and back; infinite where t_max is, or where it is out of S's range.
+  // t = s 2^(k - j), and its inverse. It is infinite if t_max is, or if it is out of S's range.
   [[nodiscard]] S to_time(S s) const {
     return static_cast<S>(static_cast<double>(s) * power_of_two(k_ - j_));
   }

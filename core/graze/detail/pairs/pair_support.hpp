@@ -1,7 +1,7 @@
 // Vertices of C = A - B for the quick searches of two polytopes at rest, and when such a search may claim something.
 //
-// Internal length, world axes, in doubles whatever S is (prepared_pair.hpp). The searches follow what floats guess; what
-// they hand out rests on the farthest vertex in doubles, on weights that are not negative, and on the noise.
+// Internal length, world axes, in doubles whatever S is (prepared_pair.hpp). The searches follow guesses in floats.
+// Their results rest on the farthest vertex in doubles, on weights that are not negative, and on the noise.
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>
@@ -32,7 +32,7 @@ class PairSupport {
 
   // Far along n, whose largest component is between 2^-80 and 2^80: within support_error() of the farthest, over |n|.
   [[gnu::noinline]] void guess(const Triple& n, PairVertex& out) { approximate_here(n, out); }
-  // Within the caller, which goes on with what is not yet written.
+  // Inlined into the caller, which continues before the values are written to memory.
   [[gnu::always_inline]] void approximate_here(const Triple& n, PairVertex& out) {
     ++counters_.supports;
     set(pair_.a().support(n, out.vertex_a), pair_.b().support(-n, out.vertex_b), out);
@@ -67,10 +67,10 @@ class PairSupport {
   }
 
   [[nodiscard]] const PreparedPair<S>& pair() const { return pair_; }
-  // What rounding cannot tell from contact, and what a search by distance strives for (sweep.hpp).
+  // The difference that rounding cannot tell from contact, and the goal of a search by distance (sweep.hpp).
   [[nodiscard]] double noise() const { return noise_; }
   [[nodiscard]] double fine() const { return noise_ / 8; }
-  // What n.w may be off by, over |n|_1, w the farthest vertex: fast_walk.hpp, path and all.
+  // The error bound on n.w over |n|_1, w the farthest vertex, path included: fast_walk.hpp.
   [[nodiscard]] double margin() const { return margin_; }
   // How far, over |n|_1, a guessed vertex may lie below the farthest.
   [[nodiscard]] double approximate_error() const { return guess_; }
@@ -90,7 +90,7 @@ class PairSupport {
 
 // Out of the range of directions that the scans in float keep.
 [[nodiscard]] inline bool is_small_direction(const Triple& n) { return !(sum(magnitude(n)) > 0x1p-80); }
-// n with its largest component near 1, by a power of two; n as it is where it is near already.
+// n with its largest component near 1, scaled by a power of two, or n itself if it is near 1 already.
 [[nodiscard]] inline Triple scaled_near_one(const Triple& n) {
   const double most = largest(n);
   if (most > 0x1p-20 && most < 0x1p20) return n;

@@ -1,4 +1,4 @@
-// What a prepared body holds: declared, with what it is for, in graze/prepared.hpp.
+// The contents of a prepared body. graze/prepared.hpp declares it and says when to use one.
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>

@@ -1,12 +1,12 @@
 // One body of a pair for the curved walk: cylinder, cone and ellipsoid in closed form, the rest as their core.
 //
-// A core is the hull of pieces, each of which has one farthest point along a direction that changes smoothly with it:
-// a vertex; a cylinder's rims (0 below, 1 above); a cone's rim (0) and apex (1); an ellipsoid (0). Of a piece the walk
-// asks for its point p(n) and for its bend, the second derivative of n.p(n), by which p turns as n does.
+// A core is the hull of pieces. Each piece has one farthest point along a direction, which changes smoothly with that
+// direction: a vertex, a cylinder's rims (0 below, 1 above), a cone's rim (0) and apex (1), an ellipsoid (0). For a
+// piece the walk needs its point p(n) and its bend, the second derivative of n.p(n), by which p changes as n rotates.
 //
-// Rounding per component, internal length, u in double: a rim's point and an ellipsoid's are within 6 u of the reach
-// (leaf.hpp), and the greatest along n is passed over by no more than 12 u of it; both lie within error() once and
-// twice. Else as prepared_pair.hpp says.
+// Rounding per component, internal length, u in double. A rim's point and an ellipsoid's are within 6 u of the reach
+// (leaf.hpp). The choice falls short of the greatest along n by at most 12 u of the reach. These lie within error()
+// once and twice. Else as prepared_pair.hpp says.
 #pragma once
 
 #include <graze/detail/pairs/prepared_pair.hpp>
@@ -75,7 +75,7 @@ class PreparedCurved {
     return kind_ == Kind::core ? core_.own(piece) : point(piece, core_.to_own(n));
   }
 
-  // Of a curved body: the piece's point that is farthest along n, and how it bends along e and f, the directions across
+  // The point of a curved body's piece that is farthest along n, and its bend along e and f, the directions across
   // the path in the body's own axes.
   [[nodiscard]] Triple turn(std::uint32_t piece, const Triple& n, const Triple& e, const Triple& f,
                             Bend& bend) const {
@@ -102,7 +102,7 @@ class PreparedCurved {
     return core_.to_world({by * d.x, by * d.y, z});
   }
 
-  // A flat end's outward normal is up or down along the axis; its rim is at that height.
+  // A flat end's outward normal is up or down along the axis, and its rim is at that height.
   [[nodiscard]] bool has_end(bool up) const {
     return kind_ == Kind::cylinder || (kind_ == Kind::cone && !up);
   }

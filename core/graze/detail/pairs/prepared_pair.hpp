@@ -1,18 +1,17 @@
 // Two polytopes prepared for a quick walk: where a vertex of C = A - B is, and one that is far along a
 // direction. A `PreparedCore` is one of the two bodies, a `PreparedPair` both.
 //
-//   internal length = world length 2^-k;   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
+//   internal length = world length 2^-k,   c = R_A a - (R_B b + offset),  a and b about the bodies' centres.
 //
-// Point, segment, triangle, box, hull, and the cores of sphere and capsule; any other shape through its side
-// (side.hpp). In doubles whatever
-// the scalar of the bodies. A guess along a direction is by floats on hulls: it costs half, and whoever needs
-// the farthest vertex must make sure of it.
+// Takes point, segment, triangle, box, hull, and the cores of sphere and capsule. Any other shape is reached through
+// its side (side.hpp). In doubles whatever the scalar of the bodies. A guess along a direction is by floats on hulls:
+// it costs half, and a caller that needs the farthest vertex must confirm it.
 //
-// Rounding, internal length, per component, u in double; |a|, |b| <= reach:
-//   body     of R x: nothing where R is the identity, else kCoreRotation u |x|: entries of R within 10 u (as
+// Rounding, internal length, per component, u in double, with |a|, |b| <= reach:
+//   body     0 for R x if R is the identity, else kCoreRotation u |x|: entries of R within 10 u (as
 //            rotation_matrix, with a product by a reciprocal instead of a quotient), so 10 sqrt(3) u, and
 //            3 u for the sum of three
-//   offset   2 u of it, and 2^-95 of the centres that were turned (offset.hpp: 2^-98 of their length each)
+//   offset   2 u of it, and 2^-95 of the centres that were rotated (offset.hpp: 2^-98 of their length each)
 #pragma once
 
 #include <graze/detail/numeric/triple.hpp>
@@ -30,7 +29,7 @@ template <Scalar S>
          std::holds_alternative<Triangle<S>>(shape);
 }
 
-// Of the ball about a core that is one of these, caller's unit.
+// The radius of the ball about a core of these shapes, caller's unit.
 template <Scalar S>
 [[nodiscard]] double plain_radius(const Shape<S>& shape) {
   if (const auto* sphere = std::get_if<Sphere<S>>(&shape)) return double(sphere->radius);
@@ -44,7 +43,7 @@ inline constexpr int kCoreRotation = 21;
 template <Scalar S>
 class PreparedCore {
  public:
-  // Caller's units; `prepare` sets the internal one.
+  // Caller's units. `prepare` sets the internal unit.
   explicit PreparedCore(const Body<S>& body) : body_(body) {
     if (const auto* hull = std::get_if<Hull<S>>(&body.shape)) {
       kind_ = Kind::hull;
@@ -100,9 +99,9 @@ class PreparedCore {
   [[nodiscard]] double error() const {
     return (turned_ ? rounded_product(kCoreRotation * kUnitRoundoff<double>, reach_) : 0.0) + point_error_;
   }
-  // How far, over |n|, the vertex that support() finds may lie below the farthest: a guess compares sums of
-  // floats (coordinates and direction round by u each, products by 3 u: 5 u of |d|_1 reach <= sqrt(3) |n|
-  // reach for each of two vertices, u of float), and n was turned.
+  // Error bound, over |n|, on the vertex that support() finds: how far it may lie below the farthest. A guess
+  // compares sums of floats. Coordinates and direction round by u each, products by 3 u (u of float). This gives 5 u
+  // of |d|_1 reach <= sqrt(3) |n| reach for each of two vertices. In addition n was rotated.
   [[nodiscard]] double support_error() const {
     constexpr double u = kUnitRoundoff<double>, u_float = kUnitRoundoff<float>;
     const double turn = turned_ ? rounded_product(2 * kCoreRotation * u, reach_) : 0.0;
@@ -116,7 +115,7 @@ class PreparedCore {
         return turn + 16 * u * reach_;
     }
   }
-  // n turned into the body's axes: within kCoreRotation u |n|.
+  // n rotated into the body's axes: within kCoreRotation u |n|.
   [[nodiscard, gnu::always_inline]] Triple to_own(const Triple& n) const {
     double x = n.x, y = n.y, z = n.z;
     if (turned_) {
@@ -126,13 +125,13 @@ class PreparedCore {
     }
     return {x, y, z};
   }
-  // Where the centre is at t = 0: position + R centre, caller's unit.
+  // The centre's position at t = 0: position + R centre, caller's unit.
   [[nodiscard]] Triple placed_center() const {
     const Triple p = triple(body_.position);
     if (!far_out_) return p + to_world(center_);
     return triple(detail::placed_center(p.vector(), as_double(body_.orientation), center_.vector()));
   }
-  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, where it turns
+  [[nodiscard]] const Triple& row(std::size_t i) const { return row_[i]; }  // of R, unless it is the identity
   [[nodiscard, gnu::always_inline]] Triple to_world(const Triple& x) const {
     double i = x.x, j = x.y, k = x.z;
     if (turned_) {
@@ -143,14 +142,14 @@ class PreparedCore {
     return {i, j, k};
   }
 
-  // The farthest vertex along n as doubles see it, n of any length but 0: within 8 u |n| reach (leaf.hpp).
+  // The farthest vertex along n in doubles, n of any length but 0: within 8 u |n| reach (leaf.hpp).
   [[nodiscard]] Triple farthest(const Triple& n, std::uint32_t& vertex) const {
     if (kind_ != Kind::hull && kind_ != Kind::mapped) return support(n, vertex);
     vertex = hull_support<double, S>(*hull_, to_own(n).vector());
     return at(vertex);
   }
 
-  // A vertex far along n, which is in world axes, its largest component near 1; and where it is.
+  // A vertex far along n, and its position. n is in world axes, its largest component near 1.
   [[nodiscard, gnu::always_inline]] Triple support(const Triple& n, std::uint32_t& vertex) const {
     const Triple d = to_own(n);
     double x, y, z;
@@ -214,9 +213,10 @@ class PreparedCore {
         return {0, 0, 0};
     }
   }
-  // In its own axes, about the centre, internal length; exact but for shapes through their side.
+  // Vertex in the body's own axes, about the centre, internal length. It is exact except for shapes reached through
+  // their side.
   [[nodiscard, gnu::always_inline]] Triple own(std::uint32_t vertex) const {
-    // By number: a Triple that is handed about in memory is copied 16 bytes at a time, which waits for its
+    // By number: a Triple that is passed in memory is copied 16 bytes at a time, which waits for its
     // stores.
     double x, y, z;
     switch (kind_) {
@@ -284,7 +284,7 @@ class PreparedCore {
     }
   }
   // About their bounds' centre where they lie farther out than they are large: along the axes where the offset exceeds
-  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be turned.
+  // the extent the differences are then exact (hull.hpp). Nearer in nothing is gained, and a centre would be rotated.
   void set_few(const std::array<Triple, 3>& points, std::uint32_t count) {
     kind_ = Kind::few;
     count_ = count;
@@ -334,7 +334,7 @@ class PreparedCore {
   std::uint32_t count_ = 1;
   double unit_ = 1, reach_ = 0, size_ = 0, point_error_ = 0;
   Triple center_{0, 0, 0};
-  std::array<Triple, 3> few_, row_;  // as far as they are used; few_ repeats its last
+  std::array<Triple, 3> few_, row_;  // filled as needed, few_ repeats its last
   std::optional<Side<double>> side_;
 };
 
@@ -356,7 +356,7 @@ template <Scalar S, class G = PreparedCore<S>>
 class PreparedPair {
  public:
   PreparedPair(const Body<S>& a, const Body<S>& b) : a_(a), b_(b) { prepare(a, b); }
-  // Of cores that nothing was prepared with.
+  // For cores without prepared data.
   PreparedPair(const G& a, const G& b) : a_(a), b_(b) { prepare(a.core().body(), b.core().body()); }
   // With their balls.
   PreparedPair(const Body<S>& a, const Body<S>& b, double target_distance)
@@ -372,8 +372,9 @@ class PreparedPair {
   [[nodiscard]] const G& a() const { return a_; }
   [[nodiscard]] const G& b() const { return b_; }
   [[nodiscard]] const Triple& offset() const { return offset_; }
-  // The largest of the bodies' sizes, balls and all, and of the offset's components, in [1, 2): within a factor 4 of the
-  // pair's scale, and below twice that (a core's size is at most 3.5 times half its longest side, hull.hpp).
+  // The largest of the bodies' sizes, balls included, and of the offset's components, in [1, 2). It is within a
+  // factor 4 of the pair's scale, and below twice that (a core's size is at most 3.5 times half its longest side,
+  // hull.hpp).
   [[nodiscard]] double size() const { return size_; }
   // A tolerance over the pair's scale, as a length: no more than that.
   [[nodiscard]] double tolerated(double tolerance) const { return tolerance * (size_ / 2); }
@@ -382,11 +383,11 @@ class PreparedPair {
   [[nodiscard]] double radius() const { return radius_; }      // R
   [[nodiscard]] double radius_a() const { return radius_a_; }  // caller's unit
   [[nodiscard]] double radius_b() const { return radius_b_; }
-  // Of the farthest point along n, over |n|_1 (search/fast/round_walk.hpp).
+  // Error bound on the farthest point along n, over |n|_1 (search/fast/round_walk.hpp).
   [[nodiscard]] double ball_margin() const {
     return 4 * (a_.error() + b_.error()) + offset_error_ + 64 * kUnitRoundoff<double> * (extent_ + radius_);
   }
-  // r = v 2^-j, within u per component; zero if nothing moves.
+  // r = v 2^-j, within u per component, or zero if nothing moves.
   [[nodiscard]] const Triple& direction() const { return r_; }
   [[nodiscard]] bool moves() const { return largest(r_) > 0; }
   [[nodiscard]] int length_exponent() const { return k_; }
@@ -400,7 +401,7 @@ class PreparedPair {
     k_ = size > 0 ? exponent_of(size) : 0;
     size_ = power_of_two(-k_) * size;
     offset_ = power_of_two(-k_) * d;
-    // One rounding of a difference, or of a sum of pairs with what turned the centres.
+    // One rounding of a difference, or of a sum of pairs with the error of rotating the centres.
     const double turned = (core_a.turned() ? largest(core_a.center()) : 0.0) +
                           (core_b.turned() ? largest(core_b.center()) : 0.0);
     offset_error_ = 2 * kUnitRoundoff<double> * largest(offset_) + 0x1p-95 * power_of_two(-k_) * turned;

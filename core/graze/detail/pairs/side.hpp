@@ -1,6 +1,6 @@
 // One body of a pair, prepared for the solvers: its core's support function in its own axes, and its bounds.
 //
-//   internal length = world length 2^-k (cso.hpp);   points about `center`, which the pair's offset takes in.
+//   internal length = world length 2^-k (cso.hpp),   points about `center`, which the pair's offset takes in.
 #pragma once
 
 #include <graze/body.hpp>
@@ -34,8 +34,9 @@ Vec3<double> wide(const Vec3<S>& x) {
 template <Scalar S>
 Bounds bounds(const Shape<S>& shape);
 
-// Of a combinator: by its own support points, first about its origin, then about the centre; with rotations
-// in two doubles, as parts that are put far out and turned back would leave 23 u of their way here.
+// Bounds of a combinator from its own support points, first about its origin, then about that centre.
+// Rotations use two doubles, as parts that lie far out and are rotated back would otherwise err by 23 u of
+// their distance.
 template <Scalar S>
 Bounds bounds_of_tree(const Shape<S>& shape) {
   const auto between = [&](const Vec3<double>& center, Vec3<double>& low, Vec3<double>& high) {
@@ -109,8 +110,8 @@ struct SidePoint {
 
 template <Scalar S>
 struct Side {
-  // Along a direction of any length. `chosen`: the vertex instead of the greatest; the direction then tells
-  // which point of a curved core.
+  // Along a direction of any length. `chosen` selects a vertex instead of the greatest. The direction then
+  // selects the point of a curved core.
   using Support = SidePoint<S> (*)(const Side&, const Vec3<S>& direction, const std::uint32_t* chosen);
 
   Support support = nullptr;
@@ -124,7 +125,7 @@ struct Side {
   Mat3<S> rotation = Mat3<S>::Identity();
   bool rotated = false, curved = false;
   Turning turning = Turning::quick;
-  S turn = 0;           // turning x is within turn u |x| per component
+  S turn = 0;           // rotating x is within turn u |x| per component
   S point_error = 0;    // a point's own rounding, per component, internal units
   S support_error = 0;  // how far over |n| the chosen point may lie below the greatest, n being exact
   S radius = 0;
@@ -133,9 +134,9 @@ struct Side {
     return rotated ? Vec3<S>(rotation.transpose() * n) : n;
   }
   [[nodiscard]] Vec3<S> to_world(const Vec3<S>& x) const { return rotated ? Vec3<S>(rotation * x) : x; }
-  // A rotation other than the given orientation; a point's about itself cannot be seen.
+  // Sets a rotation other than the given orientation. A point's rotation about itself has no effect.
   void turn_to(const Mat3<S>& r);
-  // Of a combinator with curved parts.
+  // For a combinator with curved parts.
   [[nodiscard]] bool is_curved_tree() const { return curved && shape; }
   // Bounds |x| over the core.
   [[nodiscard]] S reach() const { return (half + middle.cwiseAbs()).norm(); }
@@ -174,7 +175,7 @@ SidePoint<S> hull_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   const std::uint32_t k = chosen ? *chosen : hull_support(hull, d);
   return {side.unit * hull_vertex<S>(hull, k), k};
 }
-// The direction in which a combinator's parts are asked.
+// The direction of the support queries on a combinator's parts.
 template <Scalar S>
 Vec3<double> walked_along(const Vec3<S>& d) {
   const Vec3<double> x = wide(d);
@@ -192,7 +193,7 @@ SidePoint<S> tree_of_side(const Side<S>& side, const Vec3<S>& d, const std::uint
   return {(side.tree_unit * (p.x + (p.lo + p.excess.hi * n))).template cast<S>(), p.vertex};
 }
 
-// A bound in S: all that S can hold, but for room to add a few, where it is beyond that.
+// A bound in S. If it exceeds the range of S, it is the largest number of S that leaves room to add a few.
 template <Scalar S>
 S capped(double error) {
   return static_cast<S>(std::min(error, static_cast<double>(std::numeric_limits<S>::max()) / 64));
@@ -250,7 +251,7 @@ void set_core(Side<S>& side, const Shape<Given>& shape, int k) {
                           side.shape = &shape;
                           side.tree_unit = unit;
                           side.curved = is_curved(shape);
-                          // In double whatever S is; then rounded to S once.
+                          // Computed in double whatever S is, then rounded to S once.
                           const TreeRounding own = tree_rounding(shape, side.turning);
                           const double u = kUnitRoundoff<double> * unit;
                           const double fine =
@@ -283,7 +284,7 @@ Side<S> make_side(const Body<Given>& body, const Bounds& bounds, int k, Turning 
   side.middle = (unit * bounds.middle).template cast<S>();
   side.radius = static_cast<S>(unit * bounds.radius);
   set_core(side, body.shape, k);
-  // What the offset of the pair owes to this centre.
+  // The error of the pair's offset that comes from this centre.
   side.point_error += capped<S>(unit * kOffsetOfCenters * bounds.center.norm());
   // A point's rotation about itself, and so a sphere's, cannot be seen.
   const Vec3<double> off = bounds.half + bounds.middle.cwiseAbs() + bounds.center.cwiseAbs();

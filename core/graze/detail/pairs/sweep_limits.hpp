@@ -1,4 +1,5 @@
-// Where a linear search may stop: the end of its path, its budget, and the distance that rounding cannot tell from contact.
+// Limits of a linear search: the end of its path, its budget, and the distance that rounding cannot tell from
+// contact.
 #pragma once
 
 #include <graze/detail/pairs/cso.hpp>
@@ -10,7 +11,7 @@ template <Scalar S>
 struct SweepLimits {
   S s_max = 1;
   S noise = 0;   // internal length: a distance that rounding cannot tell from contact
-  S target = 0;  // internal length: where the caller lets the search stop; >= noise
+  S target = 0;  // internal length at which the caller lets the search stop, >= noise
   int budget = 256;
 
   // The accuracy at which searches by distance stop before they settle for the noise: an eighth of it, 4 u scale.

@@ -72,7 +72,7 @@ DistanceResult<S>& robust_distance(const Body<S>& a, const Body<S>& b, const Dis
     out.lower = out.upper = 0;
     return out;
   }
-  // A search that ended inside C without a tetrahedron around x knows neither: MPR does.
+  // A search that ended inside C without a tetrahedron around x gives neither, but MPR does.
   if (!(d.lower - R > 0) &&
       mpr_overlap(cso, limits, out.counters).outcome == Outcome::initially_overlapping) {
     out.lower = out.upper = 0;
@@ -86,7 +86,7 @@ DistanceResult<S>& robust_distance(const Body<S>& a, const Body<S>& b, const Dis
   out.warm.axis = d.n.template cast<double>();
   if (asks_for(options.request, Request::normal)) out.normal = d.n;
   if (asks_for(options.request, Request::witnesses)) {
-    // The radii lie along what joins the cores' points. Where the distance is small beside them the axis is
+    // The radii lie along what joins the cores' points. If the distance is small beside them, the axis is
     // known to the root of the rounding only, and a tolerance leaves it as far off.
     const Vec3<S> n = R > 0 ? unit(Vec3<S>(-combination(simplex))) : d.n;
     out.point_a = witness(a, cso.side_a(), cso, simplex, n, true, S(0));

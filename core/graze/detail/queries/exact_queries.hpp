@@ -1,8 +1,8 @@
 // The other questions of tier exact: overlap at t = 0, overlap on the path, the signed answer. Touching
 // counts.
 //
-// For the shapes of casts/exact_cast.hpp; anything else is invalid_input with not_exact. Normals are within 2 u per
-// component of one that separates, or supports C where the line enters and leaves.
+// Supports the shapes of casts/exact_cast.hpp. Other shapes are invalid_input with not_exact. Normals are within 2 u
+// per component of one that separates, or supports C where the line enters and leaves.
 #pragma once
 
 #include <graze/detail/casts/exact_ends.hpp>
@@ -25,7 +25,7 @@ Vec3<S> separating_normal(const Scene<S>& scene, const Answer& answer) {
   return (answer.miss.sign * unit_normal(scene, plane)).template cast<S>();
 }
 
-// The result with what it cost; or that a number outgrew its room (dyadic.hpp).
+// The result with its cost, or the report that a number outgrew its room (dyadic.hpp).
 template <Scalar S, class Result>
 Result finished(const Scene<S>& scene, Result result) {
   result.counters.exact_decisions = scene.exact_decisions();

@@ -9,17 +9,18 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
-// One end of the line's part in C, z = s |r| as the view sees it (mirrored at the far end).
+// One end of the line's part in C, z = s |r| in the view (mirrored at the far end).
 template <Scalar S>
 struct LineEnd {
   using State = typename PortalSearch<S>::State;
-  State state = State::exhausted;  // entered: found; missed; exhausted: the bracket is what is known
+  State state = State::exhausted;  // entered, missed, or exhausted with the bracket so far
   S lower = -kInfinity<S>, upper = kInfinity<S>;
   Vec3<S> n = Vec3<S>::Zero();  // unit: proves lower, or the miss
   Simplex<S> contact;  // where upper is finite: points of C and their weights, the combination at upper
 };
 
-// mirror 1: where the line enters; -1: where it leaves. decided_at: a z that no tolerance leaves inside of the bracket.
+// mirror is 1 for the entry of the line and -1 for its exit. decided_at: a z that no tolerance leaves inside the
+// bracket.
 template <Scalar S>
 LineEnd<S> line_end(const Cso<S>& cso, const Frame<S>& frame, S mirror, const SweepLimits<S>& limits,
                     Counters& counters, S decided_at = -kInfinity<S>) {

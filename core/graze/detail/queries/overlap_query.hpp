@@ -12,7 +12,8 @@ namespace graze { inline namespace GRAZE_LINKAGE {
 
 namespace detail {
 
-// Of two polytopes, by MPR. False: nothing is claimed, and of `out` only the counters have changed.
+// The overlap of two polytopes, by MPR. If it returns false, nothing is proved and only the counters of `out`
+// have changed.
 template <Scalar S>
 [[nodiscard]] bool fast_overlap_mpr(const PreparedPair<S>& pair, const WarmStart& start,
                                     OverlapResult<S>& out) {
@@ -33,7 +34,7 @@ template <Scalar S>
   FastGjk<S> gjk(support, out.counters);
   const FastState state = gjk.run(start, 0, true, CastOptions<S>{}.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
-  // Of bodies that nearly touch the bracket decides, which is not asked for here.
+  // For bodies that nearly touch the bracket decides, which is not computed here.
   if (state == FastState::open || (state == FastState::apart && !gjk.separated())) return false;
   out.outcome = state == FastState::apart ? Outcome::miss : Outcome::initially_overlapping;
   if (state == FastState::apart) out.normal = unit(gjk.axis().vector()).template cast<S>();

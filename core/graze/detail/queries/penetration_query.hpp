@@ -26,7 +26,7 @@ CastOptions<S> checked(const PenetrationOptions<S>& options) {
   return out;
 }
 
-// The bracket and the normal; S: in which the search ran.
+// The bracket and the normal. S is the scalar of the search.
 template <Scalar Given, Scalar S>
 void fill_depth(PenetrationResult<Given>& out, const PenetrationOptions<Given>& options, const Cso<S>& cso,
                 S lower, S upper, const Vec3<S>& n) {
@@ -68,7 +68,7 @@ void refine_axis(const Cso<S>& cso, Simplex<S>& simplex, Distance<S>& d, S gap, 
     if (simplex.holds(next)) return;
     Simplex<S> wider = simplex;
     wider.add(next);
-    // A step away from the origin by more than rounding is none.
+    // The origin must not move away by more than rounding, or the step is discarded.
     const Closest<S> then = closest_to_origin(wider, Vec3<S>(Vec3<S>::Zero()));
     if (!(std::sqrt(then.dist_sq) <= d.upper + gap)) return;
     simplex = wider;
@@ -130,7 +130,7 @@ template <Scalar S>
   for (int i = 0; i < size; ++i) corner[static_cast<std::size_t>(i)] = gjk.point(i);
   if (state == FastState::enclosed) return expand();
   if (state == FastState::apart) {
-    // By less than rounding can tell from contact; the axis is one of depth nothing.
+    // The depth is less than rounding can tell from contact, so the axis gets depth 0.
     if (gjk.upper() <= support.noise() && !(gjk.lower() > support.fine()))
       return touches(-gjk.lower(), gjk.axis());
     if (!(gjk.lower() > 0)) return false;
@@ -178,7 +178,8 @@ template <Scalar S>
 inline constexpr int kFirstSteps = 6, kNewtonSupports = 128;
 
 // For every pair of shapes, validated. In double whatever S is, as widening is exact: what a float would round at every
-// step is more than the depth of a crumb in a wall. What counts as contact is S's, as in the other queries.
+// step is more than the depth of a crumb in a wall. Contact is judged with the rounding of S, as in the other
+// queries.
 template <Scalar S>
 PenetrationResult<S>& robust_penetration(const Body<S>& a, const Body<S>& b,
                                          const PenetrationOptions<S>& options, PenetrationResult<S>& out) {
@@ -234,8 +235,8 @@ PenetrationResult<S>& robust_penetration(const Body<S>& a, const Body<S>& b,
       steady_axis(d, cso, simplex, limits, out.counters);
     }
     out.stalled = !(d.upper - d.lower <= std::max(gap, limits.noise));
-    // The axis is known to the root of the rounding only: off by an angle, it carries radii along it off by the
-    // cores' distance times that, and radii along what joins the cores' points by the depth times that.
+    // The axis is known to the root of the rounding only. An angular error moves radii along it by the cores'
+    // distance times that angle, and radii along the line between the cores' points by the depth times that angle.
     const Vec joining = combination(simplex);
     const bool shallow = R - d.upper < d.upper && joining != Vec::Zero();
     fill_penetration(out, a, b, options, cso, R - d.upper, R - d.lower, d.n, simplex,
@@ -253,9 +254,9 @@ PenetrationResult<S>& robust_penetration(const Body<S>& a, const Body<S>& b,
       return out;
     }
   }
-  // That search ends with a bracket of twice its gap where the depth is another face's than the contact. On a curved C
-  // there is always a point a little farther out: near the noise it adds rounding, not room, to its faces as to their
-  // neighbours.
+  // If the depth belongs to a face other than the contact's, that search ends with a bracket of twice its gap. On a
+  // curved C there is always a point a little farther out: near the noise it adds rounding, not room, to its faces as
+  // to their neighbours.
   const double epa_gap = cso.curved() ? 2 * limits.noise : fine;
   const Epa<double> least =
       epa<double>([&cso](const Vec& n) { return cso.support(n); }, simplex, d.upper, epa_gap,
@@ -275,7 +276,7 @@ PenetrationResult<S>& robust_penetration(const Body<S>& a, const Body<S>& b,
   }
   // In contact no depth is below zero.
   out.stalled = !(least.upper - std::max(least.lower, -R) <= std::max({gap, 2 * epa_gap, limits.noise}));
-  // Where the search ended without a polytope around the origin, the depth is nothing: there they touch.
+  // If the search ended without a polytope around the origin, the depth is 0: the bodies touch there.
   const bool touching = least.contact.size == 0 ||
                         !(combination(least.contact).norm() <= std::max(least.upper, 0.0) + limits.noise);
   fill_penetration(out, a, b, options, cso, least.lower + R, least.upper + R, least.n,
@@ -346,7 +347,7 @@ PenetrationResult<S> penetration_along(const Body<S>& a, const Body<S>& b, const
       (begin.state == State::entered && !in_contact)) {
     return detail::no_contact(out, detail::wide(begin.n));
   }
-  // Of an end that the budget left open, only its point in C is known.
+  // If the budget left an end open, only its point in C is known.
   if (!in_contact || (end.state != State::entered && end.upper > limits.noise)) {
     out.outcome = Outcome::not_converged;
     out.stalled = true;

@@ -31,7 +31,7 @@ void swept_by_portals(SweptOverlapResult<S>& out, const Cso<S>& cso, const Sweep
 }
 
 // Searches let the path end where C does: at s_end. Does the axis n of a miss, `gap` wide, separate to the
-// path's own end? One that faces the path does not for long; one that lies across it is tilted until it faces
+// path's own end? An axis that faces the path soon stops separating. One that lies across it is tilted until it faces
 // away, beyond the rounding of n.r.
 template <Scalar S>
 [[nodiscard]] bool goes_to_the_end(const Cso<S>& cso, const SweepLimits<S>& limits, S s_end, S gap,
@@ -47,7 +47,7 @@ template <Scalar S>
   return true;
 }
 
-// 0 from the swept set by GJK; `support` is the set's, of the core.
+// The distance of 0 from the swept set by GJK. `support` is the set's, of the core.
 template <Scalar S, class Support>
 void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S s_end,
                        const Support& support) {
@@ -74,9 +74,9 @@ void swept_by_distance(SweptOverlapResult<S>& out, const Cso<S>& cso, const Swee
   }
 }
 
-// Searches let the path end where C does. Does the axis n of a miss separate to its own end? One that faces the path does
-// not for long; one that lies across it is tilted until it faces away, beyond the rounding of n.r: r is within u, and three
-// products and sums are as large, 14 u |n|_1 (search/exact/passage.hpp).
+// Searches let the path end where C does. Does the axis n of a miss separate to its own end? An axis that faces the
+// path soon stops separating. One that lies across it is tilted until it faces away, beyond the rounding of n.r. r is
+// within u, and three products and sums are as large, 14 u |n|_1 (search/exact/passage.hpp).
 template <Scalar S>
 [[nodiscard]] bool goes_to_the_end(const PreparedPair<S>& pair, double horizon, Triple& n,
                                    Counters& counters) {
@@ -90,8 +90,8 @@ template <Scalar S>
   return dot(n, r) > 2 * least && support.separates(n, w);
 }
 
-// What a quick search says; false: nothing is claimed, and of `out` only the counters have changed. The axis of a miss
-// separates for the whole path.
+// The answer of a quick search. If it returns false, nothing is proved and only the counters of `out` have changed.
+// The axis of a miss separates for the whole path.
 template <Scalar S>
 [[nodiscard]] bool take(SweptOverlapResult<S>& out, Outcome outcome, const Triple& axis) {
   if (outcome == Outcome::not_converged) return false;
@@ -100,7 +100,7 @@ template <Scalar S>
   return true;
 }
 
-// Of two polytopes, one of which moves past the other: by GJK on the swept set, or by the portals of a cast.
+// Two polytopes, one of which moves past the other: by GJK on the swept set, or by the portals of a cast.
 template <Scalar S, bool kBoth>
 [[nodiscard]] bool fast_swept_gjk(const PreparedPair<S>& pair, double horizon,
                                   const SweptOverlapOptions<S>& options, SweptOverlapResult<S>& out) {
@@ -110,7 +110,7 @@ template <Scalar S, bool kBoth>
   start.axis = scaled_near_one(fast_first_direction(pair)).vector();
   const FastState state = gjk.run(start, 0, true, options.max_iterations);
   out.counters.iterations = out.counters.gjk_iterations;
-  // Where the path nearly touches the bracket decides, which is the robust search's.
+  // If the path nearly touches, the robust search's bracket decides.
   if (state == FastState::open || (state == FastState::apart && !gjk.separated())) return false;
   Triple n = gjk.axis();
   if (state == FastState::apart && !goes_to_the_end(pair, horizon, n, out.counters)) return false;
@@ -152,7 +152,7 @@ template <Scalar S>
   if (!pair.moves()) return false;
   CurvedWalk<S> walk(pair, horizon(pair), 0, options.max_iterations, out.counters);
   const CurvedSweep& found = walk.run();
-  // As goes_to_the_end() asks, without its second try.
+  // The test of goes_to_the_end(), without its second try.
   const bool ends = horizon(pair) <= 2 * (pair.extent() + pair.radius()) ||
                     dot(found.n, pair.direction()) > 16 * kUnitRoundoff<double> * sum(magnitude(found.n));
   return (found.outcome != Outcome::miss || ends) && take(out, found.outcome, found.n);

@@ -6,7 +6,7 @@
 //
 // predicate_error   bounds the error of a point x = o + t w of the ray that is near the body, |x| <= reach (1 + 2^-10), and of
 //         n.x / |n| and h(n) / |n|. u in double, per component, d = p - position:
-//           R          entries within 10 u (prepared_pair.hpp): 10 sqrt(3) u reach, as o and t w are turned alike
+//           R          entries within 10 u (prepared_pair.hpp): 10 sqrt(3) u reach, as o and t w are rotated alike
 //           d and v    u |d| and u |t v|, and |t v| <= |d| + reach
 //           R^T d      3 u |d| and 3 u |t v|
 //           o + t w    2 u (|d| + |t v|)
@@ -80,19 +80,19 @@ class RayTarget {
 
   const Body<S>& body_;
   bool turned_;
-  std::array<Triple, 3> row_;  // of R, where it turns
+  std::array<Triple, 3> row_;  // of R, unless it is the identity
 };
 
-// What a clip says.
+// The result of a clip.
 struct RayHit {
   enum class Kind : std::uint8_t {
     open,   // rounding decides, or the shape is degenerate: another search answers
     start,  // in contact at t = 0, deeper than the predicate_error
     miss,   // no contact up to t_max, by more than the predicate_error
-    hit,  // n supports the body at its point x, and the ray is there at t; both up to half the predicate_error
+    hit,  // n supports the body at its point x, where the ray is at t, within predicate_error / 2
   };
   Kind kind = Kind::open;
-  // hit: own axes; n points outward, of length 1. Not set for another kind.
+  // Set for a hit: own axes, n points outward and has length 1. Not set for another kind.
   double t;
   Triple n, x;
 };

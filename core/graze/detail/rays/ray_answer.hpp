@@ -1,4 +1,4 @@
-// What a clip says, in the caller's scalar: outcome, times, and the point on the body.
+// Converts a clip's result to the caller's scalar: outcome, times, and the point on the body.
 #pragma once
 
 #include <graze/detail/numeric/rounding.hpp>
@@ -35,7 +35,7 @@ template <Scalar S>
   return {};
 }
 
-// Of a hit, at time t: the clip's surface is the target distance away from the body.
+// For a hit at time t. The clip's surface is the target distance away from the body.
 template <Scalar S>
 [[nodiscard]] Triple point_on_body(const RayTarget<S>& target, const RayPath<S>& path, const RayHit& hit,
                                    double t) {

@@ -2,8 +2,8 @@
 //
 // Every answer but `open` is that of the true shapes, up to rounding of t. With e = predicate_error (ray.hpp), each coordinate of a
 // point near the box is known within e. So a plane x_i = +-h_i is crossed within late_i = 1.01 e / |w_i| of the time that
-// is computed, where |w_i| > 2^-40 |w|_1: w_i is within 24 u |w|_2 of itself. Of the last entry and the first exit each
-// both bounds are then known.
+// is computed, where |w_i| > 2^-40 |w|_1: w_i is within 24 u |w|_2 of itself. Both bounds of the last entry and of
+// the first exit are then known.
 #pragma once
 
 #include <graze/detail/rays/ray.hpp>
@@ -13,8 +13,8 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 // A ray that runs nearly along a face, |w_i| <= 2^-40 |w|_1. At the time when it enters slab i the other coordinates are
 // known within
 //   slack = 1.01 e |w|_1 / |w_i|.
-// A coordinate that does not change at all, of a box that does not turn, is exact: w_i = 0 is a difference of equal
-// numbers, and o_i - h_i > e says that the ray stays outside.
+// A coordinate that does not change at all, of a box that is not rotated, is exact. Then w_i = 0 is a difference of
+// equal numbers, and o_i - h_i > e proves that the ray stays outside.
 [[gnu::noinline]] inline void clip_level_ray(const Triple& h, const Ray& ray, bool turned, RayHit& out) {
   using Kind = RayHit::Kind;
   const double e = ray.predicate_error, all = sum(magnitude(ray.w));
@@ -91,7 +91,7 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
   const double t = greater(greater(in.x, in.y), in.z);
   out.kind = Kind::hit;
   out.t = t;
-  // By number (ray.hpp). Of an edge either face will do.
+  // By number (ray.hpp). For an edge either face will do.
   const bool is_x = t == in.x, is_y = !is_x && t == in.y, is_z = !is_x && !is_y;
   const double x = std::copysign(1.0, -w.x), y = std::copysign(1.0, -w.y), z = std::copysign(1.0, -w.z);
   out.n.x = is_x ? x : 0;

@@ -1,18 +1,18 @@
 // A ray against a solid that is given by its own formulas. It decides, and leaves open what rounding decides.
 //
-// A solid G has
-//   reach()        bounds |x| over G;
-//   enter(p, w)    where the line {p + t w} enters G, |p| <= 2 reach: t and an outward normal n there, not proved;
-//                  or, of a line that misses G, an axis n that separates them;
-//   support(n)     h(n) = max n.x over G, within 8 u |n| reach;
-//   contains(x, e) only if G holds the ball of radius e about x, up to 8 u reach;
+// A solid G has these members:
+//   reach()        bounds |x| over G.
+//   enter(p, w)    where the line {p + t w} enters G, |p| <= 2 reach: t and an outward normal n there, not proved.
+//                  If the line misses G, an axis n that separates them.
+//   support(n)     h(n) = max n.x over G, within 8 u |n| reach.
+//   contains(x, e) only if G holds the ball of radius e about x, up to 8 u reach.
 //   nearest(x)     a point of G near x, and x itself if G holds it, within 4 u reach.
-// Nothing that enter() says is believed. With e = predicate_error (ray.hpp), n of length 1:
-//   miss   n.x(t) > h(n) + e over [0, t_max], which is linear in t, or over the part of it where |x(t)| <= reach;
-//   hit    |x(t) - nearest(x(t))| <= e / 4, n.x(t) >= h(n) - e / 4 and n.w < 0: t is neither early nor late by more;
+// Every result of enter() is verified. With e = predicate_error (ray.hpp), n of length 1:
+//   miss   n.x(t) > h(n) + e over [0, t_max], which is linear in t, or over the part of it where |x(t)| <= reach.
+//   hit    |x(t) - nearest(x(t))| <= e / 4, n.x(t) >= h(n) - e / 4 and n.w < 0: t is neither early nor late by more.
 //          n.o > h(n) + e: it does not start in contact.
-// In tier standard the limit is 64 u scale, where |d|_1 <= sqrt(3) scale and reach <= scale / 2: e / 4 <= 36 u scale, and
-// what x itself is off by is below 42 u scale / 2.
+// In tier standard the limit is 64 u scale, where |d|_1 <= sqrt(3) scale and reach <= scale / 2. Then
+// e / 4 <= 36 u scale, and x itself errs by less than 42 u scale / 2.
 #pragma once
 
 #include <graze/detail/rays/ray.hpp>

@@ -20,7 +20,7 @@ struct RayPath {
   double t_max, target_distance;
 };
 
-// answer(solid, ray), if the shape is a solid of rays/ray_clip.hpp; else what `otherwise` is.
+// answer(solid, ray), if the shape is a solid of rays/ray_clip.hpp. Otherwise the value of `otherwise`.
 template <Scalar S, class Result, class Go>
 [[gnu::always_inline]] inline Result with_solid(const RayTarget<S>& target, const RayPath<S>& path,
                                                 Result otherwise, const Go& go) {

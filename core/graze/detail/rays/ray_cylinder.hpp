@@ -1,7 +1,8 @@
 // The cylinder as a solid of rays/ray_clip.hpp: {x^2 + y^2 <= radius^2, |z| <= half_height}.
 //
-// The line is in it where it is in the infinite cylinder and between the two planes. Where these two parts do not meet,
-// the line passes a rim at time s, at p_xy outside of the circle: n = (p_xy / |p_xy|, beta) with n.w = 0 separates them.
+// The line is in it where it is in the infinite cylinder and between the two planes. If these two parts do not meet,
+// the line passes a rim at time s, at p_xy outside of the circle. Then n = (p_xy / |p_xy|, beta) with n.w = 0
+// separates them.
 #pragma once
 
 #include <graze/detail/rays/ray_clip.hpp>

@@ -3,13 +3,12 @@
 // c_i are the corners seen from the start, V_i = det(w, c_j, c_k) and N = e x f of the edges from c_0. The ray's line
 // passes through the triangle iff the V_i have one sign, and then meets it at t = N.c_0 / N.w, N.w = V_0 + V_1 + V_2.
 //
-// Every answer but `open` is that of the true shapes. With e = predicate_error (ray.hpp), which is over the corners as well, each
-// c_i is within e per component and w within 24 u |w|_1: a determinant of three such, of at most the sizes C and |w|_1,
-// is within
-//   12 |w|_1 C e + 24 u |w|_1 6 C^2 + 12 u |w|_1 C^2,   below 16 |w|_1 C e, as e >= 64 u C,
-// and N.c_0 within 16 C^2 e, C = the largest |c_i|_1.
-// A corner is formed as the sum of the start's offset and its place in the body. So a triangle far out in its own frame,
-// beyond 4 times its own size, is left open.
+// Every answer but `open` is that of the true shapes. With e = predicate_error (ray.hpp), which is over the corners
+// as well, each c_i is within e per component and w within 24 u |w|_1. A determinant of three such vectors, of at
+// most the sizes C and |w|_1, is within
+//   12 |w|_1 C e + 24 u |w|_1 6 C^2 + 12 u |w|_1 C^2,   below 16 |w|_1 C e, as e >= 64 u C.
+// N.c_0 is within 16 C^2 e. C is the largest |c_i|_1. A corner is formed as the sum of the start's offset and its
+// place in the body. So a triangle far out in its own frame, beyond 4 times its own size, is left open.
 #pragma once
 
 #include <graze/detail/rays/ray.hpp>

@@ -1,7 +1,7 @@
-// A point that is greatest along a direction, as floats see it, of points stored by axis: the scan of
+// A point that is greatest along a direction, computed in floats, of points stored by axis: the scan of
 // scan.hpp for few points, where calls, loops and buffers cost more than the sums. The first of those that tie.
 //
-// n counts whole blocks of 8 (hull.hpp); up to 64 points the count is a constant of the code.
+// n counts whole blocks of 8 (hull.hpp). Up to 64 points the count is a constant of the code.
 #pragma once
 
 #include <graze/detail/shapes/scan.hpp>
@@ -10,7 +10,7 @@
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 #if defined(__SSE2__)
-// Of 8 kBlocks points.
+// The scan of 8 kBlocks points.
 template <std::size_t kBlocks>
 [[gnu::always_inline]] inline std::uint32_t approximate_scan_blocks(const float* x, __m128 dx, __m128 dy,
                                                                     __m128 dz) {
@@ -29,7 +29,7 @@ template <std::size_t kBlocks>
     most = _mm_max_ps(most, _mm_max_ps(value[i], value[i + 1]));
   most = _mm_max_ps(most, _mm_shuffle_ps(most, most, _MM_SHUFFLE(1, 0, 3, 2)));
   most = _mm_max_ps(most, _mm_shuffle_ps(most, most, _MM_SHUFFLE(2, 3, 0, 1)));
-  // A bit for each that is equal; NaN, which finite coordinates and directions do not make, gives the last.
+  // A bit for each value that is equal. NaN, which finite coordinates and directions do not make, gives the last.
   std::uint64_t equal = std::uint64_t{1} << (n - 1);
 #pragma GCC unroll 16
   for (std::size_t i = 0; i < 2 * kBlocks; i += 2) {

@@ -1,27 +1,28 @@
-// Which vertices of a hull can be the farthest along a direction: a short list for every cell of directions.
+// Finds the vertices of a hull that can be the farthest along a direction, as a short list for every cell of
+// directions.
 //
-//   R = diag(largest |p_i| of a vertex p);   q = R^-1 p,   d' = R d, so that d'.q = d.p
+//   R = diag(largest |p_i| of a vertex p),   q = R^-1 p,   d' = R d, so that d'.q = d.p
 //   cell: d' / |d'_i| for the largest component i, on one of the six faces of a cube, in one of k x k squares
 //
 // Vertex v is not in a cell's list if some vertex x is higher along each of the square's four corners c,
-//   c.(q_x - q_v) > margin:
-// a direction of the cell is, but for its length, a mean of the corners, so that x is higher along it by as much. An x
-// that is not in the list itself is lower than another in its turn; one that is in it is higher than v.
+//   c.(q_x - q_v) > margin.
+// A direction of the cell is, except for its length, a mean of the corners, so x is higher along it by as much. An x
+// that is not in the list itself is lower than another in its turn. An x that is in it is higher than v.
 //
-// So the first of its list whose height is greatest as rounded is the first of all the hull's, whatever the list leaves
-// out: to the bit. u of float, B = 3 >= sum |c_i q_i|; all of it scales with d. A height that floats compute of floats
-// is within 3 u B, coordinates in double or about another middle differ by u B (hull.hpp), a direction that is rounded to
-// floats by u B: 5 u B for each of two; margin = 13 u B.
+// So the first of its list with the greatest rounded height is the first of all the hull's, to the bit, in spite of
+// the omitted vertices. Let u be that of float, and B = 3 >= sum |c_i q_i|. All of it scales with d. A height
+// computed in floats from floats is within 3 u B. Coordinates in double or about another middle differ by u B
+// (hull.hpp), and a direction rounded to floats by u B. This is 5 u B for each of two vertices, and margin = 13 u B.
 //
-// Where a direction lies is computed in floats: d rounds, R d does, and the quotient, whose divisor is within 2^-11 of
-// 1 / d'_i and made less by 2^-11; 1 is added: a coordinate on the cube is within 2^-10 - 2^-14 of its own. So squares
-// are larger by kEdge = 2^-10 on every side than those that are looked up; 2^-14 is left for whoever knows his direction
-// so well only.
+// The cell of a direction is computed in floats. d rounds, R d does, and so does the quotient, whose divisor is
+// within 2^-11 of 1 / d'_i and made less by 2^-11. Then 1 is added. A coordinate on the cube is therefore within
+// 2^-10 - 2^-14 of its own. So squares are larger by kEdge = 2^-10 on every side than those that are looked up. 2^-14
+// is left for callers that know their direction only to this precision.
 //
-// Made by halving squares, of each the list of the one that it is a quarter of, while more than one list in 16 does not
-// fit a slot (what does not costs a miss of the caches more, and its length is not foretold), and all of them are below
-// kEntries a vertex: of rings and clusters of points some stay long. The x that are tried are the greatest along nine
-// directions of the square.
+// The map is made by halving squares. The list of each square is made from that of the square that it is a quarter
+// of. This continues while more than one list in 16 does not fit a slot, and all of them are below kEntries a vertex.
+// A list that does not fit costs one more cache miss, and its length is not predicted. For rings and clusters of
+// points some lists stay long. The x that are tried are the greatest along nine directions of the square.
 #pragma once
 
 #include <algorithm>
@@ -40,11 +41,11 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 class DirectionMap {
  public:
-  // Lists are in whole blocks, padded with copies of their first entry, which win no tie against it; short ones all of
-  // one length: nothing to guess for the machine.
+  // Lists are in whole blocks, padded with copies of their first entry, which win no tie against it. Short lists all
+  // have one length, which leaves the machine no branch to predict.
   static constexpr std::size_t kBlock = 8, kSlot = 16;
 
-  // Vertices in the order of the hull; coordinates as the hull's guess scan has them, by axis, each `size` long.
+  // Vertices in the order of the hull. Coordinates as the hull's guess scan has them, by axis, each `size` long.
   struct List {
     const float* xyz;
     const std::uint32_t* vertex;
@@ -60,7 +61,7 @@ class DirectionMap {
 
   // Nothing is known: lists would be longer than half the hull, on average.
   [[nodiscard]] bool empty() const { return k_ == 0; }
-  // Of the guess scan: the largest magnitude of a coordinate along each axis.
+  // The reach of the guess scan: the largest magnitude of a coordinate along each axis.
   [[nodiscard]] const std::array<float, 3>& reach() const { return scale_; }
   // Along d. False where nothing is known: the largest component is not between 2^-80 and 2^80 when multiplied with the
   // reach.
@@ -76,10 +77,10 @@ class DirectionMap {
   static constexpr double kEdge = 0x1p-10;
   static constexpr float kInner = 1 - 0x1p-11F;
   static constexpr double kMargin = 13 * kUnitRoundoff<float>;  // over B
-  // Squares along an edge; entries of all lists over vertices.
+  // Squares along an edge, and entries of all lists over vertices.
   static constexpr std::size_t kMost = 16, kEntries = 16;
 
-  // A short list; or where a long one is, in entries, when the last vertex is kLong: vertex[0] to vertex[1].
+  // A short list. If the last vertex is kLong, the position of a long one, in entries: vertex[0] to vertex[1].
   struct alignas(64) Slot {
     std::array<float, 3 * kSlot> xyz;
     std::array<std::uint32_t, kSlot> vertex;
@@ -119,7 +120,7 @@ class DirectionMap {
     for (const Candidates& list : lists) out += padded(list.size());
     return out;
   }
-  // Of squares half as wide.
+  // The lists of squares half as wide.
   [[nodiscard]] static std::vector<Candidates> divided(const std::vector<Vec3<double>>& q, std::size_t k,
                                                        const std::vector<Candidates>& lists);
   [[nodiscard]] static Candidates of_square(const std::vector<Vec3<double>>& q, const Square& square,
@@ -127,7 +128,7 @@ class DirectionMap {
 
   std::array<float, 3> scale_ = {1, 1, 1};  // D^-1: half extents
   std::uint32_t k_ = 0;
-  float half_ = 0, inner_ = 0;  // k/2; and less than that by kInner
+  float half_ = 0, inner_ = 0;  // k/2, and less than that by kInner
   std::vector<Slot> slots_;     // of every cell
   std::vector<float> points_;   // of long lists: all x, all y, all z
   std::vector<std::uint32_t> vertices_;
@@ -259,7 +260,7 @@ inline DirectionMap::Candidates DirectionMap::of_square(const std::vector<Vec3<d
       greatest[t] = m;
     }
   }
-  // B = 3; and 1 + kEdge of it, twice.
+  // B = 3, and 1 + kEdge of it, twice.
   constexpr double kBelow = 3 * kMargin * (1 + 4 * kEdge);
   Candidates out;
   for (std::size_t m = 0; m < height.size(); ++m) {

@@ -1,17 +1,18 @@
-// Is a list of faces the boundary of the hull of the points? Decided exactly; whoever hands in something else
-// gets nothing.
+// Is a list of faces the boundary of the hull of the points? It decides exactly, and returns nothing for any
+// other list.
 //
 // A face is a polygon, anticlockwise from outside, cut into a fan of triangles from its first corner. The
-// triangles are the boundary if and only if
-//   1  they form a closed surface: each edge is shared by two of them, in opposite directions; it is
-//      connected, and V - E + F = 2: a sphere;
-//   2  no edge is concave: the far corner beyond it is not strictly above;
-//   3  some point o lies strictly below all of them, and some ray from o meets exactly one, in its interior;
-//   4  every other point lies above none.
-// 1 and 3 make the radial projection from o a covering of a sphere by a sphere, branched at corners at most,
-// and once where the ray meets it: a homeomorphism. So the surface is simple, and 2 makes it convex
-// [Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel, Uhrig 1996, checking geometric structures]. Differs: o is
-// a double near the middle, and a hull so thin that o is not inside it is refused though it may be right.
+// triangles are the boundary if and only if these four conditions hold:
+//   1.  They form a closed surface: each edge is shared by two of them, in opposite directions. It is
+//       connected, and V - E + F = 2: a sphere.
+//   2.  No edge is concave: the far corner beyond it is not strictly above.
+//   3.  Some point o lies strictly below all of them, and some ray from o meets exactly one, in its interior.
+//   4.  Every other point lies above none.
+// 1 and 3 make the radial projection from o a covering of a sphere by a sphere. It is branched at corners at
+// most, and has one sheet where the ray meets it: a homeomorphism. So the surface is simple, and 2 makes it
+// convex [Mehlhorn, Naeher, Schilz, Schirra, Seel, Seidel, Uhrig 1996, checking geometric structures].
+// Differs: o is a double near the middle, and a hull so thin that o is not inside it is refused though it may
+// be right.
 #pragma once
 
 #include <Eigen/Geometry>  // cross

@@ -1,5 +1,5 @@
-// What a hull with adjacency keeps beside its vertices: the edges of its boundary, triangulated, and, of a large one,
-// which vertices can be the farthest along a direction (direction_map.hpp).
+// Data that a hull with adjacency keeps beside its vertices. These are the edges of its boundary, triangulated, and,
+// for a large hull, the vertices that can be the farthest along a direction (direction_map.hpp).
 #pragma once
 
 #include <graze/detail/shapes/direction_map.hpp>
@@ -14,9 +14,9 @@ template <Scalar S>
 struct HullGraph {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  // By rank, in the order given; what is no corner of the boundary has none.
+  // By rank, in the order given. A vertex that is no corner of the boundary has no rank.
   std::vector<std::uint32_t> vertex;  // rank -> index in the hull, the lowest of equal points
-  std::vector<std::uint32_t> rank;    // index in the hull -> rank, of its equal too; or kNone
+  std::vector<std::uint32_t> rank;    // index in the hull -> rank, also of its equal, or kNone
 
   // Lists of ranks, one after the other: those of rank r from begin[r] to begin[r + 1].
   struct Lists {
@@ -39,14 +39,14 @@ class GraphMaker {
 
   [[nodiscard]] bool valid() const { return points_.valid(); }
 
-  // The boundary, of extreme points only; empty for points in a plane.
+  // The boundary, of extreme points only, or empty for points in a plane.
   [[nodiscard]] std::vector<HullTriangle> derive() const {
     std::vector<std::uint32_t> all(points_.size());
     std::iota(all.begin(), all.end(), 0u);
     return extreme_surface(std::move(all));
   }
 
-  // The faces cut into triangles; empty if they are not the boundary.
+  // The faces cut into triangles, or empty if they are not the boundary.
   [[nodiscard]] std::vector<HullTriangle> verify(std::span<const std::vector<std::uint32_t>> faces) const {
     std::vector<HullTriangle> triangles;
     for (const std::vector<std::uint32_t>& face : faces) {
@@ -142,7 +142,7 @@ class GraphMaker {
     return out;
   }
 
-  std::vector<std::uint32_t> representative_;  // index given -> point; filled while points_ is made
+  std::vector<std::uint32_t> representative_;  // index given -> point, filled while points_ is made
   std::vector<std::uint32_t> given_index_;     // point -> the first index given
   exact::PointSet points_;
 };
@@ -179,7 +179,7 @@ DirectionMap map_of(const Hull<S>& hull) {
   return {hull.approximate_scan(0), hull.approximate_scan(1), hull.approximate_scan(2), hull.size()};
 }
 
-// The prepared scan as doubles; empty unless every coordinate is exact (a float may underflow).
+// The prepared scan as doubles. It is empty unless every coordinate is exact (a float may underflow).
 template <Scalar S>
 std::vector<Vec3<double>> exact_scan(const Hull<S>& hull) {
   std::vector<Vec3<double>> out(hull.finite() ? hull.size() : 0);

@@ -1,5 +1,5 @@
-// Support points of the shapes that are no combinators, from their numbers. Direction d and point x in the
-// shape's own frame, d of any length but 0 or any sign of 0; x in the unit of the numbers given.
+// Support points of the shapes that are no combinators, from their numbers. Direction d and point x are in the
+// shape's own frame. d has any length but 0, or any sign of 0. x is in the unit of the numbers given.
 //
 // Relative errors: below 6 u of the shape's reach for the curved ones, none for polytopes. Ties and
 // directions along which a curved shape is flat give one of the points that are greatest, always the same.
@@ -53,13 +53,13 @@ std::uint32_t first_greatest(std::span<const Vec3<S>> points, const Vec3<S>& d) 
   return best;
 }
 
-// x_i = r_i (r_i d_i) / |(r_j d_j)_j|; the centre where the ellipsoid is flat along d.
+// x_i = r_i (r_i d_i) / |(r_j d_j)_j|, or the centre if the ellipsoid is flat along d.
 template <Scalar S>
 Vec3<S> ellipsoid_point(const Vec3<S>& radii, const Vec3<S>& d) {
   return radii.cwiseProduct(unit(Vec3<S>(radii.cwiseProduct(unit(d)))));
 }
 
-// The point of the circle of radius r about z, at height z, farthest along d; its centre if d is along z.
+// The point of the circle of radius r about z, at height z, farthest along d, or its centre if d is along z.
 template <Scalar S>
 Vec3<S> rim_point(S radius, S z, const Vec3<S>& d) {
   const Vec3<S> across = radius * unit(Vec3<S>(d[0], d[1], 0));
@@ -78,7 +78,7 @@ Vec3<S> cone_point(S radius, S half_height, const Vec3<S>& d) {
 }
 
 // The first vertex that is greatest along d, as rounded, of all. The coordinates about the middle are within u of
-// them, a product of three terms within 3 u, so both of two vertices compared within 4 u sum |d_i| half_i
+// them, and a product of three terms within 3 u. So both of two vertices compared are within 4 u sum |d_i| half_i
 // (4.4 for small offsets): at most 8 u |d| diameter below the true maximum.
 template <Scalar S, Scalar Given>
 std::uint32_t scan_hull(const Hull<Given>& hull, const Vec3<S>& d) {
@@ -111,10 +111,10 @@ std::uint32_t scan_hull(const Hull<Given>& hull, const Vec3<S>& d) {
     return static_cast<std::uint32_t>(best);
   }
 }
-// The same, to the bit, of the list that the hull's map has for d. In double by floats first, as the map's margin is
-// theirs: heights as floats round them are off by 5 u B (u of float; 3 of products and sums, one of the direction, one
-// of coordinates or of their middle), B = sum |d_i| max |x_i|; what is more than twice that below the greatest is lower
-// in double, too.
+// The same, to the bit, of the list that the hull's map has for d. A double uses floats first, as the map's margin is
+// theirs. Heights in floats are off by 5 u B (u of float): 3 of products and sums, one of the direction, one of
+// coordinates or of their middle. Here B = sum |d_i| max |x_i|. A vertex more than twice that below the greatest is
+// lower in double, too.
 template <Scalar S, Scalar Given>
 std::uint32_t support_of_list(const Hull<Given>& hull, const DirectionMap& map,
                               const DirectionMap::List& list, const Vec3<S>& d) {

@@ -1,16 +1,17 @@
 // The boundary of a convex hull as triangles, by exact signs.
 //
 // [Barber, Dobkin, Huhdanpaa 1996] quickhull: each point outside the hull so far waits at one triangle that
-// it lies strictly above; the farthest point of a triangle is joined to the horizon of what it sees, and the
-// points of the triangles that vanish wait at the new ones, or are inside. Differs: no facet is thick. What
-// is seen is decided by the exact sign, so the answer is the hull of the points as given; only the choice of
-// the farthest, which no answer depends on, is rounded. Cost: O(n log n) for spread points, O(n^2) at worst.
+// it lies strictly above. The farthest point of a triangle is joined to the horizon of what it sees. The
+// points of the triangles that vanish wait at the new ones, or are inside. Differs: no facet is thick. The
+// exact sign decides visibility, so the answer is the hull of the points as given. Only the choice of the
+// farthest, which no answer depends on, is rounded. Cost: O(n log n) for spread points, O(n^2) at worst.
 //
 // "Seen" is "strictly above". A triangle in whose plane the new point p lies is not seen, and p is collinear
 // with no edge of the horizon: it is strictly above the triangle on the seen side of it. So no triangle is
 // degenerate, every edge is convex or flat, and a flat face is several triangles. A point above a vanishing
-// triangle and outside the new hull is above a new one: what it sees is connected, and where that crosses the
-// horizon at an edge, the new triangle's outer half space holds the intersection of its two neighbours'.
+// triangle and outside the new hull is above a new one. Its visible region is connected. At an edge where the
+// horizon crosses that region, the new triangle's outer half space holds the intersection of its two
+// neighbours'.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -74,7 +75,7 @@ class Quickhull {
     if (subset_.size() < 4) return false;
     std::array<std::uint32_t, 4> base = {subset_[0], 0, 0, 0};
     const auto p = [&](std::uint32_t i) -> const Vec3<double>& { return points_[i]; };
-    // The candidate of the greatest measure that passes the exact test; all are tried.
+    // The candidate of the greatest measure that passes the exact test. All are tried.
     const auto choose = [&](const auto& measure, const auto& passes, std::uint32_t& chosen) {
       double most = -1;
       for (const std::uint32_t i : subset_) {

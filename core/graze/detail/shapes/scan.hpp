@@ -1,10 +1,10 @@
 // The first of many points that is greatest along a direction, its coordinates stored by axis.
 //
-//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused);  the least k of
-//   the greatest value. NaN loses against everything.
+//   value_k = x_k d_x + y_k d_y + z_k d_z, as rounded (products, then sums from the left, and nothing fused).
+// The scan returns the least k of the greatest value. NaN loses against everything.
 //
-// A chunk at a time: its values and their greatest, without a branch; then, only if that is a new greatest,
-// where it is. n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
+// It works in chunks. For each chunk it computes the values and their greatest, without a branch, and finds the index
+// only if that is a new greatest. The number n counts whole blocks of 8 (hull.hpp pads with copies of point 0).
 //
 // Measured (bench/support_bench.cpp), ns a scan of 8, 16, 32, 64, 256 points: see docs/reports/costs.md.
 #pragma once
@@ -54,7 +54,7 @@ struct Pack<double> {
   static double greatest(Type v) { return _mm_cvtsd_f64(_mm_max_sd(v, _mm_unpackhi_pd(v, v))); }
 };
 
-// Of at most kScanChunk points.
+// The scan of at most kScanChunk points.
 template <Scalar S>
 inline std::size_t scan_chunk(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S>& d, S& most) {
   using P = Pack<S>;
@@ -100,7 +100,7 @@ inline std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const
   }
   return best;
 }
-// A bit for each of at most kScanChunk points whose value is not below `least`, as rounded; NaN counts as not below.
+// A bit for each of at most kScanChunk points whose value is not below `least`, as rounded. NaN counts as not below.
 inline std::uint64_t above_in_chunk(const float* x, const float* y, const float* z, std::size_t n,
                                     const Vec3<float>& d, float least) {
   using P = Pack<float>;
@@ -156,8 +156,8 @@ std::size_t scan(const S* x, const S* y, const S* z, std::size_t n, const Vec3<S
 }
 #endif
 
-// visit(k) for every point of value not below `least`, but for those of a chunk, named by its first, that skipped()
-// has bits of.
+// visit(k) for every point of value not below `least`, except those of a chunk, named by its first, for which
+// skipped() has bits.
 template <class Skipped, class Visit>
 void for_each_above(const float* x, const float* y, const float* z, std::size_t n, const Vec3<float>& d,
                     float least, const Skipped& skipped, const Visit& visit) {

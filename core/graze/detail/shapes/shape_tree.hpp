@@ -1,13 +1,13 @@
-// Combinators: a walk through the tree, in double whatever scalar asks.
+// Combinators: a walk through the tree, in double whatever the caller's scalar.
 //
 // Frame: the body's own, about a centre that the caller subtracts.   Units: the caller's length.
-// A shape is its core plus a ball of common_radius. Where the parts of a hull_of have balls of different
-// radii, what a part has beyond the least of them is its `excess`, a ball that belongs to the core.
+// A shape is its core plus a ball of common_radius. If the parts of a hull_of have balls of different radii,
+// the radius of a part beyond the least of them is its `excess`, a ball that belongs to the core.
 //
-// Positions add up as sums of two doubles, and vertices are compared by their differences, so large offsets
-// that cancel cost next to nothing (kTwoDoublesOfANode) unless a rotation comes between: u |position| 23 k
-// under k rotations, quickly, or as little, where the rotations are composed in two doubles as well
-// (Turning::accurate: for proofs).
+// Positions add up as sums of two doubles, and vertices are compared by their differences. So large offsets
+// that cancel cost next to nothing (kTwoDoublesOfANode) unless a rotation comes between. Under k rotations
+// the quick error is u |position| 23 k. It is next to nothing as well if the rotations are composed in two
+// doubles (Turning::accurate: for proofs).
 #pragma once
 
 #include <algorithm>
@@ -101,7 +101,7 @@ std::uint64_t count_of_hull(const Parts<S>& parts) {
   return n;
 }
 
-// Of the core; kMaxVertices + 1 stands for all that is more.
+// The number of vertices of the core. kMaxVertices + 1 stands for any larger number.
 template <Scalar S>
 std::uint64_t vertex_count(const Shape<S>& shape) {
   return std::visit(Overloaded{[](const Segment<S>&) -> std::uint64_t { return 2; },
@@ -143,15 +143,15 @@ bool is_curved(const Shape<S>& shape) {
 // The matrix of a rotation as quickly as its error allows, or as accurately as doubles can hold it.
 enum class Turning : std::uint8_t { quick, accurate };
 
-// What rounds in a tree besides the last sum and sums of two doubles, over u: a point per component, and how
-// far the one chosen along a unit n may lie below the greatest.
+// Rounding in a tree besides the last sum and sums of two doubles, over u. It bounds the error of a point per
+// component, and how far the one chosen along a unit n may lie below the greatest.
 struct TreeRounding {
   double point = 0, choice = 0;
 };
 
-// A leaf of a polytope is compared with 8 u of its extent (leaf.hpp), one that is curved rounds 6 u itself, a
-// unit vector 4 u. k rotations above cost 23 k u of the extent, and of positions, quickly; accurately 5 u of
-// the direction. What is rounded counts for both points that are compared.
+// A leaf of a polytope is compared with 8 u of its extent (leaf.hpp). A curved leaf rounds 6 u itself, a unit
+// vector 4 u. k rotations above cost 23 k u of the extent, and of positions, quickly, but accurately 5 u of
+// the direction. Rounding counts for both points that are compared.
 template <Scalar S>
 TreeRounding tree_rounding(const Shape<S>& shape, Turning turning, int k = 0) {
   const bool quick = turning == Turning::quick;
@@ -251,8 +251,8 @@ double lengths_of(const Shape<S>& shape) {
                  [](const auto& s) { return 2 * double(s.radius) + 2 * double(s.half_height); }},
       shape);
 }
-// A turn, a placement and a sum of two doubles each cost 2^-96 to 2^-100 of the lengths that they see
-// (offset.hpp), a few of each for a node of the tree: a point is within this times nodes times lengths.
+// A rotation, a placement and a sum of two doubles each cost 2^-96 to 2^-100 of the lengths involved
+// (offset.hpp). A node of the tree has a few of each, so a point is within this times nodes times lengths.
 inline constexpr double kTwoDoublesOfANode = 0x1p-95;
 
 struct TreePoint {
@@ -261,7 +261,7 @@ struct TreePoint {
   std::uint32_t vertex = 0;
 };
 
-// Where a part stands: x of the part is at offset + rotation x.
+// The placement of a part: x of the part is at offset + rotation x.
 struct Placement {
   Turning turning = Turning::quick;
   bool rotated = false;
@@ -349,15 +349,15 @@ inline constexpr double kInside = 1 - 8 * kUnitRoundoff<double>;
 template <Scalar S>
 class TreeWalk {
  public:
-  // n: unit, in the body's frame. `drawn`: how far the points of curved parts are drawn in beyond kInside,
-  // as a fraction of the way to a point inside; 0, or well above u.
+  // n: unit, in the body's frame. `drawn`: how far the points of curved parts are drawn in beyond kInside, as
+  // a fraction of the way to a point inside. It is 0, or well above u.
   explicit TreeWalk(const Vec3<double>& n, Feature* feature = nullptr, double drawn = 0)
       : n_(n), feature_(feature), drawn_(drawn) {}
 
   TreePoint operator()(const Shape<S>& shape, const Placement& at, const std::uint32_t* chosen = nullptr) {
     return std::visit([&](const auto& s) { return step(s, at, chosen); }, shape);
   }
-  // Of the features filled in; more than kCurvedParts: the feature cannot be named.
+  // The number of features filled in. If it is more than kCurvedParts, the feature cannot be named.
   [[nodiscard]] std::size_t curved_parts() const { return curved_parts_; }
 
  private:
@@ -395,7 +395,7 @@ class TreeWalk {
     const Vec3<double> x = power_of_two(s.exponent()) * hull_vertex<double>(s, k);
     return at.moved(wide(s.center())).at(x, k);
   }
-  // `drawn_in` is the point moved into the shape; a walk that names its points returns these.
+  // `drawn_in` is the point moved into the shape. A walk that names its points returns these.
   TreePoint curved(const Vec3<double>& x, const Vec3<double>& drawn_in, const Placement& at) {
     if (feature_ && curved_parts_ < kCurvedParts) feature_->curved[curved_parts_] = drawn_in;
     ++curved_parts_;

@@ -41,10 +41,10 @@ inline bool rounds_to_nearest() {
 }
 
 // Was this compiled with flags, unnamed by any macro (scalar.hpp), that reorder sums, multiply by reciprocals
-// or take no number for a NaN or for infinity? Each changes one of these lines, short enough for any compiler
-// to change: (1 + x) - 1 would be x; two quotients by 49 products with 1/49 as rounded; a NaN would equal
-// itself, or pass a comparison that is turned round; a sum with infinity would be no number at all, known
-// before the program runs. Inlined, so that the flags are the query's own.
+// or take no number for a NaN or for infinity? Each changes one of these lines, which are short enough for
+// any compiler to change. (1 + x) - 1 would be x. Two quotients by 49 would be products with 1/49 as rounded.
+// A NaN would equal itself, or pass an inverted comparison. A sum with infinity would be no number
+// at all, known before the program runs. Inlined, so that the flags are the query's own.
 [[gnu::always_inline]] inline bool keeps_arithmetic() {
   const volatile double given[] = {1, 0x1p-60, 49, 98, 49, std::numeric_limits<double>::quiet_NaN()};
   const double one = given[0], little = given[1], nan = given[5];
@@ -59,7 +59,7 @@ inline bool rounds_to_nearest() {
   return sums && quotients && nans && endless > std::numeric_limits<double>::max();
 }
 
-// What machine and compiler make of arithmetic; every bound depends on it.
+// Tests how machine and compiler compute. Every bound depends on it.
 [[gnu::always_inline]] inline Invalid check_arithmetic() {
   if (!rounds_to_nearest()) return Invalid::rounding_mode;
   return keeps_arithmetic() ? Invalid::none : Invalid::unsafe_math;
@@ -86,9 +86,9 @@ Invalid check_extents(const Vec3<S>& extents) {
       {check_vector(extents), check_extent(extents[0]), check_extent(extents[1]), check_extent(extents[2])});
 }
 
-// The common case, without a branch: 0, or a normal number within the range. What is left (subnormal numbers,
-// which may be flushed, and all that is refused) goes the long way. By the bits, without the sign: they order
-// as magnitudes do.
+// The common case, without a branch: 0, or a normal number within the range. All other numbers (subnormal
+// numbers, which may be flushed, and all that is refused) go the long way. By the bits, without the sign:
+// they order as magnitudes do.
 template <Scalar S>
 bool is_common(S x) {
   using Bits = std::conditional_t<sizeof(S) == 8, std::uint64_t, std::uint32_t>;
@@ -232,8 +232,9 @@ Invalid validate(const Body<S>& a, const Body<S>& b, const CastOptions<S>& optio
 
 namespace detail {
 
-// Where validate() refuses: walks the same numbers in the same order, and stops at the first that is refused.
-// A walk of its own, so that what is valid pays nothing for it. Each step says whether it stopped.
+// Finds the field that validate() refuses. It walks the same numbers in the same order, and stops at the
+// first that is refused. A walk of its own, so that what is valid pays nothing for it. Each step says whether
+// it stopped.
 template <Scalar S>
 class InvalidFinder {
  public:

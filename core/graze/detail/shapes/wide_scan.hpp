@@ -18,7 +18,7 @@
 #endif
 
 #if GRAZE_WIDE
-// What g++ 12 says of its own header: the operand that a mask of all ones never takes.
+// g++ 12 warns about its own header, for the operand that a mask of all ones never takes.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #ifndef __clang__
@@ -29,8 +29,8 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 [[nodiscard]] inline bool is_wide() { return __builtin_cpu_supports("avx512vbmi2") != 0; }
 
-// A coordinate of 16 points, of as many of them as `there` has bits, times d; 0 for the others. The asm is empty: it
-// keeps compilers from fusing the product with the sum that it goes into, which would round otherwise.
+// A coordinate of 16 points times d, for as many of them as `there` has bits. It is 0 for the others. The asm is
+// empty: it keeps compilers from fusing the product with the sum that it goes into, which would round otherwise.
 [[nodiscard, gnu::target("avx512f"), gnu::always_inline]] inline __m512 wide_product(const float* from,
                                                                                      __mmask16 there,
                                                                                      __m512 d) {
@@ -39,8 +39,8 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
   return out;
 }
 
-// Of n = 8, 16, ... 64 points by axis, each n long: the least k of the greatest height along d, as rounded. Where it
-// is NaN, the last.
+// For n = 8, 16, ... 64 points by axis, each n long: the least k of the greatest height along d, as rounded. If it is
+// NaN, the last.
 [[nodiscard, gnu::target("avx512f"), gnu::noinline]] inline std::uint32_t wide_scan(
     const float* x, const float* y, const float* z, std::size_t n, float d_x, float d_y, float d_z) {
   const __m512 dx = _mm512_set1_ps(d_x), dy = _mm512_set1_ps(d_y), dz = _mm512_set1_ps(d_z),

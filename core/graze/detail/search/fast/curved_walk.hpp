@@ -1,21 +1,23 @@
-// Where does the path enter C = K + ball(R)? K = A - B, where A or B is a cylinder, a cone or an ellipsoid; in doubles;
-// it may give up.
+// Computes where the path enters C = K + ball(R). Here K = A - B, where A or B is a cylinder, a cone or an ellipsoid.
+// It works in doubles and may give up.
 //
-// The path is s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp. With the axis n at n.r/|r| = -1,
-// the time of impact times |r| is the largest -h(n): a convex function of (x, y) in n = -r/|r| + x e + y f.
-// h is the largest of h_k, one for each pair of pieces of A and B (prepared_curved.hpp), and each h_k is smooth:
-//   gradient   the pair's point w_k(n) seen along the path, q_k;      second derivative   B_k, what the pieces bend
-// Portal refinement knows the values and gradients of three of them and closes in by a factor a step where C is curved.
-// Newton's method with several functions also uses the bends: with B = sum l_k B_k, the step d is the least of
-//   max over k of (h_k + q_k.d)  +  d.B d / 2,
-// where one, two or three h_k are equal and the weights l_k >= 0, sum 1, solve sum l_k q_k + B d = 0: a vertex in a
-// face's way, a rim on an edge, an ellipsoid's inside; each has its pieces, none is treated apart. Only a flat end,
-// where n is along the axis and a rim's bend is infinite, is tried by itself. Where a step brings nothing, a portal's
-// step is next.
+// The path is s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp. With the axis n at n.r/|r| =
+// -1, the time of impact times |r| is the largest -h(n): a convex function of (x, y) in n = -r/|r| + x e + y f. h is
+// the largest of h_k, one for each pair of pieces of A and B (prepared_curved.hpp), and each h_k is smooth:
+//   gradient            the pair's point w_k(n) seen along the path, q_k
+//   second derivative   B_k, the bend of the pieces
+// Portal refinement knows the values and gradients of three of them. It closes in by a constant factor per step if C
+// is curved. Newton's method with several functions also uses the bends. With B = sum l_k B_k, the step d is the
+// least of
+//   max over k of (h_k + q_k.d)  +  d.B d / 2.
+// There one, two or three h_k are equal, and the weights l_k >= 0, sum 1, solve sum l_k q_k + B d = 0. Examples are a
+// vertex that meets a face, a rim on an edge, and an ellipsoid's inside. Each has its pieces, and none is a special
+// case. Only a flat end, where n is along the axis and a rim's bend is infinite, is tried by itself. If a step brings
+// no progress, a portal's step is next.
 //
-// No step has to be right, since the answer is verified by what is in hand at the end:
-//   miss      an axis n with h(n) < min(0, n.(horizon r)); the farthest point of each body is made sure of
-//   hit       upper: a point sum l_k w_k of C within the noise of the path; lower: h(n) / n.r;
+// No step has to be right, since the answer is verified at the end:
+//   miss      an axis n with h(n) < min(0, n.(horizon r)), confirmed with the farthest point of each body
+//   hit       upper: a point sum l_k w_k of C within the noise of the path. lower: h(n) / n.r.
 //             upper - lower is below the target
 //   contact   points of C within the noise of the line, one at s <= 0 and one at s >= 0
 // Near the start, near the end of the path and where the path grazes it gives up, and the search of mpr.hpp answers.
@@ -35,14 +37,14 @@ template <Scalar S>
          std::holds_alternative<Capsule<S>>(shape);
 }
 
-// Supports of the walk; what takes longer is no common case.
+// The limit of supports of the walk. Common cases need fewer.
 inline constexpr int kCurvedSteps = 48;
 
 // The bodies are curved or round.
 template <Scalar S>
 using CurvedPair = PreparedPair<S, PreparedCurved<S>>;
 
-// Of a point of C, per component.
+// Error bound on a point of C, per component.
 template <Scalar S>
 [[nodiscard]] double point_error(const CurvedPair<S>& pair) {
   return pair.a().error() + pair.b().error() + pair.offset_error() +
@@ -91,7 +93,7 @@ class CurvedWalk {
   }
 
   [[nodiscard]] const CurvedSweep& run() {
-    // Of balls that dwarf the path's lengths products would lose their range.
+    // With balls that dwarf the path's lengths, products would lose their range.
     if (!(radius_ < 0x1p100) || !find()) return out_;
     orient();
     axis_a_ = pair_.a().axis();
@@ -109,13 +111,13 @@ class CurvedWalk {
   // Three points of C about the line, near where a hit's axis n supports C: along n and up to `tilt` |n| beside it.
   [[nodiscard]] bool surround(const Triple& n, double tilt) {
     budget_ += kCurvedSteps / 2;
-    // A guess in floats does not see the tilt.
+    // A guess in floats does not resolve the tilt.
     sure_ = guess_ > noise_;
     base_ = n;
     tilt_ = tilt * std::sqrt(dot(n, n));
     return find_about(0.8, 0.6);
   }
-  // Of these, corner i: across the line, and along it.
+  // Coordinates of corner i: across the line, and along it.
   [[nodiscard]] Vec3<double> seen(std::size_t i) const {
     return {at_[i].u, at_[i].v, dot(at_[i].w, r_unit_)};
   }
@@ -125,10 +127,10 @@ class CurvedWalk {
     std::uint32_t a, b;
     double lambda;
     Triple on_a, on_b;  // of a polytope's: where it is
-    CurvedCorner at;    // its point along the axis in hand
+    CurvedCorner at;    // its point along the current axis
     double h;
   };
-  // What of a curved body's pieces is known along the axis in hand.
+  // Values of a curved body's pieces along the current axis.
   struct Turned {
     std::array<bool, 2> known{};
     std::array<Triple, 2> at{Triple{0, 0, 0}, Triple{0, 0, 0}};
@@ -245,8 +247,7 @@ class CurvedWalk {
   }
   [[nodiscard]] Triple axis_at(double x, double y) const { return -side_ * r_unit_ + (x * e_ + y * f_); }
 
-  // A hit, a contact or open: p is a point of C, within the noise of the line; h = n.w, w being the
-  // farthest along n.
+  // A hit, a contact or open. p is a point of C, within the noise of the line. h = n.w, w being the farthest along n.
   [[nodiscard]] bool close(const Triple& n, double h, const Triple& p) {
     const double s = dot(p, r_) / r_sq_;
     if (!(largest(p - s * r_) <= noise_ / 4)) return false;
@@ -259,7 +260,8 @@ class CurvedWalk {
     if (side_ < 0) return true;
     const double lower = std::min(h / dot(n, r_), s), width = (s - lower) * length_;
     if (!(width <= target_)) return false;
-    // What only the caller's tolerance closes is a hit that leaves no predicate_error; else the walk goes on as it does without one.
+    // If only the caller's tolerance closes the bracket, the hit is accepted only if its verdict is certain.
+    // Otherwise the walk continues as without a tolerance.
     if (width > noise_ && !(lower > 2 * noise_ && s + noise_ < s_max_)) return false;
     if (!(lower > 0 && s < s_max_ && s > 2 * noise_)) return true;
     out_.outcome = Outcome::hit;
@@ -270,8 +272,9 @@ class CurvedWalk {
     return true;
   }
   // The weights of the line's point in a triangle, as it is seen along the path, of either orientation. They are not
-  // negative and their sum is 1, whatever rounding does: so the points that they make are on the bodies. Of needles that
-  // rounding turns inside out they miss the line, which the callers see. NaN of a triangle without area.
+  // negative and their sum is 1, whatever rounding does: so the points that they make are on the bodies. For needles
+  // that rounding turns inside out the points miss the line, which the callers detect. NaN of a triangle without
+  // area.
   static void weigh_by_areas(const CurvedCorner& c0, const CurvedCorner& c1, const CurvedCorner& c2,
                              std::array<double, 3>& lambda) {
     const double area0 = det(c1, c2), area1 = det(c2, c0), area2 = det(c0, c1),
@@ -280,7 +283,7 @@ class CurvedWalk {
                  l2 = std::max(sign * area2, 0.0), one = 1 / (l0 + l1 + l2);
     lambda = {l0 * one, l1 * one, l2 * one};
   }
-  // Where the line passes a portal; NaN if it does not within the noise.
+  // The parameter at which the line passes a portal, or NaN if it does not within the noise.
   [[nodiscard]] double pass(const std::array<CurvedCorner, 3>& c, std::array<double, 3>& lambda) const {
     weigh_by_areas(c[0], c[1], c[2], lambda);
     const Triple p = lambda[0] * c[0].w + lambda[1] * c[1].w + lambda[2] * c[2].w;
@@ -483,7 +486,7 @@ class CurvedWalk {
     return true;
   }
 
-  // The least of the model, by trying which of the pieces are equal there; its weights.
+  // The minimum of the model and its weights, by trying which of the pieces are equal there.
   [[nodiscard]] bool least(const Bend& bend, double& dx, double& dy) {
     // As many as the last step had, first.
     if (least_of(last_size_, bend, dx, dy)) return true;
@@ -574,7 +577,7 @@ class CurvedWalk {
     return true;
   }
 
-  // A step of portal refinement. False: there is none.
+  // A step of portal refinement. False if there is no such step.
   [[nodiscard]] bool step_portal() {
     ++counters_.portal_steps;
     double x = 0, y = 0;
@@ -593,11 +596,11 @@ class CurvedWalk {
   static constexpr double kLeast = 0x1p-80;
   // n over n.r beyond which the path grazes, and the longest step of n over |n|.
   static constexpr double kSteepest = 0x1p20, kLongest = 0.5;
-  // Relative: below, pieces are seen one behind the other, and a bend is none.
+  // Relative threshold: below it, pieces lie one behind the other, and a bend counts as zero.
   static constexpr double kThin = 0x1p-40;
   // Cosines of the angle to a flat end's normal, at which it is tried: on the way, and where the steps end.
   static constexpr double kAtEnd = 0.9, kNearEnd = 0.5;
-  // What is added to the bends, over the reach: the square of the last step, within these.
+  // Regularisation of the bends, over the reach: the square of the last step, within these limits.
   static constexpr double kSoft = 0x1p-20, kStiff = 0x1p-4;
   static constexpr int kNewtonSteps = 16;
 
@@ -610,7 +613,7 @@ class CurvedWalk {
   double reach_ = 0;
   Triple own_e_a_{0, 0, 0}, own_f_a_{0, 0, 0}, own_e_b_{0, 0, 0},
       own_f_b_{0, 0, 0};                                      // e and f in the bodies' axes
-  Triple axis_a_{0, 0, 0}, axis_b_{0, 0, 0}, axis_{0, 0, 0};  // of the bodies; the last of Newton's steps
+  Triple axis_a_{0, 0, 0}, axis_b_{0, 0, 0}, axis_{0, 0, 0};  // of the bodies, and the last of Newton's steps
   std::array<bool, 4> tried_{};                               // flat ends: of A below, above, of B
   double side_ = 1;                                           // 1: the entry is looked for, -1: the exit
   bool sure_ = false;                                         // every support is of the farthest

@@ -1,14 +1,16 @@
-// How deep is the origin in C, of two polytopes? The expanding polytope in doubles, by guessed vertices; it may give up.
+// Computes how deep the origin is in C, for two polytopes. It is the expanding polytope algorithm in doubles, with
+// guessed vertices. It may give up.
 //
-// Notation   P = the hull of the vertices of C found so far;   a face f of P has a unit outward normal n_f and the offset
-// d_f of its plane from the origin.   h(n) = the farthest vertex along n.
+// Notation   P = the hull of the vertices of C found so far.   A face f of P has a unit outward normal n_f and the
+// offset d_f of its plane from the origin.   h(n) = the farthest vertex along n.
 //
-// As epa.hpp (equation, start and rounding there), in fixed storage on the stack, none of it set before it is used. What
-// sees a face is found by a walk from face to face across edges, which meets the rim of the seen faces in its order: a rim
-// that does not close, or comes through a vertex twice, bounds no disc, and ends the search. The answer is
+// As epa.hpp (equation, start and rounding there), in fixed storage on the stack, none of it set before it is used.
+// The faces that see a point are found by a walk from face to face across edges, which meets the rim of the seen
+// faces in its order. A rim that does not close, or passes a vertex twice, does not bound a disc and ends the search.
+// The answer is
 //   lower   the least d_f of a P around the origin: P is in C
-//   upper   h(n_f), the farthest vertex made sure of
-// handed out where the two have met, with the weights of a face that the origin projects into.
+//   upper   h(n_f), confirmed with the farthest vertex
+// returned once the two have met, with the weights of a face that the origin projects into.
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>
@@ -21,8 +23,8 @@ class FastEpa {
  public:
   FastEpa(PairSupport<S>& support, Counters& counters) : support_(support), counters_(counters) {}
 
-  // Four vertices, in any order, that need not hold the origin. True: the answer holds, within `gap`; or within `loose`, a
-  // caller's tolerance, which costs no support.
+  // Four vertices, in any order, that need not hold the origin. Returns true if the answer holds within `gap`, or
+  // within `loose`, a caller's tolerance, which costs no support.
   [[nodiscard]] bool run(const std::array<PairVertex, 4>& corner, double gap, double loose, int budget) {
     visible_ = kVisibleNoises * support_.noise();
     if (!begin(corner)) return false;
@@ -69,7 +71,7 @@ class FastEpa {
   [[nodiscard]] const std::array<double, 3>& lambda() const { return lambda_; }
 
  private:
-  // Of hulls of 64 vertices, searches end with 10 to 35; a face's vertex in a mask of 64.
+  // For hulls of 64 vertices, searches end with 10 to 35. A face's vertices are in a mask of 64 bits.
   static constexpr std::size_t kMostVertices = 60, kFaces = 3 * kMostVertices + 8;
   static constexpr std::uint8_t kNone = 0xff;
   static_assert(kFaces < kNone);
@@ -79,7 +81,7 @@ class FastEpa {
   // two are taken, with care (simplex.hpp).
   static constexpr double kThin = 0x1p-10;
 
-  // Of the cosine between the height and an edge of a tetrahedron: its volume rounds by some 8 u of this.
+  // The cosine between the height and an edge of a tetrahedron: its volume rounds by some 8 u of this.
   static constexpr double kFlat = 0x1p-24;
 
   struct Face {
@@ -102,8 +104,8 @@ class FastEpa {
     const double volume = dot(m, rise);
     // Flat: rounding decides which side is out.
     if (!(std::abs(volume) > kFlat * sum(magnitude(m)) * sum(magnitude(rise)))) return false;
-    // Seen from outside, the face opposite to corner i of a positive tetrahedron; and the edge by which it is seen from
-    // the next.
+    // The face opposite to corner i of a positive tetrahedron, seen from outside, and the edge that it shares with
+    // the next face.
     constexpr std::array<std::array<std::uint8_t, 3>, 4> kPositive = {
         {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -125,7 +127,7 @@ class FastEpa {
     return true;
   }
 
-  // False if it has no normal; NaN too.
+  // Returns false if it has no normal, which includes NaN.
   [[nodiscard]] bool set_face(std::size_t f, const std::array<std::uint8_t, 3>& v) {
     const Triple &a = point_[v[0]].w, &b = point_[v[1]].w, &c = point_[v[2]].w;
     const Triple ab = b - a, ac = c - a;
@@ -160,8 +162,8 @@ class FastEpa {
     return best;
   }
 
-  // Which faces does the new vertex see? From face g, entered across its edge e, with the edges in the order in which one
-  // goes around. Seen faces die; the edges of the others are the rim.
+  // Finds the faces that see the new vertex. From face g, entered across its edge e, with the edges in the order in
+  // which one goes around. Seen faces die, and the edges of the others are the rim.
   [[nodiscard]] bool look(std::size_t g, std::size_t e, const Triple& w, double visible) {
     if (seen_[g] == stamp_) return true;
     if (dot(face_[g].n, w) - d_[g] < -visible) {
@@ -232,14 +234,14 @@ class FastEpa {
     for (std::size_t k = 0; k < 3; ++k)
       face_[face_[dead].across[k]].across[face_[dead].back[k]] = static_cast<std::uint8_t>(dead);
   }
-  // Of a rim edge, in the direction of the seen face: against that of the face that stays.
+  // An edge of the rim, in the direction of the seen face: opposite to that of the face that stays.
   [[nodiscard]] std::uint8_t from(std::size_t i) const {
     return face_[rim_edge_[i].face].v[after(rim_edge_[i].edge)];
   }
   [[nodiscard]] std::uint8_t to(std::size_t i) const { return face_[rim_edge_[i].face].v[rim_edge_[i].edge]; }
 
-  // A face no deeper than upper_ that the origin projects into, f if it is one; its weights. kFaces: none.
-  // With the vertex in hand, which the farthest along the face's normal is not much beyond.
+  // A face no deeper than upper_ that the origin projects into, f if it is one, and its weights. kFaces if there is
+  // no such face. It uses the current vertex, and the farthest along the face's normal is not much beyond that.
   [[nodiscard]] bool closes_early(std::size_t f, const PairVertex& w, double loose) {
     const Triple n = face_[f].n;
     const double h = dot(n, w.w) + support_.approximate_error() * sum(magnitude(n));

@@ -1,13 +1,13 @@
-// How far apart are two polytopes? GJK in doubles, by guessed vertices; it may give up.
+// Computes the distance of two polytopes. It is GJK in doubles, with guessed vertices. It may give up.
 //
-// Notation   v = the simplex's point closest to the origin;   n = a vector from the simplex to the origin, of any length:
-// -v, or the normal of a triangle.
+// Notation   v = the simplex's point closest to the origin.   n = a vector from the simplex to the origin, of any
+// length: -v, or the normal of a triangle.
 //
-// As gjk.hpp, but nothing is done to be right at every step: whether the answer holds is seen at its end, where
+// As gjk.hpp, but no single step has to be right. The answer is verified at the end, when these two bounds have met
 //   upper   the length of a convex combination of vertices of C
-//   lower   -h(n) / |n|, the farthest vertex along n made sure of
-// have met, or where a tetrahedron of C holds the origin.
-// [Gilbert, Johnson, Keerthi 1988; Ericson, Real-Time Collision Detection, 2005, 5.1]
+//   lower   -h(n) / |n|, confirmed with the farthest vertex along n
+// or when a tetrahedron of C holds the origin.
+// [Gilbert, Johnson, Keerthi 1988, and Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>
@@ -22,15 +22,15 @@ enum class FastState : std::uint8_t {
   enclosed,  // a tetrahedron holds it
 };
 
-// Of C; or of another set, by a support of its own (swept_support.hpp).
+// Support of C, or of another set with a support of its own (swept_support.hpp).
 template <Scalar S, class Support = PairSupport<S>>
 class FastGjk {
  public:
   FastGjk(Support& support, Counters& counters) : support_(support), counters_(counters) {}
 
-  // To reach of upper - lower: the finest; the noise will do where the search ends by itself. `loose`: a caller's tolerance,
-  // 0 for none, will do where the bodies are apart for sure; it costs no support and moves no verdict. `verdict`: an axis
-  // that separates is enough.
+  // The target of upper - lower at the finest. If the search ends by itself, the noise is enough. `loose` is a
+  // caller's tolerance, or 0. It is enough if the bodies are certainly apart. It costs no support and changes no
+  // verdict. `verdict`: an axis that separates is enough.
   [[nodiscard]] FastState run(const WarmStart& start, double loose, bool verdict, int budget) {
     if (!begin(start)) {
       const Triple& d = support_.pair().offset();
@@ -69,7 +69,7 @@ class FastGjk {
         ++size_;
         continue;
       }
-      // What was guessed is no farther: what is?
+      // The guess is no farther, so the farthest vertex is computed.
       support_.sure(n_, next);
       upper_ = weighted();
       lower_ = -dot(n_, next.w) / length;
@@ -86,9 +86,9 @@ class FastGjk {
 
   // apart: n proves it beyond rounding, and nothing more is known.
   [[nodiscard]] bool separated() const { return separated_; }
-  // apart: unit. Where separated: any length.
+  // apart: unit. separated: any length.
   [[nodiscard]] const Triple& axis() const { return n_; }
-  // The axis that the simplex's newest vertex is far along; 0: none.
+  // The axis of the simplex's newest vertex, or 0 if there is no such axis.
   [[nodiscard]] const Triple& axis_before() const { return n_before_; }
   [[nodiscard]] double lower() const { return lower_; }
   [[nodiscard]] double upper() const { return upper_; }
@@ -143,7 +143,7 @@ class FastGjk {
   // By its weights, which round with the tetrahedron's flatness.
   [[nodiscard]] bool encloses() const { return weighted() <= support_.noise(); }
 
-  // What the closest point of a simplex is found to be; the least is kept.
+  // Results of the closest-point step of a simplex. The least is kept.
   struct Feature {
     double dist_sq = kInfinity<double>;
     Triple n{0, 0, 0};
@@ -200,7 +200,7 @@ class FastGjk {
   }
   // m = (b - a) x (c - a).
   static void triangle(PairVertex* a, PairVertex* b, PairVertex* c, const Triple& m, Feature& out) {
-    // Which side of each edge, in the triangle's plane, the origin is on.
+    // The side of each edge, in the triangle's plane, on which the origin lies.
     const double la = dot(m, cross(b->w, c->w)), lb = dot(m, cross(c->w, a->w)),
                  lc = dot(m, cross(a->w, b->w));
     if (la > 0 && lb > 0 && lc > 0) {
@@ -234,7 +234,7 @@ class FastGjk {
         triangle(a, b, c, cross(b->w - a->w, c->w - a->w), f);
         break;
       default: {
-        // The faces from the newest, d; the origin is beyond one if the corner opposite to it is on the other side.
+        // The faces at the newest corner d. The origin is beyond a face if the opposite corner is on the other side.
         const Triple da = a->w - d->w, db = b->w - d->w, dc = c->w - d->w;
         const Triple bc = cross(db, dc), ca = cross(dc, da), ab = cross(da, db);
         const double volume = dot(bc, da);

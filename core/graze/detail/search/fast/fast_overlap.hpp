@@ -1,13 +1,13 @@
-// Do two polytopes touch? MPR in doubles, by guessed vertices; it may give up.
+// Decides whether two polytopes touch. It is MPR in doubles, with guessed vertices. It may give up.
 //
-// Notation   v0 = a point inside C = A - B;   the portal v1 v2 v3: a triangle of C that the ray from v0 through the
+// Notation   v0 = a point inside C = A - B.   The portal v1 v2 v3 is a triangle of C that the ray from v0 through the
 // origin passes, refined outward.   n = the portal's outward normal.
 //
-// As fast_walk.hpp, it follows the signs as they are computed, and verifies what is in hand at the end:
-//   apart     an axis n with h(n) < 0 beyond rounding, the farthest vertex made sure of
+// As fast_walk.hpp, it follows the signs as they are computed, and verifies the answer at the end:
+//   apart     an axis n with h(n) < 0 beyond rounding, confirmed with the farthest vertex
 //   contact   a convex combination of v0 and the portal within an eighth of the noise of the origin
-// In the first direction, from v0 to the origin, most bodies that are apart are seen to be: one support.
-// A start (warm_start.hpp) puts an axis, or a portal, before that; it is a guess like any other.
+// The first direction, from v0 to the origin, separates most bodies that are apart, with one support.
+// A start (warm_start.hpp) puts an axis, or a portal, before that. It is a guess like any other.
 // [Snethen, XenoCollide, in Game Programming Gems 7, 2008]
 #pragma once
 
@@ -33,7 +33,7 @@ class FastOverlap {
     }
     return find() ? refine() : out_;
   }
-  // Of a miss: any length.
+  // Set for a miss, any length.
   [[nodiscard]] const Triple& axis() const { return n_; }
   // For the next question about the pair.
   [[nodiscard]] WarmStart warm(Outcome outcome) const {
@@ -143,7 +143,8 @@ class FastOverlap {
     l1 *= one;
     l2 *= one;
     l3 *= one;
-    // Where the ray passes the portal; the origin is beside the line from there to v0, or beyond the portal.
+    // The point at which the ray passes the portal. The origin is beside the line from there to v0, or beyond the
+    // portal.
     const Triple p = l1 * w1 + l2 * w2 + l3 * w3;
     const double along = std::max(-dot(p, v0_) / dot(v0_, v0_), 0.0);
     return largest(p + along * v0_) <= support_.noise() / 8;

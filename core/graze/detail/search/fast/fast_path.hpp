@@ -1,4 +1,4 @@
-// What the quick casts share: where to look first, where the path passes a triangle, and what they found.
+// Shared by the quick casts: the first direction, the point at which the path passes a triangle, and their results.
 //
 // The path is s r, in the units and the frame of prepared_pair.hpp.
 #pragma once
@@ -22,8 +22,9 @@ struct FastSweep {
   std::array<double, 4> lambda{};
 };
 
-// About where a ball as large as C would be met, and across the path where it passes beside: with p the
-// ball's centre beside the line, of radius R, along -(R p + (R^2 - p^2) r), |r| taken for 1.
+// The approximate direction at which a ball as large as C would be met. If the path passes beside that ball, the
+// direction across the path. With p the ball's centre beside the line and R its radius, it is along -(R p + (R^2 -
+// p^2) r), |r| taken for 1.
 template <class Pair>
 [[nodiscard]] Triple fast_first_direction(const Pair& pair) {
   const Triple& r = pair.direction();
@@ -40,12 +41,14 @@ struct FastTriangle {
   const Triple &c0, &c1, &c2, &r;
   double r_sq;
 
-  // Where the line passes: s, with the weights of it; NaN if it does not within `near`, per component.
+  // The parameter s at which the line passes the triangle, with its weights. NaN if it does not within `near`, per
+  // component.
   //
-  // The weights are quotients of determinants of corners, which round by u of the square of how far away C is, over
-  // the triangle's area as seen: of a path far longer than C is large, the point p that they make is off the line. Its
-  // distance g = p - s r tells by how much: with e, f the edges from c_0, N = e x f, the weights of c_1 and c_2 that
-  // take g off are g.(r x f) / N.r and g.(e x r) / N.r. g is small and rounds by u of what it is the difference of.
+  // The weights are quotients of determinants of corners. These round by u of the square of C's distance, over the
+  // triangle's area as seen. If the path is far longer than C is large, the point p that the weights make is off the
+  // line. Its distance g = p - s r is the correction. Let e, f be the edges from c_0 and N = e x f. The weights of
+  // c_1 and c_2 that remove g are g.(r x f) / N.r and g.(e x r) / N.r. The vector g is small and rounds by u of its
+  // two terms.
   double pass(double near, std::array<double, 4>& lambda) const {
     const Triple m0 = cross(c0, r), m1 = cross(c1, r), m2 = cross(c2, r);
     const double l0 = std::max(dot(c1, m2), 0.0), l1 = std::max(dot(c2, m0), 0.0),
@@ -66,7 +69,7 @@ struct FastTriangle {
   }
 
  private:
-  // Of the triangle's point at these weights: s, and how far it is off the line.
+  // The triangle's point at these weights: s, and its distance from the line.
   double place(const std::array<double, 4>& lambda, Triple& g) const {
     const Triple p = lambda[0] * c0 + lambda[1] * c1 + lambda[2] * c2;
     const double s = dot(p, r) / r_sq;

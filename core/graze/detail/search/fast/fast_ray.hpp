@@ -1,24 +1,23 @@
-// Where does the path enter C = A - B? The GJK ray cast of two polytopes, in doubles, by guessed vertices; it may give
-// up.
+// Computes where the path enters C = A - B. It is the GJK ray cast of two polytopes, in doubles, with guessed
+// vertices. It may give up.
 //
 // The path is x = s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp.
-// Notation   n = a vector from the simplex to x, of any length;   w = C's vertex along n;   h(n) = n.w.
+// Notation   n = a vector from the simplex to x, of any length.   w = C's vertex along n.   h(n) = n.w.
 //
-// As advancement.hpp, a support point clips the path at once: where h(n) < n.x the next x is at s = h(n) / n.r. But
-// nothing is done to be right at every step, since the answer is verified by what is in hand at the end:
+// As advancement.hpp, a support point clips the path at once: if h(n) < n.x, the next x is at s = h(n) / n.r.
+// But no single step has to be right, since the answer is verified at the end:
 //   miss      an axis n with h(n) < n.x from the s on that another axis has proved, to the end of the path
-//   hit       upper: weights >= 0 of the simplex, whose point is within the noise of the path; of a triangle that
-//             nothing lies beyond, where the path passes it;
-//             lower: h(n) / n.r for the axis that proved the last step;
-//             the farthest vertex along an axis is made sure of, and upper - lower is below the noise, or
-//             within the caller's tolerance where that moves no verdict
+//   hit       upper: weights >= 0 of the simplex, whose point is within the noise of the path. If nothing lies
+//             beyond a triangle, the point at which the path passes it.
+//             lower: h(n) / n.r for the axis that proved the last step, confirmed with the farthest vertex.
+//             upper - lower is below the noise, or within the caller's tolerance if that changes no verdict
 //   contact   the simplex holds the start within the noise
-// Where that fails, near the start, near the end of the path or after kFastRaySteps, it gives up, and the search of
+// If that fails, near the start, near the end of the path or after kFastRaySteps, it gives up, and the search of
 // advancement.hpp answers.
 // [van den Bergen 2004]
 //
-// Rounding: margin as in fast_walk.hpp, of which 16 u M are for n.(s r) as rounded, s <= 2 M: there s is where the path
-// ends, here also where the axis before has proved that nothing is met.
+// Rounding: margin as in fast_walk.hpp, of which 16 u M are for n.(s r) as rounded, s <= 2 M. There s is the end of
+// the path, here also the point up to which the axis before has proved that nothing is met.
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>
@@ -46,7 +45,7 @@ class FastRay {
     tolerated_ = pair.tolerated(tolerance);
     margin_ = support_.margin();
     guess_ = pair.a().support_error() + pair.b().support_error();
-    // What floats guess decides in doubles only after a second look.
+    // A guess in floats decides in doubles only after a second look.
     makes_sure_ = std::same_as<S, double>;
   }
 
@@ -128,7 +127,7 @@ class FastRay {
     x_ = s * r_;
   }
 
-  // To where n lets the path go on; false: it is decided, or given up.
+  // Advances to the point up to which n clears the path. False if the cast is decided, or given up.
   [[gnu::always_inline]] bool advance(const Triple& n, PairVertex& w) {
     const double closing = dot(n, r_), reach = dot(n, w.w);
     if (!(closing < 0) || !(reach >= closing * s_end_)) {
@@ -162,7 +161,8 @@ class FastRay {
     make_sure_of_axis();
     return h < std::min(proved(0) * dot(n, r_), end) - margin_ * size;
   }
-  // Of s, by the axis of the last step, whose vertex may be so far, over its length, from the farthest; beyond rounding.
+  // The error of s by the axis of the last step, whose vertex may be so far, over its length, from the farthest,
+  // beyond rounding.
   [[nodiscard]] double proved(double support_error) const {
     if (!(s_ > 0)) return 0;
     const double h = reach_ + (margin_ + (axis_is_sure_ ? 0.0 : support_error)) * sum(magnitude(axis_));

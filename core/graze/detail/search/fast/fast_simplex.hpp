@@ -1,9 +1,9 @@
-// What of up to four points is closest to the origin: a vertex, an edge, a triangle, or all four around it. In doubles,
-// quick rather than right: a wrong feature costs its user a step.
+// Finds the feature of up to four points closest to the origin: a vertex, an edge, a triangle, or all four around it.
+// In doubles, quick rather than right: a wrong feature costs its user a step.
 //
-// Notation   y = a point;   n = a vector from the feature to the origin, of any length: -v, v the closest point, or the
-// normal of a triangle, which is known where v is noise.
-// No weights and no roots: whoever ends with a feature asks for the weights then.
+// Notation   y = a point.   n = a vector from the feature to the origin, of any length. It is -v, v being the closest
+// point, or the normal of a triangle, which is known where v is noise.
+// No weights and no roots are computed here. A caller that ends with a feature computes the weights then.
 // [Ericson, Real-Time Collision Detection, 2005, 5.1]
 #pragma once
 
@@ -23,7 +23,7 @@ class FastSimplex {
  public:
   using Points = std::array<Triple, 4>;
 
-  // Of the points at[0] .. at[size - 1]; the last is the newest. Size 4: the origin is inside.
+  // The feature of the points at[0] .. at[size - 1], of which the last is the newest. Size 4: the origin is inside.
   [[gnu::noinline]] static void closest(const Points& y, const std::array<std::uint8_t, 4>& at,
                                         std::uint32_t size, FastFeature& out) {
     out.dist_sq = kInfinity<double>;
@@ -105,7 +105,7 @@ class FastSimplex {
   }
   static void triangle(const Points& y, std::uint8_t a, std::uint8_t b, std::uint8_t c, FastFeature& out) {
     const Triple m = cross(y[b] - y[a], y[c] - y[a]);
-    // Which side of each edge, in the triangle's plane, the origin is on.
+    // The side of each edge, in the triangle's plane, on which the origin lies.
     const double la = dot(m, cross(y[b], y[c])), lb = dot(m, cross(y[c], y[a])),
                  lc = dot(m, cross(y[a], y[b]));
     if (la > 0 && lb > 0 && lc > 0) {
@@ -124,7 +124,7 @@ class FastSimplex {
     if (!(lc > 0)) edge(y, a, b, out);
   }
   static void tetrahedron(const Points& y, const std::array<std::uint8_t, 4>& at, FastFeature& out) {
-    // The faces from the newest, d; the origin is beyond one if the corner opposite to it is on the other side.
+    // The faces at the newest corner d. The origin is beyond a face if the opposite corner is on the other side.
     const std::uint8_t a = at[0], b = at[1], c = at[2], d = at[3];
     const Triple da = y[a] - y[d], db = y[b] - y[d], dc = y[c] - y[d];
     const Triple bc = cross(db, dc), ca = cross(dc, da), ab = cross(da, db);

@@ -1,30 +1,30 @@
-// The quick walk: where does the path enter C = A - B? For polytopes; in doubles; it may give up.
+// The quick walk: computes where the path enters C = A - B. It takes polytopes, works in doubles and may give up.
 //
 // The path is s r, 0 <= s <= horizon, in the units and the frame of prepared_pair.hpp.
 // Notation   m(c) = c x r,   det(c, d) = det(c, d, r) = c.m(d).
 //
-// Portal refinement (portal.hpp) without its treatment of ties: the walk follows the signs as they are
-// computed. No step has to be right, since the answer is verified by what is in hand at the end:
-//   miss      an axis n with h(n) < min(0, n.(horizon r)); the farthest vertex of each body is made sure of
-//   hit       upper: weights >= 0 of a portal whose point p is within the noise of the path, s = p.r / r.r;
-//             lower: h(n) / n.r for the last normal n, however that was found;
+// Portal refinement (portal.hpp) without its treatment of ties: the walk follows the signs as they are computed. No
+// step has to be right, since the answer is verified at the end:
+//   miss      an axis n with h(n) < min(0, n.(horizon r)), confirmed with the farthest vertex of each body
+//   hit       upper: weights >= 0 of a portal whose point p is within the noise of the path, s = p.r / r.r.
+//             lower: h(n) / n.r for the last normal n, however that was found.
 //             upper - lower is below the target
-//   contact   two portals whose points are within the noise of the line, one at s <= 0 and one at s >= 0;
+//   contact   two portals whose points are within the noise of the line, one at s <= 0 and one at s >= 0.
 //             C is convex, so the start is between them
-// Where that fails, near the start, near the end of the path or after kFastSteps, it gives up, and the
-// search of portal.hpp answers.
+// If that fails, near the start, near the end of the path or after kFastSteps, it gives up, and the search of
+// portal.hpp answers.
 //
-// For a stricter walk it seeks instead: a miss is proved as above; of anything else only the portal that it
-// ended with is handed on, unverified (search/exact/walk.hpp begins there).
+// For a stricter walk it seeks instead. A miss is proved as above. For any other outcome it returns only the portal
+// that it ended with, unverified (search/exact/walk.hpp begins there).
 //
-// Rounding, internal length, over |n|_1; e = err(a) + err(b) of prepared_pair.hpp, M the extent, u in double:
+// Rounding, internal length, over |n|_1, with e = err(a) + err(b) of prepared_pair.hpp, M the extent, u in double:
 //   a vertex c of C     e + the offset's error + 4 u M per component (two sums)
 //   n.c                 3 u M
-//   n turned            2 e; and sums compared, 8 u M, for the farthest vertex in doubles
-//   horizon n.r         12 u M, as |horizon r| <= 4 M; and r rounded, 4 u M
-// Together below margin = 4 e + offset's error + 40 u M.
-// A vertex that floats guess is within support_error() of the farthest: below the noise for S = float, where it serves
-// as the farthest for `lower`; wherever else it decides, a scan in doubles makes sure.
+//   n rotated           2 e, and sums compared, 8 u M, for the farthest vertex in doubles
+//   horizon n.r         12 u M, as |horizon r| <= 4 M, and r rounded, 4 u M
+// Together below margin = 4 e + offset's error + 40 u M. A vertex guessed in floats is within support_error() of the
+// farthest. For S = float this is below the noise, and the vertex serves as the farthest for `lower`. In all other
+// places where it decides, a scan in doubles confirms it.
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>
@@ -32,19 +32,19 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// Steps of the walk; what takes longer is no common case.
+// The limit of steps of the walk. Common cases need fewer.
 inline constexpr int kFastSteps = 48;
 
 struct FastCorner : PairVertex {
   Triple m;
 };
 
-// What a walk that seeks found: nothing, a proof that the path misses, or three vertices that are about the line.
-// `passed`: the next portal lies on the other side of the origin; else it was the last.
+// The result of a walk that seeks: nothing, a proof that the path misses, or three vertices that are about the line.
+// `passed` means that the next portal lies on the other side of the origin. Otherwise it was the last.
 enum class Seed : std::uint8_t { none, miss, portal, passed };
 
-// kSeeks: it seeks a seed, for seek(); else it answers, for run(). kDecides: whether, not when; any portal that the
-// path passes shows contact, within the noise as above, and a hit has no time.
+// kSeeks: it seeks a seed, for seek(). Otherwise it answers, for run(). kDecides: it decides whether, not when. Any
+// portal that the path passes shows contact, within the noise as above, and a hit has no time.
 template <Scalar S, bool kSeeks = false, bool kDecides = false>
 class FastWalk {
  public:
@@ -67,7 +67,7 @@ class FastWalk {
     if (find()) refine();
     return out_;
   }
-  // A portal for another walk to begin with: in double's noise whatever S is, and nothing is made sure of.
+  // A portal for another walk to begin with: in double's noise whatever S is, and without verification.
   [[nodiscard]] Seed seek() {
     static_assert(kSeeks);
     target_ = kContact * kUnitRoundoff<double> * support_.pair().size();
@@ -75,13 +75,13 @@ class FastWalk {
     if (out_.outcome == Outcome::miss) return Seed::miss;
     return !has_portal() ? Seed::none : passed_ ? Seed::passed : Seed::portal;
   }
-  // What n.w may be off by, over |n|_1, w the farthest vertex; and the path's end, as far as C reaches.
+  // Error bound on n.w, over |n|_1, w the farthest vertex. It covers the path's end, up to the reach of C.
   [[nodiscard]] double margin() const { return support_.margin(); }
   [[nodiscard]] const Triple& end() const { return end_; }
   // Of the miss.
   [[nodiscard]] const Triple& axis() const { return out_.n; }
-  // Three vertices that are likely to be about the line, and the last portal, or, where it passed the origin, the one
-  // before; if it found one.
+  // Three vertices that are likely to be about the line. It also returns the last portal, if it found one, or the one
+  // before if that passed the origin.
   [[nodiscard]] bool has_portal() const { return at_[0] != nullptr; }
   [[nodiscard]] bool passed() const { return passed_; }
   [[nodiscard]] const FastCorner& corner(std::size_t i) const { return *at_[i]; }
@@ -89,7 +89,7 @@ class FastWalk {
  private:
   using Portal = std::array<FastCorner*, 3>;
 
-  // The vertex along n, into a slot that is free; or with it n proves that the path misses.
+  // Puts the vertex along n into a free slot, unless n proves with it that the path misses.
   [[gnu::always_inline]] bool misses(const Triple& n, FastCorner& w) {
     support(n.x, n.y, n.z, w);
     return separates(n, w);
@@ -227,7 +227,7 @@ class FastWalk {
     }
   }
 
-  // Where the line passes the portal: s, with the weights of it; NaN if it does not within the noise.
+  // The parameter s at which the line passes the portal, with its weights. NaN if it does not within the noise.
   double pass(const Portal& portal, std::array<double, 4>& lambda) const {
     return FastTriangle{portal[0]->w, portal[1]->w, portal[2]->w, r_, r_sq_}.pass(support_.noise() / 4,
                                                                                   lambda);
@@ -258,9 +258,10 @@ class FastWalk {
   }
 
   // Within the caller's tolerance already, on the way that the walk takes anyway: so a tolerance costs no support. It moves
-  // no verdict either: the line passes the portal, of vertices of C, and the start is apart, both beyond rounding. Else the
-  // walk goes on to the noise. A corner errs by less than margin / 4 per component, so det(c, d, r), |c| and |d| at most M,
-  // by 2 sqrt(3) / 4 margin M |r|, and by a fifth of that for its products, as 40 u M is in the margin.
+  // no verdict either: the line passes the portal, of vertices of C, and the start is apart, both beyond rounding.
+  // Otherwise the walk continues to the noise. A corner errs by less than margin / 4 per component. So det(c, d, r),
+  // |c| and |d| at most M, errs by 2 sqrt(3) / 4 margin M |r|, and by a fifth of that for its products, as 40 u M is
+  // in the margin.
   [[nodiscard, gnu::noinline]] bool closes_early(const Portal& portal, const Triple& n, double guessed,
                                                  double size) {
     const double speed = sum(magnitude(r_)), along = dot(n, r_);
@@ -285,7 +286,7 @@ class FastWalk {
   }
 
   PairSupport<S> support_;
-  Triple r_, end_;  // end_: of the path, as far as C reaches
+  Triple r_, end_;  // end_: end of the path, at most the reach of C
   Counters& counters_;
   int budget_;
   bool passed_ = false;

@@ -1,21 +1,22 @@
-// Where does the path enter C = K + ball(R)? K = A - B the difference of two cores that are polytopes, R > 0 their
-// radii and the target distance: spheres, capsules, and polytopes at a distance. In doubles; it may give up.
+// Computes where the path enters C = K + ball(R). K = A - B the difference of two cores that are polytopes, R > 0
+// their radii and the target distance: spheres, capsules, and polytopes at a distance. It works in doubles and may
+// give up.
 //
 // The path is s r, 0 <= s <= s_end, in the units and the frame of prepared_pair.hpp.
-// Notation   F   up to three corners of K, the feature that the path is thought to meet;   x = s r
-//            p   the point of F's hull nearest to x;   n = x - p
-// Contact with a feature has a closed form: a corner's ball, a quadratic; an edge's cylinder, the same across
-// the edge; a face's plane, moved by R. So the walk asks for the support point not along n at the x that it
-// has proved, as the GJK ray cast does, but where F would be met. If K has nothing beyond p there, F was the
-// feature, and its time is the answer; else the new point joins F, of which what is nearest to the path stays.
-// No step has to be right, since the answer is verified by what is in hand at the end:
+// Notation   F   up to three corners of K, the feature that the path is expected to meet.   x = s r
+//            p   the point of F's hull nearest to x.   n = x - p
+// Contact with a feature has a closed form. A corner's ball gives a quadratic, an edge's cylinder the same across the
+// edge, and a face's plane is moved by R. So the walk does not compute the support point along n at the x that it has
+// proved, as the GJK ray cast does, but at the point where F would be met. If K has nothing beyond p there, F was the
+// feature, and its time is the answer. Otherwise the new point joins F, which keeps the part nearest to the path.
+// No step has to be right, since the answer is verified at the end:
 //   miss      an axis n with h(n) + R |n| < n.(s r) from the s on that others have proved, to the end of the path
-//   hit       |x - p| <= R up to the noise, p in K; and h(n) + R |n| <= n.x up to the noise
+//   hit       |x - p| <= R up to the noise, p in K, and h(n) + R |n| <= n.x up to the noise
 //   contact   |p| <= R at x = 0
-// [van den Bergen 2004] is where the walk from below is from.
+// The walk from below comes from [van den Bergen 2004].
 //
-// Rounding, over |n|_1, as in fast_walk.hpp with M + R for M, since contact is where |s r| <= M + R; and
-// R |n| errs by 3 u R |n| of the sum of three, 4 u R |n| of the norm and 2 u of what is added: together below
+// Rounding, over |n|_1, as in fast_walk.hpp with M + R for M, since contact is at |s r| <= M + R. In addition R |n|
+// errs by 3 u R |n| of the sum of three, 4 u R |n| of the norm and 2 u of the sum that it joins. Together below
 // margin = 4 e + offset's error + 64 u (M + R).
 #pragma once
 
@@ -32,7 +33,7 @@ template <Scalar S>
 
 inline constexpr int kRoundSteps = 32;
 
-// Of a point of K, per component: e + the offset's error + 4 u M (fast_walk.hpp).
+// Error bound on a point of K, per component: e + the offset's error + 4 u M (fast_walk.hpp).
 template <Scalar S>
 [[nodiscard]] double point_error(const PreparedPair<S>& pair) {
   return pair.a().error() + pair.b().error() + pair.offset_error() +
@@ -43,7 +44,7 @@ template <Scalar S>
 struct RoundSweep {
   Outcome outcome = Outcome::not_converged;
   double lower = 0, upper = 0;  // hit: of s
-  Triple n{0, 0, 0};            // hit, miss: the axis; of a hit from what is nearest at upper
+  Triple n{0, 0, 0};            // axis of a hit or a miss, for a hit from the nearest point at upper
   double length = 0;            // |n|
   Triple normal{0, 0, 0};       // hit: the axis of lower, of length 1
   double reach = 0;             // hit: n.w for the farthest vertex that was found along n
@@ -74,7 +75,7 @@ class RoundWalk {
   }
 
   [[nodiscard]] const RoundSweep& run() {
-    // Of balls that dwarf the path's lengths products would lose their range.
+    // With balls that dwarf the path's lengths, products would lose their range.
     if (!(radius_ < 0x1p100)) return out_;
     if (!begin()) return out_;
     while (out_.outcome == Outcome::not_converged && counters_.supports < budget_) {
@@ -84,7 +85,7 @@ class RoundWalk {
     return out_;
   }
   [[nodiscard]] const PairVertex& corner(std::size_t i) const { return f_[i]; }
-  // The point of F nearest to x; its weights.
+  // The point of F nearest to x, and its weights.
   Triple nearest(const Triple& x, std::array<double, 3>& lambda) const {
     if (size_ == 1) {
       lambda = {1, 0, 0};
@@ -133,8 +134,8 @@ class RoundWalk {
     }
     return a + (l[1] * ab + l[2] * ac);
   }
-  // Of a sliver the weights of the point nearest to x round by u |edges|^2 / f_sq of its length, and |x - p| hardly tells:
-  // p is `point`, in the plane. What they leave of it is solved for again.
+  // On a sliver the weights of the point nearest to x round by u |edges|^2 / f_sq of its length, and |x - p| hardly
+  // shows it: p is `point`, in the plane. The remainder is solved for again.
   void correct(const Triple& point, std::array<double, 3>& l) const {
     if (!(l[0] > 0 && l[1] > 0 && l[2] > 0)) return;
     const Triple ab = f_[1].w - f_[0].w, ac = f_[2].w - f_[0].w, f = cross(ab, ac);
@@ -176,8 +177,8 @@ class RoundWalk {
     keep(lambda);
   }
 
-  // Where the path meets the corner, edge or plane of those of F that have a weight, rounded; or passes it
-  // nearest.
+  // The parameter at which the path meets, or passes nearest, the corner, edge or plane of the points of F that have
+  // a weight, rounded.
   [[nodiscard]] double meets(const std::array<double, 3>& lambda) const {
     std::array<std::size_t, 3> at{};
     int size = 0;
@@ -205,8 +206,8 @@ class RoundWalk {
     return (dot(f, w) + radius_ * std::sqrt(dot(f, f))) / rate;
   }
 
-  // Nothing of C is beyond a ball about the middle; the path is followed from where it meets that. The first
-  // corner: about where a ball as large as K would be met.
+  // Nothing of C is beyond a ball about the middle. The path is followed from the point at which it meets that ball.
+  // The first corner: about where a ball as large as K would be met.
   [[nodiscard]] bool begin() {
     const Triple c = -pair_.offset(), beside = r_sq_ * c - dot(c, r_) * r_;
     const double along = dot(c, r_), reach = pair_.a().reach() + pair_.b().reach();
@@ -243,7 +244,7 @@ class RoundWalk {
       n = x - nearest(x, lambda);
     }
     double length = std::sqrt(dot(n, n)), rate = dot(n, r_);
-    // Where F's own point is at its border, and for what the closed form rounds: Newton's steps from there.
+    // Newton's steps follow if F's own point is at its border. They also correct the rounding of the closed form.
     const auto comes_in = [&] { return rate < -kComingIn * length; };
     for (int i = 0; ahead_ && i < 4 && std::abs(length - radius_) > noise_ / 32 && comes_in(); ++i) {
       const double next = std::min(std::max(s + (length - radius_) * length / -rate, s_low_), s_end_);
@@ -286,7 +287,7 @@ class RoundWalk {
       return true;
     }
     const double before = s_low_;
-    // What floats guess may lie as much below the farthest.
+    // A vertex guessed in floats may lie this far below the farthest.
     const double most = h + slack + (sure ? 0.0 : guess_ * length);
     if (rate < 0 && most < 0) {
       if (const double low = std::min(most / rate, s_end_); low > s_low_) {
@@ -298,7 +299,7 @@ class RoundWalk {
     // The path comes in: where R is below the noise, the side of a flat C that x lies on is rounding, and C has both for
     // its border.
     const bool met = std::abs(apart) <= noise_ / 8 && s > 0 && s < s_end_ && rate < 0;
-    // What only the caller's tolerance closes is a hit that leaves no predicate_error.
+    // If only the caller's tolerance closes the bracket, the hit is accepted only if its verdict is certain.
     const bool is_near = met && (s - s_low_) * std::sqrt(r_sq_) <= target_ && target_ > noise_ &&
                          s_low_ > 2 * noise_ && s + noise_ < s_end_;
     if (met && (h - at <= noise_ / 2 * length || is_near)) {
@@ -312,7 +313,7 @@ class RoundWalk {
     }
     for (int i = 0; i < size_; ++i) {
       const PairVertex& c = f_[std::size_t(i)];
-      // Nothing new: the path goes on to where the axis ends.
+      // There is nothing new, so the path continues to the end of the axis.
       if (c.is(w)) return s_low_ > before + noise_ / 8 || ++stalls_ < 4;
     }
     ++size_;
@@ -327,7 +328,7 @@ class RoundWalk {
   }
 
   static constexpr double kLeast = 0x1p-60;
-  // Where the path passes F nearest, n.r is rounding.
+  // At the point where the path passes F nearest, n.r is rounding.
   static constexpr double kComingIn = 0x1p-26;
 
   const PreparedPair<S>& pair_;
@@ -338,7 +339,7 @@ class RoundWalk {
   double radius_, r_sq_ = 1, s_low_ = 0, s_end_ = 0, noise_ = 0, target_ = 0, margin_ = 0, guess_ = 0;
   int budget_, size_ = 0, stalls_ = 0;
   bool ahead_ =
-      true;  // look where F would be met; else from the x that is proved, which always brings F nearer
+      true;  // look where F would be met, else from the x that is proved, which always brings F nearer
   std::array<PairVertex, 4> f_;
   RoundSweep out_;
 };

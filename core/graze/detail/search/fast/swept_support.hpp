@@ -4,10 +4,10 @@
 // In the frame and the units of prepared_pair.hpp. h_D(n) = h_C(n) - min(0, n.e): D's vertex along n is C's, moved by -e
 // where n.e < 0. A moved vertex is another of D's, and says so in its index.
 //
-// Rounding, per component: C's vertex errs by its e, the offset's error and 4 u M (fast_walk.hpp). |e| <= 2 M: e errs
-// by 4 u M, r being within u, and the sum by 3 u M, so a moved vertex by 7 u M more. A quarter of the noise is left to what
-// GJK makes of them. What separates is asked of C's own vertex and the level min(0, n.e), by the margin that counts the
-// path's end (pair_support.hpp).
+// Rounding, per component: C's vertex errs by its e, the offset's error and 4 u M (fast_walk.hpp). As |e| <= 2 M, e
+// errs by 4 u M, r being within u, and the sum by 3 u M. A moved vertex therefore errs by 7 u M more. A quarter of
+// the noise is left to what GJK makes of them. A separating axis is checked with C's own vertex and the level min(0,
+// n.e), by the margin that counts the path's end (pair_support.hpp).
 #pragma once
 
 #include <graze/detail/pairs/pair_support.hpp>
@@ -25,7 +25,7 @@ template <Scalar S>
 template <Scalar S, bool kBoth = false>
 class SweptSupport {
  public:
-  // The pair moves; s = swept_reach().
+  // Requires that the pair moves. s = swept_reach().
   SweptSupport(const PreparedPair<S>& pair, double s, Counters& counters)
       : at_start_(pair, counters), at_end_(pair, uncounted_), end_(s * pair.direction()) {}
 

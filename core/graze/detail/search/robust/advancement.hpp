@@ -1,9 +1,10 @@
 // The two linear casts on top of GJK: conservative advancement, and the ray cast on the CSO.
 //
-// Both walk along the path s r by axes: a unit n with h(n) + R < n.(s r) proves that no contact is before
+// Both walk along the path s r by axes. A unit n with h(n) + R < n.(s r) proves that no contact is before
 //   s' = s + (n.(s r) - h(n) - R) / -(n.r)      when n.r < 0,     and none at all when n.r >= 0.
-// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise. Within the caller's
-// tolerance they stop if the simplex in hand closes the bracket from above. A portal closes it after a stall.
+// s is never later than what some axis proves, up to rounding. Both stop at contact, |v| <= R + noise. Within the
+// caller's tolerance they stop if the current simplex closes the bracket from above. A portal closes it if the search
+// did not converge.
 #pragma once
 
 #include <graze/detail/search/robust/mpr.hpp>
@@ -29,8 +30,8 @@ bool advance(Sweep<S>& out, const Vec3<S>& r, const Vec3<S>& n, S apart, S s_max
   return true;
 }
 
-// On a rounded C the contact is where the core's closest point looks towards x: known to u, while the axis
-// that proved the bound is known to the root of it, as every supporting normal of a curved surface is.
+// On a rounded C the contact is where the core's closest point looks towards x, which is known to u. The axis that
+// proved the bound is known only to the root of u, as every supporting normal of a curved surface is.
 template <Scalar S>
 void point_at(Simplex<S>& contact, const Vec3<S>& x) {
   Vec3<S> towards = x;
@@ -97,7 +98,8 @@ bool closes_in_hand(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limi
   return true;
 }
 
-// At the noise the simplex itself is the contact. After a stall only a portal can tell whether the path goes on to hit.
+// At the noise the simplex itself is the contact. If the search did not converge, only a portal can tell whether the
+// path continues to a hit.
 template <Scalar S>
 void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& limits, S apart,
                       Counters& counters) {
@@ -111,8 +113,8 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   const int iterations = counters.iterations;
   const Sweep<S> above = mpr_sweep(cso, limits, counters);
   counters.iterations = iterations;
-  // Near a graze GJK and MPR may differ by rounding. Where MPR reports a miss, a later lower bound, or a contact
-  // before ours, its answer is returned whole: ends taken from two searches may bracket nothing.
+  // Near a graze GJK and MPR may differ by rounding. If MPR reports a miss, a later lower bound, or a contact before
+  // ours, its answer is returned whole, since a bracket with ends from two searches may be invalid.
   if (above.outcome == Outcome::miss || above.lower > out.lower || above.upper < out.lower) {
     out = above;
     return;
@@ -122,9 +124,9 @@ void close_from_above(Sweep<S>& out, const Cso<S>& cso, const SweepLimits<S>& li
   out.upper = above.upper;
 }
 
-// Distance, advance, distance, ... [Mirtich 1996; the lecture].  Differs from the lecture in: the loop runs
-// while the shapes are apart (not while they are near); an axis along which they do not approach proves a
-// miss, it divides nothing; the path's end is checked before a contact is claimed.
+// Distance, advance, distance, ... [Mirtich 1996, and the lecture]. It differs from the lecture in three points. The
+// loop runs while the shapes are apart, not while they are near. An axis along which they do not approach proves a
+// miss and divides nothing. The path's end is checked before a contact is claimed.
 template <Scalar S>
 Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin,
                                   const Vec3<S>& n_begin, Counters& counters) {
@@ -140,7 +142,8 @@ Sweep<S> conservative_advancement(const Cso<S>& cso, const SweepLimits<S>& limit
     const Distance<S> d =
         gjk_distance(cso, x, out.contact, limits.fine(), R + limits.fine(), limits.budget, counters);
     apart = d.upper - R;
-    // Near enough; or near, with no axis left that separates: what rounding leaves of a contact, or a stall.
+    // The bodies are near enough. Or they are near and no axis separates any more, because of rounding at a contact
+    // or because the search did not converge.
     const S least = apart <= limits.noise ? limits.fine() : S(0);
     if (apart <= limits.fine() || !(d.lower - R > least)) break;
     if (closes_in_hand(out, cso, limits, apart)) return out;
@@ -167,7 +170,7 @@ Sweep<S> gjk_ray_cast(const Cso<S>& cso, const SweepLimits<S>& limits, S s_begin
   simplex.add(cso.support(x - cso.middle()));
   ++counters.supports;
   S nearest = kInfinity<S>, apart = kInfinity<S>;
-  // What rounding or a smooth surface keeps from converging is left to a portal, with the rest of the budget.
+  // If rounding or a smooth surface prevents convergence, a portal takes the rest of the budget.
   while (counters.supports < limits.budget - limits.budget / 4) {
     ++counters.iterations;
     const Closest<S> closest = closest_to_origin(simplex, x);

@@ -1,18 +1,18 @@
 // min over unit n of h(n), for the core C of a CSO that holds the origin: the expanding polytope.
 // Units: internal.   Frame: world axes.
 //
-// Notation   P = the polytope, the hull of support points found so far, P inside C;   a face f of P has a
-// unit outward normal n_f and the offset d_f = n_f.p from the origin;   w = support(n_f), h(n_f) = n_f.w.
+// Notation   P = the polytope, the hull of support points found so far, P inside C.   A face f of P has a
+// unit outward normal n_f and the offset d_f = n_f.p from the origin.   w = support(n_f), h(n_f) = n_f.w.
 // With the origin in P, its distance from P's boundary is min d_f, so
 //     min d_f  <=  min over n of h(n)  <=  h(n_f):     stop when the two meet.
-// [van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001]
-// Differs: P starts as a fat tetrahedron of C that need not hold the origin; the face with the least d_f, < 0
-// or not, is the one to expand either way. So no start is degenerate: a C of fewer dimensions is found as one
-// (its own normal n has h(n) = 0), and an origin on a face, an edge or a vertex of P is like any other.
+// [van den Bergen, Proximity Queries and Penetration Depth Computation on 3D Game Objects, 2001].
+// Differs: P starts as a fat tetrahedron of C that need not hold the origin. The face with the least d_f, < 0
+// or not, is the one to expand either way. So no start is degenerate. A C of fewer dimensions is found as one
+// (its own normal n has h(n) = 0). An origin on a face, an edge or a vertex of P is like any other.
 //
-// Rounding. A face within kVisible u scale of the new point counts as seen by it: a face that stays lies
-// below the point by more, so no new face is thinner than that, and P loses no more than that to the faces
-// that go. Where the seen faces are not one disc, as only rounding can have it, P stays as it was: a stall.
+// Rounding. A face within kVisible u scale of the new point counts as seen by it. A face that stays lies below the
+// point by more, so no new face is thinner than that, and P loses no more than that to the faces that go. If the seen
+// faces are not one disc, which only rounding can cause, P stays as it was: the search did not converge.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -24,11 +24,12 @@
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
 // Vertices. A polytope has an end, after as many supports as C has vertices around the answer: 5 to 40, all of them
-// where they are equally near. A curved C has none: it halves the gap with every 2 to 4, so 60 to 190 for 46 bits, and
-// more where it is nearly a ball or a tube about the origin; what is not reached there is a wide bracket.
+// where they are equally near. A curved C has no end. It halves the gap with every 2 to 4 supports, so it needs 60 to
+// 190 for 46 bits, and more if it is nearly a ball or a tube about the origin. If the limit is reached first, the
+// bracket is wide.
 inline constexpr std::size_t kMostCurvedVertices = 1024;
 
-// See above; 32 u scale is what the closest-point searches call contact (sweep.hpp).
+// See above. The closest-point searches call 32 u scale contact (sweep.hpp).
 inline constexpr int kVisible = 32;
 
 template <Scalar S>
@@ -85,8 +86,8 @@ class EpaPolytope {
     for (std::size_t i = 0; i < 3; ++i) corners.add(point_[face_[f].v[i]]);
     return closest_to_origin(corners, Vec3<S>(Vec3<S>::Zero()));
   }
-  // The plane of a sliver is rounding: its support is a point that P has, above it. Where the triangle is
-  // nearest to the origin is not.
+  // The plane of a sliver is rounding: its support is a point that P has, above it. The position at which the
+  // triangle is nearest to the origin is not affected.
   void settle(std::size_t f) {
     Simplex<S> corners;
     const Closest<S> closest = triangle(f, corners);
@@ -95,7 +96,7 @@ class EpaPolytope {
     if (face_[f].d > 0) face_[f].n = unit(closest.v);
     enqueue(static_cast<std::uint32_t>(f));
   }
-  // The alive face with the least offset; what was in the queue for it before goes.
+  // The alive face with the least offset. Outdated entries before it are removed from the queue.
   [[nodiscard]] std::size_t nearest() {
     while (true) {
       const Queued& top = heap_.front();
@@ -111,7 +112,8 @@ class EpaPolytope {
   // room.
   bool add(const CsoPoint<S>& w, std::size_t seen, S visible) {
     GRAZE_ASSERT(point_.size() >= 4 && seen < face_.size() && face_[seen].alive);
-    // The seen faces, from one to the next across edges; the edges beyond which a face is not seen.
+    // Walks the seen faces, from one to the next across edges, and collects the edges beyond which a face is not
+    // seen.
     ++stamp_;
     mark_.resize(face_.size(), 0);
     seen_.assign(1, static_cast<std::uint32_t>(seen));
@@ -168,7 +170,7 @@ class EpaPolytope {
     std::push_heap(heap_.begin(), heap_.end());
   }
 
-  // leaves_: of each vertex the rim's edge that begins there; kNone outside of add().
+  // leaves_: for each vertex the rim's edge that begins there, or kNone outside of add().
   bool is_one_rim() {
     for (std::size_t i = 0; i < rim_.size(); ++i) {
       std::uint32_t& at = leaves_[from(rim_[i])];
@@ -244,18 +246,18 @@ class EpaPolytope {
 template <Scalar S>
 struct Epa {
   S lower = 0, upper = kInfinity<S>;  // of the least h(n)
-  Vec3<S> n = Vec3<S>::Zero();        // unit; h(n) = upper
-  Simplex<S> contact;                 // a face of P, weighted where it is nearest to the origin; or empty
+  Vec3<S> n = Vec3<S>::Zero();        // unit, with h(n) = upper
+  Simplex<S> contact;                 // face of P, weighted at its point nearest to the origin, or empty
   bool stalled = false;
   bool enclosed = false;  // P holds the origin, or C is flat and holds it within `known`
 };
 
-// What of C's dimension rounding can tell from nothing.
+// The dimension of C, as distinguishable from rounding.
 template <Scalar S>
 struct Tetrahedron {
-  int dimension = 0;  // of C; 3: `corner` is a tetrahedron in C
+  int dimension = 0;  // of C. At 3 `corner` is a tetrahedron in C
   std::array<CsoPoint<S>, 4> corner;
-  Vec3<S> n = Vec3<S>::Zero();  // dimension < 3: unit; C has no extent along it
+  Vec3<S> n = Vec3<S>::Zero();  // unit if dimension < 3, and C has no extent along it
 };
 
 // Four support points far from each other: the ends of C's longest axis, the point farthest from their line,
@@ -275,7 +277,7 @@ Tetrahedron<S> spread_tetrahedron(const Support& support, S flat) {
   }
   out.n = Vec3<S>::UnitX();
   if (!(longest > flat)) return out;
-  // Across the line; the four directions find a point at 1/sqrt(2) of the greatest distance, or farther.
+  // Searches across the line. The four directions find a point at 1/sqrt(2) of the greatest distance, or farther.
   const Frame<S> frame(Vec3<S>(c[1].w - c[0].w));
   S farthest = 0;
   for (const Vec3<S>& across : {frame.e1, Vec3<S>(-frame.e1), frame.e2, Vec3<S>(-frame.e2)}) {
@@ -316,10 +318,9 @@ std::size_t touching_face(const EpaPolytope<S>& P, S within, Simplex<S>& contact
   return best;
 }
 
-// `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach;
-// `loose`: a caller's tolerance, which ends the same search earlier.
-// `noise`: what rounding cannot tell from nothing (sweep.hpp). Ends after `budget` supports beside the first
-// twelve, or with `most_vertices`.
+// `known`: how far outside C the origin may be, at most: a lower bound of -h. `gap`: upper - lower to reach. `loose`:
+// a caller's tolerance, which ends the same search earlier. `noise`: what rounding cannot tell from nothing
+// (sweep.hpp). Ends after `budget` supports beside the first twelve, or with `most_vertices`.
 template <Scalar S, class Support>
 Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loose, S noise, S scale,
            int budget, std::size_t most_vertices, Counters& counters) {
@@ -390,7 +391,7 @@ Epa<S> epa(const Support& given, const Simplex<S>& around, S known, S gap, S loo
     if (loose > gap && !closed && least >= 0 && h <= out.upper && out.upper - out.lower <= loose &&
         touching_face(P, S(out.upper + noise), out.contact) == f)
       return out;
-    // No new point, no room, or no budget: what is known is handed back. NaN ends here too.
+    // No new point, no room, or no budget: the search returns its bracket. NaN ends here too.
     const bool known_point = P.holds(w, same);
     if (budget-- > 0 && known_point && enclosed && !face.settled) {
       P.settle(f);

@@ -1,10 +1,10 @@
 // distance(x, C) = min |c - x| over c in C, for the core C of a CSO: GJK.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-// Guarantee: lower <= distance <= upper, up to `Cso::reach_error` and a few u |x|. Both are honest at every
+// Guarantee: lower <= distance <= upper, up to `Cso::reach_error` and a few u |x|. Both hold at every
 // step: upper is the length of a convex combination of points of C - x, lower = n.x - h(n) for a unit n.
-// Notation   y = w - x;   v = the simplex's point closest to 0;   n = unit vector from the simplex to x.
-// Stops when upper - lower <= gap. [Gilbert, Johnson, Keerthi 1988; van den Bergen 2003, 4.3]
+// Notation   y = w - x.   v = the simplex's point closest to 0.   n = unit vector from the simplex to x.
+// Stops when upper - lower <= gap. [Gilbert, Johnson, Keerthi 1988, and van den Bergen 2003, 4.3]
 // Differs: a step that neither adds a point nor brings v nearer ends the search with the bracket that it has.
 #pragma once
 
@@ -16,14 +16,14 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 struct Distance {
   S lower = 0, upper = kInfinity<S>;
-  Vec3<S> n = Vec3<S>::Zero();  // unit, from C to x; proves lower; zero if nothing does
+  Vec3<S> n = Vec3<S>::Zero();  // unit, from C to x, proves lower (zero if nothing does)
   bool stalled = false;         // the gap was not closed
 };
 
-// `support(n)` is the core's, or that of a set made from it. `simplex` may come from a former call (of any
-// x): a warm start; if it is empty, the search begins along `start`. On return it holds the closest feature.
-// Stops early once upper <= near_enough; and once upper - lower <= loose_gap, where lower > near_enough: a tolerance leaves
-// no verdict open.
+// `support(n)` is the core's, or that of a set made from it. `simplex` may come from a former call (of any x) as a
+// warm start. If it is empty, the search begins along `start`. On return it holds the closest feature. It stops early
+// once upper <= near_enough. With lower > near_enough it also stops once upper - lower <= loose_gap: a tolerance
+// leaves no verdict open.
 template <Scalar S, class Support>
 Distance<S> gjk_distance(const Support& support, const Vec3<S>& x, const Vec3<S>& start, Simplex<S>& simplex,
                          S gap, S near_enough, int budget, Counters& counters, S loose_gap = 0) {

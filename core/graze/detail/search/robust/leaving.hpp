@@ -1,23 +1,24 @@
 // Does a motion that starts in contact leave, or slide, as it begins?
 //
 // It does iff n.v >= 0 for some n != 0 with h(n) <= 0, h of C without the target distance: C is convex, so
-// such a motion never makes contact anew. That is: the ray {s r : s >= 0} does not go into C. Three tests,
-// each up to the noise of contact (sweep.hpp):
-//   the line misses C;
-//   the line leaves C at s = 0 or before;
-//   the line runs along C's silhouette: seen along r, the origin lies on the border of C's projection.
-// The last is decided in the plane across r. A polygon inside the projection is expanded, edge by edge from
-// the one nearest to the origin, until a support line passes within the noise of the origin, or no edge does
-// (EPA of van den Bergen 2001, one dimension lower).
+// such a motion never makes contact anew. Equivalently, the ray {s r : s >= 0} does not go into C. There are three
+// tests, each up to the noise of contact (sweep.hpp):
+//   - The line misses C.
+//   - The line leaves C at s = 0 or before.
+//   - The line runs along C's silhouette: seen along r, the origin lies on the border of C's projection.
+// The last is decided in the plane across r. A polygon inside the projection is expanded, edge by edge from the one
+// nearest to the origin. It ends when a support line passes within the noise of the origin, or no edge does (EPA of
+// van den Bergen 2001, one dimension lower).
 #pragma once
 
 #include <graze/detail/search/robust/sweep.hpp>
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-enum class Start { enters, leaves, open };  // leaves, or slides; open: the budget ended before that was known
+enum class Start { enters, leaves, open };  // leaves includes slides, open: budget ended before a decision
 
-// The polygon's corners; more than a silhouette needs to pass the noise (2^-53 is 26 halvings of an arc).
+// The limit of the polygon's corners, more than a silhouette needs to pass the noise (2^-53 is 26 halvings of an
+// arc).
 inline constexpr std::size_t kSilhouetteCorners = 64;
 
 template <Scalar S>
@@ -54,8 +55,8 @@ bool on_silhouette(const PortalView<S>& view, S noise) {
   }
 }
 
-// cso: without the target distance. Contact at s = 0 was found, for the CSO with it. Without motion the
-// question is whether the origin lies on C's border; any direction answers it, away from the middle best.
+// cso: without the target distance. Contact at s = 0 was found, for the CSO with it. Without motion the question is
+// whether the origin lies on C's border. Any direction answers it, and the one away from the middle is best.
 template <Scalar S>
 Start start_of(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& counters) {
   using State = typename PortalSearch<S>::State;

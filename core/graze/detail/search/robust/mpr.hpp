@@ -1,11 +1,11 @@
 // MPR: overlap, and the linear sweep.
 //
 // The sweep follows the lecture's four steps, in the order in which they are cheapest. The line {s r} enters
-// C at s_in and leaves it at s_out; contact is in [0, s_max] iff s_in <= s_max and s_out >= 0.
+// C at s_in and leaves it at s_out. Contact is in [0, s_max] iff s_in <= s_max and s_out >= 0.
 //   steps 2, 3   a portal that the line passes, refined to the surface of C: s_in
 //   step 4       the weights of the portal's corners give the contact point
-//   step 1       "do the swept shapes collide?": no, if the line misses C or s_in > s_max; where s_in <= 0,
-//                a portal on the far side of C decides whether s_out >= 0
+//   step 1       "do the swept shapes collide?": no, if the line misses C or s_in > s_max. If s_in <= 0,
+//                a portal on the far side of C decides whether s_out >= 0.
 // The lecture's t = 1 - d / |v| is s_in measured from the end of the path. Here s is measured from its
 // beginning, so that nothing cancels. [Snethen, XenoCollide, in Game Programming Gems 7, 2008]
 #pragma once
@@ -75,9 +75,9 @@ Sweep<S> mpr_sweep(const Cso<S>& cso, const SweepLimits<S>& limits, Counters& co
   out.upper = std::max(in.upper, S(0)) / frame.length;
   out.lower = std::min(std::max(in.lower, S(0)) / frame.length, out.upper);
   if (in.upper > z_max && in.state == State::entered) out.upper = limits.s_max;
-  // The portal is at the surface as far as rounding can tell, but its plane lies almost along the line: where
-  // exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than the
-  // gap.
+  // The portal is at the surface to the precision of rounding, but its plane lies almost along the line:
+  // where exactly it begins is the plane's rounding over n_z. The portal's own point is no deeper in C than
+  // the gap.
   const S width = in.upper - in.lower;
   const bool within = in.lower > 2 * limits.noise && in.upper + limits.noise < z_max;
   const bool along = in.state == State::entered && width > limits.noise && (width > limits.target || !within);

@@ -1,20 +1,20 @@
-// Where a line enters C: Minkowski portal refinement along a direction, in the plane across it.
+// Computes where a line enters C: Minkowski portal refinement along a direction, in the plane across it.
 //
-//   z_in = min z over {c in C : c projects to the origin},   C rounded by its radius;   Frame: frame.hpp.
+//   z_in = min z over {c in C : c projects to the origin},   C rounded by its radius.   Frame: frame.hpp.
 //
 // Notation
 //   q        (x, y, z), a support point in the frame
 //   portal   up to three of them, whose projections hold the origin in their hull
 //   lambda   their weights
 //   n        the portal's normal, n_z < 0
-// A portal bounds from above, z_in <= sum lambda z; its normal from below, z_in >= h(n) / n_z. [Snethen 2008]
-// Discovery is the same question in the plane: GJK in two dimensions; a support that stays on its own side of
-// the origin proves that the line misses, with n_z = 0. Differs: lines instead of rays, so no point of C's
-// inside is needed to start from; a flat projection (a flat C seen edge on, a segment, a point) has portals
-// of two points or of one.
+// A portal bounds from above, z_in <= sum lambda z. Its normal bounds from below, z_in >= h(n) / n_z. [Snethen 2008]
+// Discovery is the same question in the plane: GJK in two dimensions. A support that stays on its own side of the
+// origin proves that the line misses, with n_z = 0. Differs: lines instead of rays, so no point of C's inside is
+// needed to start from. A flat projection (a flat C seen edge on, a segment, a point) has portals of two points or of
+// one.
 //
-// Rounding: every decision is the sign of a cross product of projected points, which are small where the
-// decision is close: a wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
+// Rounding: every decision is the sign of a cross product of projected points, which are small if the decision is
+// close. A wrong sign moves the answer by a few u scale, not by u scale^2 / |edge|.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,7 @@ struct PortalPoint {
 
 template <Scalar S>
 struct Portal {
-  int size = 0;  // 1: the line meets a vertex; 2: an edge, C's projection being flat; 3: a triangle, x-y
-                 // counter-clockwise
+  int size = 0;  // 1: the line meets a vertex, 2: an edge of a flat C, 3: a triangle, x-y counter-clockwise
   std::array<PortalPoint<S>, 3> p;
 };
 
@@ -66,7 +65,7 @@ struct PortalView {
   // tie.
   S aside_x = 0, aside_y = 0;
 
-  // What rounding may move a projected support point by, typically: 4 u of the lengths in it.
+  // A typical rounding error of a projected support point: 4 u of the lengths in it.
   [[nodiscard]] S noise() const { return 4 * kUnitRoundoff<S> * (cso.scale() + cso.radius()); }
   [[nodiscard]] Vec3<S> world(const Vec3<S>& n) const {
     return frame.to_world(Vec3<S>(n[0], n[1], mirror * n[2]));
@@ -92,8 +91,8 @@ struct PortalView {
   }
 };
 
-// Where the line passes the edge a b, seen along it: the weight of b, within the edge; 0 if it has no length
-// across.
+// The point at which the line passes the edge a b, seen along it: the weight of b, within the edge, or 0 if it has no
+// length across.
 template <Scalar S>
 S weight_along(const Vec3<S>& a, const Vec3<S>& b) {
   const S ex = b[0] - a[0], ey = b[1] - a[1], length_sq = ex * ex + ey * ey;
@@ -101,7 +100,7 @@ S weight_along(const Vec3<S>& a, const Vec3<S>& b) {
   return std::min(std::max(-(a[0] * ex + a[1] * ey) / length_sq, S(0)), S(1));
 }
 
-// The corner whose weight is most negative, if the origin lies beyond the edge opposite to it; 3 if it lies
+// The corner with the most negative weight, if the origin lies beyond the edge opposite to it, or 3 if it lies
 // inside.
 template <Scalar S>
 std::size_t corner_beyond(const Portal<S>& portal) {
@@ -134,9 +133,9 @@ Vec3<S> portal_point(const Portal<S>& portal, const std::array<S, 3>& lambda) {
   return out;
 }
 
-// The weights of the origin in the portal's projection, all >= 0. Of a triangle: its areas', or those on one
-// of its edges, whichever come nearer to the line; on a sliver, and where the line passes beside it by
-// rounding, an edge's are the better known.
+// The weights of the origin in the portal's projection, all >= 0. A triangle has the weights of its areas, or those
+// on one of its edges, whichever come nearer to the line. On a sliver, or if the line passes beside it by rounding,
+// an edge's are the better known.
 template <Scalar S>
 std::array<S, 3> portal_weights(const Portal<S>& portal) {
   const auto& p = portal.p;
@@ -212,9 +211,10 @@ Vec3<S> portal_normal(const Portal<S>& portal) {
   return unit(n);
 }
 
-// z where the line meets the portal: on its plane, from the corner nearest to the line (on a sliver the
-// weights are the rounding of small areas, the plane is not), never beyond the corners. A line that passes
-// beside the triangle, if only by rounding, meets the edge that it passes: a steep plane would carry it off.
+// z of the point at which the line meets the portal. It lies on the portal's plane, computed from the corner nearest
+// to the line, and never beyond the corners. On a sliver the weights are the rounding of small areas, but the plane
+// is not. A line that passes beside the triangle, if only by rounding, meets the edge that it passes: a steep plane
+// would carry it off.
 template <Scalar S>
 S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   const auto& p = portal.p;
@@ -243,9 +243,9 @@ S portal_height(const Portal<S>& portal, const Vec3<S>& n) {
   return p[j].q[2] + weight_along(p[j].q, p[k].q) * (p[k].q[2] - p[j].q[2]);
 }
 
-// The distance of the origin from the projected triangle a b c, counter-clockwise; 0 inside. Beyond the tip
-// of a sliver the lines of its edges pass the origin closer than rounding can tell, so that signs alone may
-// put it inside: there, within `noise` of a line, the distance of the nearest edge decides.
+// The distance of the origin from the projected triangle a b c, counter-clockwise, or 0 inside. Beyond the tip of a
+// sliver the lines of its edges pass the origin closer than rounding can tell, so signs alone may put it inside.
+// Within `noise` of a line the distance of the nearest edge therefore decides.
 template <Scalar S>
 S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
   S nearest = kInfinity<S>;
@@ -259,9 +259,8 @@ S outside(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, S noise) {
 }
 
 // The portal with w as a corner: of the three triangles that w makes with the portal's edges, the one that
-// holds the origin. Where rounding finds it in two or three of them (on a common side, as is usual on
-// lattices) the largest is taken, since the others may have no area. `noise` bounds the rounding error of a
-// projected coordinate.
+// holds the origin. If rounding finds it in two or three of them (on a common side, as is usual on lattices) the
+// largest is taken, since the others may have no area. `noise` bounds the rounding error of a projected coordinate.
 template <Scalar S>
 void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   GRAZE_ASSERT(portal.size == 3);
@@ -280,15 +279,14 @@ void replace_corner(Portal<S>& portal, const PortalPoint<S>& w, S noise) {
   if (out < 3) p[out] = w;
 }
 
-// Replaces a triangle that is seen edge on by one of its edges. Candidates have the origin between their ends
-// and pass it nearest, up to the height that such a triangle may have (`height_lost`); of these the edge that
-// the line meets first is taken. So the height of the portal never rises, and the refinement does not cycle
-// between two portals. (That the origin is between the ends does not suffice: so it is for the long edge of a
-// thin triangle, which may pass far away.)
-// `grown`: the last corner has just been found beyond the edge of the other two. That edge is kept only where
-// no edge to the new corner is a candidate, since else the same corner would be found again for ever: near an
-// end of the edge, where heights agree as rounded, or beneath an end, beside the line by less than rounding
-// and far lower.
+// Replaces a triangle that is seen edge on by one of its edges. Candidates have the origin between their ends and
+// pass it nearest, up to the height that such a triangle may have (`height_lost`). The edge of these that the line
+// meets first is taken. So the height of the portal never rises, and the refinement does not cycle between two
+// portals. It does not suffice that the origin is between the ends: this also holds for the long edge of a thin
+// triangle, which may pass far away. `grown`: the last corner has just been found beyond the edge of the other two.
+// An edge beside the new corner is kept only if no edge to that corner is a candidate, since otherwise the same
+// corner would be found again for ever. This happens near an end of the edge, where heights agree as rounded. It also
+// happens beneath an end, beside the line by less than rounding and far lower.
 template <Scalar S>
 void flatten(Portal<S>& portal, S height_lost, bool grown) {
   GRAZE_ASSERT(portal.size == (grown ? 2 : 3));
@@ -311,7 +309,7 @@ void flatten(Portal<S>& portal, S height_lost, bool grown) {
   }
   if (best == 3) best = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
   if (grown && best == 2) {
-    // An edge to that corner may end where the origin is, as far as rounding can tell.
+    // An edge to that corner may end at the origin within rounding.
     for (std::size_t i = 0; i < 2; ++i) {
       if (off[i] <= least + height_lost && height[i] < height[best]) best = i;
     }
@@ -364,7 +362,7 @@ PortalSearch<S> find_portal(const PortalView<S>& view, int budget) {
     p[2] = view.support(n);
     if (n.dot(p[2].q) < 0) return missed(n);
     if (side == 0 || p[2].c.same_feature(p[0].c) || p[2].c.same_feature(p[1].c)) {
-      // The origin on the edge itself, as far as rounding can tell: either half-plane will do.
+      // The origin is on the edge itself within rounding, so either half-plane will do.
       if (n.dot(Vec3<S>(p[2].q - p[0].q)) > 0) return found(3);
       const PortalPoint<S> other = view.support(-n);
       if (!(n.dot(other.q) < 0)) return found(2);
@@ -389,7 +387,7 @@ PortalSearch<S> find_portal(const PortalView<S>& view, int budget) {
   return out;
 }
 
-// What a refinement may stop at, in z of the view.
+// Limits at which a refinement may stop, in z of the view.
 template <Scalar S>
 struct PortalLimits {
   S accept_at;      // upper <= accept_at: accepted
@@ -452,9 +450,9 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
     }
     S face = n.dot(p[0].q);
     for (std::size_t i = 1; i < static_cast<std::size_t>(size); ++i) face = std::max(face, S(n.dot(p[i].q)));
-    // `told`: the bracket of z is as narrow as was asked for. It need not be where the gap is closed: a steep
+    // `told`: the bracket of z is as narrow as requested. It need not be where the gap is closed: a steep
     // plane bounds z only to the gap over n_z, and a portal beyond `reject_beyond` says nothing of what is
-    // before that. In both cases the gap is closed further, as far as rounding allows.
+    // before that. In both cases the gap is closed further, to the limit of rounding.
     const S gap = is_decided(search, limits, noise) ? std::max(limits.gap, limits.loose_gap) : limits.gap;
     const S fine = std::min(limits.gap, S(4 * noise));
     const auto told = [&] {
@@ -462,14 +460,14 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
     };
     if (!(reach - face > (told() ? gap : fine))) {
       search.lambda = portal_weights(search.portal);
-      // Where the plane is steep, its height on the line has an error of rounding over n_z. The portal's own
-      // point, which the witnesses are made of, has not, provided that it is on the line.
+      // If the plane is steep, its height on the line has an error of rounding over n_z. The portal's own point,
+      // which the witnesses are made of, has not, provided that it is on the line.
       if (const Vec3<S> own = portal_point(search.portal, search.lambda);
           length_across(own[0], own[1]) <= 2 * noise) {
         search.upper = own[2];
       }
-      // That point may lie later than the plane said, so whether the bracket is narrow is asked again. If it is
-      // not, only the fine gap will do: callers rely on the point being no deeper in C than that.
+      // Its time may be later than the plane said, so the width of the bracket is checked again. If it is not, only
+      // the fine gap will do: callers rely on the point being no deeper in C than that.
       if (told() || !(reach - face > fine)) {
         search.state = State::entered;
         search.facing = view.world(n);
@@ -481,7 +479,7 @@ void refine_portal(const PortalView<S>& view, PortalSearch<S>& search, const Por
       const Vec3<S> e = p[1].q - p[0].q;
       p[2] = w;
       if (has_area(p[0], p[1], w, 2 * noise)) {
-        // The edge was on the silhouette: beside it C goes on.
+        // The edge was on the silhouette, and C continues beside it.
         if (cross2(e, Vec3<S>(w.q - p[0].q)) < 0) std::swap(p[0], p[1]);
         size = 3;
       } else {

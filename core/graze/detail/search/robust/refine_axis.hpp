@@ -1,11 +1,11 @@
-// What GJK (gjk.hpp) left open where it stalled: axes that prove more, and nearer points.
+// Completes a GJK search (gjk.hpp) that did not converge: axes that prove more, and nearer points.
 //
-// GJK knows |v| to u of itself, but the direction of v only to the root of u. Where the foot of the origin on
-// an edge or a face cannot be told from a smaller feature, it ends there, with a tilted axis that proves
-// little. If an edge is long beside |v|, a turn that |v| does not show decides which vertex is the support
-// point, and so whether a nearer one is found. Let e be the angle of an edge of length L to the plane across
-// v at its end. The edge makes |v| shorter by e^2 |v| / 2 at most, and turns it by e; a vertex at the other
-// end of the face that it bounds may lie e L before that plane. |v| does not show an e up to the root of u.
+// GJK knows |v| to u of itself, but the direction of v only to the root of u. If the foot of the origin on an
+// edge or a face cannot be told from a smaller feature, it ends there, with a tilted axis that proves little.
+// If an edge is long beside |v|, a rotation that |v| does not show decides which vertex is the support point, and
+// so whether a nearer one is found. Let e be the angle of an edge of length L to the plane across v at its
+// end. The edge makes |v| shorter by e^2 |v| / 2 at most, and rotates it by e. A vertex at the other end of
+// the face that it bounds may lie e L before that plane. |v| does not show an e up to the root of u.
 #pragma once
 
 #include <graze/detail/search/robust/mpr.hpp>
@@ -26,13 +26,13 @@ Closest<S> closest_with_newest(const Simplex<S>& simplex) {
   return best;
 }
 
-// GJK from where it stalled, about the origin. A support point before the plane across v brings v nearer by
-// some feature that holds the point: where |v| does not tell, the closest of those is the next, as near as v
-// within the noise. `contact`: as of turn_axis.
+// Continues GJK from where it did not converge, about the origin. A support point before the plane across v
+// brings v nearer by some feature that holds the point. If |v| does not show which, the closest of those is
+// the next, as near as v within the noise. `contact`: as of turn_axis.
 template <Scalar S, class Support>
 void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise, Counters& counters) {
-  // Prisms take 1 to 5; rims that are nearly aligned more than 32 in places, by corners ever nearer. What
-  // takes more is left to the axes below.
+  // Prisms take 1 to 5. Rims that are nearly aligned take more than 32 in places, by corners ever nearer. If
+  // more are needed, the axes below are used.
   constexpr int kRounds = 64;
   const Vec3<S> origin = Vec3<S>::Zero();
   Simplex<S> simplex = contact;
@@ -60,8 +60,8 @@ void go_on(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise,
 
 // The axes of all features that the simplex and its last support point span, |v| aside: of that which proves
 // most, or, where none proves more, of the nearest one with the new point. `support` as the search's, about
-// the origin. `contact`: the simplex of v, weighted; on return that of the axis, where the feature that has
-// it is as near as v, so that the witnesses lie one beyond the other along it.
+// the origin. `contact` is the weighted simplex of v. On return it is that of the axis, if the feature that
+// has it is as near as v, so that the witnesses lie one beyond the other along it.
 template <Scalar S, class Support>
 void turn_axis(Distance<S>& d, const Support& support, Simplex<S>& contact, S noise, Counters& counters) {
   Simplex<S> simplex = contact;

@@ -4,12 +4,12 @@
 //   v = sum lambda_i y_i,  lambda > 0,  and n, a unit vector from the simplex to the origin.
 // Notation   e = an edge,  m = the normal of a face.
 //
-// v is always a convex combination as rounded, so |v| bounds the distance from above whatever went wrong
-// before. n is found from the feature, not from v: at contact v is noise, but the normal of a triangle is
-// not. A feature too thin to have a normal (a sliver, a flat tetrahedron) is left to its own edges and faces.
-// Cf. Ericson, Real-Time Collision Detection (2005), 5.1; van den Bergen, Collision Detection (2003), 4.3.
-// Differs: the answer is the least |v| over all features whose weights are positive, so that a wrong region
-// can cost a step, never an answer.
+// v is always a convex combination as rounded, so |v| bounds the distance from above, regardless of earlier
+// errors. The axis n is found from the feature, not from v: at contact v is noise, but the normal of a
+// triangle is not. A feature too thin to have a normal (a sliver, a flat tetrahedron) is left to its own
+// edges and faces. Cf. Ericson, Real-Time Collision Detection (2005), 5.1, and van den Bergen, Collision
+// Detection (2003), 4.3. Differs: the answer is the least |v| over all features whose weights are positive,
+// so that a wrong region can cost a step, never an answer.
 #pragma once
 
 #include <Eigen/Geometry>  // cross
@@ -17,7 +17,7 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// y_i = w_i - x: the CSO as the point x of the path sees it.
+// y_i = w_i - x: the CSO relative to the point x of the path.
 template <Scalar S>
 struct Simplex {
   int size = 0;
@@ -47,9 +47,9 @@ Vec3<S> combination(const Simplex<S>& simplex) {
 }
 
 // (b - a) x (c - a), from the two shorter edges. A product of two long edges that nearly agree rounds in
-// every direction, also along them, where the face reaches far; the short edge keeps the error relative to
-// the area. Where the corners are nearly in a line even that is not short: what the product has along the
-// longest edge is rounding, u |edge|^2 / height of the normal, and is taken off.
+// every direction, also along them, where the face reaches far. The short edge keeps the error relative to
+// the area. If the corners are nearly in a line even that edge is not short. The product's component along
+// the longest edge is then rounding, u |edge|^2 / height of the normal, and is subtracted.
 template <Scalar S>
 Vec3<S> face_normal(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c) {
   const Vec3<S> ab = b - a, bc = c - b, ca = a - c;
@@ -97,7 +97,7 @@ Closest<S> closest_vertex(const Points4<S>& y, int i) {
   return out;
 }
 
-// The interior of the edge i j; size 0 if the closest point is one of its ends.
+// The interior of the edge i j, or size 0 if the closest point is one of its ends.
 template <Scalar S>
 Closest<S> closest_edge(const Points4<S>& y, int i, int j) {
   // Measured from the end nearer to the origin: less is cancelled.
@@ -119,7 +119,7 @@ Closest<S> closest_edge(const Points4<S>& y, int i, int j) {
   return out;
 }
 
-// The interior of the face; size 0 if the closest point is on its rim, or if the face is a sliver.
+// The interior of the face, or size 0 if the closest point is on its rim, or if the face is a sliver.
 template <Scalar S>
 Closest<S> closest_face(const Points4<S>& y, std::array<int, 3> at) {
   // From the corner nearest to the origin.
@@ -168,9 +168,9 @@ void try_triangle(Closest<S>& best, const Points4<S>& y, int i, int j, int k) {
   keep_nearer(best, closest_face(y, std::array<int, 3>{i, j, k}));
 }
 
-// The interior of the tetrahedron, by the signs of its volumes; size 0 if the origin is outside, or if the
-// tetrahedron is too flat for its volume to have a sign (then the faces decide). v is what its weights leave:
-// how far rounding let the combination miss the origin.
+// The interior of the tetrahedron, by the signs of its volumes. The size is 0 if the origin is outside, or if
+// the tetrahedron is too flat for its volume to have a sign (then the faces decide). The vector v is the
+// residual of its weights: the distance by which rounding let the combination miss the origin.
 template <Scalar S>
 Closest<S> closest_inside(const Points4<S>& y) {
   const Vec3<S> e1 = y[1] - y[0], e2 = y[2] - y[0], e3 = y[3] - y[0], a = -y[0];

@@ -1,6 +1,6 @@
 // The result of a linear search, and the clip of its path to C's bounds.
 //
-// The path is s r, s in [0, s_max], in the internal units of cso.hpp; contact where s r in C + ball(R).
+// The path is s r, s in [0, s_max], in the internal units of cso.hpp. Contact is where s r in C + ball(R).
 #pragma once
 
 #include <graze/detail/pairs/sweep_limits.hpp>
@@ -12,12 +12,12 @@ namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 template <Scalar S>
 struct Sweep {
   Outcome outcome = Outcome::not_converged;
-  S lower = 0, upper = kInfinity<S>;  // of s; not for a miss
+  S lower = 0, upper = kInfinity<S>;  // of s, unset for a miss
   S apart = kInfinity<S>;             // hit, not_converged: a bound of the distance at lower, internal length
   Vec3<S> n =
-      Vec3<S>::Zero();  // unit: the axis that proves lower, or the miss; zero if lower is 0 by default
-  // hit: points of C and their weights, the combination at the contact. Where a point has no direction e of
-  // its own, n serves for all.
+      Vec3<S>::Zero();  // unit axis that proves lower, or the miss (zero if lower is 0 by default)
+  // hit: points of C and their weights, the combination at the contact. A point that has no direction e of its own
+  // uses n.
   Simplex<S> contact;
 };
 
@@ -75,7 +75,8 @@ Clip<S> clip_to_bounds(const Cso<S>& cso, S s_max, Counters& counters) {
   return out;
 }
 
-// Entry of the line into C, as a bracket of z = s |r|, closed to `gap`; to `loose_gap` where that leaves no verdict open.
+// Entry of the line into C, as a bracket of z = s |r|, closed to `gap`, or to `loose_gap` if that leaves no verdict
+// open.
 template <Scalar S>
 PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S gap, int budget,
                            Counters& counters, S loose_gap = 0) {
@@ -87,8 +88,8 @@ PortalSearch<S> enter_line(const Cso<S>& cso, const Frame<S>& frame, S z_max, S 
   return search;
 }
 
-// Is the line still in C at z = 0, or beyond? `accepted`: yes; `rejected` or `missed`: no, n proves it;
-// `entered`: the exit is at 0 as far as rounding can tell.
+// Decides whether the line is still in C at z = 0, or beyond. `accepted`: yes. `rejected` or `missed`: no, and n
+// proves it. `entered`: the exit is at 0 to the precision of rounding.
 template <Scalar S>
 PortalSearch<S> leave_line(const Cso<S>& cso, const Frame<S>& frame, S gap, int budget, Counters& counters) {
   const PortalView<S> view{cso, frame, S(-1), counters};
@@ -110,9 +111,9 @@ Simplex<S> contact_of(const PortalSearch<S>& search) {
   return out;
 }
 
-// Whether the origin is in C, where a refinement closed its gap before that was known (state entered): the
-// portal lies so nearly along the line that neither its height nor its plane says on which side of the origin
-// the line enters. By the plane the origin is no deeper in C than the gap; C is as near as the portal.
+// Decides whether the origin is in C if a refinement closed its gap before that was known (state entered). The portal
+// then lies nearly along the line, so neither its height nor its plane shows on which side of the origin the line
+// enters. By the plane the origin is no deeper in C than the gap, and C is as near as the portal.
 template <Scalar S>
 bool holds_origin(const PortalSearch<S>& search, S noise) {
   return closest_to_origin(contact_of(search), Vec3<S>(Vec3<S>::Zero())).v.norm() <= noise;

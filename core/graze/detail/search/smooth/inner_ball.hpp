@@ -1,16 +1,17 @@
 // The largest ball that lies in a shape and touches its boundary at a given point: a proof of depth that takes no search.
 //
-// Where A holds a ball of radius r_a that touches it at its contact point, and B one of radius r_b, A - B holds one of
-// radius r_a + r_b. If the depth at that contact is no more, no other direction is less deep: the contact may be a local
-// minimum as far as a search knows, and is the least one (round_depth.hpp).
+// If A holds a ball of radius r_a that touches it at its contact point, and B one of radius r_b, A - B holds one of
+// radius r_a + r_b. If the depth at that contact is no more, no other direction is less deep. A search knows the
+// contact only as a possible local minimum, and this proves that it is the least one (round_depth.hpp).
 //
 // Units: any.   Frame: the shape's own axes, about its centre.
 //
-//   ellipsoid   c^2 / |M n|: c the least radius, M n the radii times n. For the ball about x(n) - r n, and any n', Cauchy and
-//               Schwarz give |M n| |M n'| >= sum (m_i^2 - c^2) n_i n'_i + c^2, which is |M n| times the reach of the ball.
+//   ellipsoid   c^2 / |M n|: c the least radius, M n the radii times n. For the ball about x(n) - r n and any n',
+//               Cauchy and Schwarz give |M n| |M n'| >= sum (m_i^2 - c^2) n_i n'_i + c^2. That is |M n| times the
+//               reach of the ball.
 //   planes      r (1 - e.n) <= the distance of the point from the plane with normal e.
-//   cylinder, cone, around the axis: the ball's centre x - r n, at the distance q from the axis, has q <= a - r k, a and k
-//               from the slant. Squared, C - 2 B r + A r^2 >= 0.
+//   cylinder, cone, around the axis: the ball's centre x - r n, at the distance q from the axis, has q <= a - r k.
+//               a and k are from the slant. Squared, C - 2 B r + A r^2 >= 0.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +20,11 @@
 
 namespace graze { inline namespace GRAZE_LINKAGE { namespace detail {
 
-// What the inner balls of a shape depend on. `flat`: it has no inside, as a point, a segment or a disc. The others have extents
-// above 0 in every direction.
+// The data that the inner balls of a shape depend on. `flat`: it has no inside, as a point, a segment or a disc. The
+// others have extents above 0 in every direction.
 struct SolidCore {
   enum class Kind { flat, box, ellipsoid, cylinder, cone } kind = Kind::flat;
-  Vec3<double> half = Vec3<double>::Zero();  // half extents; radii; radius, radius, half height
+  Vec3<double> half = Vec3<double>::Zero();  // half extents, or radii, or radius, radius, half height
 };
 
 // Rounding of what is compared, over the lengths in it.
@@ -36,8 +37,8 @@ inline double below_plane(double distance, double facing, double noise) {
   return closing > kInnerBallRounding ? std::max(distance, 0.0) / closing : kInfinity<double>;
 }
 
-// The least r > 0 where a r^2 - 2 b r + c falls below 0. Within `noise` of 0 b is 0; c, a square of `size`, as much below is that
-// of a point that is not in the shape.
+// The least r > 0 where a r^2 - 2 b r + c falls below 0. Within `noise` of 0 b is 0. If c, a square of `size`, is as
+// much below 0, the point is not in the shape.
 inline double falls_below(double a, double b, double c, double noise, double size) {
   if (!(c >= -noise * size)) return -kInfinity<double>;  // NaN as well
   if (b <= noise && a >= -kInnerBallRounding) return kInfinity<double>;
@@ -47,8 +48,9 @@ inline double falls_below(double a, double b, double c, double noise, double siz
   return sum > 0 ? std::max(c, 0.0) / sum : kInfinity<double>;
 }
 
-// n: unit, the outward normal at x on the boundary. 0 where no ball touches there, as at an edge; -infinity where x is not in the
-// shape. The ball may be out of the shape by kInnerBallRounding of its size. A flat core and an ellipsoid do not need x.
+// n: unit, the outward normal at x on the boundary. The result is 0 if no ball touches there, as at an edge, and
+// -infinity if x is not in the shape. The ball may be out of the shape by kInnerBallRounding of its size. A flat core
+// and an ellipsoid do not need x.
 inline double inner_ball(const SolidCore& core, const Vec3<double>& x, const Vec3<double>& n) {
   using Kind = SolidCore::Kind;
   const Vec3<double>& h = core.half;

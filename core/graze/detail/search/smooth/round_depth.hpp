@@ -1,23 +1,26 @@
-// min over unit n of h(n), for the core C of two primitives of which one at least is curved. penetration() calls it for
-// points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
+// Computes min over unit n of h(n), for the core C of two primitives, at least one of them curved. It serves
+// penetration() for points, segments, spheres, capsules, boxes, ellipsoids, cylinders and cones whose cores overlap.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-// h (round_sum.hpp) is smooth but on the seams, where two pieces of it meet: the great circles n.a_i = 0, and the circle of
-// latitude where a cone's apex and base are equally far. So the least h is one of
-//   a corner   where two seams cross, or at the pole of a disc;
-//   a circle   least along a seam;
+// h (round_sum.hpp) is smooth except on the seams, where two pieces of it meet. These are the great circles n.a_i =
+// 0, and the circle of latitude where a cone's apex and base are equally far. So the least h is one of
+//   a corner   where two seams cross, or at the pole of a disc,
+//   a circle   least along a seam,
 //   a sphere   least of a smooth piece, which takes curvature in both directions.
-// The corners are evaluated. Circles and sphere are cut into cells of latitude and azimuth, and a cell is done with where
-//   a support point w of its middle shows h >= upper - gap: h(n) >= w.n;
-//   no piece has a minimum in it: an interval of a first derivative is without 0, or one of a second is below 0;
-//   second derivatives bound the piece from below by upper - gap, about a point that Newton finds.
-// The cells are not needed if the balls that touch the two bodies at the contact from inside are together as large as the
-// contact is deep (inner_ball.hpp). This is asked of each new least h, and settles most contacts after a few steps of Newton's
-// method. Directions that are equally near along a whole circle are no trouble: the azimuth of the cells is about the axis
-// that the pair is nearest to symmetric about, and derivatives by it vanish with what breaks the symmetry (round_slopes.hpp).
+// The corners are evaluated. Circles and sphere are cut into cells of latitude and azimuth. A cell is done in three
+// cases:
+//   - A support point w of its middle shows h >= upper - gap, as h(n) >= w.n.
+//   - No piece has a minimum in it: an interval of a first derivative is without 0, or one of a second is below 0.
+//   - Second derivatives bound the piece from below by upper - gap, about a point that Newton finds.
+// The cells are not needed if the balls that touch the two bodies at the contact from inside are together as large as
+// the contact is deep (inner_ball.hpp). Each new least h is tested for this, and the test settles most contacts after
+// a few steps of Newton's method. Directions that are equally near along a whole circle are no trouble. The azimuth
+// of the cells is about the axis about which the pair is nearest to symmetric. Derivatives by the azimuth vanish with
+// the terms that break the symmetry (round_slopes.hpp).
 //
-// Guarantee: lower <= min h <= upper = h(n), up to `Cso::rounding` and the slacks below; upper - lower <= gap, or `close` by
-// the balls, unless the budget ends.   Intervals are not rounded outwards: each is compared with a slack above its rounding.
+// Guarantee: lower <= min h <= upper = h(n), up to `Cso::rounding` and the slacks below. upper - lower <= gap, or
+// `close` by the balls, unless the budget ends.   Intervals are not rounded outwards: each is compared with a slack
+// above its rounding.
 #pragma once
 
 #include <graze/detail/search/smooth/round_slopes.hpp>
@@ -30,7 +33,7 @@ inline constexpr int kMostRoundDepthSupports = 2048;
 
 class RoundDepth : public RoundSlopes {
  public:
-  // `close`: upper - lower of an answer that needs no search to be proved; at least 32 u scale.
+  // `close`: upper - lower of an answer that is proved without a search, at least 32 u scale.
   void run(double gap, double close, int budget, Counters& counters) {
     gap_ = gap;
     close_ = close;
@@ -124,7 +127,8 @@ class RoundDepth : public RoundSlopes {
     take({.n = n, .h = h, .seams = {first, second}, .disc = disc});
     return h;
   }
-  // Where two are equal up to rounding, the one with more free: beside a seam the support point is at an end of what is free on it.
+  // If two are equal up to rounding, this is the one with more freedom: beside a seam the support point is at an end
+  // of its free segment.
   void take(const Contact& found) {
     const double slack = 8 * kU * scale_;
     const int more = found.freedom() - best_.freedom();
@@ -141,7 +145,7 @@ class RoundDepth : public RoundSlopes {
         Vec w;
         const double h = offer(n, -1, -1, present ? i : -1);
         value(n, &w, i);
-        // What is free at the pole goes against the rest: any point of a seam's segment bounds h from below.
+        // At the pole the free part counts against the rest: any point of a seam's segment bounds h from below.
         for (int k = 0; k < seam_count_; ++k) {
           const Seam& s = seams_[std::size_t(k)];
           const double u = s.a.dot(n);
@@ -209,7 +213,7 @@ class RoundDepth : public RoundSlopes {
     // No farther from the middle than rho.
     box.rho = box.a + std::max(std::max(box.c0, box.c1), mid.c) * box.b;
     const double across = std::sqrt(std::max(0.0, w.squaredNorm() - h * h));
-    // Of w.n, over angles below a right one.
+    // The range of w.n, over angles below a right one.
     if (box.rho < 1.5) {
       const double bound = (h >= 0 ? h * std::cos(box.rho) : h) - across * std::sin(box.rho);
       box.bound = std::max(box.bound, bound);
@@ -278,7 +282,7 @@ class RoundDepth : public RoundSlopes {
         s.pp = {-top * c_top, inf};
       }
     }
-    // Which seams run through the box?
+    // Finds the seams that run through the box.
     Piece sure = 0;
     std::array<int, 8> open{};
     int open_count = 0;
@@ -325,7 +329,7 @@ class RoundDepth : public RoundSlopes {
                            slack * (std::abs(g.t) + std::abs(g.p)))
           continue;
       }
-      // What the piece is at least, by its second derivatives about a point that is nearly its least.
+      // A lower bound of the piece from its second derivatives about a point that is nearly its least.
       double t = 0, p = 0;
       Place<double> at = mid;
       for (int round = 0; round < 4; ++round) {

@@ -125,7 +125,7 @@ class RoundSlopes : public RoundSum {
     return out;
   }
 
-  // Which pieces of h there are: bit i: above seam i (n.a > level).
+  // The pieces of h: bit i means above seam i (n.a > level).
   using Piece = unsigned;
   [[nodiscard]] Vec linear_part(const Chart& c, Piece piece) const {
     Vec out = c.center;
@@ -171,7 +171,8 @@ class RoundSlopes : public RoundSum {
     }
     return piece_value(c, piece, linear_part(c, piece), z, slopes);
   }
-  // Of a Hessian's determinant over the product of its diagonal: below it a step along each direction alone is safer.
+  // A limit of the quotient of a Hessian's determinant over the product of its diagonal. Below it a step along each
+  // direction alone is safer.
   static constexpr double kSingular = 1e-9;
   // Towards where the slopes vanish, along what bends up. False: nothing does.
   static bool newton_step(const Slopes<double>& g, bool line, double slack, double& dt, double& dp) {

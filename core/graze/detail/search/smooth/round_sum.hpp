@@ -2,8 +2,10 @@
 // balls inside of the bodies prove.
 // Units: internal (cso.hpp).   Frame: world axes.
 //
-//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base):   c the offset of the centres, m_k n the radii of
-//   an ellipsoid or a disc times n's own coordinates, a_i and half_i the segments of boxes, cylinders and capsules.
+//   h(n) = c.n + sum |m_k n| + sum half_i |a_i.n| + sum max(apex, base)
+//
+// c is the offset of the centres. m_k n are the radii of an ellipsoid or a disc times n's own coordinates. a_i and
+// half_i are the segments of boxes, cylinders and capsules.
 #pragma once
 
 #include <algorithm>
@@ -38,13 +40,13 @@ class RoundSum {
   // |m n|
   struct Norm {
     Mat3<double> m = Mat3<double>::Zero();
-    double most = 0, least = 0;  // radii; least: of the two of a flat one
+    double most = 0, least = 0;  // largest and least radius, least: of the two of a flat one
     bool flat = false;
     Vec pole = Vec::Zero();
     int seam = -1;  // of a cone: present on its base's side
     int side = 1;
   };
-  // Where two pieces of h meet: h has half |n.a| (level 0), or a cone's two pieces at n.a = level.
+  // A place at which two pieces of h meet: h has half |n.a| (level 0), or a cone's two pieces at n.a = level.
   struct Seam {
     Vec a = Vec::Zero();
     double half = 0, level = 0, across = 1;  // across: sqrt(1 - level^2)
@@ -94,20 +96,20 @@ class RoundSum {
     const double f = y.norm();
     return f > 0 ? Vec(o.m.transpose() * (y / f)) : Vec(Vec::Zero());
   }
-  // Is every point of it as far along n, up to the rounding of two axes and of n? Of a cone, which has it at its base, if n ends
-  // the base.
+  // Is every point of it as far along n, up to the rounding of two axes and of n? For a cone, which has it at its
+  // base, it holds if n ends the base.
   [[nodiscard]] bool is_disc_across(const Norm& o, const Vec& n) const {
     return o.flat && (o.m * n).norm() <= 8 * kU * o.most &&
            (o.seam < 0 || n.dot(seams_[std::size_t(o.seam)].a) < 0);
   }
-  // Points of discs across n that add up to x, which is across n as well; where their sum does not reach as far, to its end
-  // towards x.
+  // Points of discs across n that add up to x, which is across n as well. If their sum does not reach as far, the
+  // points at its end towards x.
   static std::array<Vec, 2> shares(const std::array<const Norm*, 2>& disc, const Vec& x, const Vec& n) {
     std::array<Vec, 2> end = {Vec(Vec::Zero()), Vec(Vec::Zero())};
     const double length = x.norm();
     if (disc[0] == nullptr || !(length > 0)) return end;
-    // The sum ends along u at end[0] + end[1]. That turns as u turns: halvings find the u whose end is towards x. Circles end
-    // along u itself.
+    // The sum ends along u at end[0] + end[1]. The position of that end changes as u rotates, so halvings find the u
+    // whose end is towards x. Circles end along u itself.
     const Vec e = x / length, f = n.cross(e);
     Vec from = -f, to = f, u = e;
     constexpr int kMostHalvings = 52;
@@ -165,7 +167,8 @@ class RoundSum {
     Vec rest = center_;
     for (std::size_t i = 0; i < count; ++i) rest += part[i].x;
     rest -= rest.dot(at.n) * at.n;
-    // What is free takes the sum onto n: two that meet at an angle at once where neither ends, others one after the other.
+    // The free part takes the sum onto n. Two that meet at an angle go at once if neither ends, others one after the
+    // other.
     std::array<double, 10> k{};
     std::array<Vec, 10> across;
     std::array<std::size_t, 10> free{};
