@@ -1,8 +1,9 @@
-// The support of a hull by the scan of all its vertices and by its map of directions, as it is rounded and as floats
-// guess it, and what making a hull costs, with adjacency and without. 8 to 4096 vertices, on a sphere and on a cylinder
-// (two rings: flat caps, near-ties), double and float. `vertices`: in a list, on average; `bytes`: of the map, a vertex.
+// The cost of a hull's support, by the scan of all its vertices and by its map of directions, both rounded and as
+// guessed in floats. It also measures the cost of making a hull, with adjacency and without. Hulls have 8 to 4096
+// vertices, on a sphere and on a cylinder (two rings: flat caps, near-ties), in double and float. `vertices` is the
+// average length of a list. `bytes` is the size of the map per vertex.
 //
-// Supports one after the other, each along a direction of its own: what waits for its answer waits longer.
+// Supports run one after the other, each along a direction of its own, so latency counts in full.
 #include <benchmark/benchmark.h>
 #include <graze/detail/shapes/leaf.hpp>
 
@@ -25,7 +26,7 @@ struct Scene {
     Draw draw{8};
     for (std::size_t i = 0; i < kDirections; ++i) directions.push_back(draw.vector<S>(1).normalized());
   }
-  // Of the mapped hull, which may have none.
+  // The map of the mapped hull, which may have none.
   [[nodiscard]] const DirectionMap& map() const { return mapped.graph().map; }
 };
 
