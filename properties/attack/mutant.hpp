@@ -15,7 +15,7 @@ namespace graze::attack {
 
 // The classes. Changes of the case under the proof:
 enum class Edit : std::uint8_t {
-  pivot,          // of a rotating body.
+  pivot,          // of a rotating body
   resting_pivot,  // of a body at rest: without meaning, so such a mutant counts by its other changes
   placing,        // position, orientation
   motion,         // displacement, rotation vector
