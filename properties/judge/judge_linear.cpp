@@ -49,8 +49,8 @@ class LinearJudge {
     if (!method_.is_ours()) judgement_.errors.backward = least_limit();
     // For an answer that did not converge, the guarantee states only that it is neither late nor early.
     if (answer_.outcome != Outcome::not_converged && !std::isnan(judgement_.errors.backward)) {
-      // The proved part of the error, as in faults. Where bodies meet apex to apex the oracle may know a
-      // contact to 1e-5 only.
+      // The proved part of the error, as in faults: for bodies apex to apex the oracle may know a contact to
+      // 1e-5 only.
       judgement_.errors.over_limit = over(least_limit(), granted);
     }
     return judgement_;

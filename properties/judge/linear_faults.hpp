@@ -58,7 +58,8 @@ namespace graze::law {
 // not_converged, though clearance or depth exceeds the bound. Tier certified guarantees to decide such cases.
 [[nodiscard]] std::string undecided_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                           double bound);
-// Tier certified: an answer whose toi_lower is far from contact, by more than the bound, and before the end of the motion.
+// Tier certified: an answer whose toi_lower is far from contact, by more than the bound, and before the end of the
+// motion.
 [[nodiscard]] std::string lower_fault(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                       double t_max, double bound);
 // Tier certified, not_converged, normal and witnesses requested: faults that keep a caller from treating the answer as
@@ -76,8 +77,8 @@ namespace graze::law {
 [[nodiscard]] LawResult holds(std::vector<std::string_view> labels = {});
 [[nodiscard]] LawResult broken(std::string reason);
 [[nodiscard]] LawResult not_applicable(std::string why);
-// The case that a law needs the truth of is taken by no oracle, or left undecided by the bracket oracle (then
-// with the label "undecided"): not applicable, and why. Nothing where the truth is known.
+// A law needs the truth of the case, but no oracle takes it, or the bracket oracle leaves it undecided (then with the
+// label "undecided"). The result is not applicable, with the reason. Nothing if the truth is known.
 [[nodiscard]] std::optional<LawResult> without_truth(const corpus::Case& problem);
 // The same for the laws that still judge by the exact oracle alone (they say why).
 [[nodiscard]] std::optional<LawResult> without_exact_truth(const corpus::Case& problem);
