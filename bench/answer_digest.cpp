@@ -1,11 +1,14 @@
-// A digest of what tiers exact and certified answer on the families of the corpus: two builds whose lines are equal
-// gave the same bits. For a change of the search that must change no answer:
+// A digest of the answers of tiers exact and certified on the families of the corpus. Two builds with equal lines gave
+// the same bits. Use it for a change of the search that must not change any answer:
 //
-//   answer_digest --count N > before;   the change;   answer_digest --count N > after;   diff before after
+//   answer_digest --count N > before
+//   (make the change, rebuild)
+//   answer_digest --count N > after
+//   diff before after
 //
-// One line a family: its name, how many casts, and FNV-1a of the outcomes and brackets of tier exact in double, of
-// tier exact in float, of the outcomes of tier certified. --each prints every answer of tier exact instead, to find
-// the case that differs.
+// Each family gets one line: its name, the number of casts, and three FNV-1a hashes. They cover the outcomes and
+// brackets of tier exact in double, the same in float, and the outcomes of tier certified. With --each, every answer of
+// tier exact is printed instead, to find the case that differs.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
-// btSubsimplexConvexCast as its users call it: shapes built once, margin 0, a Voronoi simplex solver,
-// transforms from and to; if that is wanted, btGjkPairDetector with EPA at the start where the cast answers nothing.
-// It hands out time, normal and point with every contact. Of bodies that turn btContinuousConvexCollision. Compiled as
-// one module for each of Bullet's scalars (BT_USE_DOUBLE_PRECISION).
+// btSubsimplexConvexCast as its users call it: shapes built once, margin 0, a Voronoi simplex solver, transforms from
+// and to. On request, btGjkPairDetector with EPA is run at the start for casts that give no answer. Every contact comes
+// with time, normal and point. Rotating bodies use btContinuousConvexCollision. The file is compiled as one module for
+// each of Bullet's scalars (BT_USE_DOUBLE_PRECISION).
 #include "bench/bullet_casts.hpp"
 
 #include <btBulletCollisionCommon.h>
@@ -45,8 +45,8 @@ std::unique_ptr<btConvexShape> shape_of(const PlainShape& plain) {
   } else {
     out = std::make_unique<btBoxShape>(vector_of(plain.half_extents));
   }
-  // A box and a cylinder keep their half extents: the core grows by what the margin shrinks. Of a sphere and a capsule
-  // the margin is the radius, whatever is set.
+  // A box and a cylinder keep their half extents: the core grows by as much as the margin shrinks. For a
+  // sphere and a capsule the margin is the radius, whatever is set.
   out->setMargin(0);
   return out;
 }

@@ -1,5 +1,5 @@
-// Bullet's casts behind an interface without Bullet's types: Bullet in float and Bullet in double define the
-// same names, so each lives in a module of its own that the benchmark opens.
+// Bullet's casts behind an interface without Bullet's types. Bullet in float and Bullet in double define the same
+// names, so each lives in a module of its own that the benchmark opens.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct PlainShape {
   PlainKind kind = PlainKind::hull;
   const double* xyz = nullptr;  // the vertices of a hull
   std::size_t vertices = 0;
-  double half_extents[3] = {0, 0, 0};  // of a box; radius, radius, half height of what is round, along z
+  double half_extents[3] = {0, 0, 0};  // of a box, or radius, radius and half height of a round shape along z
 };
 
 struct PlainBody {
@@ -35,25 +35,25 @@ struct PlainPair {
   PlainBody a, b;
 };
 
-// Cases made ready for one contestant.
+// Cases prepared for one contestant.
 class PreparedCasts {
  public:
   virtual ~PreparedCasts() = default;
-  // Casts the cases order[0] .. order[count - 1], and notes each answer under the case's index.
+  // Casts the cases order[0] .. order[count - 1] and stores each answer under the case's index.
   virtual void cast_all(const std::uint32_t* order, std::size_t count, Answer* answers) const = 0;
 };
 
-// Which of Bullet's casts.
+// The Bullet cast to run.
 enum class BulletCast : std::uint8_t {
-  subsimplex,            // of bodies that do not turn
-  subsimplex_and_depth,  // where it answers nothing, the start is asked for the penetration, as who needs that must
-  // Of bodies that turn. It is asked from pose to pose: a step of more than half a turn in equal pieces, in order.
+  subsimplex,            // for bodies that do not rotate
+  subsimplex_and_depth,  // queries the penetration at the start where a cast has no answer
+  // For rotating bodies, called from pose to pose: a step of more than half a turn in equal pieces, in order.
   continuous,
-  // The same in pieces of an eighth of a turn at most: beyond that Bullet's own poses stop turning on the way.
+  // The same in pieces of at most an eighth of a turn: beyond that Bullet's poses stop rotating on the way.
   continuous_in_pieces,
 };
 
-// What a module exports under kMakeBulletCasts; delete the result before closing the module.
+// The function that a module exports as kMakeBulletCasts. Delete the result before closing the module.
 using MakeBulletCasts = PreparedCasts* (*)(const PlainShape* shapes, std::size_t shape_count,
                                            const PlainPair* pairs, std::size_t pair_count, BulletCast which);
 inline constexpr const char* kMakeBulletCasts = "graze_make_bullet_casts";

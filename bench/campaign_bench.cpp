@@ -1,21 +1,22 @@
-// What a judged cast costs, the unit of a campaign. One thread.
+// The cost of a judged cast, the unit of a campaign. One thread.
 //
-// Linear: a case of the families `hulls` and `hulls_rotated`, 8 to 16 vertices, is generated, cast by tier
-// exact asked for everything, and judged by its proof to the last bit.
+// Linear: a case of the families `hulls` and `hulls_rotated`, 8 to 16 vertices, is generated, cast by tier exact with
+// everything requested, and judged by its proof to the last bit.
 //
-//   judged      the three together: casts per second of CPU time, and the share of each, by the clock; `open`
-//               is the share of casts that the proof leaves to the oracle, which is not asked here;
-//   campaign    a block of `graze campaign`, which does the same and keeps count;
-//   generate, cast, judge      each alone;   hulls, convert, search, accept   parts of them: the two hulls
-//               from their vertices, the case in the method's scalar, core's cast, the first proof check.
+//   judged      the three together: casts per second of CPU time, and the share of each, by the clock. `open`
+//               is the share of casts that the proof leaves to the oracle, which is not called here.
+//   campaign    a block of `graze campaign`, which does the same and keeps count.
+//   generate, cast, judge             each alone.
+//   hulls, convert, search, accept    parts of them: the two hulls from their vertices, the case in the method's
+//               scalar, core's cast, the first proof check.
 //
-// Turning bodies, a rotating family each, its levels in turn:
-//   turning     a block of `graze campaign --rotating`: plan and certified, in double and in float;
-//   stages      the milliseconds of processor time of a case in its parts: generated, cast by the plan and by
-//               tier certified, the check of that proof, and the oracle's bracket.
+// Rotating bodies, one benchmark per rotating family, its levels in turn:
+//   turning     a block of `graze campaign --rotating`: plan and certified, in double and in float.
+//   stages      the milliseconds of processor time of a case in its parts: generation, the cast by the plan and
+//               by tier certified, the check of that proof, and the oracle's bracket.
 //
-// Each alone runs over the same cases again and again, so what it needs has been used before; the shares are
-// of cases met once.
+// A benchmark of one stage alone runs over the same cases again and again, so its data is in the caches. The shares are
+// measured on cases that are used once.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -42,7 +43,8 @@ using corpus::Case;
 using corpus::Family;
 using engine::Answer;
 
-constexpr std::size_t kCases = 256;  // of the benchmarks of one stage: about what the second cache holds
+constexpr std::size_t kCases = 256;  // of the benchmarks of one stage: about the capacity of the second-level
+                                     // cache
 
 constexpr engine::Ask kEverything{.request = Request::everything};
 
@@ -70,12 +72,12 @@ std::vector<Job> jobs_of(const Family& family) {
   return jobs;
 }
 
-// A wrong answer is no measurement.
+// A wrong answer is not a measurement.
 [[noreturn]] void give_up(const std::string& why) {
   std::cerr << why << "\n";
   std::exit(1);
 }
-// True where nothing is left to the oracle.
+// True if nothing is left to the oracle.
 bool judge(const Case& problem, const Answer& answer) {
   const law::ExactFinding finding = law::judge_exact_by_proof(problem, answer, false);
   if (!finding.fault.empty()) give_up(problem.id + ": " + finding.fault);
@@ -117,7 +119,7 @@ void judged(benchmark::State& state) {
   state.counters["share_judge"] = spent[2] / all;
 }
 
-// Blocks of a campaign; a fault is no measurement of its own, and is counted.
+// Blocks of a campaign. A fault is counted and not measured by itself.
 void run_blocks(benchmark::State& state, const tool::CampaignPlan& plan, std::uint64_t size) {
   const tool::CampaignJob job{.plan = &plan};
   tool::CampaignSettings settings = plan.settings(size);

@@ -1,23 +1,22 @@
-// What a cast costs: our methods and tiers and Bullet's btSubsimplexConvexCast and btContinuousConvexCollision, side
-// by side.
+// The cost of a cast: our methods and tiers beside Bullet's btSubsimplexConvexCast and btContinuousConvexCollision.
 //
-// One run; every contestant is asked the same cases, in rounds that take turns. Ours: bodies built once, with hulls of
-// their own, cast() with its validation. Bullet, if it was found: bullet_casts.cpp. A round is a sweep over all cases of
-// a family, after one that is not timed; its processor time over the number of cases is the round's time, the median over
-// the rounds is the number shown, and a ratio is the median of the rounds' ratios. Five sets of families:
+// All contestants get the same cases in one run, in rounds that take turns. Ours: bodies built once, with hulls of
+// their own, cast() with its validation. Bullet, if it was found: bullet_casts.cpp. A round is a timed sweep over all
+// cases of a family, after an untimed one. Its processor time over the number of cases is the round's time. The number
+// shown is the median over the rounds, and a ratio is the median of the rounds' ratios. Five sets of families:
 //
-//   response   what an engine hands out, time, normal and contact points: ten families, bodies turned or not, in the
-//              same order each round (the processor learns branches) and in a new random one each. Wrong: where a
-//              verdict is not tier exact's. Starts in contact, of which Bullet's cast answers none: beside that, its
-//              cast followed by its penetration query.
-//   curved     the same of curved bodies, with a tolerance and with a proof, too (curved_families.cpp).
-//   rotation   the same of bodies that turn (rotating_families.cpp). Late: a contact that tier certified proves to be
-//              over kLate of the step earlier.
-//   growth     hulls of 16 to 4,096 vertices, with adjacency and without (growth_families.cpp), of many shapes in a new
-//              random order each round, without a sweep before, and of two shapes in the same order.
-//   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches. For
-//              the tail each case is timed by itself in five sweeps: the least of the five, less the clock's own time;
-//              the 99th percentile of that over the cases, over its median.
+//   response   the data that an engine returns, time, normal and contact points: ten families, bodies with and
+//              without orientations, in the same order each round (the processor learns branches) and in a new
+//              random one each. Wrong: the verdict differs from tier exact's. Bullet's cast answers no start in
+//              contact. Beside it, its cast followed by its penetration query.
+//   curved     the same for curved bodies, also with a tolerance and with a proof (curved_families.cpp).
+//   rotation   the same for rotating bodies (rotating_families.cpp). Late: a contact that tier certified proves to
+//              be over kLate of the step earlier.
+//   growth     hulls of 16 to 4,096 vertices, with adjacency and without (growth_families.cpp). One run uses many
+//              shapes in a new random order each round without a sweep before, another two shapes in the same order.
+//   verdict    verdicts alone, in a new random order each round, so that the processor learns no case's branches.
+//              For the tail each case is timed by itself in five sweeps: the least of the five, less the clock's
+//              own time. Shown is the 99th percentile of that over the cases, over its median.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -47,7 +46,7 @@ using Clock = std::chrono::steady_clock;
 
 double nanoseconds(Clock::duration d) { return std::chrono::duration<double, std::nano>(d).count(); }
 
-// Of this thread's processor, so that a sweep is not charged for what else the machine does meanwhile.
+// This thread's processor time, so that a sweep is not charged for other work of the machine.
 double processor_ns() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -74,8 +73,8 @@ class OurCasts final : public PreparedCasts {
     std::vector<Shape<S>> shapes;
     for (const Shape<double>& shape : family.shapes) {
       Shape<S> one = engine::round_to<S>(shape);
-      // Hulls of its own: copies share their vertices, and a contestant would find in the caches what the one before it
-      // has read.
+      // Each contestant gets hulls of its own. Copies share their vertices, and a contestant would find in
+      // the caches the data that the previous one has read.
       if (const auto* hull = std::get_if<Hull<S>>(&one))
         one = adjacency ? with_adjacency(hull->vertices()) : Hull<S>(hull->vertices());
       shapes.push_back(std::move(one));
@@ -134,7 +133,7 @@ MakeBulletCasts open_bullet(const char* path) {
   return reinterpret_cast<MakeBulletCasts>(dlsym(module, kMakeBulletCasts));
 }
 
-// The vertices of what is no hull, nor round.
+// The vertices of shapes that are neither hulls nor round.
 std::vector<Vec3<double>> few_vertices(const Shape<double>& shape) {
   if (const auto* box = std::get_if<Box<double>>(&shape)) {
     std::vector<Vec3<double>> corners;
@@ -188,7 +187,7 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
     out.shape = placed.shape;
     Vec3<double> position = placed.position;
     if (placed.pivot != Vec3<double>::Zero()) {
-      // Bullet turns a body about the origin of its frame: which the pivot becomes.
+      // Bullet rotates a body about the origin of its frame, so the pivot becomes the origin.
       std::vector<Vec3<double>>& vertices = kept.emplace_back(vertices_of(family.shapes[placed.shape]));
       for (Vec3<double>& x : vertices) x -= placed.pivot;
       out.shape = shapes.size();
@@ -213,7 +212,7 @@ std::unique_ptr<PreparedCasts> bullet_casts(MakeBulletCasts make, const CastFami
 struct Contestant {
   std::string name;
   std::function<std::unique_ptr<PreparedCasts>(const CastFamily&)> prepare;
-  bool only_in_contact = false;  // asked where every case starts in contact, and nowhere else
+  bool only_in_contact = false;  // run where every case starts in contact, and nowhere else
 };
 
 template <Scalar S>
@@ -232,7 +231,7 @@ Contestant ours_turning(std::string name, RotatingOptions<S> options) {
           }};
 }
 
-// `beside`: another of its casts, asked for where the first is not enough.
+// `beside`: another of its casts, run where the first is not enough.
 struct BulletAsked {
   BulletCast which = BulletCast::subsimplex;
   std::optional<BulletCast> beside = {};
@@ -290,7 +289,7 @@ std::vector<Contestant> response_contestants() {
   return out;
 }
 
-// Of curved bodies. With a tolerance a cast should take no longer than without; a proof is asked for beside the rest.
+// For curved bodies. A tolerance should not make a cast slower. A proof is requested beside the rest.
 std::vector<Contestant> curved_contestants() {
   constexpr Request kAsked = Request::normal | Request::witnesses;
   std::vector<Contestant> out = {
@@ -371,7 +370,7 @@ constexpr double kLate = 1e-3;  // of the step
 struct Manner {
   bool shuffled = true;  // a new random order each round
   bool tail = true;
-  bool cold = false;  // what a contestant reads the others have driven out of the near caches
+  bool cold = false;  // the other contestants have driven this one's data out of the near caches
 };
 
 Report measure(const CastFamily& family, const std::vector<Contestant>& given, int rounds,
@@ -391,8 +390,8 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& given, i
   const auto shuffle = [&] {
     for (std::size_t k = n; k > 1; --k) std::swap(order[k - 1], order[random.below(k)]);
   };
-  // Untimed, in an order of its own where orders are random: the caches hold what a program finds there that asks
-  // nobody else, the branches of this order are new.
+  // Untimed, in a separate order where orders are random. The caches then hold what a program that runs only
+  // this contestant finds there, and the branches of the timed order are new.
   const auto warm_up = [&](std::size_t i) {
     const std::vector<std::uint32_t> timed = order;
     if (manner.shuffled) shuffle();
@@ -434,7 +433,7 @@ Report measure(const CastFamily& family, const std::vector<Contestant>& given, i
   return report;
 }
 
-// The median over the rounds of top's time over bottom's; NaN where one is missing.
+// The median over the rounds of top's time over bottom's, or NaN where one is missing.
 double ratio(const Report& report, const std::string& top, const std::string& bottom) {
   const auto t = report.find(top), b = report.find(bottom);
   if (t == report.end() || b == report.end()) return std::numeric_limits<double>::quiet_NaN();
@@ -507,7 +506,7 @@ void print_tables(const std::vector<Contestant>& field, const std::vector<Measur
   }
 }
 
-// Time over that of `rival`, its wrong verdicts beside; a last row of geometric means.
+// Time over that of `rival`, with its wrong verdicts beside it. The last row has the geometric means.
 void print_ratios(const std::string& rival, const std::vector<Contestant>& field,
                   const std::vector<Measurement>& measurements) {
   std::vector<std::string> cells;
@@ -533,7 +532,7 @@ void print_ratios(const std::string& rival, const std::vector<Contestant>& field
   print_row("geometric mean", cells);
 }
 
-// Whose time the others' are given over.
+// The contestant by whose time the others' times are divided.
 constexpr const char* kRival = "bullet/float";
 
 // wrong: late contacts, too.
@@ -639,7 +638,7 @@ void run_rotating(const Asked& asked) {
               [](const Measured& m) { return fmt::format("{} + {}", m.wrong, m.late); });
 }
 
-// Hulls in a scene share memory, and the near caches; two alone are all in them.
+// Hulls in a scene share memory and the near caches. Two hulls alone fill them by themselves.
 void run_growth(const Asked& asked) {
   const std::vector<Contestant> field = chosen(growth_contestants(), asked);
   for (const bool many : {true, false}) {

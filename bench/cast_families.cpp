@@ -14,7 +14,7 @@
 namespace graze::bench {
 namespace {
 
-// By whom these families' verdicts are: tier standard in double.
+// The judge of these families' verdicts: tier standard in double.
 CastOptions<double> judge() { return {}; }
 
 Shape<double> any_box(Random& random) {
@@ -148,7 +148,7 @@ class Families {
     });
   }
 
-  // B starts where its cast first found contact, to a float; the starts that are in contact.
+  // B starts where its cast first found contact, to a float. Kept are the starts that are in contact.
   void touching_hulls() {
     CastFamily& family =
         start("touching, hulls of 16", false, [](Random& r) { return round_hull(r, 16, 1); });

@@ -1,8 +1,7 @@
-// The cases that the benchmark of casts asks, by family.
+// The cases of the benchmark of casts, by family.
 //
-// Every number is a float (held in a double), so that contestants in float and in double are asked the same.
-// A family shares a pool of shapes among its cases, as a scene does. t_max is 1; v is of the order of the
-// shapes' size.
+// Every number is a float (held in a double), so that contestants in float and in double get the same cases. The cases
+// of a family share a pool of shapes, as in a scene. t_max is 1, and v is of the order of the shapes' size.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +16,7 @@ struct Placed {
   Vec3<double> position = Vec3<double>::Zero();
   Quaternion<double> orientation = {};
   Vec3<double> displacement = Vec3<double>::Zero();
-  Vec3<double> rotation = Vec3<double>::Zero();  // of a family that turns: rotation vector over the step
+  Vec3<double> rotation = Vec3<double>::Zero();  // of a rotating family: rotation vector over the step
   Vec3<double> pivot = Vec3<double>::Zero();     // own frame
 };
 
@@ -31,7 +30,7 @@ struct CastFamily {
   std::string name;
   bool rotated = false;
   bool in_contact = false;  // every case starts so
-  bool turning = false;     // in the course of the step
+  bool turning = false;     // rotates in the course of the step
   std::vector<Shape<double>> shapes;
   std::vector<CastCase> cases;
 
@@ -57,13 +56,13 @@ struct FamilySize {
   std::size_t shapes = 128;  // in its pool
 };
 
-// Asked for their verdicts, judged by tier standard in double; in the order of the report. Deterministic.
+// For verdicts, judged by tier standard in double. They come in the order of the report. Deterministic.
 [[nodiscard]] std::vector<CastFamily> cast_families(const FamilySize& size);
 // Curved bodies, a family for a pair of kinds, judged by tier certified.
 [[nodiscard]] std::vector<CastFamily> curved_families(const FamilySize& size);
-// Bodies that turn in the course of the step, judged by tier certified.
+// Bodies that rotate in the course of the step, judged by tier certified.
 [[nodiscard]] std::vector<CastFamily> rotating_families(const FamilySize& size);
-// Asked for what an engine hands out, judged by tier exact: ten families, their bodies turned or not.
+// For the data that an engine returns, judged by tier exact: ten families, with or without orientations.
 [[nodiscard]] std::vector<CastFamily> response_families(const FamilySize& size, bool turned);
 // Hulls of 16 to 4,096 vertices, a family for each number.
 [[nodiscard]] std::vector<CastFamily> growth_families(const FamilySize& size);

@@ -1,12 +1,12 @@
-// What a full proof costs to check: an axis with its tightest lower bound, a three-point portal with its
-// tightest upper one. Two hulls of 8 to 16 vertices, and every other kind against such a hull; identity and
-// rotated poses, 256 random cases each. The same for symbolic axes: the exact normal of the facet of C
-// through which the path enters, whose bound is the time of impact itself; and n = v x edge, which proves a
-// miss.
+// The cost of checking a full proof: an axis with its tightest lower bound, and a three-point portal with its tightest
+// upper one. The bodies are two hulls of 8 to 16 vertices, and every other kind against such a hull, in identity and
+// rotated poses, with 256 random cases each. Symbolic axes are checked on the same cases. One is the exact normal of
+// the facet of C through which the path enters, whose bound is the time of impact itself. The other is n = v x edge,
+// which proves a miss.
 //
-// The tight bounds are made with the checker itself, by bisection over the doubles: what a checker accepts
-// last is the tightest bound. Its truth is the business of tests/oracles/checker/check_proof_test.cpp
-// and check_shapes_test.cpp.
+// The tight bounds are made with the checker itself, by bisection over the doubles: the last bound that it accepts is
+// the tightest one. The correctness of the checker is tested in tests/oracles/checker/check_proof_test.cpp and
+// check_shapes_test.cpp.
 #include "oracles/checker/check_proof.hpp"
 
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ struct Job {
 
 enum class Axis { centers, facet };
 
-// The axis of a job whose case stands; false: none for this case.
+// Sets the axis of a job whose case is set. Returns false if this case has none.
 bool set_axis(Job& job, Axis axis) {
   job.proof.has_axis = true;
   job.proof.axis = job.problem.b.position - job.problem.a.position;
@@ -134,7 +134,7 @@ BENCHMARK(check_full_proof)
             rows->Args({static_cast<int>(pose), fewest, most, static_cast<int>(axis)});
     });
 
-// That a ray misses: n = v x edge of A, two hulls.
+// Proof that a ray misses: n = v x edge of A, two hulls.
 void check_miss(benchmark::State& state) {
   std::vector<Job> made;
   Draw draw(8);
@@ -158,7 +158,7 @@ BENCHMARK(check_miss)
     ->Arg(static_cast<int>(Pose::identity))
     ->Arg(static_cast<int>(Pose::rotated));
 
-// By the symbolic axis of the entering facet, a hull swept along a segment against a hull.
+// Proof by the symbolic axis of the entering facet, a hull swept along a segment against a hull.
 void check_swept(benchmark::State& state) {
   const auto swept_hull = [](Draw& draw) -> Shape<double> {
     const Vec3<double> along = draw.vector(Numbers::doubles, 3);

@@ -1,4 +1,5 @@
-// What the benchmarks' families of casts are drawn from: directions, turns, shapes, and a body that flies at another.
+// Random parts of the benchmarks' families of casts: directions, orientations, shapes, and a body that flies at
+// another.
 //
 // Every number is a float, held in a double. Deterministic: the generator's bits alone.
 #pragma once
@@ -28,22 +29,22 @@ using corpus::Random;
 
 // The relative motion goes to B, and half of the time A moves as well.
 void set_motion(Random& random, CastCase& c, const Vec3<double>& v);
-// B starts `away` from A, up to half as far again, and flies at a point within `beside` of A's middle, 1.1 to 2 times
-// as far as that. A is of the first half of the family's shapes, B of the second.
+// B starts `away` from A, up to half as far again, and flies at a point within `beside` of A's middle. Its path is 1.1
+// to 2 times the distance to that point. A is from the first half of the family's shapes, B from the second.
 [[nodiscard]] CastCase aimed(Random& random, const CastFamily& family, double size_a, double away,
                              double beside);
 
-// The answer to a case, with the options that are given.
+// The answer to a case with the given options.
 [[nodiscard]] Outcome outcome_of(const CastFamily& family, const CastCase& c,
                                  const CastOptions<double>& options);
-// Draws until half of the cases are hits and half misses; a start in contact is neither.
+// Draws until half of the cases are hits and half misses. A start in contact counts as neither.
 void fill_half(CastFamily& family, std::size_t cases, const CastOptions<double>& options,
                const std::function<CastCase()>& draw);
-// Draws until all have the outcome that is wanted.
+// Draws until all have the wanted outcome.
 void fill_with(CastFamily& family, std::size_t cases, const CastOptions<double>& options, Outcome wanted,
                const std::function<CastCase()>& draw);
 
-// The offset aside from its path, to a float and beyond it, at which the case that at(offset) draws is nearly a miss.
+// The offset aside from its path at which the case that at(offset) draws is nearly a miss, to a float and beyond it.
 [[nodiscard]] double grazing_offset(const CastFamily& family, const CastOptions<double>& options,
                                     const std::function<CastCase(double)>& at);
 

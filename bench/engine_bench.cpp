@@ -1,8 +1,8 @@
-// What asking an engine of others costs: a program that reads and writes lines, a shared library by lines and by bytes,
-// and one that crashes at every question. Balls, so that the engine itself costs nothing.
+// The cost of querying a third-party engine: a program that reads and writes lines, a shared library by lines and by
+// bytes, and one that crashes at every question. The bodies are balls, so that the engine itself costs nothing.
 //
-// The time is that of a question asked and its answer read (Engine::ask), by one thread or two; the judge's part is not in
-// it. `parts/...` are what it is made of on our side.
+// The time covers a question and the reading of its answer (Engine::ask), by one thread or two. It does not include the
+// judge. `parts/...` are its parts on our side.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>

@@ -1,14 +1,14 @@
-// The exact arithmetics that core could have used, side by side: the sign of a determinant of three points of
-// C, which is what the exact tier asks when pairs of doubles leave it open.
+// The exact arithmetics that core could have used, side by side. Each computes the sign of a determinant of three
+// points of C, which the exact tier needs when pairs of doubles leave it open.
 //
 //   dyadic      graze/detail/numeric/dyadic.hpp, the choice: one mantissa of as many limbs as it takes, inline
 //   expansion   graze/detail/numeric/expansion.hpp: Shewchuk's sums of doubles
-//   boost       Boost.Multiprecision's cpp_int, 1,024 bits inline, then the heap; numbers m 2^e as above
+//   boost       Boost.Multiprecision's cpp_int, 1,024 bits inline, then the heap, with numbers m 2^e as above
 //
-// Each point is the sum of four given numbers per coordinate (a vertex and a position of either body), so
-// nothing has to be rotated, which expansions cannot do in the range of the input. Kinds of numbers: 24 bits
-// of like size, 53 bits of like size, 53 bits with exponents spread over 2^-30 .. 2^0 and over 2^-200 ..
-// 2^200 (out of the expansions' range).
+// Each point is the sum of four given numbers per coordinate (a vertex and a position of either body), so nothing has
+// to be rotated, which expansions cannot do in the range of the input. Kinds of numbers: 24 bits of like size, 53 bits
+// of like size, 53 bits with exponents spread over 2^-30 .. 2^0 and over 2^-200 .. 2^200 (out of the expansions'
+// range).
 #include <benchmark/benchmark.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -89,7 +89,7 @@ int sign_of<detail::exact::Expansion>(const Triangle3& t) {
   return detail::exact::determinant(c[0], c[1], c[2]).sign();
 }
 
-// bits: of each number; spread: of the exponents.
+// bits: the length of each number. spread: the range of the exponents.
 std::vector<Triangle3> draw(int bits, int spread) {
   corpus::Random random(7);
   std::vector<Triangle3> out(256);

@@ -1,5 +1,6 @@
-// The families that ask how a cast grows with the vertices of its hulls: points on ellipsoids, 16 to 4,096 of each
-// hull, bodies turned at random, half of the cases hits and half misses, judged by tier exact.
+// Families that measure how the cost of a cast grows with the number of vertices. The hulls are points on ellipsoids,
+// 16 to 4,096 in each hull, and the bodies have random orientations. Half of the cases are hits and half misses, judged
+// by tier exact.
 #include <fmt/format.h>
 
 #include <graze/cast.hpp>

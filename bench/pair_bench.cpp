@@ -1,20 +1,22 @@
 // Two hulls at rest: overlap, distance and penetration beside Bullet's and libccd's, in one run.
 //
-//   overlap       as the bodies come, of prepared ones, and from a start; Bullet's pair detector without a depth
-//                 solver; libccd's GJK and MPR
+//   overlap       with unprepared bodies, with prepared ones, and from a start, beside Bullet's pair detector
+//                 without a depth solver, and libccd's GJK and MPR
 //   distance      the same, beside Bullet's pair detector
 //   penetration   EPA, beside Bullet's pair detector with its EPA, and libccd's MPR and GJK with EPA
 //
-// Hulls of 8, 16 and 64 random points on the unit sphere, turned; apart (centres 3 apart), near (a hundredth apart),
-// touching (within rounding), shallow (a tenth deep along the normal) and deep (centres 0.4 apart). 256 pairs a row.
-// Contestants take turns; each round asks every pair, in an order of its own. Processor time; ns a query, medians over
-// the rounds; a ratio is the median of the rounds' ratios. Wrong: of the 256 answers, verdicts that are not what our
-// distance says, but where bodies touch; distances and depths that are off ours by more than kOff. The laws hold ours to
-// exact answers, and the widest of their brackets is printed. Points are on unit spheres, so floats are right by far
-// less than kOff.
+// Hulls of 8, 16 and 64 random points on the unit sphere, in random orientations. They are apart (centres 3 apart),
+// near (a hundredth apart), touching (within rounding), shallow (a tenth deep along the normal) or deep (centres 0.4
+// apart). Each row has 256 pairs. Contestants take turns, and each round queries every pair in an order of its own.
+// Times are processor time in ns a query, as medians over the rounds. A ratio is the median of the rounds' ratios.
 //
-// Bullet in float, as Debian builds it, with margin 0 and the Voronoi simplex solver. libccd in double, with the support
-// that FCL gives it: the direction turned by a quaternion, a scan of the vertices, and turned back.
+// Wrong answers are counted among the 256: verdicts that contradict our distance, except where bodies touch, and
+// distances and depths that differ from ours by more than kOff. The laws compare ours with exact answers, and the
+// widest of their brackets is printed. Points are on unit spheres, so the error of floats is far less than kOff.
+//
+// Bullet is in float, as Debian builds it, with margin 0 and the Voronoi simplex solver. libccd is in double, with the
+// support function that FCL gives it: the direction is rotated by a quaternion, the vertices are scanned, and the
+// result is rotated back.
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -148,7 +150,7 @@ std::vector<Pair> pairs(int vertices, Place place) {
   return out;
 }
 
-// The signed distance. Without a depth solver it finds nothing for bodies in contact, which is taken for 0.
+// The signed distance. Without a depth solver it finds nothing for bodies in contact, and the result is 0.
 double bullet(const Pair& p, bool depth) {
   btVoronoiSimplexSolver solver;
   btGjkEpaPenetrationDepthSolver epa;
@@ -174,7 +176,7 @@ double contact(Outcome outcome) {
   return outcome == Outcome::initially_overlapping ? 1 : outcome == Outcome::miss ? 0 : -1;
 }
 
-// `ask`: 1 for contact and 0 for none; the distance; the depth.
+// `ask` returns 1 for contact and 0 for none, or the distance, or the depth.
 struct Contestant {
   std::string name;
   std::function<double(const Pair&)> ask;
@@ -204,7 +206,8 @@ constexpr std::string_view kQueries[] = {"overlap", "distance", "penetration"};
 struct Bracket {
   double lower, upper;
 };
-// What is true of a pair; of a verdict that the place leaves open, all. Shallow and deep pairs may be apart.
+// The true answer for a pair. A verdict that the place leaves open has both values. Shallow and deep pairs may be
+// apart.
 Bracket truth(Query query, Place place, const Pair& p) {
   if (query == Query::overlap) {
     if (place == Place::touching) return {0, 1};
@@ -225,7 +228,7 @@ struct Asked {
   std::string row;
 };
 
-// Ours first, then theirs; the first of these is the rival.
+// Our contestants come first, then theirs. The first of theirs is the rival.
 void run(Query query, int vertices, Place place, const Asked& asked, std::vector<Contestant> contestants) {
   const std::string row = fmt::format("{} {}, {}", kQueries[int(query)], kPlaces[int(place)], vertices);
   if (row.find(asked.row) == std::string::npos) return;

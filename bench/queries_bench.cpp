@@ -1,12 +1,12 @@
-// What the queries cost beside each other: the lecture's claims about cost, measured.
+// The costs of the queries side by side: the lecture's claims about cost, measured.
 //
 //   penetration   "EPA is the expensive way": the least depth by EPA, the depth along a direction by MPR, and
-//                 the distance by GJK, all of the same two hulls (in contact for the first two, apart for GJK)
-//                 and the least depth of all pairs of primitives but boxes with boxes
-//   swept         the sum with a segment beside the points before and after
-//   ray           every face beside GJK and MPR, on a globe of 8 to 1,024 vertices
-// 64 pairs a row, each asked once an iteration; the time is that of one query, in nanoseconds. `supports`:
-// support evaluations a query. Built with -DGRAZE_BENCH=ON, run by hand.
+//                 the distance by GJK, all on the same two hulls (in contact for the first two, apart for GJK),
+//                 and the least depth of all pairs of primitives except boxes with boxes.
+//   swept         the sum with a segment beside the points before and after.
+//   ray           every face beside GJK and MPR, on a globe of 8 to 1,024 vertices.
+// A row has 64 pairs, each queried once an iteration. The time is that of one query, in nanoseconds. `supports` is the
+// number of support evaluations a query. Built with -DGRAZE_BENCH=ON, run by hand.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Pair {
   Body<double> a, b;
 };
 
-// A globe of about that many vertices, turned.
+// A globe of about that many vertices, rotated.
 Globe<double> globe_of(int vertices) {
   const int rings = std::max(1, static_cast<int>(std::lround(std::sqrt(vertices / 2.0))));
   return globe<double>(rings, std::max(3, static_cast<int>(std::lround(double(vertices - 2) / rings))), 1);

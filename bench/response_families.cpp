@@ -1,7 +1,7 @@
-// The ten families that engines are measured on when they are asked for what they hand out: time, normal, contact.
+// The ten families that measure engines when callers request their full response: time, normal, contact.
 //
-// Hulls of 8 to 64 vertices, but for boxes (8) and flats. Turned: every body has an orientation of its own, drawn at
-// random; of `sliding` the whole scene is turned by one, so that its faces stay parallel.
+// Hulls have 8 to 64 vertices, except boxes (8) and flats. In the turned set every body has an orientation of its own,
+// drawn at random. In `sliding` one orientation turns the whole scene, so that its faces stay parallel.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <graze/cast.hpp>
@@ -16,7 +16,7 @@ CastOptions<double> judge() { return {.tier = Tier::exact}; }
 
 int hull_size(Random& random) { return 8 << random.integer(0, 3); }
 
-// A box as a hull; half extents of 1/8 to 1 in eighths.
+// A box as a hull, with half extents of 1/8 to 1 in eighths.
 Shape<double> box_hull(Random& random) {
   const double x = random.integer(1, 8) / 8.0, y = random.integer(1, 8) / 8.0, z = random.integer(1, 8) / 8.0;
   std::vector<Vec3<double>> list;
@@ -219,7 +219,7 @@ class ResponseFamilies {
     });
   }
 
-  // From 10 to 10,000 sizes away; half of them go on for as long as 1,000 times their way.
+  // From 10 to 10,000 sizes away. Half of the paths continue up to 1,000 times the distance.
   void long_casts() {
     CastFamily& family = start("long casts", any_hull);
     fill_half(family, size_.cases, judge(), [&] {
@@ -229,7 +229,7 @@ class ResponseFamilies {
     });
   }
 
-  // A is flat or a hull; B a point, a segment, a triangle or flat.
+  // A is flat or a hull. B is a point, a segment, a triangle or flat.
   void flats() {
     CastFamily& family = start("flats, segments, points", [&](Random& r) -> Shape<double> {
       if (families_.back().shapes.size() < size_.shapes / 2) {

@@ -1,9 +1,9 @@
-// What a rotating cast costs: what the plan saves, what is asked for, and the methods beside each other.
+// The cost of a rotating cast: the savings of the plan, the cost of each request, and the methods beside each other.
 //
-// One run; the contestants of a scene are asked the same pairs in rounds. In each round they take turns in a
-// random order, each sweeps over all pairs in a new random order; this thread's processor time over the
-// number of pairs is the round's time. Shown is the median over the rounds; a ratio is the median of the
-// rounds' ratios. The first round only warms up. Bodies are built once, casts include their validation.
+// The contestants of a scene get the same pairs in rounds, in one run. In each round they take turns in a random order.
+// Each sweeps over all pairs in a new random order, and the round's time is this thread's processor time over the
+// number of pairs. Shown is the median over the rounds, and a ratio is the median of the rounds' ratios. The first
+// round only warms up. Bodies are built once, and casts include their validation.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -124,7 +124,7 @@ void print_head(const std::vector<std::string>& cells) {
   print_row(std::vector<std::string>(cells.size(), "---"));
 }
 
-// The plan's effects; where the pairs differ, how many there are of each.
+// The plan's effects. If the pairs differ, the number of pairs for each effect.
 std::string simulated(const Measured& m) {
   std::array<std::size_t, 4> counts{};
   for (const Answer& a : m.answers) ++counts[static_cast<std::size_t>(a.effects)];
@@ -221,11 +221,11 @@ std::vector<Contestant> methods() {
 constexpr std::size_t kBilateral = 4, kCertified = 6;
 
 struct Mistakes {
-  std::size_t missed = 0, invented = 0, open = 0;  // contacts denied, contacts claimed; no verdict
-  double late = 0;                                 // of t, at worst
+  std::size_t missed = 0, invented = 0, open = 0;  // contacts denied, contacts claimed, no verdict
+  double late = 0;                                 // the worst, of t
 };
 
-// Beside what the construction knows, or else beside certified.
+// Compared with the answer that the construction knows, or else with certified.
 Mistakes mistakes(const Scene& scene, const Measured& m, const Measured& certified) {
   Mistakes out;
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
@@ -287,7 +287,7 @@ void print_method_tables(std::size_t pairs, Rounds& rounds) {
       });
 }
 
-// What bench/plot_rotating.sh draws: curve, what is left open over scale, microseconds.
+// Data for bench/plot_rotating.sh: curve, share left open over scale, microseconds.
 void print_accuracy(std::size_t pairs, Rounds& rounds) {
   fmt::print("\n### Time against accuracy\n\n");
   print_head({"curve", "open, over scale", "us"});
@@ -313,7 +313,7 @@ void print_accuracy(std::size_t pairs, Rounds& rounds) {
     const std::vector<Measured> m = rounds(scene.pairs, field);
     for (std::size_t i = 0; i < m.size(); ++i) {
       double left = open[i];
-      if (left == 0) {  // of steps: the median of what they say they may have missed
+      if (left == 0) {  // for steps: the median of the contacts that they report as possibly missed
         std::vector<double> hidden;
         for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
           const detail::MovingPair pair(scene.pairs[k].a, scene.pairs[k].b, 0);

@@ -1,4 +1,4 @@
-// The families of casts of bodies that turn: boxes, or hulls of 12, turned at random at the start.
+// The families of rotating casts: boxes, or hulls of 12, with random orientations at the start.
 //
 // Bodies are half a unit to a unit in size, half extents and radii, and fly four to six units. Their judge is tier
 // certified: its verdicts, and the times by which there is contact, are proved.
@@ -21,7 +21,7 @@ RotatingResult<double> judged(const CastFamily& family, const CastCase& c) {
               {.tier = Tier::certified, .request = Request::verdict});
 }
 
-// Keeps a case with its verdict, where there is one and it starts apart, until `most` are alike.
+// Keeps a case with its verdict, if it has one and starts apart, until `most` are alike.
 bool keep(CastFamily& family, CastCase c, std::size_t most_hits, std::size_t most_misses) {
   const RotatingResult<double> known = judged(family, c);
   c.contact = known.outcome == Outcome::hit;
@@ -36,7 +36,7 @@ bool keep(CastFamily& family, CastCase c, std::size_t most_hits, std::size_t mos
 void spin(Random& random, Placed& body, double least, double most) {
   body.rotation = to_float(Vec3<double>(random.uniform(least, most) * direction(random)));
 }
-// As far from the body's origin as that.
+// Moves the pivot that far from the body's origin.
 void move_pivot(Random& random, Placed& body, double away) {
   body.pivot = to_float(Vec3<double>(away * direction(random)));
 }
@@ -48,7 +48,7 @@ CastCase spinning(Random& random, const CastFamily& family, double least, double
   return c;
 }
 
-// Half a radian about a point six to ten units away is a way of some three to five, so the way is left to the turn.
+// Half a radian about a point six to ten units away is a path of some three to five, so the rotation makes all of it.
 CastCase about_far_pivots(Random& random, const CastFamily& family) {
   CastCase c = spinning(random, family, 0.2, 0.8);
   move_pivot(random, c.b, random.uniform(6, 10));
@@ -67,7 +67,7 @@ CastCase passing(Random& random, const CastFamily& family, double beside) {
   return c;
 }
 
-// Within `near` of where contact ends: of a bisection, the cases on either side.
+// The cases within `near` of the end of contact: those on either side in a bisection.
 void add_grazing(Random& random, CastFamily& family, double near, std::size_t half) {
   const Random start = random;
   const auto at = [&](double beside) {

@@ -61,8 +61,8 @@ Shape<double> solid(Random& random) {
   }
 }
 
-// Bodies that are apart at t = 0, neither of which turns; B passes A's centre at about t = 1/2, at a distance
-// that is drawn between the two. The centres are apart by about `apart` at first.
+// Bodies that are apart at t = 0 and do not rotate. B passes A's centre at about t = 1/2, at a distance that is drawn
+// between the two. The centres are apart by about `apart` at first.
 MovingBodies passing(Random& random, Shape<double> a, Shape<double> b, double apart, double nearest,
                      double farthest) {
   MovingBodies out;
@@ -112,7 +112,7 @@ MovingBodies at_rest(Random& random) {
 }
 MovingBodies linear(Random& random) { return passing_solids(random, 4, 0, 2.5); }
 
-// Their bounds meet: the turn alone is what can be spared.
+// Their bounds meet: only the rotation can be spared.
 constexpr double kNear = 1.25;
 MovingBodies spinning_sphere(Random& random) {
   const double radius = size(random);
@@ -153,7 +153,7 @@ MovingBodies turning(Random& random, double beside, double least, double most) {
 }
 MovingBodies ordinary(Random& random) { return turning(random, 2.5, 0.5, 2); }
 
-// A body about the z axis through its origin, which nothing of it is farther from than `reach`.
+// A body that spins about the z axis through its origin. No point of it is farther from the origin than `reach`.
 struct Spinner {
   Shape<double> shape;
   double reach = 0;
@@ -181,8 +181,8 @@ Spinner spinner(Random& random) {
   }
 }
 
-// The spinner turns all the way round and a little more, beside a wall, or a ball, that is `clearance` away
-// from what it reaches; below 0 it reaches in, and touches at that. All turned as a whole.
+// The spinner makes a full turn and a little more beside a wall or a ball. The obstacle is `clearance` away from the
+// spinner's reach. If that is below 0, the spinner reaches in and touches there. The whole pair is rotated.
 MovingBodies spinning_past(Random& random, double clearance) {
   Spinner spins = spinner(random);
   MovingBodies out;
@@ -202,7 +202,7 @@ MovingBodies spinning_past(Random& random, double clearance) {
   return out;
 }
 
-// Shot past: a thin body that crosses another in a fraction of the step, both turning.
+// A thin body that crosses another in a fraction of the step while both rotate.
 MovingBodies shot(Random& random) {
   Vec3<double> half = sizes(random);
   half[0] /= 16;
@@ -212,8 +212,8 @@ MovingBodies shot(Random& random) {
   out.contact = true;
   return out;
 }
-// In contact for 2^-k of the step, about: what is reached at the radius r, turning by w, is deeper than a
-// plane at r - d for 2 sqrt(2 d / r) / w.
+// In contact for about 2^-k of the step: the point at radius r, rotating by w, is deeper than a plane at r - d for 2
+// sqrt(2 d / r) / w.
 MovingBodies comes_and_goes(Random& random) {
   if (random.once_in(2)) return shot(random);
   const double part = power_of_two(-random.integer(5, 10));

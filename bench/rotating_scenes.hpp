@@ -1,4 +1,4 @@
-// The pairs that the benchmark of rotating casts asks. t_max is 1; sizes are 0.5 to 1.
+// The pairs of the benchmark of rotating casts. t_max is 1, and sizes are 0.5 to 1.
 #pragma once
 
 #include <graze/rotating_result.hpp>
@@ -16,14 +16,14 @@ struct MovingBodies {
 struct Scene {
   std::string name;
   std::vector<MovingBodies> pairs;
-  double tolerance = 0;  // that is asked for
+  double tolerance = 0;  // the requested tolerance
 };
 
-// What a plan can spare, and what it cannot: one scene each, in the order of the report.
+// Motion that a plan can spare, and motion that it cannot: one scene each, in the order of the report.
 [[nodiscard]] std::vector<Scene> scenes_of_the_plan(std::size_t pairs);
 // Linear hits, rotating hits, rotating misses.
 [[nodiscard]] std::vector<Scene> scenes_of_requests(std::size_t pairs);
-// Ordinary hits; spins that graze; fast spins; contacts that come and go within the step.
+// Ordinary hits, grazing spins, fast spins, and contacts that come and go within the step.
 [[nodiscard]] std::vector<Scene> scenes_of_methods(std::size_t pairs);
 
 }  // namespace graze::bench

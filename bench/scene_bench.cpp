@@ -1,5 +1,5 @@
-// Which bodies of a scene may meet: what the tree of moving boxes costs, beside Boost's R-tree and a flat sweep
-// over boxes at rest about the bodies' whole ways.
+// The cost of finding the bodies of a scene that may meet. The tree of moving boxes is measured beside Boost's R-tree
+// and a flat sweep, both over boxes at rest about the bodies' whole paths.
 //
 //   scene_bench [N...]     scenes of N bodies (100 to 1000000 by default), processor time, one thread
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ using graze::Vec3;
 using graze::scene::SweptBox;
 using graze::scene::Tree;
 
-// Where one takes longer it is stopped.
+// A contestant that takes longer is stopped.
 constexpr double kMostSeconds = 60;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -38,7 +38,7 @@ class Random {
   std::uint64_t state_ = 22;
 };
 
-// One body in eight cubes of its own size, whatever n. Mixed: one in a thousand is 30 times as large, one in ten
+// One body in eight cubes of its own size, whatever n. Mixed: one in a thousand is 30 times as large, and one in ten
 // flies 200 sizes far.
 std::vector<Tree::Item> scene_of(std::size_t n, bool mixed) {
   Random random;

@@ -1,5 +1,5 @@
-// Whole scenes as others answer them: their broad phase over the bodies' swept boxes, and their cast of every pair that
-// it finds.
+// Whole scenes as third-party engines answer them: their broad phase over the bodies' swept boxes, and their cast of
+// every pair that it finds.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,11 +15,11 @@ struct PeerContact {
 };
 
 struct PeerAnswer {
-  std::size_t pairs = 0;  // that the broad phase hands to the casts
+  std::size_t pairs = 0;  // that the broad phase passes to the casts
   std::vector<PeerContact> contacts;
 };
 
-// A scene in the other's own terms; what its users keep from step to step (shapes, transforms) is made once.
+// A scene in the other engine's terms. Data that its users keep from step to step (shapes, transforms) is made once.
 class PeerScene {
  public:
   PeerScene() = default;
@@ -30,12 +30,12 @@ class PeerScene {
   [[nodiscard]] virtual PeerAnswer run() const = 0;
 };
 
-// Nothing where the other has no such shape or motion: a combinator, a segment, a turn about a point that is not the
-// body's origin, of pi or more.
+// Returns nothing if the other engine has no such shape or motion: a combinator, a segment, a rotation of pi or more
+// about a point that is not the body's origin.
 [[nodiscard]] std::unique_ptr<PeerScene> bullet_scene(const scene::Scene& scene, double t_max);
 [[nodiscard]] std::unique_ptr<PeerScene> fcl_scene(const scene::Scene& scene, double t_max);
 
-// What is seen of a body's turn: none of a solid of revolution about its axis.
+// The visible part of a body's rotation. A solid of revolution about its axis has none.
 [[nodiscard]] inline Vec3<double> seen_rotation(const RotatingBody<double>& body) {
   const bool revolves = std::holds_alternative<Sphere<double>>(body.body.shape) ||
                         std::holds_alternative<Capsule<double>>(body.body.shape) ||

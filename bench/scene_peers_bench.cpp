@@ -1,12 +1,17 @@
-// Whole scenes beside Bullet's and FCL's broad phases with their casts: by time, and by what they miss.
+// Whole scenes beside Bullet's and FCL's broad phases with their casts: their times and the contacts that they miss.
 //
-//   scene_peers_bench FILE...     scenes, graze.scene/1; and always 1,000 and 10,000 boxes in flight
+//   scene_peers_bench FILE...     scenes, graze.scene/1, and always 1,000 and 10,000 boxes in flight
 //
-// One thread, processor time of a step with bounds, broad phase and casts, all in turns, each one's best of seven.
-// Answers are held against tier certified: a contact that it proves and the other denies is missed; one more than a
-// thousandth of the step after its bracket is late; one where it proves that there is none is false. In brackets how many
-// are so with a margin: missed, and in contact still when both bodies are a hundredth smaller; false, and apart still
-// when both are a hundredth larger. What aborts or takes more than a minute in a process of its own is not timed.
+// One thread. The time is processor time of a step with bounds, broad phase and casts, each engine in turn, the best of
+// seven. Answers are compared with tier certified:
+//
+//   - missed: the other engine denies a contact that certified proves
+//   - late: a contact more than a thousandth of the step after its bracket
+//   - false: a contact that certified disproves
+//
+// The counts in brackets are those with a margin. A missed contact remains when both bodies are a hundredth smaller. A
+// false one is still a miss when both are a hundredth larger. Runs that abort or take more than a minute in a process
+// of their own are not timed.
 #include <fmt/format.h>
 
 #include <sys/wait.h>
@@ -100,7 +105,7 @@ void judge(const Contender& one, const Truth& truth, const scene::Scene& all, do
              one.seconds / base, one.answer.pairs, missed, clearly_missed, late, wrong, clearly_wrong);
 }
 
-// In a process of its own, as an assertion of theirs ends it.
+// In a process of its own, because an assertion in the other engine ends it.
 bool survives(const PeerScene& peer) {
   std::fflush(nullptr);
   const pid_t child = fork();

@@ -1,6 +1,6 @@
-// Bullet, in float: btDbvtBroadphase over temporal boxes; btSubsimplexConvexCast of pairs that do not turn,
-// btContinuousConvexCollision of those that do, and btGjkPairDetector with EPA at the start, of which no cast of
-// Bullet's takes one in contact.
+// Bullet, in float: btDbvtBroadphase over temporal boxes. Pairs that do not rotate use btSubsimplexConvexCast, rotating
+// ones btContinuousConvexCollision. No cast of Bullet's takes a start in contact, so btGjkPairDetector with EPA is run
+// at the start.
 #include <btBulletCollisionCommon.h>
 
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>

@@ -1,6 +1,6 @@
-// FCL, in double: DynamicAABBTreeCollisionManager over boxes about the bodies' ways (its managers of continuous objects
-// are interfaces without an implementation), and in its callback continuousCollide by conservative advancement, or
-// collide of two bodies at rest.
+// FCL, in double: DynamicAABBTreeCollisionManager over boxes about the bodies' paths (its managers of continuous
+// objects are interfaces without an implementation). Its callback uses continuousCollide by conservative advancement,
+// or collide for two bodies at rest.
 #include <fcl/fcl.h>
 
 #include "bench/scene_peers.hpp"
@@ -28,7 +28,7 @@ struct Moving {
   fcl::AABBd way;
 };
 
-// What the manager's callback sees.
+// Data for the manager's callback.
 struct Found {
   const std::vector<Moving>& bodies;
   PeerAnswer answer;
@@ -95,7 +95,7 @@ class FclScene final : public PeerScene {
     std::vector<fcl::CollisionObjectd> objects;
     objects.reserve(bodies_.size());
     for (const Moving& body : bodies_) {
-      // A body that turns is within its ball; about the origin, which it turns about.
+      // A rotating body is within its ball about the origin, which it rotates about.
       const fcl::CollisionGeometryd& shape = *body.shape;
       const Eigen::Vector3d ball = Eigen::Vector3d::Constant(shape.aabb_radius + shape.aabb_center.norm());
       fcl::AABBd way;

@@ -1,9 +1,9 @@
 // Does any text break a reader?
 //
-//   1  the bytes are a file: of one case, of cases a line, of proofs, and of guarantees;
-//   2  no reader crashes or throws anything but what it documents; each gives a case or an error, and every
-//      error is one line that begins with the file's name and says something after it;
-//   3  what was read is written and read again: the same bits, the same line.
+//   1. The bytes are a file: of one case, of cases a line, of proofs, and of guarantees.
+//   2. No reader crashes or throws anything that it does not document. Each gives a case or an error, and every error
+//      is one line that begins with the file's name and says something after it.
+//   3. The result is written and read again: the same bits, the same line.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@ constexpr unsigned kRotationA = 1, kPivotA = 2, kRotationB = 4, kPivotB = 8, kPa
 constexpr unsigned kQueries = 7;
 constexpr std::uint8_t kAdjacency = 0x80, kInvalid = 0xf0, kAsItIs = 0xff;
 
-// A kind of shape is its index in graze::Shape; combinators are the last.
+// A kind of shape is its index in graze::Shape. The combinators are the last.
 constexpr unsigned kKinds = std::variant_size_v<Shape<double>::Kinds>, kMissing = 15;
 constexpr unsigned kFirstCombinator = 10;
 static_assert(kKinds == 14);

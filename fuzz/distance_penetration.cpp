@@ -1,9 +1,9 @@
 // Does any query beside the cast answer wrongly: overlap, distance, penetration, the line?
 //
-//   1  decode;
-//   2  choose a method of a query by the choice; where no law applies to it, the next;
-//   3  check every law of queries that needs no oracle;
-//   4  on one case in kOneIn, those that need one.
+//   1. Decode.
+//   2. Choose a method of a query by the choice. If no law applies to it, take the next.
+//   3. Check every law of queries that needs no oracle.
+//   4. For one case in kOneIn, check those that need one.
 #include "corpus/format/names.hpp"
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"

@@ -1,10 +1,10 @@
 // Does CGAL's exact arithmetic find a wrong cast of small polytopes?
 //
-//   1  decode, and make both bodies polytopes of at most 8 vertices in identity poses;
-//   2  choose a scalar: double three times in four, else float;
-//   3  ask every method of that scalar for everything;
-//   4  the exact oracle judges each answer, all of it: verdict, bracket, time, normal, witnesses, how tight a
-//      proof is, and of tier exact every bit (the laws that need an oracle).
+//   1. Decode, and make both bodies polytopes of at most 8 vertices in identity poses.
+//   2. Choose a scalar: double three times in four, else float.
+//   3. Call every method of that scalar with everything requested.
+//   4. The exact oracle judges all of each answer: verdict, bracket, time, normal, witnesses, the tightness of the
+//      proof, and every bit of tier exact (the laws that need an oracle).
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
 #include "properties/judge/linear_faults.hpp"

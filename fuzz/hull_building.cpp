@@ -1,9 +1,9 @@
-// Is a hull built wrongly, or its support?
+// Is a hull, or its support, built wrongly?
 //
-//   1  decode; the points are the vertices of A, of B, or of both; where there are fewer than four, all
-//      numbers of the case in threes;
-//   2  in float or double, by the choice, drawn into the range of what the building promises;
-//   3  CGAL's hull of the same points judges adjacency, vertices, supports and hints (hull_law.hpp).
+//   1. Decode. The points are the vertices of A, of B, or of both. If there are fewer than four, they are all numbers
+//      of the case in threes.
+//   2. Choose float or double by the choice. The points are brought into the range that the building guarantees.
+//   3. CGAL's hull of the same points judges adjacency, vertices, supports and hints (hull_law.hpp).
 #include "fuzz/hull_law.hpp"
 #include "fuzz/target.hpp"
 #include "properties/edit/case.hpp"

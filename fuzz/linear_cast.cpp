@@ -1,13 +1,14 @@
 // Does any linear cast answer wrongly?
 //
-//   1  decode; one case in a thousand, by the choice, goes to every method and to the exact oracle, with all
-//      that it can judge (judge/judge_cast.hpp);
-//   2  else the choice names one method, and it answers everything;
-//   3  the answer is consistent in itself, and the checker accepts its proof; tier exact is judged by its own
-//      to the last bit (exact_answer.hpp); elsewhere a proof as narrow as the method's row settles it;
-//   4  what is left open is now and then compared with the tier that proves its answers, exact where that
-//      exists, certified elsewhere; where the two disagree, the oracle is asked one time in 32: at a graze
-//      two times may both be right and yet far apart.
+//   1. Decode. One case in a thousand, by the choice, goes to every method and to the exact oracle, which judges all
+//      that it can (judge/judge_cast.hpp).
+//   2. Otherwise the choice names one method, and it answers everything.
+//   3. The answer must be consistent in itself, and the checker must accept its proof. Tier exact is judged by its own
+//      proof to the last bit (exact_answer.hpp). Elsewhere a proof as narrow as the method's guarantee settles the
+//      answer.
+//   4. An answer left open is now and then compared with the tier that proves its answers: exact where it exists,
+//      certified elsewhere. If the two disagree, the oracle is called one time in 32, because at a graze two times may
+//      both be right and yet far apart.
 #include <fmt/format.h>
 
 #include "fuzz/repair.hpp"
@@ -28,16 +29,16 @@ using engine::Answer;
 using engine::Method;
 
 constexpr std::uint64_t kOracleOneIn = 1000, kArbitratedOneIn = 32;
-// The tiers that prove take ten times as long as other methods where numbers are exact, and of curved shapes
-// a hundred times: asked so seldom, they still take about as much time as the others together. Other targets
-// ask tier exact of every case.
+// The proving tiers take ten times as long as other methods where numbers are exact, and a hundred times for curved
+// shapes. Called this rarely, they still take about as much time as the others together. Other targets call tier exact
+// for every case.
 constexpr std::uint64_t kExactOneIn = 12;
 struct Seldom {
   std::uint64_t certified, compared;  // one time in so many
 };
 constexpr Seldom kOfExactQuestions = {64, 8}, kOfOthers = {256, 64};
 
-// A choice is spent digit by digit, so that no two decisions hang together.
+// A choice is used digit by digit, so that no two decisions are correlated.
 class Choice {
  public:
   explicit Choice(std::uint64_t rest) : rest_(rest) {}
@@ -62,7 +63,7 @@ Judged judge_all(const Case& problem) {
   return judged;
 }
 
-// What is wrong with an answer, by itself and by its proof.
+// The fault of an answer, found from the answer itself and its proof.
 std::string own_fault(const Case& problem, const Method& method, const Answer& answer) {
   std::string fault = law::consistency_fault(problem, method, answer, Request::everything);
   if (!fault.empty()) return fault;

@@ -1,10 +1,10 @@
 // Does the checker accept a proof that claims too much?
 //
-//   1  decode; a case with a spin is asked as a rotating cast, any other as a linear one;
-//   2  take the proof of a method that the choice names, or none, and spoil it (spoil_proof.hpp);
-//   3  what the checker accepts must be true. A method that found another proof is asked first: a claim that
-//      its bracket holds needs nobody else. The oracle decides about the rest;
-//   4  an accepted proof stays accepted when it claims less.
+//   1. Decode. A case with a spin becomes a rotating cast, any other a linear one.
+//   2. Take the proof of a method that the choice names, or none, and spoil it (spoil_proof.hpp).
+//   3. A proof that the checker accepts must be true. A method that found another proof is consulted first: a claim
+//      that its bracket confirms needs no other judge. The oracle decides the rest.
+//   4. An accepted proof stays accepted when it claims less.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ Judged judge_linear(const Case& problem, corpus::Random& random) {
   if (!random.once_in(8)) {
     const auto methods = engine::methods(engine::Kind::linear);
     const engine::Method& method = methods[random.below(methods.size())];
-    // A proof in float is about the case in float; here it is one more way to be wrong.
+    // A proof in float is about the case in float. Here it is one more way to be wrong.
     proof = method.ask(problem, {.request = Request::proof}).proof.value_or(Proof());
   }
   spoil(proof, problem, random);

@@ -1,8 +1,8 @@
 // Does an exact edit of a case change what a method answers?
 //
-//   1  decode;
-//   2  choose a law that needs the method alone, and a method that takes the case, by the choice;
-//   3  check it; where it does not apply try the next laws, kTries at most.
+//   1. Decode.
+//   2. Choose a law that needs the method alone, and a method that takes the case, by the choice.
+//   3. Check it. If it does not apply, try the next laws, kTries at most.
 #include <vector>
 
 #include "fuzz/repair.hpp"
@@ -33,7 +33,7 @@ Judged judge_edits(const Input& input) {
   const auto& laws = metamorphic_laws();
   const auto& methods = engine::methods(engine::Kind::linear);
   std::size_t chosen = input.choice / 256 % methods.size();
-  // Tier exact takes few; every case has a method that does.
+  // Tier exact takes few cases. Every case has a method that takes it.
   for (std::size_t i = 0;
        i < methods.size() && !law::is_question_for(methods[chosen], methods[chosen].seen(problem)); ++i) {
     chosen = (chosen + 1) % methods.size();

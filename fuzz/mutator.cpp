@@ -33,8 +33,8 @@ bool never_negative(Slot slot) {
   return slot == Slot::extent || slot == Slot::horizon || slot == Slot::target;
 }
 
-// To the last bit where tier exact answers, else within rounding. Quick: mutating must not cost more than
-// judging, as tier certified does of curved shapes.
+// To the last bit where tier exact answers, else within rounding. Quick: mutation must not cost more than judgement, as
+// tier certified does for curved shapes.
 engine::Answer first_contact(const Case& linear) {
   return engine::find_method(engine::Kind::linear, engine::is_exact_question(linear) ? "exact" : "gjk")
       ->ask(linear, {});
@@ -340,7 +340,7 @@ class Mover {
     }
   }
 
-  // Curated cases where the source tree is at hand; families' cases anywhere.
+  // Curated cases if the source tree is available, and families' cases anywhere.
   static const std::vector<Case>& curated() {
     static const std::vector<Case> kCases = [] {
       std::vector<Case> cases = corpus::read_directory(corpus::corpus_directory() / "cases").cases;
@@ -395,7 +395,7 @@ Bytes with_tail(Bytes bytes, std::span<const std::uint8_t> tail, Random& random)
 std::optional<Case> moved(Move move, const Case& problem, Random& random) {
   Mover mover(problem, random);
   if (!mover.apply(move)) return std::nullopt;
-  // What was bad before may stay so; a move adds nothing to it.
+  // Numbers that were bad before may stay so. A move adds none.
   if (law::in_domain(problem) && !law::in_domain(mover.result())) return std::nullopt;
   return mover.result();
 }
@@ -408,7 +408,7 @@ std::optional<Bytes> mutated(std::span<const std::uint8_t> bytes, std::size_t mo
   const int moves = random.once_in(2) ? 1 : random.integer(2, 3);
   for (int i = 0, tries = 0; i < moves && tries < 8; ++tries) {
     const Move move = static_cast<Move>(random.below(kMoveNames.size()));
-    // A turn is for bodies that turn: of linear cases it would be set aside.
+    // A turn is for rotating bodies. Linear cases would set it aside.
     if (move == Move::turn && !law::has_spin(problem) && !random.once_in(8)) continue;
     std::optional<Case> next = moved(move, problem, random);
     if (!next) continue;

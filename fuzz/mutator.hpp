@@ -1,8 +1,8 @@
 // Mutations that know geometry: bytes to a case, a move of the case, and back to bytes.
 //
-// Raw mutations of bytes hardly ever make two bodies touch, a face flat or two coordinates neighbours; these
-// moves do little else. Every one is a pure function of the case and the random bits, and leaves a question a
-// question: no number becomes NaN, infinite or out of range, no extent negative, no quaternion zero.
+// Raw mutations of bytes hardly ever make two bodies touch, a face flat or two coordinates neighbours. These moves do
+// little else. Each is a pure function of the case and the random bits, and keeps a question a question: no number
+// becomes NaN, infinite or out of range, no extent negative, no quaternion zero.
 #pragma once
 
 #include <array>
@@ -32,12 +32,12 @@ inline constexpr std::array<std::string_view, 12> kMoveNames = {"one_ulp", "copy
                                                                 "touch",   "duplicate", "drop",  "flatten",
                                                                 "align",   "start",     "turn",  "swap_in"};
 
-// The case after the move; nothing where it does not apply (no vertex to drop) or would leave the domain.
+// The case after the move. Nothing if the move does not apply (no vertex to drop) or would leave the domain.
 [[nodiscard]] std::optional<corpus::Case> moved(Move move, const corpus::Case& problem,
                                                 corpus::Random& random);
 
-// One to three moves of the case in the bytes; the tail stays, but for one time in four, when a byte of it
-// changes. Nothing where no move applies or the result is longer than `most`.
+// One to three moves of the case in the bytes. The tail stays, except that one time in four a byte of it changes.
+// Returns nothing if no move applies or the result is longer than `most`.
 [[nodiscard]] std::optional<Bytes> mutated(std::span<const std::uint8_t> bytes, std::size_t most,
                                            std::uint64_t seed);
 // A child of two: a body, the motions, or all but the bodies of one, the rest of the other.

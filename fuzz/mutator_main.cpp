@@ -1,5 +1,5 @@
-// The mutator and the crossover that libFuzzer calls; linked into fuzzers alone. One time in four, and where
-// no move applies, libFuzzer's own mutations of bytes; another engine has none, and does not call these.
+// The mutator and the crossover that libFuzzer calls, linked into fuzzers alone. One time in four, and where no move
+// applies, they use libFuzzer's own mutations of bytes. Other engines have no such mutations and do not call these.
 #include <cstring>
 
 #include "fuzz/mutator.hpp"

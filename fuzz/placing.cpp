@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 128;
 
-// q x conj(q) / |q|^2 of a pure quaternion x; the inverse turn for `back`.
+// q x conj(q) / |q|^2 for a pure quaternion x, or the inverse rotation for `back`.
 Vec3<double> turned(const Quaternion<double>& q, const Vec3<double>& x, bool back) {
   const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
   if (!(square > 0) || q.is_identity()) return x;

@@ -1,4 +1,4 @@
-// Points of a body that another may be placed at, in world axes at t = 0; rounded.
+// Rounded points of a body that another may be placed at, in world axes at t = 0.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace graze::fuzz {
 
-// The vertices of a shape that has them as numbers, in the order of those numbers; of a box and other
-// polytopes their vertices; of what is curved the middles of the faces of its bounding box. None for a shape
-// without a point.
+// The feature points by kind of shape. A shape with its vertices as numbers returns them in the order of those numbers.
+// A box and other polytopes return their vertices. A curved shape returns the middles of the faces of its bounding box.
+// A shape without a point returns none.
 [[nodiscard]] std::vector<Vec3<double>> feature_points(const Body<double>& body);
 
 // The point in the body's own frame.

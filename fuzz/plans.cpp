@@ -1,8 +1,8 @@
-// Does a plan spare what it must not, or simulate what it says it spares?
+// Does a plan spare motion that it must not, or simulate motion that it reports as spared?
 //
-//   1  decode; the step is finite, the turns moderate;
-//   2  choose a law of the plan, or of turns that no plan simulates, and a method, by the choice;
-//   3  check it; where it does not apply try the next laws, each once.
+//   1. Decode. The step is finite, and the rotations are moderate.
+//   2. Choose a law of the plan, or of rotations that no plan simulates, and a method, by the choice.
+//   3. Check it. If it does not apply, try the next laws, each once.
 #include <vector>
 
 #include "fuzz/repair.hpp"
@@ -31,7 +31,7 @@ const std::vector<const law::Law*>& plan_laws() {
   return kLaws;
 }
 
-// The methods whose answer is the plan's: the others ask it nothing.
+// The methods whose answer depends on the plan. The others do not use one.
 const std::vector<const engine::Method*>& planned_methods() {
   static const std::vector<const engine::Method*> kMethods = [] {
     std::vector<const engine::Method*> out;

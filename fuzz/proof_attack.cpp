@@ -1,11 +1,11 @@
 // Does the checker accept a changed proof that is false?
 //
-//   1  decode; a case with a spin is asked as a rotating cast, any other as a linear one;
-//   2  take the proof of a method that the choice names;
-//   3  change it, the case under it and the claim, a few times (properties/attack/mutant.hpp);
-//   4  what the checker accepts must not be contradicted by the oracles, however it was made.
+//   1. Decode. A case with a spin becomes a rotating cast, any other a linear one.
+//   2. Take the proof of a method that the choice names.
+//   3. Change it, the case under it and the claim, a few times (properties/attack/mutant.hpp).
+//   4. The oracles must not contradict an accepted proof, however it was made.
 //
-// made_up_proofs asks the same of proofs that are spoilt, of the case as it is.
+// made_up_proofs does the same with spoilt proofs of the unchanged case.
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
 #include "properties/attack/attack.hpp"
@@ -15,7 +15,7 @@ namespace graze::fuzz {
 
 namespace {
 
-// Bulk is for the program; here the case is what changes most.
+// The program covers bulk. Here mostly the case changes.
 constexpr attack::Settings kFew = {.edited_cases = 2, .mutants_each = 3};
 
 Judged judge_mutants(const Input& input) {

@@ -1,11 +1,11 @@
 // Runs a fuzz target on files, without a fuzzer: built everywhere, so a target never rots and a crash file
 // replays under any debugger.
 //
-//   replay PATH...               runs every file, and every file of a directory; finding none is an error
-//   replay --print FILE            prints the file's case as JSON, ready for `graze corpus add` (--decode: the same)
-//   replay --minimise FILE [OUT]   prints the smallest case that still has a finding; writes its bytes to OUT
+//   replay PATH...                 runs every file, and every file of a directory. Finding none is an error.
+//   replay --print FILE            prints the file's case as JSON, ready for `graze corpus add` (--decode: the same).
+//   replay --minimise FILE [OUT]   prints the smallest case that still has a finding, and writes its bytes to OUT.
 //   replay --encode DIR FILE...    writes the cases of .json and .jsonl files to DIR as seeds (seed_corpus.cpp
-//                                  does so of the whole corpus)
+//                                  does so for the whole corpus).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,12 +95,12 @@ int minimise(const fs::path& file, const std::string& out) {
     fmt::print(stderr, "{}: no finding\n", file.string());
     return 1;
   }
-  // The same law, by the same method: another fault is another finding.
+  // The same law, by the same method. Another fault would be another finding.
   const auto fails = [&](const Case& problem) {
     const std::optional<Finding> finding = find(problem);
     return finding && finding->law == first->law && finding->method == first->method;
   };
-  // What can be encoded stays so.
+  // A case that can be encoded stays so.
   const Case least = graze::law::minimised(
       input.problem, [&](const Case& c) { return graze::fuzz::bytes_of(c, input) && fails(c); }, 3000);
   const std::optional<Finding> last = find(least);

@@ -1,9 +1,9 @@
 // Does any rotating cast answer wrongly?
 //
-//   1  decode; the step is finite, the turns moderate;
-//   2  choose a method by the choice;
-//   3  judge its answer by itself and by its proof;
-//   4  one case in kOneIn goes to the bracket oracle, which judges all of the answer.
+//   1. Decode. The step is finite, and the rotations are moderate.
+//   2. Choose a method by the choice.
+//   3. Judge its answer by itself and by its proof.
+//   4. One case in kOneIn goes to the bracket oracle, which judges all of the answer.
 #include "fuzz/repair.hpp"
 #include "fuzz/target.hpp"
 #include "properties/laws/law.hpp"

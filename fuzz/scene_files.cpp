@@ -1,9 +1,9 @@
 // Does any text break the reader of scenes, and does any scene break its plan?
 //
-//   1  eight bytes that begin no object are the seed of a random scene, and the law of scenes is asked of it;
-//   2  else the bytes are a scene: the reader gives a scene or one error of one line that names the file;
-//   3  what was read is written and read again: the same line;
-//   4  plan and run, within a budget of pairs, say the same of it, and count every pair once.
+//   1. Eight bytes that begin no object are the seed of a random scene, on which the law of scenes is checked.
+//   2. Otherwise the bytes are a scene: the reader gives a scene, or one error of one line that names the file.
+//   3. The scene is written and read again: the same line.
+//   4. Plan and run, within a budget of pairs, report the same about it, and count every pair once.
 #include <algorithm>
 
 #include "corpus/format/json_value.hpp"

@@ -119,7 +119,7 @@ class Spoiler {
         return std::scalbn(x, random_.integer(-2, 2));
     }
   }
-  // A time that claims more or less than x, by little or by a lot; never below 0, which is malformed.
+  // A time that claims more or less than x, by little or by a lot. It is never below 0, which is malformed.
   double bound(double x, double other, double extreme) {
     if (random_.once_in(6)) return extreme;
     if (random_.once_in(6)) return other;

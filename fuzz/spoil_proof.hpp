@@ -1,8 +1,8 @@
-// Proofs that claim something else than they should: found ones changed a little, and invented ones.
+// Proofs with wrong claims: found ones changed a little, and invented ones.
 //
-// Every change is small in one place: bounds by one unit in the last place or by a lot, an axis tilted or
-// turned round, another vertex, a point of a portal left out or moved. What comes out may claim too much, too
-// little, or the right thing by other means; only a checker can tell.
+// Every change is small and in one place: bounds by one unit in the last place or by a lot, an axis tilted or turned
+// round, another vertex, a point of a portal left out or moved. The result may claim too much, too little, or the right
+// thing by other means. Only a checker can tell.
 #pragma once
 
 #include <graze/rotating_proof.hpp>
@@ -12,7 +12,7 @@
 
 namespace graze::fuzz {
 
-// One change in two, two or three else.
+// One change half of the time, otherwise two or three.
 void spoil(Proof& proof, const corpus::Case& problem, corpus::Random& random);
 void spoil(RotatingProof& proof, const corpus::Case& problem, corpus::Random& random);
 

@@ -1,8 +1,7 @@
-// What a fuzz target is: a question about a case (or a text), asked of bytes.
+// A fuzz target: a question about a case (or a text), asked of bytes.
 //
-// A target's file defines kTarget and nothing else; target_main.cpp makes the function of it that libFuzzer
-// calls, so that every target counts, reports and aborts alike, and replay_main.cpp can make its findings
-// small.
+// A target's file defines kTarget and nothing else. From it target_main.cpp makes the function that libFuzzer calls, so
+// that every target counts, reports and aborts alike, and replay_main.cpp can minimise its findings.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +14,28 @@
 
 namespace graze::fuzz {
 
-// What broke. `law` names the law, or the step of the target; `method` who broke it, or nobody.
+// The broken property. `law` names the law, or the step of the target, and `method` the method that broke it, if any.
 struct Finding {
   std::string law, method, fault;
   corpus::Case problem;  // as the target asked it
   std::string sides;     // every side's answer, several lines, or nothing
 };
 
-// What became of one input.
+// The result for one input.
 struct Judged {
-  bool reached = false;  // some law looked at it; else the input was no question for this target
+  bool reached = false;  // some law applied to it (otherwise the input was no question for this target)
   bool by_oracle = false;
-  bool known = false;  // what broke is listed as a known failure (properties/laws/reach.hpp): no finding
+  bool known = false;  // the broken law is listed as a known failure (properties/laws/reach.hpp), which is
+                       // not a finding
   std::optional<Finding> finding;
 };
 
 // A case, and the choices that the target may draw about it.
 struct Input {
   corpus::Case problem;
-  // A hash of the case's bytes, and the tail's first eight bytes added bit by bit. So a mutant of an input
-  // that drew the oracle draws anew: else a fuzzer, which keeps what reaches new code, would fill its corpus
-  // with such. The same while a finding is made small.
+  // A hash of the case's bytes, with the tail's first eight bytes added bit by bit. A mutant of an input that
+  // drew the oracle therefore draws anew. Otherwise a fuzzer, which keeps inputs that reach new code, would
+  // fill its corpus with them. The choice stays the same while a finding is minimised.
   std::uint64_t choice = 0;
   std::span<const std::uint8_t> tail;
 };
@@ -47,15 +47,15 @@ struct Input {
 
 struct Target {
   const char* name;
-  Judged (*judge)(const Input&);                                  // of a case; or nullptr
+  Judged (*judge)(const Input&);                                  // of a case, or nullptr
   Judged (*judge_text)(std::span<const std::uint8_t>) = nullptr;  // of a text
 };
 extern const Target kTarget;
 
-// target.cpp has these two of cases, text_target.cpp of texts.
+// target.cpp defines these two for cases, text_target.cpp for texts.
 [[nodiscard]] Judged judge(std::span<const std::uint8_t> bytes);
 
-// target, law, method, fault and the case as JSON, a line each; every number as a hexfloat; every side.
+// target, law, method, fault and the case as JSON, a line each. Then come every number as a hexfloat and every side.
 [[nodiscard]] std::string report(const Finding& finding);
 // The first four of these lines.
 [[nodiscard]] inline std::string heading(const Finding& finding) {
@@ -63,7 +63,7 @@ extern const Target kTarget;
          "\nfault: " + finding.fault + "\n";
 }
 
-// Adds what a law said of a method's answer: reached if it applied, a finding if it broke.
+// Adds the result of a law for a method's answer: reached if it applied, a finding if it broke.
 void add(Judged& judged, std::string_view law, std::string_view method, const law::LawResult& said,
          const corpus::Case& problem);
 

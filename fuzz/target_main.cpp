@@ -1,7 +1,7 @@
 // The function that libFuzzer and replay_main.cpp call. On a finding it prints the report and aborts.
 //
-// At the end it prints how many executions reached a law, asked the oracle, and met a known failure; an input
-// that reaches no law is time lost.
+// At the end it prints how many executions reached a law, called the oracle, and met a known failure. An input that
+// reaches no law is time lost.
 #include <cstdio>
 #include <cstdlib>
 
@@ -26,9 +26,9 @@ void print_share() {
 
 }  // namespace
 
-// What address sanitizer does unless ASAN_OPTIONS says otherwise. It keeps the stack of every allocation, and
-// those through GMP, which has no frame pointers, are junk and each another: half of the time of an oracle's
-// execution went into storing them. A campaign replays what fails with all frames.
+// The defaults of address sanitizer, unless ASAN_OPTIONS overrides them. It keeps the stack of every allocation. Stacks
+// through GMP, which has no frame pointers, are junk and all different: half of the time of an oracle's execution went
+// into storing them. A campaign replays failures with all frames.
 extern "C" const char* __asan_default_options() { return "malloc_context_size=1"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

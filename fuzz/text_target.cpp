@@ -1,5 +1,5 @@
-// What target.cpp is to targets of cases, for the fuzzers of texts. A text needs neither codec nor oracle, so that the
-// fuzzers of readers are built without them. No breach is known of a text (properties/laws/reach.hpp names methods).
+// The counterpart of target.cpp for the fuzzers of texts. A text needs neither codec nor oracle, so the fuzzers of
+// readers are built without them. There are no known failures for texts (properties/laws/reach.hpp names methods).
 #include "fuzz/target.hpp"
 
 namespace graze::fuzz {

@@ -1,12 +1,10 @@
 // Do tiers, methods and scalars contradict each other?
 //
-//   1  decode; half of the cases are rounded to float, so that both scalars are asked one question;
-//   2  ask every method of both scalars for its verdict;
-//   3  brackets of tiers certified and exact hold without condition: any two of one question have a time in
-//      common;
-//   4  every other answer agrees with the proved one of its question, or the oracle finds each within its
-//      row;
-//   5  the two scalars' answers of one method agree likewise.
+//   1. Decode. Half of the cases are rounded to float, so that both scalars get one question.
+//   2. Call every method of both scalars for its verdict.
+//   3. Brackets of tiers certified and exact hold without condition: any two for one question have a time in common.
+//   4. Every other answer agrees with the proved one for its question, or the oracle finds each within its guarantee.
+//   5. The two scalars' answers of one method agree likewise.
 #include <fmt/format.h>
 
 #include "engines/convert.hpp"

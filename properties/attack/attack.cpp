@@ -24,7 +24,7 @@ namespace {
 // One case in so many is asked twice.
 constexpr std::uint64_t kSecondOpinionEvery = 16;
 
-// While it lives, what is subnormal is zero, as an operand and as a result.
+// While it lives, subnormal numbers are zero, as operands and as results.
 class Flushing {
  public:
 #if defined(__SSE2__)
@@ -42,8 +42,8 @@ class Flushing {
   Flushing& operator=(const Flushing&) = delete;
 };
 
-// What the checker has accepted. In the standard tier a linear record's bracket holds for some set near the true one
-// (stated_within).
+// The claim that the checker has accepted. In the standard tier a linear record's bracket holds for some set near the
+// true one (stated_within).
 Claim claim_of(const ProofRecord& record, bool with_statement) {
   Claim claim;
   claim.lower = record.rotating ? record.rotating->toi_lower : record.proof.toi_lower;
@@ -57,12 +57,12 @@ Claim claim_of(const ProofRecord& record, bool with_statement) {
   return claim;
 }
 
-// How far from C the set may be of which the checker lets a bracket of the standard tier stand: a length.
+// Distance from C (a length) of the sets for which the checker accepts a bracket of the standard tier.
 double stated_within(const ProofRecord& record, const Settings& settings) {
   return oracle::rounding_granted(record, std::max(settings.kappa, engine::kappa_of(record)));
 }
 
-// The classes, those more often that are seldom accepted.
+// A random class. Classes that are rarely accepted are drawn more often.
 Edit some_case_edit(Random& random) {
   constexpr std::array kWeighted = {Edit::pivot,   Edit::pivot,  Edit::resting_pivot, Edit::resting_pivot,
                                     Edit::placing, Edit::motion, Edit::extent,        Edit::horizon,
@@ -114,7 +114,7 @@ class Attack {
       return std::move(found_);
     }
     for (int i = 0; i < 2 * settings_.mutants_each; ++i) shoot({base_, {}});
-    // Few proofs have a contact of turning bodies, and a changed case seldom leaves it where it was.
+    // Few proofs have a contact of rotating bodies, and a changed case rarely leaves it where it was.
     if (base_.rotating && base_.rotating->toi_upper < kInfinity<double>)
       for (int i = 0; i < 2 * settings_.mutants_each; ++i) shoot({base_, {}}, Edit::weights);
     for (int k = 0; k < settings_.edited_cases; ++k) {
@@ -144,7 +144,7 @@ class Attack {
     weigh(mutant);
   }
 
-  // What the oracles say of that; they need not be asked of what cannot be.
+  // The oracles' judgement of the claim. They are not called for a claim that is impossible.
   Judgement judged(const ProofRecord& record, const Accepted& believed) {
     if (believed.stands && !has_a_time(record))
       return {Judgement::Kind::contradicted, "what it states beside a proof that rules it out"};
@@ -175,14 +175,14 @@ class Attack {
       return count_in(mutant.edits, &Count::refused);
     }
     if (mutant.edits[kOutcome] && !statement && (!stands || has_a_time(mutant.record))) {
-      // The proof stands, by itself.
+      // The proof itself stands: only the statement is refused.
       count_in(Edits().set(kOutcome), &Count::refused);
       mutant.edits.reset(kOutcome);
     }
     if (!judge_) judge_.emplace(mutant.record.problem, random_.once_in(kSecondOpinionEvery));
     Judgement said = judged(mutant.record, believed);
-    // What means the same is no mutant. Where it is contradicted all the same, the checker is wrong all the
-    // same.
+    // A record with the same meaning is not a mutant. If it is contradicted all the same, the checker is
+    // wrong anyway.
     const bool contradicted = said.kind == Judgement::Kind::contradicted;
     if (contradicted) found_.push_back({mutant.record, mutant.edits, std::move(said.fault)});
     if (!differs && !contradicted) {
@@ -247,7 +247,7 @@ Accepted accepted(const ProofRecord& record, const Settings& settings) {
   const double within = exactly ? 0 : oracle::rounding_granted(record, settings.kappa);
   if (verdict.finding != oracle::RecordFinding::refused)
     return {true, verdict.finding == oracle::RecordFinding::accepted, true, within};
-  // These two it says of a proof that is true.
+  // The checker also gives these two reasons for a proof that is true.
   return {verdict.reason == "contradicted" || verdict.reason == "unproved", false, false, within};
 }
 

@@ -1,9 +1,9 @@
-// The checker of proofs, attacked by meaning: mutants of true proofs, and what becomes of them.
+// An attack on the checker of proofs by meaning: mutants of true proofs, and their results.
 //
-// A mutant that the checker refuses is counted and left. One that it accepts is judged by the oracles
-// (claim_judge.hpp), however it was made: an accepted proof whose claim they contradict is a finding. It
-// counts as an accepted mutant only if it differs in meaning from the proof that it was made from
-// (meaning.hpp) and the oracles agree; what they leave open is counted apart.
+// A mutant that the checker refuses is only counted. The oracles judge an accepted one (claim_judge.hpp), however it
+// was made: an accepted proof whose claim they contradict is a finding. It counts as an accepted mutant only if it
+// differs in meaning from the proof that it was made from (meaning.hpp) and the oracles agree. Mutants that they leave
+// open are counted apart.
 #pragma once
 
 #include <functional>
@@ -16,19 +16,19 @@
 namespace graze::attack {
 
 struct Settings {
-  // The checker runs with subnormal numbers flushed to zero, as a program linked with -ffast-math has it.
+  // The checker runs with subnormal numbers flushed to zero, as in a program linked with -ffast-math.
   bool flush_subnormals = false;
-  // Linear proofs are accepted to within kappa u scale, too (check_within.hpp), and those that are so by no less are
-  // judged by as much.
+  // Linear proofs are accepted to within kappa u scale, too (check_within.hpp). Proofs accepted only by this
+  // tolerance are judged by the same tolerance.
   double kappa = 0;
-  // Of one base: cases that are made of its case, and mutants of the proof on each of these; of the proof on
-  // the case itself, twice as many.
+  // Counts for one base: cases that are made of its case, and mutants of the proof on each of these. The
+  // proof on the case itself gets twice as many.
   int edited_cases = 6, mutants_each = 8;
 };
 // Can this machine be told to flush?
 [[nodiscard]] bool can_flush_subnormals();
 
-// What became of mutants; by class, a mutant counts in each of its classes.
+// Results of mutants. In the counts by class, a mutant counts in each of its classes.
 struct Count {
   std::uint64_t refused = 0, agreed = 0, undecided = 0, contradicted = 0;
 };
@@ -47,11 +47,11 @@ struct Finding {
   Edits edits;                 // empty: no mutant, but what a method proved
   std::string fault;
 };
-// One line of graze.proof/1; the fault is the comment of its case.
+// One line of graze.proof/1. The fault is the comment of its case.
 [[nodiscard]] std::string text_of(const Finding& finding);
 
-// Does the checker accept the proof; does it say that the proof proves what the record states beside it; or
-// does it at least let that stand, as proved in part?
+// Answers of the checker. Does it accept the proof? Does it confirm that the proof proves the record's own statement?
+// If not, does it at least accept that statement as proved in part?
 struct Accepted {
   bool proof = false, statement = false, stands = false;
   double within = 0;  // the proof is true of shapes so near, a length, and not exactly

@@ -1,4 +1,4 @@
-// What is mutated: true proofs of cases that an oracle decides cheaply.
+// The bases of mutants: true proofs of cases that an oracle decides cheaply.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,14 @@
 
 namespace graze::attack {
 
-// Small shapes. Half of them are linear (properties/generate/case.hpp); of the others most are of the kinds
-// that a bound of motion is written for: a body that sweeps about its pivot by parts of a turn, whole turns
-// and several, the other beside what it sweeps, resting with a pivot of its own, sliding or turning too;
-// balls written as other shapes, on far pivots. The rest are the laws' own turning cases
-// (properties/generate/rotating.hpp).
+// Small shapes. Half of them are linear (properties/generate/case.hpp). Most of the others are of the kinds that a
+// bound of motion is written for:
+//
+// - a body that sweeps about its pivot by parts of a turn, whole turns and several, with the other beside its sweep,
+//   resting with a pivot of its own, sliding or rotating too
+// - balls written as other shapes, on far pivots
+//
+// The rest are the laws' own rotating cases (properties/generate/rotating.hpp).
 [[nodiscard]] corpus::Case draw_case(corpus::Random& random);
 
 // The proof of a method that `random` names, if it has one for this case: a rotating one for a case with a

@@ -19,14 +19,14 @@ namespace {
 using corpus::Case;
 using Kind = Judgement::Kind;
 
-// Single times that are looked at, spread over the step.
+// Number of single times that are checked, spread over the step.
 constexpr int kLooks = 12;
-// Slices of time that the rotating oracle may try: a few radians take it two dozen, 200 a hundred. Bodies
-// that slide along each other, closer than it can tell, would take thousands, milliseconds each, to stay
-// undecided.
+// Slices of time that the rotating oracle may try. A rotation of a few radians takes about two dozen, 200 radians a
+// hundred. Bodies that slide along each other, closer than it can tell, would take thousands, milliseconds each, and
+// remain undecided.
 constexpr int kSlices = 1 << 8;
 
-// What is proved of the first contact.
+// The proved facts about the first contact.
 struct Known {
   Outcome outcome = Outcome::not_converged;
   bool contact = false;                         // is proved, though maybe not whether at t = 0
@@ -54,8 +54,8 @@ struct ClaimJudge::Impl {
   std::optional<oracle::SampledContact> looks;
 
   Impl(const Case& given, bool second) : problem(given), second_opinion(second), turning(turns(given)) {
-    // Beside a turn the policy has no meaning (StartPolicy), and a chain is about contact itself. The pivot
-    // of a body that does not turn has none either.
+    // For rotating bodies the policy has no meaning (StartPolicy), and a chain is about contact itself. The
+    // pivot of a body that does not rotate has none either.
     if (turning) {
       problem.start_policy = StartPolicy::report;
     } else {
@@ -158,15 +158,16 @@ struct ClaimJudge::Impl {
     if (said == nullptr || said->outcome() == Outcome::not_converged) return {};
     const bool contact = said->outcome() != Outcome::miss;
     if (claim.lower > 0 && contact) {
-      // S is convex, and apart from the path up to there: some translation of C by `length` is, too.
+      // S is convex, and apart from the path up to there: some translation of C by `length` is apart from it,
+      // too.
       const bool miss = claim.lower > problem.t_max;
       const double depth = miss ? said->depth().low : said->lateness(claim.lower).low;
       if (depth > length)
         return contradicted(claim, known->by + fmt::format(", {:g} deep of {:g}", depth, length));
     }
     if (claim.upper < kInfinity<double>) {
-      // Between the bounds the distance of the path from C, convex in t, is no less than at an end, but for the way
-      // from there; before contact it falls.
+      // The distance of the path from C is convex in t. Between the bounds it is no less than at an end, less
+      // the path from there to that end. Before contact it falls.
       const double from = claim.lower, to = std::min(claim.upper, problem.t_max);
       const double way =
           (problem.b.displacement - problem.a.displacement).norm() * (to - from) * (1 + 0x1p-40);

@@ -1,9 +1,9 @@
-// Is a claim about a case true? By the oracles, which do not look at how it was proved.
+// Judges by the oracles if a claim about a case is true. The oracles do not look at how it was proved.
 //
-// Bodies that do not turn: the exact oracle, or the bracket oracle for curved shapes; of polytopes, one in
-// some, the linear program says it again. Turning ones: looks at single times first (sampled_contact.hpp),
-// which convict at once and know no bound of motion, then the chains of RotatingTruth. What is asked of a
-// case is computed once, however many claims are judged.
+// For bodies that do not rotate, the judge is the exact oracle, or the bracket oracle for curved shapes. For some
+// polytopes the linear program repeats the judgement. For rotating bodies, it first checks single times
+// (sampled_contact.hpp), which need no bound of motion to contradict a claim, and then uses the chains of
+// RotatingTruth. Each fact about a case is computed once, however many claims are judged.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace graze::attack {
 
-// TOI >= lower and TOI <= upper, by the meanings of graze/proof.hpp: a lower of infinity says that it misses,
-// a lower of 0 and an upper of infinity say nothing. `outcome`, where it is part of the claim.
+// TOI >= lower and TOI <= upper, by the meanings of graze/proof.hpp. A lower of infinity claims a miss. A lower of 0
+// and an upper of infinity claim nothing. `outcome` counts if it is part of the claim.
 struct Claim {
   double lower = 0, upper = 0;
   std::optional<Outcome> outcome;
@@ -28,16 +28,16 @@ struct Judgement {
 
 class ClaimJudge {
  public:
-  // second_opinion: asks the linear program too, where there is one.
+  // second_opinion: runs the linear program too, where it applies.
   explicit ClaimJudge(const corpus::Case& problem, bool second_opinion = false);
   ~ClaimJudge();
   ClaimJudge(ClaimJudge&&) noexcept;
   ClaimJudge& operator=(ClaimJudge&&) noexcept;
 
   [[nodiscard]] Judgement judge(const Claim& claim);
-  // Is the claim true of some convex set within `length` of C = A - B + ball(m)? Of bodies that do not turn. What must
-  // hold then is judged: the path up to the lower bound is no deeper in C, and somewhere between the bounds it
-  // is no farther from C. The outcome is not looked at.
+  // Is the claim true of some convex set within `length` of C = A - B + ball(m)? For bodies that do not
+  // rotate. The judge checks two consequences: the path up to the lower bound is no deeper in C, and
+  // somewhere between the bounds it is no farther from C. The outcome is not checked.
   [[nodiscard]] Judgement judge_within(const Claim& claim, double length);
 
  private:

@@ -203,7 +203,7 @@ void edit_horizon(corpus::ProofRecord& record, Random& random) {
       problem.target_distance = random.once_in(2) ? 0 : std::scalbn(1.0, -random.integer(8, 40));
       break;
     case 7:
-      // As far as the claim goes.
+      // Up to the end of the claim.
       if (record.rotating && !record.rotating->chain.empty())
         problem.t_max = record.rotating->chain.back().end;
       break;

@@ -61,7 +61,7 @@ void edit_frame(Chain& chain, const Case& problem, Random& random) {
     TimeSlice& slice = chain[i];
     if (all || i == chosen) {
       if (!kept) {
-        // The axis that stands there in the middle of the slice.
+        // The axis in the new frame with the same direction in the world in the middle of the slice.
         const double middle = begin + (slice.end - begin) / 2;
         const auto rotation = [&](AxisFrame of) {
           return of == AxisFrame::a   ? problem.spin_a.rotation
@@ -99,7 +99,7 @@ void edit_end(Chain& chain, const Case& problem, Random& random) {
       chain.resize(i + 1);
       break;
     case 4: {
-      // Cut in two, the second of another axis.
+      // Cut in two, the second with another axis.
       TimeSlice first = chain[i];
       first.end = begin + duration * random.unit();
       chain.insert(chain.begin() + at, first);
@@ -123,7 +123,7 @@ void edit_order(Chain& chain, Random& random) {
   const std::size_t i = random.below(chain.size());
   if (chain.size() < 2) return;
   const std::size_t next = i + 1 < chain.size() ? i + 1 : i - 1;
-  // What a slice holds beside its time.
+  // The data of a slice except its time.
   const auto exchange = [&](std::size_t one, std::size_t other) {
     std::swap(chain[one].axis, chain[other].axis);
     std::swap(chain[one].frame, chain[other].frame);
@@ -140,7 +140,7 @@ void edit_order(Chain& chain, Random& random) {
       for (std::size_t k = 0; k < chain.size() / 2; ++k) exchange(k, chain.size() - 1 - k);
       break;
     default:
-      // Said twice, and the other not.
+      // One is repeated, and the other is lost.
       chain[next].axis = chain[i].axis;
       chain[next].frame = chain[i].frame;
       break;

@@ -1,5 +1,5 @@
-// Changes of what a proof names: vertices and points of curved parts, in contacts, portals and the factors of
-// a symbolic axis; and the weights and the crossing of a contact.
+// Changes of the features that a proof names: vertices and points of curved parts in contacts, portals and the factors
+// of a symbolic axis. Also changes of the weights and the crossing of a contact.
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +39,7 @@ void edit_feature(Feature& feature, const Body<double>& body, Random& random) {
       one = beside(one, random);
     }
   } else if (!feature.offset.isZero(0) && random.once_in(2)) {
-    // Within its ball or out of it; or to another point about as far out.
+    // Within its ball or out of it, or to another point about as far out.
     if (random.once_in(4)) {
       std::swap(feature.offset[0], feature.offset[random.integer(1, 2)]);
     } else {

@@ -13,7 +13,7 @@ using corpus::Random;
 
 namespace {
 
-// Of a ball of that radius.
+// A ball of that radius, as some shape.
 Shape<double> ball(double radius, Random& random) {
   switch (random.below(7)) {
     case 0:

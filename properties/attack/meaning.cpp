@@ -13,7 +13,7 @@ namespace {
 using corpus::Case;
 using corpus::Spin;
 
-// Axes of a body that turns about them stay where they are.
+// Axes of a body that rotates about them stay where they are.
 bool along(const Vec3<double>& n, const Vec3<double>& w) {
   const Vec3<double> u = n / n.cwiseAbs().maxCoeff(), v = w / w.cwiseAbs().maxCoeff();
   return u.cross(v).cwiseAbs().maxCoeff() <= kSameDirection;
@@ -22,7 +22,7 @@ bool along(const Vec3<double>& n, const Vec3<double>& w) {
 struct Direction {
   Vec3<double> n;
 
-  // Zero, and what is not finite, as it is.
+  // Zero and non-finite vectors stay as they are.
   explicit Direction(const Vec3<double>& given) : n(given) {
     const double most = given.cwiseAbs().maxCoeff();
     if (most > 0 && std::isfinite(most)) n = given / most;
@@ -77,7 +77,7 @@ void write_case(Writer& out, Case problem) {
   out.exact(static_cast<double>(problem.start_policy));
 }
 
-// The direction in world axes of t = 0 is what a slice holds; two slices are one where these are the same.
+// A slice holds the direction in world axes of t = 0. Two slices are one if these are the same.
 void write_chain(Writer& out, const Case& problem, const RotatingProof& proof) {
   struct Normal {
     double end;
@@ -136,7 +136,7 @@ void write_contact(Writer& out, const RotatingProof& proof) {
       static_cast<std::size_t>(std::clamp(proof.contact_size, 0, static_cast<int>(kContactPairs)));
   double sum = 0;
   for (std::size_t i = 0; i < size; ++i) sum += proof.weight[i];
-  // Of more than four, those that may hold the origin by themselves and those that do by their mean.
+  // With more than four, `pairs` may hold the origin by themselves, and `mean` hold it by their mean.
   std::vector<Weighted> pairs, mean;
   for (std::size_t i = 0; i < size; ++i) {
     // Three of a crossing and those that may hold the origin inside count without a weight.
@@ -231,7 +231,7 @@ bool same(const Meaning& one, const Meaning& other) {
 
 bool has_a_time(const corpus::ProofRecord& record) {
   const double t_max = record.problem.t_max, never = kInfinity<double>;
-  // Each statement leaves the times of an interval; beyond the step all are never.
+  // Each statement leaves the times of an interval. All times beyond the step count as never.
   double from = 0, to = never;
   const auto keep = [&](double least, double most) {
     from = std::max(from, least > t_max ? never : least);
@@ -247,7 +247,7 @@ bool has_a_time(const corpus::ProofRecord& record) {
     keep(std::numeric_limits<double>::denorm_min(), std::min(t_max, std::numeric_limits<double>::max()));
   }
   if (record.outcome == Outcome::miss) keep(never, never);
-  // Of a miss methods state from when on they have looked, or nothing.
+  // For a miss, methods state the time from which they have searched, or nothing.
   if (record.toi) keep(record.outcome == Outcome::miss ? 0 : record.toi->lower, record.toi->upper);
   return from <= to;
 }

@@ -61,7 +61,7 @@ void edit_bracket(ProofRecord& record, Random& random) {
       upper = random.once_in(3) ? 0 : t_max * random.unit();
       break;
     case 8:
-      // The least numbers, which a machine may take for zero.
+      // The least numbers, which a machine may flush to zero.
       lower = std::scalbn(static_cast<double>(random.integer(1, 4)), -1074 + random.integer(0, 60));
       break;
     default:
@@ -82,7 +82,7 @@ void state_beyond_a_weaker_proof(ProofRecord& record, Random& random) {
   record.toi->lower = record.toi->upper = lower + (upper - lower) * random.unit();
 }
 
-// What the record states beside its proof.
+// The statement of the record beside its proof.
 void edit_outcome(ProofRecord& record, Random& random) {
   constexpr std::array kOutcomes = {Outcome::initially_overlapping, Outcome::hit, Outcome::miss,
                                     Outcome::not_converged};
@@ -177,7 +177,7 @@ void loosen(Mutant& mutant, Random& random) {
   if (std::isfinite(lower) && !random.once_in(3)) lower = random.once_in(8) ? 0 : less(lower, random);
   if (std::isfinite(upper)) {
     const double later = more(upper, random);
-    // A contact of a changed case is seldom where it was; of the same case it is.
+    // In a changed case, a contact rarely stays where it was. In the same case it does.
     const bool same_case = (mutant.edits.to_ullong() & ((1u << kCaseEdits) - 1)) == 0;
     if (random.once_in(same_case ? 8 : 2) || !(later <= mutant.record.problem.t_max)) {
       upper = kInfinity<double>;

@@ -1,7 +1,7 @@
-// Mutants of true proofs: what is changed, by class.
+// Mutants of true proofs: the changes, by class.
 //
-// Small changes keep a proof true often enough to be accepted; large ones should be refused. Both are made,
-// one to a few on one mutant, so that what is accepted is not only what was hardly touched.
+// Small changes keep a proof true often enough to be accepted. Large ones should be refused. Both kinds are made, one
+// to a few on one mutant, so that accepted mutants are not only those with tiny changes.
 #pragma once
 
 #include <array>
@@ -13,25 +13,25 @@
 
 namespace graze::attack {
 
-// The classes. Of the case under the proof:
+// The classes. Changes of the case under the proof:
 enum class Edit : std::uint8_t {
-  pivot,          // of a body that turns
-  resting_pivot,  // of one that does not: no meaning of its own, so such a mutant counts by what else differs
+  pivot,          // of a rotating body
+  resting_pivot,  // of a body at rest: without meaning, so such a mutant counts by its other changes
   placing,        // position, orientation
   motion,         // displacement, rotation vector
   extent,         // radii, half extents, vertices, parts
   horizon,        // t_max, target distance, start policy
   shape,          // another shape of the same bounding box, or the same set written otherwise
-  // Of the proof:
+  // Changes of the proof:
   frame,    // of a slice
   end,      // of a slice: earlier, later, merged, dropped
   axis,     // of a slice or of a linear proof
   index,    // the vertices and points that contact, portal and symbolic axis name
   order,    // slices exchanged, reversed, repeated
   weights,  // of the contact; crossing and its beginning
-  // Of the claim:
+  // Changes of the claim:
   bracket,
-  outcome,  // and what else the record states beside its proof: bracket, tier
+  outcome,  // and the rest of the record's statement beside its proof: bracket, tier
 };
 inline constexpr std::size_t kEdits = 15, kCaseEdits = 7;
 inline constexpr std::array<std::string_view, kEdits> kEditNames = {

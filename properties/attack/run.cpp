@@ -2,9 +2,9 @@
 //
 //   graze_proof_attack --mutants 200000 --state attack.json
 //
-// goes on until that many accepted mutants of another meaning are judged, and a twentieth of them in every
-// class. Ctrl-C keeps what is done, and the same command goes on. Exit code 0: none contradicted; 1: there
-// are, each a line of the findings' file; 2: bad input; 130: stopped.
+// continues until that many accepted mutants of another meaning are judged, and a twentieth of them in every class.
+// Ctrl-C keeps the work done, and the same command resumes. Exit codes: 0 if none is contradicted, 1 if some are (each
+// a line of the findings' file), 2 for bad input, 130 if stopped.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -57,7 +57,7 @@ struct Goal {
   bool first = false;  // or a finding
 };
 
-// Rounds until there are enough, or somebody stops it.
+// Runs rounds until there are enough or the user stops it.
 void run(State& state, const Goal& goal, const std::string& state_file, const std::string& findings_file) {
   const double before = state.seconds;
   const Clock::time_point begin = Clock::now();

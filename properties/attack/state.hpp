@@ -1,4 +1,4 @@
-// What a run of the attack keeps, so that it can be stopped and gone on with, and added to others'.
+// The state of a run of the attack, so that it can be stopped, resumed, and added to others'.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace graze::attack {
 
-// Of `of` shares of all rounds, the one whose numbers are `share`, share + of, share + 2 of, ...
+// One of `of` shares of all rounds: the rounds with the numbers share, share + of, share + 2 of, ...
 struct Share {
   std::uint64_t share = 0, of = 1;
 };
@@ -24,12 +24,12 @@ struct State {
   [[nodiscard]] std::uint64_t next() const { return share.share + rounds * share.of; }
 };
 
-// Throws std::runtime_error, one line, for a file that cannot be read or written or is none of these.
+// Throws std::runtime_error, one line, for a file that cannot be read or written or has another format.
 [[nodiscard]] State read_state(const std::filesystem::path& path);
 // Whole or not at all: what was there before stays until the new one is written.
 void write_state(const std::filesystem::path& path, const State& state);
 
-// Why a run of these settings cannot go on with that state; empty if it can.
+// The reason why a run of these settings cannot resume that state. Empty if it can.
 [[nodiscard]] std::string difference(const State& wanted, const State& found);
 
 // The table in Markdown.

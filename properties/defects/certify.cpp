@@ -1,16 +1,17 @@
-// What does `graze certify` say of a planted defect? Asks the methods of a kind every question of a run, and
-// judges what they answer otherwise than without the defect (certify/answers.hpp).
+// Runs `graze certify` on a planted defect. It asks the methods of a kind every question of a run, and judges the
+// answers that differ from those without the defect (certify/answers.hpp).
 //
-//   certify keep KIND COUNTS FILE    judges every answer and keeps what came of it: without a defect
-//   certify differ KIND COUNTS FILE  judges the answers that differ from the kept ones: for a defect in methods
-//   certify whole KIND COUNTS        judges every answer: for a defect in a judge
+//   certify keep KIND COUNTS FILE    judges every answer and keeps the results: without a defect.
+//   certify differ KIND COUNTS FILE  judges the answers that differ from the kept ones: for a defect in methods.
+//   certify whole KIND COUNTS        judges every answer: for a defect in a judge.
 //
-// KIND: linear, query, rotating. COUNTS: default or thorough, as the command counts them, or three numbers,
-// of a linear family's cases, of a rotating one's, and of bodies for queries: 40,1,2.
+// KIND: linear, query, rotating. COUNTS: default or thorough, as the command counts them, or three numbers: the cases
+// of a linear family, those of a rotating one, and the bodies for queries, as in 40,1,2.
 //
-// The standard output has "broken: ROW" for each row of the guarantees that breaks; `differ` says "differing N of
-// M" before it. Exit 1 if a row breaks, 2 for a wrong call. A method that takes more than twenty times the
-// processor time of the kept run is killed by SIGXCPU, one that takes gigabytes of memory by its own allocation.
+// The standard output has "broken: ROW" for each guarantee that breaks. Before it, `differ` prints "differing N of M".
+// The exit code is 1 if a guarantee breaks, 2 for a wrong call. A method that takes more than twenty times the
+// processor time of the kept run is killed by SIGXCPU. One that takes gigabytes of memory is stopped by its own
+// allocation.
 #include <sys/resource.h>
 
 #include <algorithm>

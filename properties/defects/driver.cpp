@@ -1,4 +1,5 @@
-// Which laws notice a planted defect? Runs laws over generated cases, and says of each where it broke first.
+// Finds the laws that notice a planted defect. Runs laws over generated cases, and prints for each where it broke
+// first.
 //
 //   driver --laws               one line a law: its name, its kind (linear, query, rotating), and what it
 //                               needs (metamorphic, proof, oracle)

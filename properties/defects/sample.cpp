@@ -44,7 +44,7 @@ std::vector<Case> near_ties(int count) {
   return out;
 }
 
-// And depths of smooth bodies: few of them have a second minimum, or discs that touch all over.
+// Also depths of smooth bodies. Few of them have a second minimum, or discs that touch all over.
 std::vector<Case> near_touches(int count) {
   std::vector<Case> out;
   corpus::Random random(20261125);

@@ -11,13 +11,13 @@ namespace graze::law {
 
 struct Sample {
   std::vector<corpus::Case> all;   // for every law
-  std::vector<corpus::Case> ties;  // for those that judge by proof, in microseconds; several times as many
+  std::vector<corpus::Case> ties;  // for laws that judge by proof, in microseconds (several times as many)
 };
 
 // Linear and query: half drawn, half from the easier half of the families' levels, a few balls on near ties and a few
-// large hulls. Near-ties: of linear laws casts, and among them some on the flanks of round bodies; of queries hulls face to
-// face that hardly touch, and smooth bodies in each other. Rotating: drawn, every eighth from the rotating families, and
-// a few large hulls; none are near-ties.
+// large hulls. The near-ties of linear laws are casts, some of them on the flanks of round bodies. Those of queries are
+// hulls face to face that hardly touch, and smooth bodies in each other. Rotating: drawn, every eighth from the
+// rotating families, and a few large hulls, without near-ties.
 [[nodiscard]] Sample sample_for(Kind kind, int count);
 
 }  // namespace graze::law

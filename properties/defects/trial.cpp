@@ -20,7 +20,7 @@ using corpus::Case;
 
 namespace {
 
-// The first method that breaks the law, and how; empty if all keep it.
+// The first method that breaks the law, and how. Empty if all keep it.
 std::string fault_of(const Law& law, const Case& problem) {
   for (const Method& method : law.methods()) {
     const LawResult result = law.check(problem, method);
@@ -29,15 +29,15 @@ std::string fault_of(const Law& law, const Case& problem) {
   return "";
 }
 
-// The bracket oracle takes milliseconds for a case, several times what all laws else take: the laws that need
-// an oracle see one in kBracketShare of the cases that go to it, chosen by their own numbers.
+// The bracket oracle takes milliseconds for a case, several times the cost of all other laws. The laws that need an
+// oracle therefore get one in kBracketShare of the cases that go to it, chosen by their own numbers.
 constexpr std::uint64_t kBracketShare = 4;
 bool is_left_out(const Law& law, const Case& problem) {
   return law.kind != Kind::rotating && law.needs == Needs::oracle && !is_exactly_decided(problem) &&
          hash_of(problem) % kBracketShare != 0;
 }
 
-// What the process that tries the laws has come to, in memory that outlives it.
+// Progress of the process that tries the laws, in memory that outlives it.
 struct Progress {
   static constexpr std::size_t kMostLaws = 256;
   std::size_t at = 0;   // the case, counted over `all` and then `ties`
@@ -46,7 +46,7 @@ struct Progress {
   bool broken[kMostLaws] = {};
 };
 
-// Seconds of processor time that one law may take on one case; the slowest without a defect take 0.5.
+// Seconds of processor time that one law may take on one case. The slowest without a defect take 0.5.
 constexpr int kSecondsForOne = 20;
 
 void let_it_run(int seconds) {
@@ -68,7 +68,7 @@ bool applies(const Law& law, const Sample& sample, std::size_t at) {
   return !is_left_out(law, sample.all[at]);
 }
 
-// Case by case, so that the laws share what the oracle said of it.
+// Case by case, so that the laws share the oracle's answer for it.
 void run(const std::vector<Law>& laws, const Sample& sample, Progress& progress, bool with_reasons) {
   const std::size_t cases = sample.all.size() + sample.ties.size();
   for (; progress.at < cases; ++progress.at) {
@@ -114,7 +114,7 @@ bool try_laws(const std::vector<Law>& laws, const Sample& sample, bool with_reas
     int status = 0;
     waitpid(child, &status, 0);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
-    // A law died of the methods' defect, on this case; on with the others. Anything else is our own fault.
+    // A law died of the methods' defect on this case. The others continue. Anything else is our own fault.
     if (!progress.trying || (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)) std::abort();
     const bool hangs = WIFSIGNALED(status) && WTERMSIG(status) == SIGVTALRM;
     say(laws[progress.law], hangs ? "hangs" : "crashed", progress.at);

@@ -1,5 +1,5 @@
-// The laws of a kind, whatever they are laws of, tried on cases in a process of their own: a defect may
-// crash a method, or keep it in a loop for ever, and either is a way to be noticed.
+// The laws of a kind, tried on cases in a process of their own. A defect may crash a method or keep it in an endless
+// loop, and either is a way to be noticed.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace graze::law {
 // All laws of a kind, cheap ones first.
 [[nodiscard]] std::vector<Law> laws_of(Kind kind);
 
-// Prints what becomes of each law (driver.cpp); a law is left at its first broken case. True if one breaks.
+// Prints the result for each law (driver.cpp). A law stops at its first broken case. Returns true if one breaks.
 bool try_laws(const std::vector<Law>& laws, const Sample& sample, bool with_reasons);
 
 }  // namespace graze::law

@@ -1,5 +1,5 @@
-// All of core's definitions. What is compiled behind it instantiates core by itself, as from the headers
-// alone, and comes before the library where the two are linked: so a defect in the headers is in the program.
+// All of core's definitions. Code compiled behind this header instantiates core by itself, as from the headers alone.
+// It comes before the library where the two are linked, so a defect in the headers is in the program.
 #pragma once
 
 #include <graze/detail/casts/ladder.hpp>

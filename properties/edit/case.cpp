@@ -33,7 +33,7 @@ bool is_polytope(const Case& problem) {
   return problem.target_distance == 0 && is_polytope(problem.a.shape) && is_polytope(problem.b.shape);
 }
 
-// The fused error term is exact unless it falls below the subnormals, which the second test excludes.
+// The fused error term is exact unless it falls below the subnormals. The second test excludes that.
 std::optional<double> exact_product(double a, double b) {
   const double p = a * b;
   if (!std::isfinite(p) || std::fma(a, b, -p) != 0) return std::nullopt;
@@ -102,7 +102,7 @@ Case grown(const Case& problem, std::uint64_t salt) {
 std::optional<Case> ray_against_cso(const Case& problem) {
   if (!is_polytope(problem)) return std::nullopt;
   const auto sign_a = signs_of(problem.a.orientation), sign_b = signs_of(problem.b.orientation);
-  // 400 differences at most: the law is about the identity, not about speed.
+  // At most 400 differences: the law is about the identity, not about speed.
   constexpr std::size_t kMost = 400;
   const auto local_a = exact_vertices(problem.a.shape, kMost),
              local_b = exact_vertices(problem.b.shape, kMost);
@@ -165,7 +165,7 @@ std::optional<Split> split(const Case& problem, std::uint64_t salt) {
 
 namespace {
 
-// p q, where no component rounds.
+// p q, if no component rounds.
 std::optional<Quaternion<double>> exact_multiple(const Quaternion<double>& p, const Quaternion<double>& q) {
   const auto sum = [](std::array<double, 4> terms) -> std::optional<double> {
     double out = 0;
@@ -176,7 +176,7 @@ std::optional<Quaternion<double>> exact_multiple(const Quaternion<double>& p, co
     }
     return out;
   };
-  // Components of p are 0, 1 or -1: the products are exact.
+  // Components of p are 0, 1 or -1, so the products are exact.
   const auto w = sum({p.w * q.w, -p.x * q.x, -p.y * q.y, -p.z * q.z}),
              x = sum({p.w * q.x, p.x * q.w, p.y * q.z, -p.z * q.y}),
              y = sum({p.w * q.y, -p.x * q.z, p.y * q.w, p.z * q.x}),
@@ -189,7 +189,7 @@ std::optional<Quaternion<double>> exact_multiple(const Quaternion<double>& p, co
 Vec3<double> permuted(const Quaternion<double>& q, const Vec3<double>& x) {
   const Vec3<double> r(q.x, q.y, q.z);
   const double norm_sq = q.w * q.w + r.squaredNorm();
-  // Each row has one entry, 1 or -1: computed on the axes, so that no sum of coordinates is rounded.
+  // Each row has one entry, 1 or -1. It is computed on the axes, so that no sum of coordinates is rounded.
   Vec3<double> out = Vec3<double>::Zero();
   for (int i = 0; i < 3; ++i) {
     const Vec3<double> e = Vec3<double>::Unit(i);
@@ -236,8 +236,7 @@ std::optional<Case> turned_about(const Case& problem, std::uint64_t salt) {
 
 namespace {
 
-// The mirror image of what is given in the frame of a shape: M R(q) M = R(w, x, -y, -z) for M = diag(-1, 1,
-// 1).
+// The mirror image of a rotation in the frame of a shape: M R(q) M = R(w, x, -y, -z) for M = diag(-1, 1, 1).
 Quaternion<double> mirrored(const Quaternion<double>& q) { return {q.w, q.x, -q.y, -q.z}; }
 Vec3<double> mirrored(const Vec3<double>& x) { return {-x[0], x[1], x[2]}; }
 
@@ -254,7 +253,7 @@ Shape<double> mirrored(const Shape<double>& shape) {
     }
     return out;
   }
-  // Vertices come as x, y, z; the solids are their own images.
+  // Vertices come as x, y, z. The solids are their own images.
   int at = 0;
   auto flip = [&](Slot slot, double x) { return slot == Slot::vertex && at++ % 3 == 0 ? -x : x; };
   return map_shape(shape, flip);
@@ -272,7 +271,7 @@ Case mirrored(const Case& problem) {
   }
   for (corpus::Spin* spin : {&other.spin_a, &other.spin_b}) {
     spin->pivot = mirrored(spin->pivot);
-    spin->rotation = -mirrored(spin->rotation);  // an axis of rotation is no vector
+    spin->rotation = -mirrored(spin->rotation);  // an axis of rotation is a pseudovector
   }
   other.expect.reset();
   return other;
@@ -302,7 +301,7 @@ Case without_turns(const Case& problem) {
 
 namespace {
 
-// The axis of revolution, own frame: 0, 1, 2; 3 for a ball; -1 for none.
+// The axis of revolution in the shape's own frame: 0, 1 or 2, 3 for a ball, -1 for none.
 int own_axis(const Shape<double>& shape) {
   if (std::holds_alternative<Sphere<double>>(shape) || std::holds_alternative<Point<double>>(shape)) return 3;
   if (std::holds_alternative<Capsule<double>>(shape) || std::holds_alternative<Cylinder<double>>(shape) ||
@@ -362,9 +361,9 @@ std::optional<Case> moved_as_one(const Case& problem) {
   return other;
 }
 
-// Errors: the half angle is |w| s/2 within 4 u of itself, sine and cosine within another u, the product of
-// the quaternions 8 u: a point at the arm r from the pivot moves by twice the error of the unit quaternion, 2
-// r (4 u |w| s + 12 u). The pivot is turned twice, in 16 u each; sums add 8 u of the lengths in them.
+// Errors: the half angle is |w| s/2 within 4 u of itself, sine and cosine within another u, the product of the
+// quaternions 8 u. A point at the arm r from the pivot moves by twice the error of the unit quaternion, 2 r (4 u |w| s
+// + 12 u). The pivot is rotated twice, in 16 u each, and sums add 8 u of the lengths in them.
 std::optional<Restart> restarted(const Case& problem, double fraction) {
   const auto s = exact_product(fraction, problem.t_max);
   if (!s || !(*s > 0)) return std::nullopt;
@@ -390,7 +389,7 @@ std::optional<Restart> restarted(const Case& problem, double fraction) {
     const Vec3<double> step = *s * body.displacement;
     out.error += 2 * reach * u * (4 * rate * *s + 12) + 32 * u * spin.pivot.norm() +
                  8 * u * (body.position.norm() + spin.pivot.norm() + step.norm());
-    // x - pivot turns; the origin of the body is at -arm from it.
+    // x - pivot rotates, and the origin of the body is at -arm from it.
     body.position = (body.position + step) + (arm - turn(c, v, arm));
     if (rate > 0) {
       const Vec3<double> both = c * r + w * v + v.cross(r);
@@ -399,7 +398,7 @@ std::optional<Restart> restarted(const Case& problem, double fraction) {
   };
   move(out.after.a, problem.spin_a);
   move(out.after.b, problem.spin_b);
-  // At s. From there the error of the arm turns on and that of the pivot does not: three times as much.
+  // At s. From there the error of the arm rotates on and that of the pivot does not: three times as much.
   out.error *= 3;
   if (!in_domain(out.after)) return std::nullopt;
   return out;

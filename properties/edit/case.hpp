@@ -1,9 +1,8 @@
-// Exact edits of a case. Each returns a case whose true answer is known from the original's, or nothing where
-// some number of the new case would have to be rounded: a law must not blame a method for our own rounding.
+// Exact edits of a case. Each returns a case whose true answer is known from the original's. It returns nothing if some
+// number of the new case would have to be rounded, because a law must not blame a method for our own rounding.
 //
-// Frame: world. Linear: contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A. Rotating: a body's
-// point x is at R(w t)(x - c) + c + v t, c = position + R(orientation) pivot
-// (graze/rotating_body.hpp).
+// Frame: world. Linear: contact at t iff t v in C, C = A - B + ball(m), v = v_B - v_A. Rotating: a body's point x is at
+// R(w t)(x - c) + c + v t, c = position + R(orientation) pivot (graze/rotating_body.hpp).
 #pragma once
 
 #include <cstdint>
@@ -45,12 +44,12 @@ void visit_body(const Body<double>& body, F& f) {
 
 }  // namespace detail
 
-// A rotation or a pivot is given, seen or not.
+// Is a rotation or a pivot given, visible or not?
 [[nodiscard]] bool has_spin(const corpus::Case& problem);
 
 // The case with every scalar x replaced by f(slot, x). The order of the visit is fixed: A's shape, position,
-// orientation and displacement, then B's, then the horizon, then the target distance; then, of a case with a
-// spin, A's rotation and pivot and B's.
+// orientation and displacement, then B's, then the horizon, then the target distance. For a case with a spin, A's
+// rotation and pivot and B's follow.
 template <class F>
 [[nodiscard]] corpus::Case map_scalars(corpus::Case problem, F&& f) {
   detail::map_body(problem.a, f);
@@ -81,12 +80,14 @@ void visit_scalars(const corpus::Case& problem, F&& f) {
 
 // Every scalar, in the order of the visit.
 [[nodiscard]] std::vector<double> scalars(const corpus::Case& problem);
-// Equal shapes (outline), equal bits in every scalar, and one start policy; zeros of either sign are equal.
+// Equal shapes (outline), equal bits in every scalar, and one start policy. Zeros of either sign are equal.
 [[nodiscard]] bool same_input(const corpus::Case& left, const corpus::Case& right);
-// Why every method must refuse a case ("a vertex outside 1e-60 to 1e60", ...); empty for a valid one. The
-// domain: well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q !=
-// 0, t_max >= 0 (infinity allowed), target_distance >= 0, a direction where one is asked for, turns of 2^30
-// radians at most. Written from the documentation of the library, not from its code.
+// The reason why every method must refuse a case ("a vertex outside 1e-60 to 1e60", ...). Empty for a valid one. The
+// domain is written from the documentation of the library, not from its code:
+//
+// - well-formed shapes, finite numbers, each 0 or of magnitude 1e-60 to 1e60, no negative extent, q != 0
+// - t_max >= 0 (infinity allowed), target_distance >= 0, a direction if the query needs one
+// - rotations of 2^30 radians at most
 [[nodiscard]] std::string why_invalid(const corpus::Case& problem);
 [[nodiscard]] bool in_domain(const corpus::Case& problem);
 [[nodiscard]] bool is_polytope(const corpus::Case& problem);  // both shapes, and no target distance
@@ -101,50 +102,49 @@ void visit_scalars(const corpus::Case& problem, F&& f) {
 [[nodiscard]] corpus::Case swapped(const corpus::Case& problem);
 // Every length times 2^k: TOI unchanged.
 [[nodiscard]] std::optional<corpus::Case> scaled(const corpus::Case& problem, int k);
-// Both bodies moved by one vector, chosen among large and small ones, axis by axis, so that every sum is
-// exact; `salt` varies the choice. Nothing where no axis can move. TOI unchanged.
+// Both bodies moved by one vector, chosen among large and small ones, axis by axis, so that every sum is exact. `salt`
+// varies the choice. Nothing if no axis can move. TOI unchanged.
 [[nodiscard]] std::optional<corpus::Case> translated(const corpus::Case& problem, std::uint64_t salt);
 // The shape of A (or B, by `salt`) replaced by a superset (shape.hpp). TOI not later.
 [[nodiscard]] corpus::Case grown(const corpus::Case& problem, std::uint64_t salt);
 // Linear: C as a hull of vertex differences against a moving point: the ray against the CSO. Exact posed
 // vertices only.
 [[nodiscard]] std::optional<corpus::Case> ray_against_cso(const corpus::Case& problem);
-// Linear: [0, s] and [s, T] restarted from where the bodies are at s; s in (0, T) dyadic. TOI = TOI_1, or s +
-// TOI_2.
+// Linear: [0, s] and [s, T] restarted from the bodies' places at s, with s in (0, T) dyadic. TOI = TOI_1, or s + TOI_2.
 struct Split {
   double at = 0;
   corpus::Case before, after;
 };
 [[nodiscard]] std::optional<Split> split(const corpus::Case& problem, std::uint64_t salt);
 
-// The edits below are for turning bodies; linear cases are taken as well.
+// The edits below are for rotating bodies. Linear cases are accepted as well.
 //
-// Both bodies and their motion turned about the origin by one of the rotations that permute the axes; `salt`
-// chooses. TOI unchanged.
+// Both bodies and their motion rotated about the origin by one of the rotations that permute the axes. `salt` chooses.
+// TOI unchanged.
 [[nodiscard]] std::optional<corpus::Case> turned_about(const corpus::Case& problem, std::uint64_t salt);
-// x -> -x: turns change their sense about y and z. TOI unchanged.
+// x -> -x: rotations change their sense about y and z. TOI unchanged.
 [[nodiscard]] corpus::Case mirrored(const corpus::Case& problem);
 // T times 2^k, velocities of both kinds times 2^-k: TOI times 2^k.
 [[nodiscard]] std::optional<corpus::Case> stretched(const corpus::Case& problem, int k);
-// No body turns; what they do else is kept.
+// No body rotates. Their other motion is kept.
 [[nodiscard]] corpus::Case without_turns(const corpus::Case& problem);
-// The body (A for `first`) given a turn that leaves it where it is, instead of its own: a ball's about any
-// axis through its centre, of a capsule, cylinder, cone or ellipsoid of revolution about its own axis. TOI
-// that of the body without a turn. Nothing for other shapes, or where the axis in the world is no exact one.
+// The body (A for `first`) with a rotation that leaves it where it is, instead of its own. A ball rotates about any
+// axis through its centre. A capsule, cylinder, cone or ellipsoid of revolution rotates about its own axis. TOI is that
+// of the body without a rotation. Nothing for other shapes, or if the axis in the world is not exact.
 [[nodiscard]] std::optional<corpus::Case> with_unseen_turn(const corpus::Case& problem, bool first,
                                                            std::uint64_t salt);
-// B's motion replaced by A's, about the same axis: they stand still to each other. Nothing where B's pivot
-// takes rounding.
+// B's motion replaced by A's, about the same axis: they are at rest relative to each other. Nothing if B's pivot needs
+// rounding.
 [[nodiscard]] std::optional<corpus::Case> moved_as_one(const corpus::Case& problem);
-// The bodies as they are at time s, from where they move on: rounded, and no point of them is off by more
-// than `error`. Differs from the true motion by that much at s, and no more later.
+// The bodies as they are at time s, from where they continue. The numbers are rounded, and no point of them is off by
+// more than `error`. The motion differs from the true one by that much at s, and by no more later.
 struct Restart {
   double at = 0, error = 0;
   corpus::Case after;
 };
 [[nodiscard]] std::optional<Restart> restarted(const corpus::Case& problem, double fraction);
 
-// A 64-bit hash of the numbers of a case: the same on every machine; it salts the choices above.
+// A 64-bit hash of the numbers of a case, the same on every machine. It salts the choices above.
 [[nodiscard]] std::uint64_t hash_of(const corpus::Case& problem);
 
 }  // namespace graze::law

@@ -51,7 +51,7 @@ std::optional<Extended> extended(const Case& problem, std::uint64_t salt) {
 }
 
 std::optional<Case> moved_together(const Case& problem, std::uint64_t salt) {
-  // Large first: what the bodies share must cost no accuracy. The last two bring one of them to rest.
+  // Large first: a common motion of the bodies must cost no accuracy. The last two bring one of them to rest.
   const double pool[] = {0x1p20, -4096, 100, -7, 1, 0.25};
   constexpr std::size_t kPool = std::size(pool);
   Case other = problem;

@@ -1,7 +1,7 @@
-// Exact edits of how the bodies of a linear case move. As in case.hpp: nothing is returned where some
-// number of the new case would have to be rounded, and the true answer is known from the original's.
+// Exact edits of the motion of the bodies of a linear case. As in case.hpp, nothing is returned if some number of the
+// new case would have to be rounded, and the true answer is known from the original's.
 //
-// Frame: world. Contact at t iff t v in C; [t_in, t_out] is where the whole line is in contact.
+// Frame: world. Contact at t iff t v in C. The whole line is in contact over [t_in, t_out].
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace graze::law {
 
-// Both bodies moved on by their own displacement over the time s, which may be negative. Times are then
-// counted from s. Horizon and expectations are left alone.
+// Both bodies moved by their own displacement over the time s, which may be negative. Times are then counted from s.
+// Horizon and expectations are left alone.
 [[nodiscard]] std::optional<corpus::Case> started_at(const corpus::Case& problem, double s);
 
 // The same path run backwards, from the end at T to the start: contact over [T - t_out, T - t_in]. Nothing
 // for T = 0 or infinity.
 [[nodiscard]] std::optional<corpus::Case> reversed(const corpus::Case& problem);
 
-// The start moved back by s, a few lengths of the path or a thousand by `salt`, and the horizon moved out by
-// as much. A TOI t > 0 becomes s + t; a start in contact or a miss may meet C on the new part.
+// The start moved back by s, a few lengths of the path or a thousand by `salt`, and the horizon moved out by as much. A
+// TOI t > 0 becomes s + t. A start in contact or a miss may meet C on the new part.
 struct Extended {
   double by = 0;
   corpus::Case longer;

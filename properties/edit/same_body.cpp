@@ -34,7 +34,7 @@ std::optional<Vec3<double>> midpoint(const Vec3<double>& a, const Vec3<double>& 
   return half;
 }
 
-// The first part that `edit` changes, in the parts' order; nothing if none.
+// The first part that `edit` changes, in the parts' order, or nothing.
 template <class F>
 std::optional<Shape<double>> with_one_part(const Shape<double>& shape, const F& edit) {
   std::vector<SharedShape<double>> parts = parts_of(shape);
@@ -95,7 +95,7 @@ struct Otherwise {
     return hull_of<double>(translated<double>(Cylinder<double>{c.radius, 0}, -apex), Hull<double>{apex});
   }
   Found operator()(const Hull<double>& h) const {
-    // The last vertex apart; of one vertex, a point where it lies.
+    // The last vertex apart. For one vertex, a point at its place.
     Vertices all(h.vertices().begin(), h.vertices().end());
     const Vec3<double> last = all.back();
     if (all.size() == 1) return translated<double>(Point<double>{}, last);
@@ -153,7 +153,7 @@ std::optional<Shape<double>> with_redundant_points(const Shape<double>& shape, s
   Vertices all = *given;
   const auto any = [&](std::uint64_t k) { return all[mix(salt + k) % all.size()]; };
   for (std::uint64_t k = 0; k < 4; ++k) {
-    // Of all so far: midpoints of midpoints come by themselves.
+    // Any of all points so far, so that midpoints of midpoints occur by themselves.
     if (const auto middle = midpoint(any(2 * k), any(2 * k + 1))) all.push_back(*middle);
   }
   if (all.size() == given->size()) return std::nullopt;

@@ -1,4 +1,4 @@
-// Whether two cases are one question. Laws ask it of a truth at hand many times a case: it allocates nothing.
+// Tests if two cases are one question. Laws call it for a known truth many times a case, so it allocates nothing.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ bool same(const Posed<double>& l, const Posed<double>& r) {
 bool same(const Rounded<double>& l, const Rounded<double>& r) {
   return same(l.radius, r.radius) && same(l.shape, r.shape);
 }
-// Capsule, cylinder, cone; sum, hull of several.
+// Capsule, cylinder, cone, and sum or hull of several.
 template <class T>
 bool same(const T& l, const T& r) {
   if constexpr (requires { l.half_height; }) {

@@ -129,7 +129,7 @@ struct ExactVertices {
 struct Growth {
   std::uint64_t pick;
 
-  // By one unit in the last place, by a sixteenth, or twofold: the law holds for a superset of any size.
+  // By one unit in the last place, by a sixteenth, or twofold. The law holds for a superset of any size.
   [[nodiscard]] double larger(double x) const {
     const unsigned how = pick >> 1 & 3;
     if (x == 0) return how == 0 ? 0x1p-20 : 1.0;
@@ -138,7 +138,7 @@ struct Growth {
   [[nodiscard]] double direction(int i) const {
     return static_cast<double>(static_cast<int>(mix(pick + 17U * static_cast<std::uint64_t>(i)) % 9) - 4);
   }
-  // Away from the origin of the body, or moved by the size of a coordinate: any new vertex will do.
+  // Away from the origin of the body, or moved by the size of a coordinate. Any new vertex will do.
   [[nodiscard]] Vec3<double> beyond(Vec3<double> x) const {
     const double size = x.cwiseAbs().maxCoeff();
     for (int i = 0; i < 3; ++i) {

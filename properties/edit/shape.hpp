@@ -1,5 +1,5 @@
-// Shapes as the laws and the generator see them: a tree whose leaves hold numbers. One recursion each, so
-// that no law has to know the kinds of shapes.
+// Shapes as the laws and the generator use them: a tree whose leaves hold numbers. There is one recursion for each
+// operation, so that no law has to know the kinds of shapes.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace graze::law {
 
-// What a scalar of a case means.
+// The meaning of a scalar of a case.
 enum class Slot : std::uint8_t {
   vertex,
   extent,
@@ -30,7 +30,7 @@ enum class Slot : std::uint8_t {
   return slot != Slot::orientation && slot != Slot::horizon && slot != Slot::rotation;
 }
 
-// The shape with every scalar x replaced by f(slot, x), in the order of its fields; parts in their order. A
+// The shape with every scalar x replaced by f(slot, x), in the order of its fields. Parts come in their order. A
 // missing part stays missing.
 template <class F>
 [[nodiscard]] Shape<double> map_shape(const Shape<double>& shape, F& f);
@@ -85,7 +85,7 @@ struct ShapeMap {
       v = vector(Slot::vertex, v);
       for (int i = 0; i < 3; ++i) changed = changed || !same_bits(before[i], v[i]);
     }
-    // What is left as it was needs no new adjacency.
+    // An unchanged hull needs no new adjacency.
     if (!changed) return h;
     const bool sound =
         std::all_of(vertices.begin(), vertices.end(), [](const Vec3<double>& v) { return v.allFinite(); });
@@ -129,7 +129,7 @@ Shape<double> map_shape(const Shape<double>& shape, F& f) {
 
 namespace detail {
 
-// The same visit, of who only reads: no shape is copied.
+// The same visit for callers that only read: no shape is copied.
 template <class F>
 struct ShapeVisit {
   F& f;
@@ -181,9 +181,9 @@ struct ShapeVisit {
 
 }  // namespace detail
 
-// The parts of a combinator; nothing for a leaf.
+// The parts of a combinator, or nothing for a leaf.
 [[nodiscard]] std::vector<SharedShape<double>> parts_of(const Shape<double>& shape);
-// The combinator with other parts, as many as it had for posed and rounded; a leaf as it is.
+// The combinator with other parts, as many as it had for posed and rounded. A leaf stays as it is.
 [[nodiscard]] Shape<double> with_parts(const Shape<double>& shape, std::vector<SharedShape<double>> parts);
 
 // Everything of a shape but its scalars: kinds, numbers of vertices and of parts, where parts are missing.
@@ -193,21 +193,22 @@ struct ShapeVisit {
 
 // Vertices by the rule of core/graze/shape.hpp, counted, saturating at 2^63.
 [[nodiscard]] std::uint64_t vertex_count(const Shape<double>& shape);
-// An empty hull, a combinator without parts or with a missing one, a zero quaternion in a part's pose, parts
-// nested deeper than 16, more than 2^32 - 1 vertices: what must be refused whatever the numbers are.
+// Is the shape refused whatever the numbers are? Such shapes are an empty hull, a combinator without parts or with a
+// missing one, and a zero quaternion in a part's pose. Parts nested deeper than 16 and more than 2^32 - 1 vertices are
+// refused, too.
 [[nodiscard]] bool is_malformed(const Shape<double>& shape);
 
-// Without an ellipsoid, a cylinder or a cone; such a shape is made of polytopes and balls.
+// Without an ellipsoid, a cylinder or a cone. Such a shape is made of polytopes and balls.
 [[nodiscard]] bool is_uncurved(const Shape<double>& shape);
 // Made of points, segments, triangles, boxes and hulls alone.
 [[nodiscard]] bool is_polytope(const Shape<double>& shape);
-// The vertices of a polytope in its own frame, by index, if every one is a triple of doubles that takes no
-// rounding to get, and there are no more than `most`.
+// The vertices of a polytope in its own frame, by index. Every one must be a triple of doubles without rounding, and
+// there must be no more than `most`.
 [[nodiscard]] std::optional<std::vector<Vec3<double>>> exact_vertices(const Shape<double>& shape,
                                                                       std::size_t most);
 
-// A superset: an extent grown, a vertex more, a point become a sphere or a segment; of a combinator, one of
-// its parts grown, or a rounding. `salt` chooses.
+// A superset: an extent grown, a vertex more, or a point turned into a sphere or a segment. In a combinator, one of its
+// parts is grown, or a rounding. `salt` chooses.
 [[nodiscard]] Shape<double> grown(const Shape<double>& shape, std::uint64_t salt);
 
 // SplitMix64's finaliser (Steele, Lea, Flood 2014): a bijection on 64 bits.

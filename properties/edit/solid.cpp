@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeastHeight = 1e-6;
 
-// Of a hull: from a vertex to the farthest, from that edge to the farthest, from that plane to the farthest.
+// For a hull: from a vertex to the farthest, from that edge to the farthest, from that plane to the farthest.
 bool has_height(const Hull<double>& hull) {
   if (hull.size() < 4) return false;
   const Vec3<double>& first = hull.vertex(0);

@@ -130,7 +130,7 @@ std::optional<WholeTurn> whole_turns(const Case& problem, bool first) {
   (first ? out.once.spin_b : out.once.spin_a) = {};
   out.once.a.displacement.setZero();
   out.once.b.displacement.setZero();
-  // By 2^-20 more than a turn: what is touched at the very end is touched at the beginning, too.
+  // By 2^-20 more than a turn: a contact at the very end is a contact at the beginning, too.
   out.once.t_max = static_cast<double>(static_cast<float>(kFullTurn / spin.rotation.norm() * (1 + 0x1p-20)));
   out.often = out.once;
   out.often.t_max *= 8;

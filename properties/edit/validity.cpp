@@ -23,7 +23,7 @@ std::string orientation_fault(const Quaternion<double>& q) {
   return q.w == 0 && q.is_identity() ? "a zero quaternion" : "";
 }
 
-// Why a shape must be refused; empty for a sound one.
+// The reason why a shape must be refused. Empty for a sound one.
 struct ShapeFault {
   int* parts_seen;
   int nested = 0;  // combinators around it
@@ -89,8 +89,8 @@ struct ShapeFault {
   }
 };
 
-// Vertices by the rule of core/graze/shape.hpp, of a shape without another fault. A double holds what no
-// integer does.
+// Vertices by the rule of core/graze/shape.hpp, for a shape without another fault. A double can hold counts that no
+// integer type does.
 constexpr double kMostVerticesInDomain = 4294967295.0;
 double vertices_in(const Shape<double>& shape) {
   return std::visit(

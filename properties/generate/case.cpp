@@ -298,7 +298,7 @@ class Drawing {
     problem.b.position = problem.a.position + a - b - t * v;
   }
 
-  // The policy; half of the time with a gap of about the target distance, or within it.
+  // Sets the policy, half of the time with a gap of about the target distance, or within it.
   void pass_over(Case& problem) {
     problem.start_policy = corpus::StartPolicy::pass_over;
     if (random_.once_in(2)) return;

@@ -16,8 +16,8 @@ using corpus::Spin;
 
 namespace {
 
-// From the origin to `tip` on the axis x, as it is, or thick there by so little that the ball about it is no
-// larger: by the root of a unit in the last place of 2^exponent.
+// From the origin to `tip` on the axis x. It is a segment, or so thin there that the ball about it is no larger: its
+// thickness is the root of a unit in the last place of 2^exponent.
 Shape<double> rod(Random& random, double tip, int exponent) {
   const Vec3<double> end(tip, 0, 0);
   const double thick = std::scalbn(1.0, (exponent - 56) / 2);
@@ -76,7 +76,7 @@ void stack(Random& random, Case& problem, double gap) {
         body.shape = Box<double>{Vec3<double>(random.integer(1, 2), 1, height)};
         break;
     }
-    // B's number is the gap and its height; what of the gap that rounds away is nobody's.
+    // B's number is the gap and its height. The part of the gap that rounds away is lost.
     body.position = Vec3<double>(0, 0, above ? gap + height : -height);
   }
 }
@@ -129,8 +129,8 @@ void place_far_arms(Random& random, Case& problem) {
   problem.b.displacement = problem.a.displacement;
   Vec3<double> axis = some_axis(random);
   const bool apart = random.once_in(2);
-  // Pivots a unit off such an axis swing along z, where the bodies are stacked, and products in doubles round
-  // to as much as of pivots on it.
+  // Pivots a unit off such an axis swing along z, in the direction of stacking. Products in doubles round to
+  // as much as for pivots on it.
   if (apart && random.once_in(2)) axis = Vec3<double>(1, random.once_in(2) ? 1 : -1, 0);
   // Exact multiples: 2^-3 and 2^-2 of integers.
   problem.spin_a.rotation = problem.spin_b.rotation = random.integer(1, 12) / 4.0 * axis;
@@ -141,7 +141,7 @@ void place_far_arms(Random& random, Case& problem) {
   }
   Vec3<double> a = Vec3<double>::Zero(), b = Vec3<double>::Zero();
   if (apart) {
-    // Pivots apart along the axis, but for a unit in the last place or two.
+    // Pivots apart along the axis, within a unit in the last place or two.
     b = arm * axis;
     move_by_a_unit(random, b);
   } else {

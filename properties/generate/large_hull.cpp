@@ -32,10 +32,10 @@ Vec3<double> draw_on_circle(Random& random) {
   return {random.once_in(2) ? x : -x, 2 * t / norm, 0};
 }
 
-// Two points of the unit sphere of which one is the farther to one side of a plane through the origin, the other to the
-// other. In the cube of directions the plane is a line beside a border of the map's squares, nearer to it than a place on
-// the cube is computed; `between` is beyond the line, from the border, and as near. Both are beside a corner of the
-// squares, or the middle of an edge.
+// Two points of the unit sphere on either side of a plane through the origin: one is the farther to one side, the other
+// to the other. In the cube of directions the plane is a line beside a border of the map's squares. It is nearer to the
+// border than the error of a computed place on the cube. `between` is beyond the line, from the border, and as near.
+// Both are beside a corner of the squares, or the middle of an edge.
 struct Pair {
   Vec3<double> one, other, between;
 };
@@ -135,7 +135,7 @@ Large draw_hull(Random& random) {
   if (!random.once_in(3)) {
     for (int i = 0; i < 3; ++i) extent[i] = std::ldexp(1.0, random.integer(-2, 2));
     if (random.once_in(4)) extent[random.integer(0, 2)] = std::ldexp(1.0, -random.integer(8, 20));
-    // Floats do not tell its sides apart.
+    // Floats cannot tell its two sides apart.
     if (random.once_in(16)) extent[random.integer(0, 2)] = std::ldexp(1.0, -random.integer(64, 80));
   }
   const bool floats = random.once_in(2);
@@ -161,7 +161,7 @@ Vec3<double> farthest(const Hull<double>& hull, const Vec3<double>& d) {
 // Turns z to n, which is no -z.
 Quaternion<double> turning_up_to(const Vec3<double>& n) { return {1 + n[2], -n[1], n[0], 0}; }
 
-// B, and which of its points is to meet A: n is A's normal there. A box's face has it, too.
+// B, and its point that will meet A, where n is A's normal. A box's face has the same normal.
 Vec3<double> take_box(Random& random, Body<double>& b, const Vec3<double>& n) {
   const Vec3<double> half(random.uniform(0.5, 4), random.uniform(0.5, 4), random.uniform(0.125, 1));
   b.shape = Box<double>{half};
@@ -223,7 +223,7 @@ Case draw_large_hull(Random& random) {
       v += draw_vector(random, 2);
       break;
     default:
-      // Across n, over A or into it by this much; never farther from contact than a step of the path.
+      // Across n, over A or into it by this much, and never farther from contact than a step of the path.
       v = n.cross(draw_unit(random)) * 4;
       over = (random.once_in(2) ? 1 : -1) * std::ldexp(1.0, -random.integer(8, 30));
   }

@@ -1,4 +1,4 @@
-// What drawn meetings share.
+// Parts shared by drawn meetings.
 #pragma once
 
 #include "corpus/case.hpp"
@@ -6,7 +6,7 @@
 
 namespace graze::law {
 
-// Where the point x of a body is at the time t, when it has turned by `turn` about its pivot, less the body's
+// The place of a body's point x at the time t, when the body has rotated by `turn` about its pivot, less the body's
 // position.
 [[nodiscard]] Vec3<double> carried(const Body<double>& body, const corpus::Spin& spin,
                                    const Quaternion<double>& turn, double t, const Vec3<double>& x);
@@ -14,7 +14,7 @@ namespace graze::law {
 // Each component within size of 0.
 [[nodiscard]] Vec3<double> draw_vector(corpus::Random& random, double size);
 
-// Of integers of 1 to 4, or within [-1, 1]: not of length 1.
+// With components that are integers of 1 to 4 or within [-1, 1]. Its length is not 1.
 [[nodiscard]] Quaternion<double> draw_orientation(corpus::Random& random);
 
 // A point to meet at: a vertex, or a point on a side of the bounds, in the shape's own frame.

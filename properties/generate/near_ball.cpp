@@ -13,7 +13,7 @@ using corpus::Random;
 
 namespace {
 
-// A hull with three corners within 2^-23 of each other; the first.
+// Makes a hull with three corners within 2^-23 of each other, and returns the first.
 Vec3<double> take_near_corners(Random& random, Shape<double>& shape) {
   Vec3<double> corner = draw_vector(random, 1);
   std::vector<Vec3<double>> points = {corner, corner + draw_vector(random, 0x1p-23),
@@ -25,7 +25,7 @@ Vec3<double> take_near_corners(Random& random, Shape<double>& shape) {
   return corner;
 }
 
-// A triangle, or a box that is flat; a point of its inside.
+// Makes a triangle or a flat box, and returns a point of its inside.
 Vec3<double> take_flat(Random& random, Shape<double>& shape) {
   if (random.once_in(2)) {
     const Vec3<double> a = draw_vector(random, 4), b = draw_vector(random, 4), c = draw_vector(random, 4);

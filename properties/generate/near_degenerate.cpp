@@ -34,8 +34,8 @@ class NearTie {
       problem.a.displacement = vector();
       problem.b.displacement += problem.a.displacement;
     }
-    // Farthest along nearly one direction: a vertex twice, or the ends of an edge; across v the path grazes,
-    // against it it meets a face.
+    // Farthest along nearly one direction: a vertex twice, or the ends of an edge. Across v the path grazes,
+    // and against it the path meets a face.
     const Vec3<double> across = random_.once_in(4) ? Vec3<double>(-v) : Vec3<double>(v.cross(vector()));
     Vec3<double> target = Vec3<double>::Zero();
     double left = 1;
@@ -86,7 +86,7 @@ class NearTie {
     }
     return Hull<double>(std::span<const Vec3<double>>(vertices));
   }
-  // Of a body's own corners, along a direction of the world: about its position.
+  // The farthest of a body's own corners along a direction of the world, about its position.
   static Vec3<double> farthest(const Body<double>& body, const Vec3<double>& d) {
     std::vector<Vec3<double>> corners;
     if (const auto* box = std::get_if<Box<double>>(&body.shape)) {

@@ -6,14 +6,14 @@
 
 namespace graze::law {
 
-// Polytopes: faces whose corners lie in one plane but for the rounding of their coordinates (boxes turned,
-// then rounded), and a path aimed, up to rounding, at a point of an edge or a vertex that C shows along v, or
-// at a point of such a face.
+// Polytopes with faces whose corners lie in one plane within the rounding of their coordinates (boxes rotated, then
+// rounded). The path is aimed, up to rounding, at a point of an edge or a vertex that C shows along v, or at a point of
+// such a face.
 [[nodiscard]] corpus::Case draw_near_tie(corpus::Random& random);
 
-// Two hulls at rest, face to face, which touch or are apart by as much as the corners of either face differ in height:
-// what floats cannot tell, and doubles can. A vertex guessed by floats is not the farthest one, and whether the bodies
-// touch hangs on it.
+// Two hulls at rest, face to face. They touch or are apart by as much as the corners of either face differ in height.
+// Floats cannot tell these cases apart, and doubles can. A vertex guessed by floats is not the farthest one, and the
+// contact depends on it.
 [[nodiscard]] corpus::Case draw_near_touch(corpus::Random& random);
 
 }  // namespace graze::law

@@ -36,7 +36,7 @@ class TurningDrawing {
 
   Case turn(Case problem) {
     problem.family = "drawn rotating";
-    // The policy and the rays stay now and then: they are answered where no turn is seen.
+    // The policy and the rays are sometimes kept: they are answered if no rotation is visible.
     const bool linear_only = manner_ == Manner::unseen && random_.once_in(8);
     if (!linear_only) {
       if (std::isinf(problem.t_max)) problem.t_max = 1;
@@ -64,11 +64,11 @@ class TurningDrawing {
     } else if (!random_.once_in(3)) {
       place(problem, meeting_ * horizon);
     } else if (random_.once_in(3)) {
-      // Where the bounds may never meet.
+      // At a place where the bounds may never meet.
       problem.b.position[random_.integer(0, 2)] += random_.once_in(2) ? 32 : -32;
     }
-    // A horizon that is no sum of few powers of two: what divides it rounds. From a copy, so that the next case is drawn as
-    // if this one kept its own.
+    // A horizon that is not a sum of few powers of two, so that quotients by it round. It is drawn from a
+    // copy, so that the next case is the same as if this one had kept its own.
     Random aside = random_;
     if (!linear_only && aside.once_in(4)) problem.t_max *= aside.once_in(2) ? 0.7 : 1.3;
     return problem;
@@ -114,7 +114,7 @@ class TurningDrawing {
 
   void give(Spin& spin, const Quaternion<double>& turn, int turns, double pace) {
     spin.rotation = corpus::rotation_vector(turn, turns) / pace;
-    // Small integers are easy to read; they meet at another time, or nowhere.
+    // Small integers are easy to read. The bodies then meet at another time, or nowhere.
     if (random_.once_in(4)) spin.rotation = spin.rotation.array().round();
     switch (random_.below(6)) {
       case 0:
@@ -132,8 +132,8 @@ class TurningDrawing {
     }
   }
 
-  // Exactly, but in one of four cases for B's pivot; two in three have B moving along their common axis, so
-  // that in the frame that turns with them its motion is linear, and meets at t.
+  // Exactly, except for B's pivot in one of four cases. In two of three, B moves along their common axis, so
+  // that in the frame that rotates with them its motion is linear, and meets at t.
   void as_one(Case& problem, double t) {
     Vec3<double> apart = Vec3<double>::Zero();
     if (!random_.once_in(3)) {

@@ -14,7 +14,7 @@ using corpus::Case;
 
 namespace {
 
-// How many bits stand behind the point: 0 of an integer.
+// The number of bits behind the point: 0 for an integer.
 int fraction_bits(double x) {
   if (x == 0 || !std::isfinite(x)) return 0;
   int exponent = 0;
@@ -22,11 +22,11 @@ int fraction_bits(double x) {
   return std::max(0, 53 - std::countr_zero(bits) - exponent);
 }
 
-// The measure of a number: 0 for 0, then significant bits, exponent, and what keeps it from being an integer;
-// smaller reads better.
+// The measure of a number: 0 for 0, then significant bits, exponent, and the bits behind the point. Smaller numbers
+// read better.
 int complexity(double x) {
   if (x == 0) return 0;
-  if (!std::isfinite(x)) return 1;  // an infinite horizon; nothing else infinite is drawn
+  if (!std::isfinite(x)) return 1;  // an infinite horizon (nothing else infinite is drawn)
   int exponent = 0;
   const double mantissa = std::frexp(std::abs(x), &exponent);
   const auto bits = static_cast<std::uint64_t>(std::scalbn(mantissa, 53));
@@ -40,7 +40,7 @@ double keep_bits(double x, int bits) {
   return std::scalbn(std::nearbyint(std::scalbn(mantissa, bits)), exponent - bits);
 }
 
-// To the nearest multiple of 2^grid; no -0.
+// To the nearest multiple of 2^grid, never -0.
 double on_grid(double x, int grid) { return std::scalbn(std::nearbyint(std::scalbn(x, -grid)), grid) + 0.0; }
 
 std::vector<double> simpler_numbers(double x) {
@@ -82,7 +82,7 @@ void simpler_shapes(const Shape<double>& shape, std::vector<Shape<double>>& all)
       }
     }
   }
-  // A part by itself; the combinator without one part; with one part made simpler.
+  // A part by itself, the combinator without one part, or with one part made simpler.
   const std::vector<SharedShape<double>> parts = parts_of(shape);
   const bool many =
       std::holds_alternative<Sum<double>>(shape) || std::holds_alternative<HullOf<double>>(shape);
@@ -107,8 +107,8 @@ void simpler_shapes(const Shape<double>& shape, std::vector<Shape<double>>& all)
 bool plain(const Quaternion<double>& q) { return q.is_identity() && q.w == 1; }
 bool plain(const Body<double>& body) { return plain(body.orientation); }
 
-// Simpler bodies that stand where a part of this one stood, of a body that is not turned: what is posed, by
-// itself, in that pose; a vertex, or the middle between two or of a box's face.
+// Simpler bodies at the place of a part of this one, for a body without orientation. A posed part becomes a body in
+// that pose. A point is put at a vertex, in the middle between two, or in the middle of a box's face.
 void pieces_in_place(const Body<double>& body, std::vector<Body<double>>& all) {
   if (!plain(body)) return;
   const auto add = [&](Shape<double> shape, const Vec3<double>& offset, const Quaternion<double>& turn) {
@@ -145,7 +145,7 @@ void pieces_in_place(const Body<double>& body, std::vector<Body<double>>& all) {
   }
 }
 
-// Of the lengths of a case: the exponent of the largest, by frexp, and the most bits behind the point.
+// Facts about the lengths of a case: the exponent of the largest, by frexp, and the most bits behind the point.
 struct Lengths {
   int exponent = 0, fraction = 0;
 };
@@ -161,8 +161,8 @@ Lengths lengths_of(const Case& problem) {
   return lengths;
 }
 
-// All lengths at once, where no number can change by itself: brought near 1 by a power of two, or made
-// integers by one, or rounded to one grid, from 1/2 to 1/256 of the largest.
+// All lengths at once, if no number can change by itself. They are brought near 1 by a power of two, made integers by
+// one, or rounded to one grid, from 1/2 to 1/256 of the largest.
 void simpler_scenes(const Case& problem, std::vector<Case>& all) {
   const auto [exponent, fraction] = lengths_of(problem);
   for (const int k : {1 - exponent, 2 - exponent, 3 - exponent, fraction}) {
@@ -176,8 +176,8 @@ void simpler_scenes(const Case& problem, std::vector<Case>& all) {
   }
 }
 
-// The vertices where the turn has them, rounded to a grid of 1/16 or 1/4096 of the largest, instead of the
-// turn.
+// The vertices where the rotation puts them, rounded to a grid of 1/16 or 1/4096 of the largest, instead of the
+// rotation.
 void turned_vertices(const Body<double>& body, std::vector<Body<double>>& all) {
   const auto* hull = std::get_if<Hull<double>>(&body.shape);
   if (hull == nullptr || hull->size() == 0 || plain(body)) return;
@@ -250,7 +250,7 @@ std::vector<Case> simpler(const Case& problem) {
   if (problem.t_max != 1) with([](Case& c) { c.t_max = 1; });
   with([](Case& c) { c.start_policy = StartPolicy::report; });
   simpler_scenes(problem, all);
-  // Every number by itself; a quaternion may not vanish.
+  // Every number by itself. A quaternion may not vanish.
   const std::vector<double> numbers = scalars(problem);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (const double y : simpler_numbers(numbers[i])) {

@@ -18,7 +18,7 @@ using corpus::Spin;
 
 namespace {
 
-// In a plane across the axis, the handle first, or last; thin beside its length.
+// In a plane across the axis, the handle first, or last, and thin beside its length.
 Shape<double> whip(Random& random, int axis, const Vec3<double>& handle, const Vec3<double>& tip) {
   const Vec3<double> across = Vec3<double>::Unit(axis) * std::scalbn(1.0, -random.integer(2, 12)),
                      third = (random.once_in(2) ? tip : handle) + across;
@@ -43,8 +43,8 @@ Shape<double> whip(Random& random, int axis, const Vec3<double>& handle, const V
   }
 }
 
-// Of the body at the meeting, less its position: the corner that is first in the way of what comes along n.
-// A body without corners, and every second one, becomes a ball.
+// The point of the body at the meeting, less its position: the corner that is first in the way of something moving
+// along n. A body without corners, and every second one, becomes a ball.
 Vec3<double> front(Random& random, Body<double>& body, const Spin& spin, const Quaternion<double>& turn,
                    double t, const Vec3<double>& n) {
   constexpr std::size_t kMost = 64;

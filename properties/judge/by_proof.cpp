@@ -13,10 +13,10 @@ using engine::Answer;
 namespace {
 
 // An upper bound of the backward error of time t that an accepted proof implies (infinity: none).
-//   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper];
+//   distance of t v from C   <= |s - t| |v|, for the contact at s in [proof.toi_lower, proof.toi_upper].
 //   depth of the path over [0, t)  <= (t - proof.toi_lower) |n.v| / |n|: move C by that much against n, and
-//   the axis proves that the path up to t misses it. Of a symbolic axis |n.v| / |n| is taken as its bound
-//   |v|.
+//   the axis proves that the path up to t misses it.
+// For a symbolic axis |n.v| / |n| is taken as its bound |v|.
 double proved_backward_error(const Proof& proof, const Vec3<double>& v, double t) {
   const double apart = std::max({proof.toi_upper - t, t - proof.toi_lower, 0.0}) * v.norm();
   const double slope = proof.symbolic ? v.norm() : std::abs(proof.axis.normalized().dot(v));

@@ -1,14 +1,17 @@
-// What the exact tier promises of one answer, judged to the last bit.
+// Judges one answer by the guarantee of the exact tier, to the last bit.
 //
-//   verdict exact;   toi_lower the largest S not above the TOI,   toi_upper the least S not below it.
+//   verdict exact,   toi_lower the largest S not above the TOI,   toi_upper the least S not below it.
 //
-// First by its proof, in microseconds. It must be accepted, claim a bracket of doubles that, rounded outward
-// to S, is the answer's, and be tight: the ends are equal, or neighbours, and then the checker must refuse
-// the same proof with either end moved to the other. So the axis proves less than the upper end and the
-// portal lies beyond the lower one. Left open is a TOI that is an end itself, where axis and portal are not
-// of one facet; the exact oracle, asked on a sample, leaves nothing open. It also decides what a proof does
-// not say: a start that is passed over, or reported under the policy pass_over, a hit whose lower bound
-// is 0, and every answer of rounded shapes or of a target distance, which has none.
+// The first judge is its proof, in microseconds. It must be accepted, and claim a bracket of doubles that, rounded
+// outward to S, is the answer's. It must also be tight: the ends are equal, or neighbours, and then the checker must
+// refuse the same proof with either end moved to the other. So the axis proves less than the upper end and the portal
+// lies beyond the lower one. This leaves open a TOI that is an end itself, where axis and portal do not belong to one
+// facet. The exact oracle, called on a sample, leaves nothing open. It also decides everything that a proof does not
+// state:
+//
+// - a start that is passed over, or reported under the policy pass_over
+// - a hit whose lower bound is 0
+// - every answer of rounded shapes or of a target distance, which has no proof
 #pragma once
 
 #include <cmath>
@@ -28,7 +31,7 @@ struct ExactFinding {
 
 namespace detail {
 
-// The largest float not above x, and the least not below; doubles are left as they are.
+// The largest float not above x, and the least not below. Doubles are left as they are.
 inline double outward_down(double x, bool in_float) {
   if (!in_float) return x;
   const float near = static_cast<float>(x);
@@ -97,7 +100,7 @@ inline ExactFinding judge_exact_by_proof(const corpus::Case& seen, const engine:
   return {.settled = lower > 0};
 }
 
-// By what is true of the case as the method saw it; empty, or what is wrong.
+// Judges by the true answer for the case as the method saw it. Returns the fault, or empty.
 inline std::string exact_fault_by_truth(const oracle::CaseTruth& truth, const engine::Answer& answer,
                                         bool in_float) {
   if (answer.outcome != truth.outcome()) return "the verdict is not the exact oracle's";

@@ -19,7 +19,7 @@ Judgement judge_by_kind(Truth& truth, const engine::Method& method, const engine
   return judge_rotating(truth, method, answer, request, measure);
 }
 
-// What of a request the answers of a method hold.
+// The part of a request that the answers of a method hold.
 Request held_of(Request request, const engine::Holds& holds) {
   unsigned held = static_cast<unsigned>(request);
   if (!holds.normal) held &= ~static_cast<unsigned>(Request::normal);

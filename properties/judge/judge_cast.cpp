@@ -17,8 +17,8 @@ using engine::Method;
 
 namespace {
 
-// Empty, or what is wrong with an answer. Tier certified may leave open what less than its width decides; no
-// method else may stall here.
+// The fault of an answer, or empty. Tier certified may leave open a verdict decided by less than its width. No other
+// method may fail to converge here.
 std::string fault_of(Truth& truth, const Method& method, const Answer& answer, CastJudgement& all,
                      bool ask_oracle) {
   const Judgement judgement = judge(truth, method, answer, Request::everything, ask_oracle);

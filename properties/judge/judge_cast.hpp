@@ -1,9 +1,9 @@
-// One case, asked of every linear method in double, each answer judged; and what a person reads of it.
+// Runs every linear method in double on one case, judges each answer, and reports it for a person.
 //
-//   1  what must be refused is refused, and nothing in the domain is;
-//   2  every answer is consistent in itself (properties/laws/linear/proof.hpp);
-//   3  every answer is judged (judge.hpp) by its proof, and by the oracle where that leaves something open,
-//      or for every answer of a case that is asked for.
+//   1. Invalid input is refused, and nothing in the domain is.
+//   2. Every answer is consistent in itself (properties/laws/linear/proof.hpp).
+//   3. Every answer is judged (judge.hpp) by its proof. The oracle is called if that leaves something open, or for
+//      every answer of a case that requests it.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@
 namespace graze::law {
 
 struct CastJudgement {
-  std::string fault;       // the method and what is wrong; empty: nothing is
-  bool by_oracle = false;  // whether the oracle was asked
+  std::string fault;       // the method and its fault, or empty
+  bool by_oracle = false;  // the oracle was called
   struct Said {
     std::string method;
     engine::Answer answer;

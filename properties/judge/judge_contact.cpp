@@ -14,9 +14,9 @@ using oracle::CaseTruth;
 
 namespace {
 
-// How far the normal is from supporting C where the path is at contact:  (h(n) - n.(t v)) / |n|.
-// The answer is true of a convex set near C, whose time of impact may be far from C's own at a graze, and its
-// normal is a normal there: so t is the TOI or either end of the bracket, whichever is best.
+// Error of the normal as a support of C where the path is at contact:  (h(n) - n.(t v)) / |n|. The answer is true of a
+// convex set near C, and its normal is a normal there. At a graze, that set's time of impact may be far from C's own.
+// So t is the TOI or either end of the bracket, whichever is best.
 double normal_error(const CaseTruth& exact, const Answer& answer, const Vec3<double>& v) {
   const double at_toi = exact.normal_error(answer.normal).low, slope = answer.normal.normalized().dot(v);
   const double toi = exact.toi_lower();
@@ -28,8 +28,8 @@ double witness_error(const CaseTruth& exact, const Answer& answer, double unit_r
   double worst = 0;
   for (const char body : {'a', 'b'}) {
     const Vec3<double>& point = body == 'a' ? answer.point_a : answer.point_b;
-    // The coordinates are rounded too, allowed beside the limit: a witness is the sum of position, motion and
-    // offset, and both additions round each coordinate by u of its size.
+    // The coordinates are rounded too, which is allowed beside the limit. A witness is the sum of position,
+    // motion and offset, and both additions round each coordinate by u of its size.
     const double rounding = 2 * unit_roundoff * point.norm(),
                  reach = body == 'a' ? answer.reach_a : answer.reach_b;
     worst = std::max(worst, exact.distance_from_body(body, answer.toi_lower, point).low - rounding - reach);
@@ -83,7 +83,7 @@ Errors errors_of(Truth& truth, const Answer& answer, Request request) {
     if (!(t < kInfinity<double>)) continue;
     const double backward = over(exact.backward_error(t).high, scale);
     errors.backward = std::fmax(errors.backward, backward);
-    // Where the oracle leaves the contact open, no time is right.
+    // No time is right if the oracle leaves the contact open.
     const bool known = contact && exact.outcome() != Outcome::not_converged;
     if (known) errors.forward = std::fmax(errors.forward, over(exact.forward_error(t).high, scale));
   }

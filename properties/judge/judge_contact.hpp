@@ -7,8 +7,8 @@
 
 namespace graze::law {
 
-// Into judgement.bad_contact, as far as requested. Of tier certified the contact may be off by its width and
-// by what rounding its time costs, too.
+// Into judgement.bad_contact, for the requested parts. In tier certified the contact may also be off by its width and
+// by the cost of rounding its time.
 void judge_contact(Judgement& judgement, const oracle::CaseTruth& exact, const engine::Answer& answer,
                    const engine::Method& method, const corpus::Case& problem, const Limits& limits,
                    Request request);

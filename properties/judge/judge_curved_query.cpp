@@ -1,5 +1,5 @@
-// Answers to queries between bodies that the exact oracles do not represent, by brackets that ball arithmetic
-// proves (oracles/truth/bracket_truth.hpp) in the place of exact numbers.
+// Judges answers to queries between bodies that the exact oracles do not represent. It uses brackets that ball
+// arithmetic proves (oracles/truth/bracket_truth.hpp) instead of exact numbers.
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ using engine::Method;
 using oracle::BracketTruth;
 using oracle::Enclosure;
 
-// What the oracle is asked: the motion of the case, whatever its query. Displacements are never subtracted or
-// scaled by anything but a sign, so that nothing rounds.
+// The oracle's question: the motion of the case, whatever its query. Displacements are never subtracted or scaled by
+// anything but a sign, so that nothing rounds.
 Case as_cast(Case problem) {
   problem.query = Query::cast;
   problem.start_policy = StartPolicy::report;
@@ -58,7 +58,7 @@ class CurvedJudge : public QueryJudge {
         pair_(pair) {}
 
  private:
-  // `apart` is the length by which a claim of contact errs where there is none.
+  // `apart` is the length by which a wrong claim of contact errs.
   template <class Apart>
   void verdict(bool claims, const BracketTruth& truth, const Apart& apart) {
     if (answer_.outcome == Outcome::not_converged) return;
@@ -115,8 +115,8 @@ class CurvedJudge : public QueryJudge {
     (void)witnesses();
   }
 
-  // What is left of the line beyond t v, seen along the motion (onward) or back: its depth in C, less what
-  // the start there rounds to.
+  // The rest of the line beyond t v, along the motion (onward) or back: its depth in C, less the rounding of
+  // its start.
   [[nodiscard]] double depth_beyond(const Case& path, double t, bool onward) const {
     const Vec3<double> step = t * relative(path);
     Case rest_of_it = ray_of(path, onward);
@@ -183,7 +183,7 @@ class CurvedJudge : public QueryJudge {
     end_of_line("t_in", path, pair_, *answer_.t_in, contact.t_in, false);
     end_of_line("t_out", path, pair_, *answer_.t_out, contact.t_out, true);
   }
-  // Of a line that misses: from its point at t = 0, either way.
+  // For a line that misses: its clearance from the point at t = 0, either way.
   [[nodiscard]] static double line_clearance(const Case& path) {
     double least = kInfinity<double>;
     for (const bool onward : {true, false}) {

@@ -112,7 +112,7 @@ void judge_followed(Judgement& judgement, const RotatingTruth& truth, const Case
     if (!found.fault.empty()) add_fault(judgement.*fault, found.fault);
   }
   Limits contact = limits;
-  contact.contact += d;  // as deep as the contact may be that goes on
+  contact.contact += d;  // as deep as the contact that is followed may be
   const RotatingTruth there = RotatingTruth::of_proved(reporting(problem), answer.toi_lower,
                                                        std::min(answer.toi_upper, problem.t_max), kFine);
   if (asks_for(request, Request::normal)) {

@@ -47,9 +47,10 @@ class LinearJudge {
     judgement_.errors.scale = truth_.cast().scale().high;
     start();
     if (!method_.is_ours()) judgement_.errors.backward = least_limit();
-    // Of what did not converge the guarantee says nothing but that it is not late or early.
+    // For an answer that did not converge, the guarantee states only that it is neither late nor early.
     if (answer_.outcome != Outcome::not_converged && !std::isnan(judgement_.errors.backward)) {
-      // What is surely wrong, as of faults: where bodies meet apex to apex the oracle may know a contact to 1e-5 only.
+      // The proved part of the error, as in faults: for bodies apex to apex the oracle may know a contact to
+      // 1e-5 only.
       judgement_.errors.over_limit = over(least_limit(), granted);
     }
     return judgement_;
@@ -78,7 +79,7 @@ class LinearJudge {
     const CaseTruth& exact = truth_.cast();
     const bool contact = exact.outcome() != Outcome::miss;
     if (contact && exact.compare(answer_.toi_lower) <= 0) return true;
-    // Contact before that, or none: by how much, as of any other time and verdict.
+    // There is contact before that, or none. The error is measured as for any other time and verdict.
     const double scale = exact.scale().high;
     const double error = (contact ? exact.lateness(answer_.toi_lower) : exact.clearance()).low;
     if (error <= limits_of(method_, problem(), scale).limit) {
@@ -91,7 +92,7 @@ class LinearJudge {
     return true;
   }
 
-  // A start in contact is no question for every engine of others.
+  // Some third-party engines do not support a start in contact.
   bool starts_unasked() {
     if (method_.asks_starts || truth_.cast().outcome() != Outcome::initially_overlapping) return false;
     judgement_.skipped = true;
@@ -99,7 +100,7 @@ class LinearJudge {
     return true;
   }
 
-  // Of a start in contact, by the oracle.
+  // Judges a start in contact by the oracle.
   void start() {
     judge_start(judgement_, truth_, answer_, method_,
                 limits_of(method_, problem(), truth_.cast().scale().high), request_);
@@ -116,14 +117,14 @@ class LinearJudge {
     if (answer_.toi_lower > 0 && answer_.toi_lower < kInfinity<double> && contact)
       least = std::fmax(least, exact.lateness(answer_.toi_lower).low);
     if (!claims_contact(answer_) || !method_.holds.time) return over(least, scale);
-    // The ends of a bracket that did not close are no times that are claimed.
+    // The ends of a bracket that did not close do not count as claimed times.
     for (const double t : {answer_.toi_lower, answer_.toi_upper}) {
       if (t < kInfinity<double>) least = std::fmax(least, exact.backward_error(t).low);
     }
     return over(least, scale);
   }
 
-  // What an engine promises to say of bodies that touch and go no deeper.
+  // The guarantee of an engine for bodies that touch and go no deeper.
   void touching(const CaseTruth& exact) {
     const engine::Touching promised =
         method_.guarantee == nullptr ? engine::Touching::either : method_.guarantee->touching;
@@ -137,11 +138,11 @@ class LinearJudge {
                                             promised == engine::Touching::contact ? "contact" : "a miss"));
   }
 
-  // True if it leaves nothing open.
+  // True if the proof leaves nothing open.
   bool proof() {
     if (!answer_.proof) return false;
     const oracle::Verdict verdict = oracle::check_proof(problem(), *answer_.proof);
-    // Magnitudes that the checker's arithmetic does not hold: it says nothing.
+    // Magnitudes that the checker's arithmetic does not hold: it gives no verdict.
     if (verdict.refusal == oracle::Refusal::out_of_range) return false;
     if (!verdict.accepted()) {
       judgement_.proof = ProofState::refused;
@@ -153,11 +154,11 @@ class LinearJudge {
     return is_settled_by(*answer_.proof, method_, problem(), answer_);
   }
 
-  // What is granted either end of the bracket, over scale.
+  // Returns the error granted to either end of the bracket, over scale.
   double by_oracle() {
     const CaseTruth& exact = truth_.cast();
     const Limits limits = limits_of(method_, problem(), exact.scale().high);
-    // Where the oracle is open, the claim says when contact is.
+    // If the oracle leaves the time open, the claim states the time of contact.
     const double wide = limits.wide_at(std::min(exact.toi_upper(), answer_.toi_upper));
     const double granted = over(wide, limits.scale);
     add_fault(judgement_.wrong, verdict_fault(exact, answer_, limits.limit));
@@ -176,7 +177,7 @@ class LinearJudge {
       add_fault(judgement_.early, early_fault(exact, answer_, limits.limit + limits.early));
       add_fault(judgement_.off, time_fault(exact, answer_, wide));
     }
-    // Of tier certified, and of engines of others, what is decided by less than the limit may stay open.
+    // Tier certified and third-party engines may leave open a verdict that is decided by less than the limit.
     if ((limits.strict || !method_.is_ours()) && answer_.outcome == Outcome::not_converged &&
         wide < kInfinity<double>) {
       judgement_.undecided = undecided_fault(exact, answer_, wide);
@@ -184,7 +185,7 @@ class LinearJudge {
       judgement_.within_tolerance = !judgement_.stalled;
     }
     if (limits.strict) {
-      // An open answer may have no upper end: what rounding costs is of toi_lower.
+      // An open answer may have no upper end, so the rounding cost is that of toi_lower.
       const double near = limits.wide_at(answer_.toi_lower);
       add_fault(judgement_.off, lower_fault(exact, answer_, problem().t_max, near));
       if (asks_for(request_, Request::normal) && asks_for(request_, Request::witnesses))
@@ -217,7 +218,7 @@ class LinearJudge {
     if (!measure && finding.settled) return;
     judgement_.by_oracle = true;
     const CaseTruth& truth = truth_.cast();
-    // Of many vertices it is a bracket, which says nothing of the last bits.
+    // For many vertices it is a bracket, which gives no information about the last bits.
     if (truth.is_exact())
       add_fault(judgement_.wrong, exact_fault_by_truth(truth, answer_, method_.in_float()));
     const Limits limits = limits_of(method_, problem(), truth.scale().high);

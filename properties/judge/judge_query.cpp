@@ -1,5 +1,5 @@
-// Answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact
-// oracles decide every one; there is no proof to look at first.
+// Judges answers to the queries beside the cast: overlap, distance, penetration, line, swept overlap. The exact oracles
+// decide every one. There is no proof to check first.
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ class RepresentedJudge : public QueryJudge {
       : QueryJudge(truth.problem(), method, answer, tolerance, scale_asked(truth)), truth_(truth) {}
 
  private:
-  // Claims of contact or none; `apart` and `deep` say by how much either is wrong.
+  // Claims of contact or of none. `apart` and `deep` return the error of either claim.
   template <class Apart, class Deep>
   void verdict(bool claims, bool contact, const Apart& apart, const Deep& deep) {
     if (answer_.outcome == Outcome::not_converged || claims == contact) return;
@@ -59,7 +59,7 @@ class RepresentedJudge : public QueryJudge {
         answer_.outcome == Outcome::initially_overlapping, contact,
         [&] { return truth_.at_rest().distance(); }, [&] { return truth_.penetration().depth(); });
   }
-  // Of a miss: all of C is on the far side, h(n) <= 0.
+  // For a miss: all of C is on the far side, h(n) <= 0.
   void separating_normal() {
     if (answer_.outcome == Outcome::miss && answer_.has_normal()) {
       normal_off(truth_.penetration().reach(answer_.normal).low, limit_);
@@ -150,7 +150,7 @@ class RepresentedJudge : public QueryJudge {
         [&] { return exact.depth(); });
     if (answer_.outcome == Outcome::miss && answer_.has_normal()) separating_for_the_path();
   }
-  // Of a miss: h(n) + m <= min(0, T n.v), where n.v may be off by limit over scale of |v|, as in a cast.
+  // For a miss: h(n) + m <= min(0, T n.v), where n.v may be off by limit over scale of |v|, as in a cast.
   void separating_for_the_path() {
     const corpus::Case& asked = truth_.problem();
     const Vec3<double> v = asked.b.displacement - asked.a.displacement;

@@ -1,4 +1,4 @@
-// Answers to casts of bodies that may turn.
+// Judges answers to casts of bodies that may rotate.
 
 #include <fmt/format.h>
 
@@ -20,12 +20,12 @@ namespace {
 using engine::Answer;
 using oracle::RotatingTruth;
 
-// What accepted proofs leave open of an answer.
+// The part of an answer that accepted proofs leave open.
 enum class Open { nothing, width, anything };
 
-// With l <= TOI <= u proved and V the top speed of a point of one body against the other: the bodies are no
-// farther apart at t than (u - t) V, and before t no deeper in each other than (t - l) V. Both are rounded
-// outward, and so is the comparison: what is then within the row is so without predicate_error.
+// With l <= TOI <= u proved and V the top speed of a point of one body against the other, two bounds follow. The bodies
+// are no farther apart at t than (u - t) V, and before t no deeper in each other than (t - l) V. Both are rounded
+// outward, and so is the comparison: a result within the guarantee is then so without predicate_error.
 Open left_open_by(const ProvedBracket& proved, const Answer& answer, const Limits& limits) {
   const auto way = [&](double from, double to) {
     return std::max(0.0, to - from) * limits.speed * kSlack * kSlack;
@@ -60,7 +60,7 @@ class RotatingJudge {
     judgement_.outcome = answer.outcome;
   }
 
-  // With `oracle` it is asked whatever the proofs say.
+  // With `oracle` it is called whatever the proofs show.
   Judgement operator()(bool oracle) {
     if (is_settled_by_validity()) return judgement_;
     const corpus::Case& problem = truth_.problem();
@@ -133,7 +133,7 @@ class RotatingJudge {
     return refused || !invalid.empty();
   }
 
-  // A start that is apart is any other case, also where it is apart by less than counts.
+  // A start that is apart is treated like any other case, also if it is apart by less than counts.
   void start_passed_over(bool oracle) {
     const corpus::Case& problem = truth_.problem();
     const RotatingTruth start = truth_from_start(problem);
@@ -152,9 +152,9 @@ class RotatingJudge {
     judge_followed(judgement_, start, problem, answer_, limits, request_);
   }
 
-  // No verdict is proved, but that the bodies come no farther than a part of the width from touching:
-  // clearance and depth are below it. An answer that leaves the verdict open is right then, and so is one
-  // that the row lets decide by as little, if its times are.
+  // No verdict is proved, only that the bodies come no farther than a part of the width from touching:
+  // clearance and depth are below it. An answer that leaves the verdict open is right then. So is one that
+  // the guarantee lets decide by as little, if its times are right.
   [[nodiscard]] bool stands_within(const RotatingTruth& truth) const {
     const bool decides = answer_.outcome != Outcome::not_converged;
     if (decides && limits_.strict) return false;
@@ -188,7 +188,8 @@ class RotatingJudge {
         judgement_.proof = ProofState::accepted;
       }
     }
-    // A bracket that claims nothing needs no proof; of contact that no proof can name, the lower end has one.
+    // A bracket that claims nothing needs no proof. A contact that no proof can name has a proof of its lower
+    // end.
     const bool in_part = answer_.rotating_proof && judgement_.proof == ProofState::none &&
                          claims_contact(answer_) && !oracle::can_name_contact(truth_.problem()) &&
                          answer_.rotating_proof->toi_lower >= answer_.toi_lower;
@@ -240,7 +241,7 @@ class RotatingJudge {
     late(truth);
     take(&law::early_error, truth, judgement_.early);
     take(&law::distance_error, truth, judgement_.off);
-    // Where clearance or depth is below the limit, a flat C's depth of 0 too, nothing decides.
+    // If clearance or depth is below the limit, or a flat C has depth 0, nothing decides.
     const RotatingError left = take(&law::undecided_error, truth, judgement_.undecided);
     const bool decides = left.length > (limits_.strict ? limits_.wide : limits_.limit);
     judgement_.stalled = decides || !left.fault.empty();

@@ -28,7 +28,7 @@ corpus::Case standing(corpus::Case problem) {
   return problem;
 }
 
-// h(n) - depth, from below; nothing where contact is not proved.
+// h(n) - depth, from below, or nothing if contact is not proved.
 std::optional<double> beyond_least_penetration(const corpus::Case& problem, const Vec3<double>& n) {
   const corpus::Case rest = standing(problem);
   if (is_exactly_decided(rest)) {
@@ -41,7 +41,7 @@ std::optional<double> beyond_least_penetration(const corpus::Case& problem, cons
   return truth.normal_error(n).low - truth.penetration().distance.high;
 }
 
-// Of a world point from a body at t = 0, by whichever oracle has the case.
+// Distance of a world point from a body at t = 0, by whichever oracle takes the case.
 double distance_from_body(Truth& truth, const engine::Method& method, char body, const Vec3<double>& point) {
   return method.kind == engine::Kind::rotating ? truth.bracket().distance_from_body(body, 0, point).low
                                                : truth.cast().distance_from_body(body, 0, point).low;

@@ -1,18 +1,18 @@
-// What an answer says of a start in contact beside the verdict: its normal and its witnesses.
+// Judges the parts of an answer to a start in contact beside the verdict: its normal and its witnesses.
 //
-// They have no one meaning. Engines hand out the direction of least penetration, the one against the motion, the
-// outward normal of A at some point, or what a search stopped at; and points of the surfaces, points deep within, or
-// one halfway. Each of them is of use to somebody who knows which it is. So only what all of them share is held
-// against an answer, of bodies that touch as of bodies that overlap:
+// These parts have no single meaning. As a normal, engines return the direction of least penetration, the one against
+// the motion, the outward normal of A at some point, or the last direction of a search. As witnesses they return points
+// of the surfaces, points deep within, or one halfway. Each is useful to callers that know which one it is. So only the
+// properties that all of them share are checked, for touching and for overlapping bodies:
 //
-//   a normal is a unit vector             (none, or one of zeros, says that there is none)
+//   a normal is a unit vector             (a missing or zero normal means that the engine has none)
 //   a witness of a body is a point of it  (in it or on it, within the limit of witnesses)
 //
-// Where a normal points is judged of an engine that promises it. Of least penetration, with C = A - B at t = 0, the
-// target distance counted, and h(n) the largest n.c over C: B moved along n leaves A after the length h(n), and after
-// no less than the depth, so that h(n) - depth is the error, a length. Of bodies that touch the depth is 0, and n is then
-// one that separates them. Bodies that do not touch, and are said to by less than the limit, have no such error.
-// Our own methods document that they hand out neither.
+// The direction of a normal is judged only for an engine that guarantees it. For least penetration, let C = A - B at t
+// = 0, with the target distance counted, and h(n) the largest n.c over C. B moved along n leaves A after the length
+// h(n), and after no less than the depth, so h(n) - depth is the error, a length. For touching bodies the depth is 0,
+// and n is then a direction that separates them. Bodies that do not touch, but are reported as touching within the
+// limit, have no such error. Our own methods document that they return neither.
 #pragma once
 
 #include "properties/judge/judgement.hpp"
@@ -21,7 +21,7 @@
 
 namespace graze::law {
 
-// Into judgement.bad_contact and its errors, as far as requested, of a cast's answer initially_overlapping.
+// Into judgement.bad_contact and its errors, for the requested parts of a cast's answer initially_overlapping.
 void judge_start(Judgement& judgement, Truth& truth, const engine::Answer& answer,
                  const engine::Method& method, const Limits& limits, Request request);
 

@@ -32,8 +32,8 @@ std::string Judgement::told_fault() const {
 
 namespace {
 
-// Farther from its own origin than 2^16 times its size. Rounding to float changes such a shape so much that its work says
-// nothing about the case.
+// Farther from its own origin than 2^16 times its size. Rounding to float changes such a shape so much that its work
+// gives no information about the case.
 bool lies_far_out_in_its_frame(const Shape<double>& shape) {
   const corpus::Bounds box = corpus::bounds(shape);
   return (box.high + box.low).norm() / 2 > 0x1p16 * (box.high - box.low).norm();

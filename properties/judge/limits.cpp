@@ -43,7 +43,7 @@ Limits promising_nothing(const Method& method) {
           .unit_roundoff = method.unit_roundoff};
 }
 
-// What rounding does beyond what the scale says.
+// Rounding errors beyond those that the scale covers.
 double unseen_of(const Method& method, const Case& seen, double scale) {
   if (method.kind == Kind::rotating) return unseen_of_turns(seen);
   if (method.is_exact()) return 0;
@@ -70,8 +70,8 @@ Limits limits_of(const Method& method, const Case& seen, double scale, double to
   out.early = row.early;
   out.wide = std::max(out.limit + row.early, width + unseen);
   out.contact_u = contact_kappa(method, seen) * method.unit_roundoff + over(declared, scale);
-  // Of tier certified the contact of a linear cast is itself known to its width; that of turning bodies is
-  // the one at toi_lower.
+  // In tier certified the contact of a linear cast is itself known to its width. For rotating bodies it is
+  // the contact at toi_lower.
   out.contact = contact_kappa(method, seen) * method.unit_roundoff * scale + declared +
                 (turning                 ? unseen
                  : method.is_certified() ? out.wide

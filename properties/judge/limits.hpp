@@ -1,7 +1,7 @@
-// What a guarantee leaves open of one question, in lengths: the one place where a row of the table meets a
+// The tolerances of a guarantee for one question, in lengths. This is the one place where a guarantee is applied to a
 // case.
 //
-// Notation   u the unit roundoff of the method, kappa its row's, v a velocity of one body against the other;
+// Notation   u the unit roundoff of the method, kappa of its guarantee, v a velocity of one body against the other,
 //            scale as docs/reference/guarantees.md has it.
 //
 //                           standard          certified                     exact
@@ -9,13 +9,13 @@
 //   wide                    limit             width scale                   0
 //   rounding of times       -                 of float                      both scalars
 //
-// An engine of others declares its limit as a sum of three lengths, kappa u scale, one over scale and one as it is; by a
-// further length its times may be early. One that declares none has no limit.
+// A third-party engine declares its limit as a sum of three lengths, kappa u scale, one over scale and one as it is. By
+// a further length its times may be early. An engine that declares none has no limit.
 //
-// To each of the first two is added what rounding does beyond what the scale says, of bodies that lie far out
-// in their local frames (properties/judge/own_frames.hpp). Of turning bodies the rounding of times counts in
-// every tier, and a row, or the question's tolerance, may grant the bracket a width of its own. A method
-// without a row promises nothing: its limits are infinite.
+// The first two include the rounding errors beyond the scale of bodies that lie far out in their local frames
+// (properties/judge/own_frames.hpp). For rotating bodies the rounding of times counts in every tier, and a guarantee,
+// or the question's tolerance, may grant the bracket a width of its own. A method without a guarantee promises nothing:
+// its limits are infinite.
 #pragma once
 
 #include "engines/guarantees.hpp"
@@ -25,9 +25,9 @@ namespace graze::law {
 
 struct Limits {
   double limit =
-      0;            // how deep a contact may be that goes unseen, how far apart bodies that are said to touch
-  double wide = 0;  // how far from contact either end of a bracket may be
-  double early = 0;      // how much farther before contact a time may be
+      0;            // depth of a contact that may be missed, and distance of bodies reported as touching
+  double wide = 0;  // distance from contact that either end of a bracket may have
+  double early = 0;      // additional distance before contact that a time may have
   double contact = 0;    // of normals and witnesses
   double contact_u = 0;  // the same for unit vectors, over 1
   engine::Unseen may_miss = engine::Unseen::nothing, may_be_late = engine::Unseen::nothing;
@@ -37,7 +37,7 @@ struct Limits {
   double speed = 0;  // no point of one body moves faster against one of the other (length per unit of t)
   double scale = 0;
 
-  // What rounding a finite time outward by two places may cost, a length.
+  // The cost of rounding a finite time outward by two places, a length.
   [[nodiscard]] double rounding_at(double t) const;
   [[nodiscard]] double wide_at(double t) const { return wide + (rounds_times ? rounding_at(t) : 0); }
   [[nodiscard]] double contact_at(double t) const {
@@ -45,12 +45,12 @@ struct Limits {
   }
 };
 
-// `seen`: the case as the method sees it; `scale`: a length. `tolerance`: as asked, over scale. `slack`: a
-// length that the question itself is off by.
+// `seen`: the case as the method sees it. `scale`: a length. `tolerance`: as requested, over scale. `slack`: a length
+// that the question itself is off by.
 [[nodiscard]] Limits limits_of(const engine::Method& method, const corpus::Case& seen, double scale,
                                double tolerance = 0, double slack = 0);
 
-// kappa of the method's row for this kind of case; infinite without a row. And the same of its contacts.
+// kappa of the method's guarantee for this kind of case, infinite without one. The same for its contacts.
 [[nodiscard]] double kappa(const engine::Method& method, const corpus::Case& problem);
 [[nodiscard]] double contact_kappa(const engine::Method& method, const corpus::Case& problem);
 
@@ -59,8 +59,8 @@ struct Limits {
 // No point of one body moves faster relative to one of the other: the displacement, and the rotation at the
 // arm of the farthest corner of the body's bounds from the pivot.
 [[nodiscard]] double top_speed_of(const corpus::Case& problem);
-// What a limit is relative to, from the scale of the pair. A line meets C behind its start as well, as far as
-// the target distance back.
+// The reference length of a limit, from the scale of the pair. A line also meets C behind its start, up to the target
+// distance back.
 [[nodiscard]] double scale_of_question(corpus::Query query, double target_distance, double scale_of_pair);
 
 }  // namespace graze::law

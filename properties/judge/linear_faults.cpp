@@ -19,7 +19,7 @@ using oracle::CaseTruth;
 
 namespace {
 
-// Where the truth is open, contact may be as late as the path goes.
+// The latest time of contact. If the truth is open, it is the end of the path.
 double latest_contact(const Case& problem) {
   const CaseTruth& truth = truth_of(problem);
   return is_undecided(truth) ? std::min(truth.toi_upper(), problem.t_max) : truth.toi_upper();
@@ -29,7 +29,7 @@ Limits limits_on(const Method& method, const Case& problem) {
   return limits_of(method, problem, truth_of(problem).scale().high);
 }
 
-// Of a method whose limit counts the time, contact that may be at any time leaves everything open.
+// If a method's limit counts the time, contact that may be at any time leaves everything open.
 bool is_open_for_ever(const Limits& limits, const Case& problem) {
   return limits.rounds_times && is_undecided(truth_of(problem)) &&
          !(latest_contact(problem) < kInfinity<double>);
@@ -55,7 +55,7 @@ double contact_bound_of(const Method& method, const Case& problem) {
 
 namespace {
 
-// nullptr where the oracle refuses the case.
+// nullptr if the oracle refuses the case.
 const CaseTruth* find_truth(const Case& problem) {
   struct Entry {
     std::optional<Case> problem;
@@ -70,7 +70,7 @@ const CaseTruth* find_truth(const Case& problem) {
   Entry& entry = kept[next++ % kept.size()];
   entry.problem.reset();
   entry.truth.reset();
-  // The oracle says what it does not decide by this exception, and nothing else.
+  // The oracle reports an undecided case by this exception, and nothing else.
   try {
     entry.truth.emplace(truth_within_reach(problem));
   } catch (const std::invalid_argument&) {
@@ -164,9 +164,9 @@ std::string time_fault(const CaseTruth& truth, const Answer& answer, double boun
 
 std::string normal_fault(const Case& problem, const Answer& answer, const Vec3<double>& n, double bound) {
   const CaseTruth& truth = truth_of(problem);
-  // h(n) - n.(t v) over |n|, at the true time and at the claimed one; the latter may be negative, where t v
-  // is outside of C, by no more than the answer's own backward error. The true time is known to a bracket:
-  // so is the error at the claim.
+  // h(n) - n.(t v) over |n|, at the true time and at the claimed one. The latter may be negative, where t v
+  // is outside of C, by no more than the answer's own backward error. The true time is known to a bracket,
+  // and so is the error at the claim.
   const double at_truth = truth.normal_error(n).low;
   const double speed = velocity(problem).dot(n) / n.norm();
   const double from_lower = at_truth + (truth.toi_lower() - answer.toi_lower) * speed;

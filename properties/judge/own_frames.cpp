@@ -58,7 +58,7 @@ double weight_of_own_frames(const corpus::Case& problem) {
   double lengths = 0, nodes = 0;
   const auto add = [&](Slot slot, double x) {
     if (is_length(slot)) lengths += std::abs(x);
-    nodes += 1;  // a node has one number at least, but for a point
+    nodes += 1;  // a node has one number at least, except a point
     return x;
   };
   static_cast<void>(map_shape(problem.a.shape, add));

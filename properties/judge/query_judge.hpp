@@ -1,8 +1,8 @@
-// What the two judges of queries have in common: which errors an answer may have, and what is said of them. One knows the
-// truth exactly (judge_query.cpp), one by proved brackets (judge_curved_query.cpp).
+// Shared by the two judges of queries: the errors that an answer may have, and their reports. One judge knows the truth
+// exactly (judge_query.cpp), one by proved brackets (judge_curved_query.cpp).
 //
-// Errors are lengths over scale: of a distance or depth what it is off by, of a time its backward error. A verdict is
-// wrong where distance, depth or clearance exceeds the limit.
+// Errors are lengths over scale: the error of a distance or depth, and the backward error of a time. A verdict is wrong
+// if distance, depth or clearance exceeds the limit.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace graze::law {
 
-// Judges by query: a judge says what is true at rest and along the motion.
+// Judges by query. A derived judge states the truth at rest and along the motion.
 class QueryJudge {
  public:
   virtual ~QueryJudge() = default;
@@ -39,9 +39,9 @@ class QueryJudge {
   void erred(double length);
   // A claim of contact, or of none, that errs by this length.
   void verdict_errs(double error, const char* what);
-  // Either end of a bracket; one that says of itself that it is wide may be.
+  // Either end of a bracket. A bracket that the answer marks as wide may be wide.
   void measure(const char* what, double error);
-  // A bracket that does not hold the truth is off, however wide it says it is.
+  // A bracket that does not hold the truth is off, however wide it is marked.
   void held(const char* what, double miss);
   void normal_off(double error, double limit);
   // Do they lie on their bodies? False: something is missing or off, or not part of the method's answers.

@@ -44,7 +44,7 @@ RotatingError verdict_error(const RotatingTruth& truth, const Answer& answer, co
   RotatingError out;
   if (answer.outcome == Outcome::miss && truth.contact_proved()) {
     out.length = truth.depth().low;
-    // Of a contact at t = 0 that is left open beside one nearby, only the depth is known.
+    // If a contact at t = 0 is left open beside one nearby, only the depth is known.
     if (out.length > allowed(limits.may_miss, answer, limits) ||
         (limits.strict && truth.outcome() != Outcome::not_converged)) {
       out.fault = fmt::format("says miss; there is contact, {} deep, at {} for the first time",

@@ -68,7 +68,7 @@ const oracle::PenetrationTruth& Truth::penetration() {
 const RotatingTruth& Truth::bracket() {
   if (bracket_) return *bracket_;
   bracket_ = std::make_unique<RotatingTruth>(problem_);
-  // What comes nearer than its width is looked at again through the finest.
+  // A case that comes nearer than the oracle's width is examined again with the finest width.
   if (bracket_->outcome() == Outcome::not_converged && !bracket_->budget_ended()) {
     auto finer = std::make_unique<RotatingTruth>(problem_, RotatingTruth::kLeastWidth);
     if (finer->outcome() != Outcome::not_converged) bracket_ = std::move(finer);

@@ -1,5 +1,5 @@
-// What the laws that ask a method twice share: two questions that have one answer, and who is to blame where
-// the answers differ.
+// Shared by the laws that call a method twice: two questions with one answer, and the decision about which answer is at
+// fault if they differ.
 #pragma once
 
 #include "corpus/support_value.hpp"
@@ -8,8 +8,8 @@
 
 namespace graze::law {
 
-// An edit must survive the rounding to the method's scalar, or the two questions are not the ones meant; and
-// the method must answer it.
+// An edit must survive the rounding to the method's scalar, or the two questions are not the intended ones. The method
+// must also answer it.
 [[nodiscard]] inline bool is_sound_edit(const corpus::Case& edited, const engine::Method& method) {
   return is_question_for(method, edited) && same_input(method.seen(edited), edited);
 }
@@ -26,20 +26,20 @@ namespace graze::law {
   return most;
 }
 
-// Equal verdicts, and times that lie within the rows of both, as far as the path goes between them: no
-// question for an oracle. Of a graze, where right times may be far apart, it says false.
+// Equal verdicts, and times that lie within both guarantees by the path between them. No oracle is needed then. It
+// returns false for a graze, where right times may be far apart.
 [[nodiscard]] inline bool agree_within_rows(const engine::Method& method, const corpus::Case& seen,
                                             const engine::Answer& one, const engine::Answer& other) {
   if (agree(one, other, method.unit_roundoff)) return true;
   const double gap = std::max(one.toi_lower - other.toi_upper, other.toi_lower - one.toi_upper);
-  // Open both times: how often that may be is another law's business.
+  // Open both times. Another law limits how often that may happen.
   if (one.outcome == Outcome::not_converged && other.outcome == one.outcome) return gap <= 0;
   if (one.outcome != Outcome::hit || other.outcome != Outcome::hit || method.is_exact()) return false;
   const double row = method.is_certified() ? 0 : kappa(method, seen) * method.unit_roundoff;
   return gap * velocity(seen).stableNorm() <= 2 * row * half_extent(seen);
 }
 
-// Two cases with one contact, at one time. `seen`: as the method sees it; `other`: a sound edit.
+// Two cases with one contact, at one time. `seen` is the case as the method sees it, and `other` a sound edit.
 [[nodiscard]] inline LawResult same_contact(const engine::Method& method, const corpus::Case& seen,
                                             const corpus::Case& other, std::string_view name,
                                             std::string_view disagreement) {

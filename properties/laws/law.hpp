@@ -1,9 +1,9 @@
 // A law: one sentence about every answer of every method, as a plain function of a case and a method.
 //
-// RapidCheck, the fuzzers, the corpus runs and the tool call the same functions. A law never throws, asks the
-// method itself (as often as it needs), and answers: holds, broken with a reason, or not applicable. Where a
-// metamorphic law sees two answers differ, it blames nobody by itself: the exact oracle says which one breaks
-// its row, since at a graze two times may both be right and yet far apart.
+// RapidCheck, the fuzzers, the corpus runs and the tool call the same functions. A law never throws, calls the method
+// itself (as often as it needs), and answers: holds, broken with a reason, or not applicable. If the two answers in a
+// metamorphic law differ, the law does not decide which is at fault. The exact oracle names the one that breaks its
+// guarantee, since at a graze two times may both be right and yet far apart.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,14 @@ enum class Holding { holds, broken, not_applicable };
 
 struct LawResult {
   Holding holding = Holding::holds;
-  std::string reason;  // broken: what was seen and what should be, numbers as decimals; not applicable: why
-  // Classification of what was drawn, for counting: the outcome, and what the law distinguishes. Of a law
-  // that is not applicable: "undecided", where an oracle was asked in vain.
+  std::string reason;  // if broken: the observed and the expected, numbers as decimals. If not applicable:
+                       // why
+  // Classification of the drawn case, for counting: the outcome, and the distinctions of the law. If the law
+  // is not applicable: "undecided", when an oracle was called without result.
   std::vector<std::string_view> labels;
 };
 
-// What a law stands on, hence what it costs: the method alone, the checker of proofs, or the exact oracle.
+// The basis of a law, hence its cost: the method alone, the checker of proofs, or the exact oracle.
 enum class Needs { metamorphic, proof, oracle };
 
 using engine::Kind;
@@ -36,18 +37,18 @@ using engine::Method;
 struct Law {
   std::string name, sentence;
   Needs needs = Needs::metamorphic;
-  // Not applicable: the case is no question for the law, or the method none that it is about.
+  // Not applicable: the case is not a question for the law, or the law does not cover the method.
   std::function<LawResult(const corpus::Case&, const Method&)> check;
-  // Of the methods that it judges; a law of the queries is called with the bodies of a linear case.
+  // The kind of the methods that it judges. A law of the queries is called with the bodies of a linear case.
   Kind kind = Kind::linear;
 
   [[nodiscard]] std::span<const Method> methods() const { return engine::methods(kind); }
 };
 
-// In the order of the tables: of linear casts, of the queries, of casts of turning bodies.
+// In the order of the tables: linear casts, queries, rotating casts.
 [[nodiscard]] std::span<const Law> laws();
 [[nodiscard]] std::span<const Law> laws(Kind kind);
-[[nodiscard]] const Law* find_law(std::string_view name);  // nullptr if there is none
+[[nodiscard]] const Law* find_law(std::string_view name);  // nullptr for an unknown name
 
 [[nodiscard]] std::string_view to_text(Needs needs);
 

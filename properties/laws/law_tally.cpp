@@ -93,10 +93,10 @@ std::string LawTally::excess_of_stalls() const {
   if (kind_ != Kind::linear) return "";
   for (std::size_t m = 0; m < stalled_.size(); ++m) {
     const engine::Method& method = engine::methods(engine::Kind::linear)[m];
-    // Where tier certified may leave a verdict open is a law's business: certified_decides.
+    // The law certified_decides limits the verdicts that tier certified may leave open.
     if (stalled_[m] == 0 || method.is_certified()) continue;
     const engine::Guarantee* row = method.guarantee;
-    // One stall is allowed to a run that is too short to hold a fraction to its cap.
+    // A run too short to compare a fraction with its cap may have one answer that did not converge.
     const double allowed = row != nullptr && row->stall_cap > 0
                                ? std::max(1.0, row->stall_cap * static_cast<double>(applied_to_[m]))
                                : 0;

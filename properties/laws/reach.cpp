@@ -35,7 +35,7 @@ constexpr OutOfReach kOutOfReach[] = {
     {"idle_pivot_is_nothing", "", "both_turn", "in that family no body is without a turn"},
 };
 
-// None: an entry is the law, the methods by full name, and what is known of it.
+// Empty. An entry would name the law, the methods by full name, and the known reason.
 constexpr std::array<KnownBreach, 0> kKnownBreaches = {};
 
 bool has_word(std::string_view words, std::string_view word) {

@@ -1,8 +1,8 @@
-// What a law must have seen before "it holds" means anything: every outcome, and every family of its kind.
+// The cases that a law must have seen before "it holds" means anything: every outcome, and every family of its kind.
 //
-// A law that no case of a family ever applied to says nothing about what that family is hard in. Where it
-// cannot apply, the table in reach.cpp says so, and why; a test holds the table to that, too: what is
-// declared out of reach and is reached all the same has no place in it.
+// A law that no case of a family ever applied to gives no information about the difficulty of that family. The table in
+// reach.cpp lists the cases where it cannot apply, with the reason. A test checks the table, too: an entry that is
+// reached all the same has to be removed.
 #pragma once
 
 #include <span>
@@ -23,8 +23,8 @@ struct OutOfReach {
 };
 [[nodiscard]] std::span<const OutOfReach> out_of_reach();
 
-// A law that is broken, by whom, and as far as is known why: a known failure. The tests go on without it and
-// fail once it is mended; `graze laws` reports it and fails.
+// A known failure: a broken law, the methods that break it, and the known reason. The tests continue without it and
+// fail once it is mended. `graze laws` reports it and fails.
 struct KnownBreach {
   std::string_view law;
   std::string_view methods;  // separated by spaces
@@ -33,9 +33,9 @@ struct KnownBreach {
 [[nodiscard]] std::span<const KnownBreach> known_breaches();
 [[nodiscard]] bool is_known_breach(std::string_view law, std::string_view method);
 
-// hit or initially_overlapping: a query beside the cast knows one of the two, or both, as its case is.
+// hit or initially_overlapping: a query beside the cast may have one of the two, or both, depending on its case.
 inline constexpr std::string_view kContact = "contact";
-// The labels of outcomes that a law of this name must have seen; kContact stands for either.
+// The labels of outcomes that a law of this name must have seen. kContact stands for either.
 [[nodiscard]] std::vector<std::string_view> outcomes_to_see(Kind kind, std::string_view law);
 // The families over which a law of this kind is run.
 [[nodiscard]] std::span<const corpus::Family> families_of(Kind kind);

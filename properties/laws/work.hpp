@@ -16,7 +16,7 @@ namespace graze::law {
   return holds({label_of(answer.outcome)});
 }
 
-// A tolerance ends a search earlier. It moves no verdict, and costs no support. Empty, or what it did.
+// A tolerance ends a search earlier. It changes no verdict, and costs no support. Returns the violation, or empty.
 [[nodiscard]] inline std::string moved_by_tolerance(const engine::Answer& full, const engine::Answer& loose,
                                                     double tolerance) {
   std::string what;

@@ -47,8 +47,9 @@ std::vector<Case> hard_half(std::span<const Family> families, std::size_t rounds
   return out;
 }
 
-// Thin plates, and a point or a ball a few roundings above them: at rest, so that the line to the middle runs
-// nearly in the plate, or coming down to it by next to nothing, on a path that ends about where it meets it.
+// Thin plates, and a point or a ball a few roundings above them. At rest, the line to the middle runs nearly in the
+// plate. Otherwise the point or ball comes down to it by next to nothing, on a path that ends about where it meets the
+// plate.
 void add_plates(std::vector<Case>& out, std::size_t count) {
   for (std::size_t seed = 0; seed < count; ++seed) {
     corpus::Random random(3000 + seed);

@@ -1,5 +1,5 @@
-// Generated cases aimed at what the sample of planted defects seldom executes: the harder half of each
-// family's levels, which that sample leaves out, and hulls that have a map of directions.
+// Generated cases aimed at code that the sample of planted defects rarely executes: the harder half of each family's
+// levels, which that sample leaves out, and hulls that have a map of directions.
 #pragma once
 
 #include <vector>

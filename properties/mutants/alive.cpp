@@ -1,6 +1,6 @@
-// Which mutant is alive in programs that do not choose it themselves: GRAZE_MUTANT, a number, from the
-// environment, before anything else runs. At the end the numbers of those whose place was executed are
-// written to the file GRAZE_MUTANT_REACHED, if it is named.
+// Selects the mutant in programs that do not choose it themselves. It is GRAZE_MUTANT, a number, from the environment,
+// read before anything else runs. At the end the numbers of the mutants whose place was executed are written to the
+// file GRAZE_MUTANT_REACHED, if it is named.
 #include <cstdio>
 #include <cstdlib>
 

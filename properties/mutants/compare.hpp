@@ -1,4 +1,4 @@
-// What a mutant changes in the methods' answers, whether or not a law notices.
+// The changes that a mutant makes to the methods' answers, whether or not a law notices.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace graze::mutants {
 
-// Answers of one method that end undecided, or say of themselves that they are wide.
+// Answers of one method that end undecided, or that are marked as wide.
 struct Stalls {
   long asked = 0, without = 0, with = 0;  // the mutant
 };
@@ -25,8 +25,8 @@ struct Difference {
 // Every method of the kind on the case, with the mutant and without, added to `sum`.
 void compare(engine::Kind kind, const corpus::Case& problem, int mutant, Difference& sum);
 
-// The first method that ends undecided more often than its row of the guarantees grants, and more often than
-// without the mutant; empty if none. The cap is a share of a family's cases, here of those compared.
+// The first method that ends undecided more often than its guarantee grants, and more often than without the mutant.
+// Empty if none does. The cap is a share of a family's cases, here of those compared.
 [[nodiscard]] std::string stall_fault(const Difference& sum);
 
 }  // namespace graze::mutants

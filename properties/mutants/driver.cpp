@@ -2,14 +2,14 @@
 //
 //   driver MUTANTS FOLDER --seconds S --jobs J --linear N --query N --rotating N
 //
-// First a survey with no mutant alive (kept in FOLDER/survey), then each of the mutants 0 .. MUTANTS-1 in a
-// process of its own: the trials that execute its place, cheap ones first and others between them, until a
-// law breaks, the process dies, a trial takes kSlower times its usual time (an endless loop), or S seconds of
-// processor time are over. FOLDER/results gets a line for each and is where a second run goes on:
+// A survey with no mutant alive comes first (kept in FOLDER/survey). Then each of the mutants 0 .. MUTANTS-1 runs in a
+// process of its own. It runs the trials that execute its place, cheap ones first and others between them. It stops
+// when a law breaks, the process dies, a trial takes kSlower times its usual time (an endless loop), or S seconds of
+// processor time are over. FOLDER/results gets a line for each, and a second run resumes from there:
 //   MUTANT killed|survived|unreached LAW HOW TRIALS SECONDS ASKED ANSWERS COSTS EXECUTED CASE
-// separated by tabs. ASKED to EXECUTED are of survivors: compare.hpp; CASE is the hash of the case that
-// showed a killed one. FOLDER/first, if there is one, has lines MUTANT LAW CASE, what showed it in an earlier
-// run: those trials come first.
+// separated by tabs. ASKED to EXECUTED are for survivors (compare.hpp). CASE is the hash of the case that showed a
+// killed one. FOLDER/first, if it exists, has lines MUTANT LAW CASE with the trial that showed the mutant in an earlier
+// run. Those trials come first.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -36,7 +36,7 @@ namespace {
 
 using namespace graze::mutants;  // the room
 
-// What makes a trial's time an endless loop: this many times the usual, and at least this much (s).
+// A trial counts as an endless loop after this many times its usual time, and at least this much (s).
 constexpr double kSlower = 50;
 constexpr double kLeastTime = 3;
 // Processor time for comparing the answers of a survivor, over that for its trials.
@@ -50,7 +50,7 @@ struct Options {
   Counts counts;
 };
 
-// What the child has come to, in memory that outlives it.
+// Progress of the child, in memory that outlives it.
 struct Progress {
   std::uint32_t law, problem;
   long trials;
@@ -73,7 +73,7 @@ void allow(double seconds) {
 
 std::size_t mixed(std::size_t x) { return (x + 1) * 0x9e3779b97f4a7c15u >> 13; }
 
-// What showed a mutant in an earlier run.
+// The trial that showed a mutant in an earlier run.
 struct Shown {
   std::string law;
   std::uint64_t problem = 0;  // hash
@@ -87,7 +87,7 @@ std::map<int, Shown> shown_before(const std::string& path) {
   return out;
 }
 
-// The trial that showed it before, by itself; none if it is not among them any more.
+// The trial that showed it before, by itself, or nothing if it no longer exists.
 std::vector<const Trial*> first_of(const World& world, const Survey& survey, const Shown& shown, int mutant) {
   for (const Trial& trial : survey.trials) {
     if (trial.reaches(mutant) && world.laws[trial.law].name == shown.law &&
@@ -97,8 +97,8 @@ std::vector<const Trial*> first_of(const World& world, const Survey& survey, con
   return {};
 }
 
-// The cases whose trials execute the mutant's place, each with those trials: at even turns the cheapest that
-// is left, at odd ones any, so that a dear kind of case is met within the budget too.
+// The cases whose trials execute the mutant's place, each with those trials. At even turns the cheapest remaining one
+// comes next, at odd ones any, so that an expensive kind of case is also met within the budget.
 std::vector<std::vector<const Trial*>> agenda_of(const Survey& survey, int mutant) {
   std::map<std::uint32_t, std::vector<const Trial*>> by_case;
   for (const Trial& trial : survey.trials) {

@@ -1,8 +1,8 @@
-// Which mutant of core is alive. A copy of core that mutate.py makes holds all of a sample at once, each
+// Selects the live mutant of core. A copy of core that mutate.py makes holds all mutants of a sample at once, each
 // behind a test of `active`: compiled once, run once a mutant.
 //
-// None of this is constexpr: an initializer that the compiler could evaluate would silently hold no mutant.
-// What it must evaluate fails to compile, and mutate.py takes another place.
+// None of this is constexpr: an initializer that the compiler could evaluate would silently hold no mutant. A place
+// that the compiler must evaluate fails to compile, and mutate.py takes another one.
 #pragma once
 
 #include <type_traits>
@@ -11,7 +11,7 @@
 namespace graze_mutants {
 
 inline constexpr int kMost = 1024;
-extern int active;               // the mutant that is alive; -1: none
+extern int active;               // the mutant that is alive, or -1
 extern bool comparing;           // evaluate both expressions of every site, and count where they differ
 extern unsigned char reached[];  // 1 where a mutant's place was executed
 extern long differed[];          // executions in which its value differs from the original's, while comparing
@@ -23,7 +23,7 @@ bool on() {
   return active == kId;
 }
 
-// A value of its own: no expression template that refers to what is gone.
+// A value of its own: no expression template that refers to an expired temporary.
 template <class T>
 auto value(T&& x) {
   if constexpr (requires { x.eval(); }) {

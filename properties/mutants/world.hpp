@@ -1,7 +1,7 @@
-// What the mutants are judged by: all laws, on the generated cases that planted defects see too, and which
-// mutant's place each pair of law and case executes, at what cost, measured once with none of them alive.
+// The judge of the mutants: all laws, on the generated cases that planted defects see too. For each pair of law and
+// case it records the mutants whose place it executes, and the cost, measured once with none of them alive.
 //
-// A mutant then meets only the pairs that execute its place; the rest cannot notice it.
+// A mutant then meets only the pairs that execute its place. The rest cannot notice it.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 namespace graze::mutants {
 
 struct Counts {
-  int linear = 0, query = 0, rotating = 0;  // cases; near-ties besides, as many as linear
+  int linear = 0, query = 0, rotating = 0;  // cases, with as many near-ties as linear
 };
 
 struct World {
   std::vector<law::Law> laws;
   std::vector<corpus::Case> cases;  // aimed, linear, near-ties, aimed rotating, rotating
-  // Where they end; casts and the other queries are asked about the aimed and the first of the linear ones.
+  // Their ends. Casts and the other queries run on the aimed cases and the first of the linear ones.
   std::size_t linear_end = 0, queries_end = 0, flat_end = 0, ties_end = 0;
 };
 
@@ -36,13 +36,13 @@ struct Trial {
 
 struct Survey {
   std::vector<Trial> trials;
-  // Trials whose law breaks with no mutant alive: they say nothing. "LAW METHOD: reason" and the case, one a
-  // trial.
+  // Trials whose law breaks with no mutant alive, which give no information. "LAW METHOD: reason" and the
+  // case, one a trial.
   std::vector<std::string> broken;
 };
 
 [[nodiscard]] World make_world(const Counts& counts);
-// The first method that breaks the law, and how; empty if all keep it.
+// The first method that breaks the law, and how. Empty if all keep it.
 [[nodiscard]] std::string fault_of(const law::Law& law, const corpus::Case& problem);
 // Tries everything with no mutant alive. Progress on the standard error.
 [[nodiscard]] Survey survey(const World& world, int mutants);

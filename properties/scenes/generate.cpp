@@ -41,7 +41,8 @@ class Generator {
     exact_ = options.tier == Tier::exact;
     slow_ = options.tolerance > 0;
     filtered_ = random_.one_in(4);
-    // Tier standard decides within a rounding of a touch as it likes: its numbers are in no relation.
+    // Within a rounding of a touch, tier standard may decide either way: the numbers are then in general
+    // position.
     generic_ = options.tier == Tier::standard;
     const int bodies = random_.between(2, 12);
     for (int k = 0; k < bodies; ++k) out.scene.bodies.push_back(member(k, out.scene.bodies));
@@ -148,7 +149,7 @@ class Generator {
 
   scene::Member member(int k, const std::vector<scene::Member>& before) {
     scene::Member out;
-    // Not in the order of the indices, so that ties show by what they are ordered.
+    // Not in the order of the indices, so that ties show their sort key.
     out.name = std::string(1, static_cast<char>('a' + (7 * k + 3) % 26)) + std::to_string(k);
     Body<double>& body = out.body.body;
     body.shape = shape();

@@ -28,7 +28,7 @@ Events by_pair(const std::vector<Event>& events) {
   return out;
 }
 
-// The first contact among events: no earlier than lower, if there is one; by upper, if any is proved.
+// The first contact among events: no earlier than lower, if there is one, and by upper, if any is proved.
 struct First {
   double lower = kInfinity<double>, upper = kInfinity<double>;
   std::size_t open = 0, contacts = 0;
@@ -105,7 +105,7 @@ class Comparison {
   }
 
  private:
-  // The other side, without a line of scene's: every pair by itself, as it moves and turns.
+  // The other side, without a line of scene's: every pair by itself, as it moves and rotates.
   [[nodiscard]] std::optional<Event> ask(const RotatingBody<double>& a, const RotatingBody<double>& b,
                                          double t_max) const {
     Event out;
@@ -126,7 +126,7 @@ class Comparison {
       turning.method = RotatingMethod::bilateral_advancement;
       turning.t_max = t_max;
       turning.target_distance = options_.target_distance;
-      // In tier standard a start nearer than a part of the tolerance is contact without more ado.
+      // In tier standard a start nearer than a part of the tolerance counts as contact at once.
       if (options_.tier == Tier::standard) turning.tolerance = options_.tolerance;
       take(graze::cast(a, b, turning));
     }
@@ -179,7 +179,7 @@ class Comparison {
     return meet(l.toi_lower, l.toi_upper, r.toi_lower, r.toi_upper);
   }
 
-  // Every event has one on the other side whose bracket meets its own; an open one may have none.
+  // Every event has one on the other side whose bracket meets its own. An open one may have none.
   [[nodiscard]] std::string each_meets(const std::vector<Event>& mine, const Events& theirs,
                                        const char* what) const {
     for (const Event& event : mine) {
@@ -236,8 +236,8 @@ class Comparison {
     return out;
   }
 
-  // Of all events that there are, some that may be first: of a body, events of the other body may be among
-  // them that are later.
+  // `mine` holds only events that may be the first of `all`. For a body, some of the other body's events
+  // among them may be later.
   [[nodiscard]] std::string firsts(const std::vector<Event>& mine, const std::vector<Event>& all) const {
     First l, r;
     for (const Event& event : mine) l.add(event);
@@ -282,7 +282,7 @@ class Comparison {
 bool same_bits(const Vec3<double>& l, const Vec3<double>& r) {
   return std::memcmp(l.data(), r.data(), 3 * sizeof(double)) == 0;
 }
-// How an event was known may differ where it was by the memory alone.
+// An event's source may differ if it was known from the memory alone.
 bool same_bits(const Event& l, const Event& r) {
   const bool by_memory = l.effects == Effects::nothing;
   return l.a == r.a && l.b == r.b && l.outcome == r.outcome &&
@@ -331,7 +331,7 @@ std::string scene_law(const Scene& scene, const Options& options, SceneTally& ta
 
 SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count) {
   SceneLawRun out;
-  scene::Memory memory;  // from one scene to the next, too, where it is of other bodies
+  scene::Memory memory;  // from one scene to the next, also if it belongs to other bodies
   for (std::uint64_t seed = first_seed; seed < first_seed + count; ++seed) {
     const RandomScene drawn = random_scene(seed);
     Options options = drawn.options;

@@ -1,25 +1,25 @@
-// The law of scenes: what a scene spares changes no verdict, and brackets meet.
+// The law of scenes: the savings of a scene change no verdict, and brackets meet.
 //
-// The one side asks core of every pair and of each probe with each body, over the whole step, without a line of
-// scene's and without a plan: bodies of which one turns by bilateral advancement, whatever may be seen of it,
-// the others by a linear cast. The other side is the scene's run. Then
+// One side runs core on every pair and on each probe with each body, over the whole step, without a line of scene's and
+// without a plan. Pairs with a rotating body use bilateral advancement, whether or not the rotation is visible. The
+// others use a linear cast. The other side is the scene's run. Then
 //
-//   pair     what one proves to touch the other does not deny, and their brackets have a time in common;
-//   first    the first event by the one may be the first by the other: the brackets of the two firsts have a
-//            time in common, no event is one that cannot be the first, and one that must be is there;
-//   body     the same for each body's events;
+//   pair     a contact that one side proves is not denied by the other, and their brackets have a time in common.
+//   first    the first event by the one may be the first by the other. The brackets of the two firsts have a
+//            time in common, no event is one that cannot be the first, and one that must be is there.
+//   body     the same for each body's events.
 //   verdict  there is a contact by both, or by neither.
 //
-// A pair that either leaves open (not_converged) may be anything; its bracket has to meet all the same. In
-// tiers certified and exact all that is a matter of proof. Tier standard answers for shapes near the given
-// ones: its brackets may miss each other by kStandardSlack, which is for scenes in general position.
+// A pair that either leaves open (not_converged) may be anything, but its bracket has to meet all the same. In tiers
+// certified and exact all this is proved. Tier standard answers for shapes near the given ones: its brackets may miss
+// each other by kStandardSlack, which is for scenes in general position.
 #pragma once
 
 #include <graze/scene/memory.hpp>
 
 namespace graze::law {
 
-// Of a time in a step of 1: roundings of 1e-13 at motions a thousandth of which is along the normal.
+// A part of a step of 1: roundings of 1e-13 at motions of which a thousandth is along the normal.
 inline constexpr double kStandardSlack = 1e-9;
 
 struct SceneTally {
@@ -31,16 +31,16 @@ struct SceneTally {
 [[nodiscard]] std::string scene_law(const scene::Scene& scene, const scene::Options& options,
                                     SceneTally& tally);
 
-// The scene's step cut into four, one after the other, each run twice: by itself, and with the memory of the step
-// before, whatever that was of at first. Events are the same to the bit. On the way somebody moves a body by hand, and
-// asks for another target distance. The runs with a memory are counted into the tally.
+// Cuts the scene's step into four, one after the other. Each is run twice: by itself, and with the memory of the step
+// before, whatever that memory belonged to at first. Events are the same to the bit. On the way a body is moved by
+// hand, and the target distance changes. The runs with a memory are counted into the tally.
 [[nodiscard]] std::string memory_law(const scene::Scene& scene, const scene::Options& options,
                                      scene::Memory& memory, SceneTally& tally);
 
 // As many scenes from this seed on, each with every economy on and with one of them off, and in steps.
 struct SceneLawRun {
   SceneTally tally;
-  std::string broken;  // the first break, with its seed; empty if there is none
+  std::string broken;  // the first break, with its seed, or empty
 };
 [[nodiscard]] SceneLawRun try_random_scenes(std::uint64_t first_seed, std::uint64_t count);
 

@@ -1,5 +1,5 @@
-// Laws of what a search may be told and what it leaves behind: budgets that end too soon, tolerances, another
-// scalar or tier, and the same question again.
+// Laws of the options of a search and of the state that it leaves behind: budgets that end too soon, tolerances,
+// another scalar or tier, and the same question again.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr int kBudgets[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 24, 48, 96};
 
 bool same_bits(const Vec3<double>& l, const Vec3<double>& r) { return l == r; }
 
-// Of verdict, times, contact, cost and bounds proved.
+// Compares verdict, times, contact, cost and proved bounds.
 bool is_same_answer(const Answer& one, const Answer& two) {
   const Counters &c = one.counters, &d = two.counters;
   const auto same = [](double l, double r) { return l == r || (std::isnan(l) && std::isnan(r)); };
@@ -79,7 +79,7 @@ LawResult interrupting(const Case& problem, const Method& method) {
       if (!(cut.toi_lower >= 0 && cut.toi_lower <= cut.toi_upper))
         return broken("no bracket " + with_budget());
       if (every_support_counts && cut.toi_lower < proved * (1 - 16 * u)) {
-        // Each is a lower bound within the row; at a graze two that are may be far apart.
+        // Each is a lower bound within the guarantee. At a graze two such bounds may be far apart.
         if (const auto open = without_truth(seen)) return *open;
         Answer before = cut;
         before.toi_lower = proved;
@@ -90,12 +90,13 @@ LawResult interrupting(const Case& problem, const Method& method) {
         result.labels.push_back("goes back");
       }
       proved = std::max(proved, cut.toi_lower);
-      // The bracket meets that of the answer; a miss leaves nothing but the end of the path.
+      // The bracket meets that of the answer. A miss leaves nothing except the end of the path.
       consistent = full.outcome == Outcome::miss || (cut.toi_lower <= full.toi_upper * (1 + 16 * u) &&
                                                      cut.toi_upper * (1 + 16 * u) >= full.toi_lower);
     }
     if (consistent) continue;
-    // A stall is nobody's fault here: tier certified is asked to decide only with its own budget.
+    // An answer that did not converge is not a fault here: tier certified must decide only with its own
+    // budget.
     const double bound = has_truth(seen) ? proved_bound_of(method, seen) : 0;
     if (const auto open = without_truth(seen)) return *open;
     for (const Answer* said : {&cut, &full}) {
@@ -125,7 +126,7 @@ LawResult tightening(const Case& problem, const Method& method) {
     if (answer.outcome != Outcome::hit) continue;
     if (answer.toi_lower < best.toi_lower * (1 - 16 * u) ||
         answer.toi_upper > best.toi_upper * (1 + 16 * u)) {
-      // Each may be right within the row, whatever the tolerance.
+      // Each may be right within the guarantee, whatever the tolerance.
       if (const auto open = without_truth(seen)) return *open;
       const double bound = proved_bound_of(method, seen);
       for (const Answer* said : {static_cast<const Answer*>(&best), &answer}) {
@@ -160,7 +161,7 @@ LawResult interrupted_is_right(const Case& problem, const Method& method) {
       if (const std::string why = fault(truth, cut, bound); !why.empty())
         return broken(fmt::format("{}; with a budget of {}: {}", why, budget, describe(cut)));
     }
-    // What follows is the full answer, which other laws judge.
+    // The rest is the full answer, which other laws judge.
     if (cut.outcome != Outcome::not_converged) break;
     result.labels.push_back("interrupted");
   }
@@ -194,7 +195,7 @@ LawResult tolerance_bounds_the_error(const Case& problem, const Method& method) 
     const Answer answer = method.ask(seen, {.request = Request::normal, .tolerance = tolerance});
     const double row = proved_bound_of(method, seen), slack = tolerance * truth.scale().high;
     const double wide = bound_of(method, seen) + slack;
-    // The verdict and the early side of the bracket owe nothing to the tolerance.
+    // The verdict and the early side of the bracket do not depend on the tolerance.
     std::string fault = verdict_fault(truth, answer, row);
     if (fault.empty()) fault = late_fault(truth, answer, row);
     if (fault.empty()) fault = early_fault(truth, answer, row);
@@ -220,7 +221,7 @@ LawResult scalars_meet(const Case& problem, const Method& method) {
   const Answer one = method.ask(seen, {}), two = wide->ask(seen, {});
   LawResult result = holds({label_of(two.outcome)});
   if (agree_within_rows(method, seen, one, two)) return result;
-  // Each within its own row.
+  // Each within its own guarantee.
   if (const auto open = without_truth(seen)) return *open;
   for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(wide, &two)}) {
     if (const std::string fault = any_fault(*judged, seen, *answer); !fault.empty()) {
@@ -275,7 +276,7 @@ LawResult asking_again(const Case& problem, const Method& method) {
   if (!is_question_for(method, seen)) return outside();
   const engine::Ask ask{.request = Request::everything};
   const Answer first = method.ask(seen, ask);
-  // Another question between: the same bodies the other way round, or grown, or apart.
+  // Another question between: the same bodies exchanged, or grown, or apart.
   Case other = (hash_of(seen) & 1) != 0 ? swapped(seen) : grown(seen, hash_of(seen));
   if ((hash_of(seen) & 2) != 0) other.b.position += Vec3<double>(1, 2, 4);
   (void)method.ask(other, ask);
@@ -285,7 +286,7 @@ LawResult asking_again(const Case& problem, const Method& method) {
                               describe(first)));
   }
   LawResult result = holds({label_of(first.outcome)});
-  // Adjacency says nothing of the bodies that their vertices do not.
+  // Adjacency adds no information about the bodies to their vertices.
   const auto given = with_other_hulls(seen);
   if (!given) return result;
   const Answer third = method.ask(*given, ask);

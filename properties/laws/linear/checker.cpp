@@ -1,5 +1,5 @@
-// The law of the checker of proofs itself, by proofs that claim too much. What each says and when it does not
-// apply: checker.cpp and the table in linear.cpp.
+// The law of the checker of proofs itself, by proofs that claim too much. The claims, and the cases to which they do
+// not apply, are in checker.cpp and the table in linear.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class Overclaims {
  public:
   Overclaims(const Case& seen, const Proof& proof) : seen_(seen), proof_(proof) {}
 
-  // The first false claim that the checker accepts; empty if none.
+  // The first false claim that the checker accepts, or empty.
   [[nodiscard]] std::string accepted() {
     if (proof_.toi_lower == kInfinity<double>) {
       contact_after_all();
@@ -91,7 +91,7 @@ class Overclaims {
     ends_before.t_max = early;
     try_claim("contact after the end of the path", ends_before, upper_half(proof_, proof_.toi_upper));
   }
-  // What lies ahead of bodies that are apart lies behind them when they move the other way.
+  // Shapes ahead of bodies that are apart lie behind them when they move the other way.
   void behind_the_start() {
     Case away = seen_;
     away.a.displacement = -seen_.a.displacement;

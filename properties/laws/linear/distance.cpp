@@ -1,4 +1,4 @@
-// What a linear cast says of the bodies' distance at toi_lower.
+// The distance of the bodies at toi_lower, as a linear cast states it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,18 +15,18 @@ using oracle::CaseTruth;
 
 namespace {
 
-// Of support evaluations: few enough that most searches are cut short, and all that the search wants.
+// Budgets of support evaluations: few enough to cut most searches short, and enough for a whole search.
 constexpr int kDistanceBudgets[] = {3, 9, 256};
 
-// C is rounded by the target distance, so the distance of toi_lower v from C is what the bodies' exceeds it
-// by.
+// C is rounded by the target distance, so the distance of toi_lower v from C is the excess of the bodies' distance over
+// it.
 std::string distance_fault(const CaseTruth& truth, const Answer& answer, double bound, double unit_roundoff) {
   if (!(answer.distance >= 0)) return fmt::format("the distance at toi_lower is {}", answer.distance);
   if (std::isinf(answer.distance)) {
     return answer.outcome == Outcome::hit ? "the distance at a hit's toi_lower is not known" : "";
   }
   const double away = truth.distance_at(answer.toi_lower).low;
-  // Formed of a few rounded numbers.
+  // Computed from a few rounded numbers.
   const double stated = answer.distance * (1 + 8 * unit_roundoff);
   if (away <= stated + bound) return "";
   return fmt::format("at toi_lower the bodies are {} apart, {} is stated and {} allowed", away,

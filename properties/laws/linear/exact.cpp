@@ -18,7 +18,7 @@ using engine::Method;
 
 namespace {
 
-// The exact oracle looks at one case in so many, chosen by its numbers; it takes up to a millisecond.
+// The exact oracle judges one case in so many, chosen by its numbers, because it takes up to a millisecond.
 constexpr std::uint64_t kOracleShare = 16;
 
 bool is_asked(const Method& method, const Case& seen) {
@@ -53,7 +53,7 @@ std::string line_fault(const Case& seen, const Answer& line, bool in_float) {
   return {};
 }
 
-// overlap, swept overlap and line say what the cast says; `cast` has been judged.
+// overlap, swept overlap and line agree with the cast. `cast` has been judged.
 std::string query_fault(const Case& seen, const Method& method, const Answer& cast, bool ask_oracle) {
   const auto ask = [&](Query query) {
     Case question = seen;

@@ -5,9 +5,8 @@
 
 namespace graze::law {
 
-// The first of what tier exact gets wrong on this case (as the method saw it); empty if nothing. With
-// ask_oracle the exact oracle looks at it whatever the proof says; without, only where the proof says too
-// little.
+// The first error of tier exact on this case (as the method saw it), or empty. With ask_oracle the exact oracle judges
+// it whatever the proof shows. Without, it does so only if the proof shows too little.
 struct ExactJudgement {
   std::string fault;
   bool by_oracle = false;

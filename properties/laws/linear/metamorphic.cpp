@@ -1,5 +1,5 @@
-// Laws that ask the method twice: an exact edit of the case, whose true answer is known from the original's.
-// Where the two answers differ, the oracle arbitrates (judge.hpp).
+// Laws that call the method twice: an exact edit of the case, whose true answer is known from the original's. If the
+// two answers differ, the oracle arbitrates (judge.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 const LawResult kOutside = not_applicable("not a cast that the method answers");
 
-// An edit must survive the rounding to the method's scalar, or the two questions are not the ones meant.
+// An edit must survive the rounding to the method's scalar, or the two questions are not the intended ones.
 bool fits(const Case& edited, const Method& method) { return same_input(method.seen(edited), edited); }
 
 std::string pair_of(const Answer& one, const Answer& other) {
@@ -150,8 +150,8 @@ LawResult splitting(const Case& problem, const Method& method) {
   if (!parts || !fits(parts->before, method) || !fits(parts->after, method))
     return not_applicable("no exact restart");
   const Answer whole = method.ask(seen, {}), before = method.ask(parts->before, {});
-  // Where curved shapes differ nobody is blamed: mpr/float finds disks that are flatter than its roundings
-  // early by a twentieth of the scale.
+  // A difference for curved shapes does not count as a fault: mpr/float finds disks that are flatter than its
+  // roundings early by a twentieth of the scale.
   const char* const kDiffers = "splitting the step changes the answer";
   LawResult result = holds();
   if (before.outcome != Outcome::miss) {
@@ -193,8 +193,9 @@ LawResult methods_meet(const Case& problem, const Method& method) {
     if (other.scalar != method.scalar || other.name == method.name || !is_question_for(other, seen)) continue;
     const Answer two = other.ask(seen, {});
     if (agree_within_rows(method.tier == "standard" ? method : other, seen, one, two)) continue;
-    // Each within its own row. Of curved shapes nobody is blamed: where the edge of a plate grazes a
-    // cylinder, mpr/double is 372 u scale early, beyond its row (bracket_holds_toi holds it to it).
+    // Each within its own guarantee. A difference for curved shapes does not count as a fault: where the edge
+    // of a plate grazes a cylinder, mpr/double is 372 u scale early, beyond its guarantee (bracket_holds_toi
+    // holds it to it).
     if (const auto open = without_exact_truth(seen)) return *open;
     for (const auto& [judged, answer] : {std::pair(&method, &one), std::pair(&other, &two)}) {
       const std::string fault = any_fault(*judged, seen, *answer);
@@ -217,7 +218,8 @@ LawResult requesting(const Case& problem, const Method& method) {
   if (least.outcome != all.outcome || least.toi_lower != all.toi_lower || least.toi_upper != all.toi_upper) {
     return broken("asking for more changes the verdict: " + pair_of(least, all));
   }
-  // Tier certified decides near ties in exact arithmetic first where no proof is asked for: another search, of another cost.
+  // If no proof is requested, tier certified first decides near ties in exact arithmetic: another search,
+  // another cost.
   if (!method.is_certified() && (least.counters.supports > all.counters.supports ||
                                  least.counters.iterations > all.counters.iterations)) {
     return broken("asking for less costs more: " + pair_of(least, all));

@@ -1,6 +1,5 @@
-// Laws of the motion: the same bodies on a longer, slower, shared, reversed or farther path, or with a target
-// distance between them. The true answer is known from the original's; where two answers differ, the oracle
-// arbitrates (judge.hpp).
+// Laws of the motion: the same bodies on a longer, slower, shared, reversed or farther path, or with a target distance
+// between them. The true answer is known from the original's. If two answers differ, the oracle arbitrates (judge.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +19,7 @@ using engine::Method;
 
 namespace {
 
-// The difference of two answers to one time that raises no question, as agree() of judge/linear_faults.cpp has it.
+// The difference of two answers to one time that needs no arbitration, as in agree() of judge/linear_faults.cpp.
 double slack(const Method& method) { return 16 * method.unit_roundoff; }
 
 Case reporting(Case problem) {
@@ -45,7 +44,7 @@ LawResult moving_the_horizon(const Case& problem, const Method& method) {
   if (const Case later = with_horizon(seen, seen.t_max > 0 ? seen.t_max * factor : factor);
       !std::isinf(seen.t_max) && is_sound_edit(later, method)) {
     const Answer two = method.ask(later, {});
-    // A contact stays; none may become one beyond the old end.
+    // A contact stays. A miss may become one beyond the old end.
     const bool beyond = one.outcome == Outcome::miss && two.outcome == Outcome::hit &&
                         two.toi_upper * (1 + slack(method)) >= seen.t_max;
     if (!agree_within_rows(method, seen, one, two) && !beyond) {
@@ -57,7 +56,7 @@ LawResult moving_the_horizon(const Case& problem, const Method& method) {
     if (beyond) result.labels.push_back("contact beyond");
   }
 
-  // Half of what is proved free of contact, and all but a little of it.
+  // Half of the path that is proved free of contact, and all of it but a little.
   if (one.outcome != Outcome::hit || !(one.toi_lower > 0)) return result;
   for (const double part : {0.5, 1 - 0x1p-18}) {
     const Case sooner = method.seen(with_horizon(seen, part * one.toi_lower));
@@ -170,7 +169,7 @@ const engine::Method* query_of(corpus::Query query, std::string_view name, const
   return nullptr;
 }
 
-// The path's part of the line that is in contact, run backwards: when a cast from the end must meet it.
+// The path's part of the line that is in contact, run backwards: the time when a cast from the end must meet it.
 Answer from_the_end(const engine::Answer& line, double t_max) {
   Answer answer;
   answer.toi_lower = answer.toi_upper = kInfinity<double>;
@@ -205,7 +204,7 @@ LawResult reversing(const Case& problem, const Method& method) {
   const engine::Method* line =
       query_of(corpus::Query::line, method.is_exact() ? "exact" : "mpr", method.scalar);
   const engine::Answer ends = line->answer(question);
-  // The portal of a line along a face is as long as the face, and says little of either end.
+  // The portal of a line along a face is as long as the face, and gives little information about either end.
   if (!ends.t_out || ends.stalled || !(ends.t_out->upper < kInfinity<double>)) return result;
   const Answer end = from_the_end(ends, seen.t_max);
   // t_max - t_out is rounded at the size of t_max.
@@ -217,7 +216,7 @@ LawResult reversing(const Case& problem, const Method& method) {
     result.labels.push_back("line");
     return result;
   }
-  // The line answers for some set near C about the start; the cast of this law is judged at its own.
+  // The line answers for some set near C about the start. The cast of this law is judged at its own.
   return arbitrate(method, {{"the path reversed", *back, two}},
                    fmt::format("the line leaves contact at [{}, {}]", decimal(ends.t_out->lower),
                                decimal(ends.t_out->upper)));
@@ -273,7 +272,7 @@ LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) 
       end = after ? one.toi_upper * (1 + away) : one.toi_lower * (1 - away);
       expected = after;
     } else if (!after) {
-      continue;  // one end says it all
+      continue;  // one end is enough
     }
     const Case until = method.seen(with_horizon(seen, std::min(end, seen.t_max)));
     // At the very end of the path the answer is the cast's.
@@ -287,7 +286,7 @@ LawResult threshold_of_swept_overlap(const Case& problem, const Method& method) 
       result.labels.push_back(expected ? "contact until" : "free until");
       continue;
     }
-    // Neither is blamed but by the oracle; the swept overlap by the same row.
+    // Only the oracle decides which is at fault. The swept overlap is judged by the same guarantee.
     Answer overlap;
     overlap.outcome = said.outcome == Outcome::miss ? Outcome::miss : Outcome::initially_overlapping;
     if (const auto open = without_truth(until)) return *open;

@@ -1,4 +1,4 @@
-// Laws that compare one answer with what an oracle knows, each within the method's row.
+// Laws that compare one answer with an oracle's knowledge, each within the method's guarantee.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -60,12 +60,12 @@ LawResult certified_decides(const Case& problem, const Method& method) {
   return judged_by(&undecided_fault, problem, method, &bound_of);
 }
 
-// The width, and what rounding toi_lower to the scalar costs: an open answer may have no upper end.
+// The width, and the cost of rounding toi_lower to the scalar, because an open answer may have no upper end.
 double width_at_lower(const Method& method, const Case& seen, const Answer& answer) {
   return limits_of(method, seen, truth_of(seen).scale().high).wide_at(answer.toi_lower);
 }
 
-// Ties are open to the oracle as well, and its distances hold all the same.
+// Ties are open for the oracle as well, but its distances hold all the same.
 LawResult certified_lower_is_near(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not a method of tier certified");
   const Case seen = method.seen(problem);
@@ -161,12 +161,13 @@ LawResult proof_is_tight(const Case& problem, const Method& method) {
     }
     return result;
   }
-  // Where the path misses by less than the row allows, no axis has to prove its end near the claimed contact:
-  // n.v is rounding there.
+  // If the path misses by less than the guarantee allows, no axis has to prove its end near the claimed
+  // contact: n.v is rounding there.
   if (truth.outcome() != Outcome::hit)
     return holds({label_of(answer.outcome), "near a start in contact or a miss"});
-  // Of curved shapes the halves of a hit's proof are not judged: a portal rests on points a little inside of
-  // them, which costs 130 u scale and more, and past a rounded side an axis may fall 6e-8 of the scale short.
+  // For curved shapes the halves of a hit's proof are not judged. A portal rests on points a little inside
+  // the shapes, which costs 130 u scale and more. Past a rounded side an axis may fall 6e-8 of the scale
+  // short.
   if (const auto open = without_exact_truth(seen)) return *open;
   const double short_of = proof.has_axis ? truth.distance_at(proof.toi_lower).low : 0;
   if (short_of > bound) {

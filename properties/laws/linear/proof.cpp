@@ -72,7 +72,7 @@ LawResult bad_input_is_refused(const Case& problem, const Method& method) {
     if (fault.empty()) fault = fmt::format("{} is let in: {}", what, describe(answer));
   };
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = kInfinity<double>;
-  // Every scalar of a small case; of a large hull's a share, chosen by its numbers.
+  // Every scalar of a small case, and a share of a large hull's, chosen by its numbers.
   constexpr std::size_t kMostPoisoned = 32;
   const std::size_t count = scalars(seen).size(), stride = (count + kMostPoisoned - 1) / kMostPoisoned;
   for (std::size_t i = hash_of(seen) % stride; i < count; i += stride) {

@@ -1,5 +1,5 @@
-// Laws of symmetry: the whole problem turned or mirrored, and the same bodies given by other numbers. Where
-// two answers differ, the oracle arbitrates (judge.hpp).
+// Laws of symmetry: the whole problem rotated or mirrored, and the same bodies given by other numbers. If two answers
+// differ, the oracle arbitrates (judge.hpp).
 #include "properties/edit/integer_turn.hpp"
 #include "properties/edit/same_body.hpp"
 #include "properties/laws/ask_twice.hpp"

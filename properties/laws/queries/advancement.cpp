@@ -1,4 +1,4 @@
-// Laws of what the search of a query may be told and what it then leaves behind: budgets that end too soon, tolerances.
+// Laws of the options of a query's search and of its state afterwards: budgets that end too soon, tolerances.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ constexpr double kTolerances[] = {0x1p-30, 0x1p-10, 0.25, 1};
 
 bool is_at_rest(Query query) { return query != Query::line && query != Query::swept_overlap; }
 
-// An overlap has no options, a swept overlap no tolerance; tier exact needs neither, and reads none.
+// An overlap has no options, a swept overlap no tolerance. Tier exact needs neither, and reads none.
 bool has_budget(const Method& method) { return method.query != Query::overlap && !method.is_exact(); }
 bool has_tolerance(const Method& method) {
   return has_budget(method) && method.query != Query::swept_overlap;
@@ -49,11 +49,11 @@ std::string told(const Ask& ask) {
                                  : fmt::format("with the tolerance {}", decimal(ask.tolerance));
 }
 
-// What the search in full knows of the question: its own answer, and of bodies at rest how far apart and how deep they
-// are, by whichever query says so.
+// The facts that the full search knows about the question: its own answer and, for bodies at rest, their distance and
+// depth, by whichever query states them.
 struct Known {
   Answer answer;
-  double apart = 0, deep = 0;  // at least, beyond the limits of the rows
+  double apart = 0, deep = 0;  // at least, beyond the limits of the guarantees
 };
 Known known_of(const Method& method, const Question& question) {
   Known known{.answer = method.answer(question.seen)};
@@ -72,7 +72,7 @@ Known known_of(const Method& method, const Question& question) {
   return known;
 }
 
-// An answer to the question as it was told, beside what the search in full knows: is the verdict against it?
+// An answer to the question with its options, beside the facts of the full search: does the verdict contradict them?
 std::string against(const Known& known, const Answer& answer) {
   if (in_contact(answer) && known.apart > 0)
     return fmt::format("claims contact of bodies that are {} apart", known.apart);
@@ -81,13 +81,14 @@ std::string against(const Known& known, const Answer& answer) {
   return {};
 }
 
-// Neither says that it does not know, and they say two things.
+// Both are decided, and they contradict each other.
 bool differ(const Answer& one, const Answer& two) {
   const bool say = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
   return say && in_contact(one) != in_contact(two);
 }
 
-// Of a distance and a least depth the brackets meet, within the rows. The rest is ill-conditioned, and an oracle's.
+// For a distance and a least depth the brackets meet, within the guarantees. The rest is ill-conditioned and left to an
+// oracle.
 double apart_of(const Method& method, const Answer& one, const Answer& two) {
   if (method.query != Query::distance && method.query != Query::penetration) return 0;
   return apart(gap_of(one), gap_of(two));
@@ -97,7 +98,7 @@ std::string beside(const Answer& cut, const Answer& full, const Ask& ask) {
   return fmt::format("{}: {}; in full: {}", told(ask), describe(cut), describe(full));
 }
 
-// What no option may change. `result`: labels of what was seen.
+// Faults that no option may cause. `result`: labels of the outcomes.
 std::string fault_of(const Method& method, const Question& question, const Known& known, const Ask& ask,
                      const Answer& cut, LawResult& result) {
   const Answer& full = known.answer;
@@ -158,8 +159,8 @@ LawResult query_tolerance_widens(const Case& problem, const Method& method) {
   return result;
 }
 
-// Is a point beyond a body, by more than the slack, along some direction? GJK looks for one; that it is one is seen by
-// the support function (corpus/support_value.hpp), which knows no search.
+// Is a point beyond a body, by more than the slack, along some direction? GJK searches for one. The support function
+// (corpus/support_value.hpp), which is independent of any search, confirms it.
 std::string outside(const Body<double>& body, const Vec3<double>& point, double slack) {
   Body<double> still = body;
   still.displacement.setZero();

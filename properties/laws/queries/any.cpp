@@ -1,4 +1,4 @@
-// Laws that hold of every query alike: what changes nothing, what is asked for, what must be refused.
+// Laws that hold for every query alike: edits without effect, requests, and input that must be refused.
 #include <fmt/format.h>
 
 #include <array>
@@ -28,8 +28,8 @@ std::string against(const Answer& one, const Answer& two) {
   return describe(one) + "; against " + describe(two);
 }
 
-// Two answers to what is one question: `two` told in the terms of `one`. Gaps differ by both limits at most;
-// where the rest differs by more than rounding the oracle decides.
+// Two answers to one question, `two` in the terms of `one`. Gaps differ by both limits at most. If the rest differs by
+// more than rounding, the oracle decides.
 LawResult same_answers(const Method& method, const Question& first, const Answer& one, const Question& second,
                        const Answer& asked, const Answer& two, std::string_view edit) {
   const double allowed = first.limit + second.limit;
@@ -105,7 +105,7 @@ bool same(const std::optional<Interval>& one, const std::optional<Interval>& two
          (!one || (one->lower == two->lower && one->upper == two->upper));
 }
 
-// What every length times 2^k changed that it should not; or empty.
+// The fields that scaling every length by 2^k changed wrongly, or empty.
 std::string changed_by_scale(const Answer& one, const Answer& two, int k) {
   if (one.outcome != two.outcome || one.stalled != two.stalled) return "outcome";
   if (!same(one.t_in, two.t_in) || !same(one.t_out, two.t_out)) return "time";
@@ -169,7 +169,7 @@ LawResult query_requesting(const Case& problem, const Method& method) {
         less.counters.iterations > all.counters.iterations) {
       return broken("asking for less costs more: " + against(less, all));
     }
-    // The axis of a miss comes with its verdict; a distance has no miss.
+    // The axis of a miss comes with its verdict, but a distance has no miss.
     const bool verdict_has_axis = all.outcome == Outcome::miss && method.query != Query::distance;
     const bool normal = asks_for(request, Request::normal), points = asks_for(request, Request::witnesses);
     if ((!normal && !verdict_has_axis && (less.has_normal() || !less.normal_out.isZero(0))) ||
@@ -185,7 +185,7 @@ LawResult query_requesting(const Case& problem, const Method& method) {
   return holds({label_of(all.outcome)});
 }
 
-// The same question twice, another between; and its hulls with adjacency where they have none, or without.
+// The same question twice, with another between, and with the hulls' adjacency added or removed.
 LawResult query_asking_again(const Case& problem, const Method& method) {
   const auto question = question_of(problem, method);
   if (!question) return no_question();
@@ -237,7 +237,7 @@ std::string inconsistent(const Question& question, const Method& method, const A
   for (const Vec3<double>& x : {answer.point_a, answer.point_b}) {
     if (!x.allFinite()) return "a witness that is not a point";
   }
-  // What does not say of itself that it is wide is no wider than its row.
+  // A bracket that is not marked as wide is no wider than its guarantee.
   if (answer.stalled || method.query == Query::penetration_along) return "";
   for (const std::optional<Interval>* x : {&answer.separation, &answer.depth}) {
     if (*x && !((*x)->upper - (*x)->lower <= 2 * question.limit)) return "a wide bracket that is no stall";
@@ -267,8 +267,8 @@ void spoil(const Case& seen, const F& refused) {
       bool bad = true;
       const Case poisoned = map_scalars(seen, [&](Slot slot, double x) {
         if (at++ != i) return x;
-        // A line has no horizon, what is at rest neither that nor a target distance; a horizon may be
-        // infinite.
+        // A line has no horizon. A query at rest has neither a horizon nor a target distance. A horizon may
+        // be infinite.
         if (slot == Slot::horizon && (poison > 0 || seen.query != Query::swept_overlap)) bad = false;
         if (slot == Slot::target && !moving) bad = false;
         return poison;

@@ -25,14 +25,14 @@ using engine::Method;
 
 namespace {
 
-// For which tier exact has an answer: an overlap knows no target distance.
+// Questions for which tier exact has an answer. An overlap has no target distance.
 bool is_for_tier_exact(const Case& seen) {
   Case question = seen;
   if (seen.query == Query::overlap) question.target_distance = 0;
   return engine::is_exact_question(question);
 }
 
-// Beyond, an exact answer takes more than ten milliseconds.
+// Beyond this, an exact answer takes more than ten milliseconds.
 constexpr std::uint64_t kMostExactDifferences = 1u << 10;
 
 bool is_for_oracle(const Case& seen) {
@@ -45,7 +45,7 @@ bool same_question(const Case& one, const Case& other) {
   return one.query == other.query && one.direction == other.direction && same_input(one, other);
 }
 
-// The last few are kept: several methods and laws are asked about one case.
+// The last few are kept, because several methods and laws use one case.
 Truth& truth_of_question(const Case& seen) {
   thread_local std::array<std::optional<Truth>, 8> kept;
   thread_local std::size_t next = 0;
@@ -65,7 +65,7 @@ std::optional<Question> requestioned(Case edited, const Method& method) {
   if (!in_domain(edited) || !same_input(seen_by(method, edited), edited)) return std::nullopt;
   if (method.is_exact() && !is_for_tier_exact(edited)) return std::nullopt;
   if (edited.query == Query::penetration_along) {
-    // Of any length but zero, in the domain as every vector is.
+    // Any length except zero, in the domain as every vector is.
     for (const double d : edited.direction) {
       if (!(d == 0 || (std::abs(d) >= 1e-60 && std::abs(d) <= 1e60))) return std::nullopt;
     }

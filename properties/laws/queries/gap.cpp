@@ -37,7 +37,7 @@ Case with_query(Case seen, Query query) {
   return seen;
 }
 
-// What is known of the gap.
+// The known facts about the gap.
 struct Gap {
   Interval bracket;
   double limit = 0;
@@ -45,7 +45,7 @@ struct Gap {
   std::string text;
 };
 
-// By the method, and where that knows one side alone, by whichever of distance and penetration knows both.
+// By the method. If it knows only one side, by whichever of distance and penetration knows both.
 Gap gap_by(const Method& method, const Case& seen) {
   Gap gap;
   gap.answer = method.answer(seen);
@@ -85,7 +85,7 @@ LawResult gaps_agree(const Case& problem, const Method& method) {
                                 method.full_name(), other.full_name(), off, question->limit + same->limit,
                                 describe(one), describe(two)));
     }
-    // One says contact and the other none, and neither says how much.
+    // One answers contact and the other none, and neither states a length.
     const bool says = one.outcome != Outcome::not_converged && two.outcome != Outcome::not_converged;
     if (!says || in_contact(one) == in_contact(two)) continue;
     LawResult judged = arbitrate(
@@ -154,7 +154,7 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   }
   const Vec3<double>&n = one.answer.normal, &a = one.answer.point_a, &b = one.answer.point_b;
   const double gap = one.bracket.upper;
-  // Nearer, farther; out of each other in part, wholly, and beyond.
+  // Nearer and farther, or out of each other in part, wholly, and beyond.
   constexpr std::array<double, 4> kOfDistance = {-0.5, -0.875, 0.5, 2}, kOfDepth = {0.5, 1, 1.5, 3};
   const std::size_t pick = mix(hash_of(seen)) % 4;
   const double s = gap > 0 ? kOfDistance[pick] * gap : kOfDepth[pick] * std::abs(one.bracket.lower);
@@ -163,11 +163,11 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   const auto after = requestioned(seen_by(method, moved), method);
   if (!after) return not_applicable("moved out of range");
   const Gap two = gap_by(method, after->seen);
-  // The position rounds, below the normal numbers by more than u; so do the coordinates of the witnesses.
+  // The position rounds, below the normal numbers by more than u. So do the coordinates of the witnesses.
   const double placed = (after->seen.b.position - moved.b.position).norm(),
                rounded = 4 * question->u * (after->seen.b.position.norm() + a.norm() + b.norm()) + placed,
                allowed = 3 * one.limit + two.limit + rounded;
-  // n keeps them apart by as much more; the witnesses, one of them moved, are no nearer than the bodies.
+  // n keeps them apart by as much more. The witnesses, one of them moved, are no nearer than the bodies.
   const Interval expected{one.bracket.lower + s, (a - b - s * n).norm()};
   if (two.bracket.upper < expected.lower - allowed) {
     return broken(fmt::format("B moved by {} along the normal is nearer than {}: {}", decimal(s),
@@ -180,7 +180,7 @@ LawResult moving_along_the_normal(const Case& problem, const Method& method) {
   return held(one.answer);
 }
 
-// The question along another direction; nothing if the scalar has none such.
+// The question along another direction, or nothing if the scalar cannot hold it.
 std::optional<Question> along(const Case& seen, const Vec3<double>& d, const Method& method) {
   Case other = seen;
   other.query = Query::penetration_along;

@@ -1,7 +1,8 @@
-// Laws of the line and of swept overlap: both ask of {t : t v in C} what a cast asks of its beginning.
+// Laws of the line and of swept overlap. A cast finds the beginning of {t : t v in C}, and these queries ask about the
+// whole set.
 //
-// Times of two right answers may be far apart at a graze, so where two differ the exact oracle says who is at
-// fault; where it does not take the bodies nobody is.
+// Times of two right answers may be far apart at a graze, so if two differ the exact oracle decides which is at fault.
+// If it does not take the bodies, neither counts as a fault.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +31,7 @@ LawResult labelled(LawResult result, const Answer& answer) {
 
 Interval negated(const Interval& t) { return {-t.upper, -t.lower}; }
 
-// Of the bodies' own motion, or of neither; with another query or other numbers.
+// The method's answer with the bodies' own motion, or without one, or for another query or other numbers.
 Answer ask(const Method& method, const Question& question) { return method.answer(question.seen); }
 
 Case as_cast(Case seen) {
@@ -43,7 +44,7 @@ const engine::Method* cast_for(const Method& method) {
   return engine::find_method(engine::Kind::linear, (method.is_exact() ? "exact/" : "mpr/") + method.scalar);
 }
 
-// How the cast contradicts the line; or empty.
+// The contradiction between the cast and the line, or empty.
 std::string against_cast(const Case& seen, const Answer& line, const engine::Answer& cast, double u) {
   if (!claims_contact(cast)) {
     const bool inside = line.outcome == Outcome::hit && line.t_in && line.t_out &&
@@ -205,14 +206,14 @@ LawResult swept_overlap_of_volume(const Case& problem, const Method& method) {
 
 LawResult motion_at_rest(const Case& problem, const Method& method) {
   if (method.query != Query::line && method.query != Query::swept_overlap) return other_query();
-  // The bodies as they stand at one of the times that an overlap is asked about.
+  // The bodies as they stand at one of the times at which an overlap is queried.
   const auto rest = question_of(problem, default_method(Query::overlap, method.scalar));
   if (!rest) return no_question();
   Case still = rest->seen;
   still.query = method.query;
   const auto question = requestioned(still, method);
   if (!question) return no_question();
-  // Nothing moves; both move as one; and, on no time at all, whatever moves.
+  // Nothing moves, both move as one, or anything moves for no time at all.
   std::vector<Case> same{question->seen, question->seen};
   for (Body<double>* body : {&same[1].a, &same[1].b}) body->displacement = Vec3<double>(1, -2, 4);
   if (method.query == Query::swept_overlap) {

@@ -1,4 +1,4 @@
-// The queries' answers against the exact oracle, each method by its row.
+// The queries' answers compared with the exact oracle, each method by its guarantee.
 #include "properties/judge/judge.hpp"
 #include "properties/judge/linear_faults.hpp"
 #include "properties/laws/queries/asked.hpp"

@@ -1,9 +1,9 @@
-// What an answer of the queries shows by itself: an axis bounds from one side, points from the other.
+// Laws that need only the answer of a query: an axis bounds from one side, points from the other.
 //
-//   h(n) = max over C of n.c by corpus/support_value.hpp, in rounded doubles, which knows none of the
+//   h(n) = max over C of n.c by corpus/support_value.hpp, in rounded doubles, which is independent of the
 //   methods. Witnesses a, b of an axis n are where A and B end along it: n.a = h_A(n), n.b = -h_B(-n).
-// The multiples of the limit follow from what docs/reference/guarantees.md allows the parts: a witness a limit off its
-// body, a pair three, a normal one, an end of the bracket one.
+// The multiples of the limit follow from the tolerances of docs/reference/guarantees.md: a witness may be one limit off
+// its body, a pair three, a normal one, an end of the bracket one.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ namespace {
 // The coordinates of a witness round by 2 u of its distance from the origin (docs/reference/guarantees.md).
 double rounding(const Vec3<double>& point, double u) { return 2 * u * point.norm(); }
 
-// How far the witness is from ending its body along n, beyond rounding; negative where it is outside.
+// Distance of the witness from the end of its body along n, beyond rounding. Negative if it is outside.
 double short_of_end(const Body<double>& body, const Vec3<double>& n, const Vec3<double>& point) {
   const Reach end = reach(body, n);
   const double at = n.dot(point - body.position);
@@ -36,8 +36,8 @@ double short_of_end(const Body<double>& body, const Vec3<double>& n, const Vec3<
 // n.v of a unit normal that is at right angles to v, over u |v|: its components are as good as kappa u.
 constexpr double kLean = 64;
 
-// Tier exact has no limit, but its normals are rounded, 2 u a component: h moves by that much of the sizes
-// that h.error has 64 u (of double) of, and by no more than the 16 u of its row.
+// Tier exact has no limit, but its normals are rounded, by 2 u a component. h moves by that much of the sizes of which
+// h.error is 64 u (of double), and by no more than the 16 u of its guarantee.
 double exact_slack(const Reach& h, double u) { return 16 * u * (h.error / kUnitRoundoff<double>); }
 
 struct Shown {
@@ -96,7 +96,7 @@ LawResult depth_is_shown(const Case& problem, const Method& method) {
   if (!answer.depth || !answer.has_points) return broken("no depth or points: " + describe(answer));
   if (!answer.has_normal()) return broken("no normal: " + describe(answer));
   const Vec3<double> n = answer.normal;
-  // How far B is moved, and where that is on the normal.
+  // The distance by which B is moved, and the part of it along the normal.
   const bool least = method.query == Query::penetration;
   const Vec3<double> d = least ? n : Vec3<double>(question->seen.direction.stableNormalized());
   const double along = answer.depth->upper * n.dot(d);
@@ -104,9 +104,10 @@ LawResult depth_is_shown(const Case& problem, const Method& method) {
   // Along a direction the end is off by the limit in distance from C, and its normal by another.
   if (const double off = h.value - along; !(std::abs(off) <= 3 * question->limit + h.error))
     return broken(fmt::format("the normal ends C {} off the depth: {}", off, describe(answer)));
-  // Of the least move the normal is as good as its h: where C curves, or a face tilts by 1e-9 to the next
-  // one, points that end C along n as far as the depth lie beside depth n by the root of what they are short
-  // of it, |x - depth n|^2 <= 2 depth (depth - n.x) for |x| <= depth.
+  // For the least move the normal is as good as its h. Where C curves, or a face tilts by 1e-9 to the next
+  // one, points may end C along n at the depth and yet lie beside depth n. With a shortfall along n the
+  // offset is its root,
+  // x - depth n|^2 <= 2 depth (depth - n.x) for |x| <= depth.
   const double beside = least ? std::sqrt(16 * question->limit * answer.depth->upper) : 0;
   const double rounded = rounding(answer.point_a, question->u) + rounding(answer.point_b, question->u);
   const Vec3<double> pair = answer.point_a - answer.point_b;
@@ -121,8 +122,8 @@ LawResult depth_is_shown(const Case& problem, const Method& method) {
   return holds({label_of(answer.outcome)});
 }
 
-// The least depth is a least over all directions: many are tried, along the bodies' axes and at random, then ever nearer to
-// the best of them. None may be less deep than the lower end of the bracket.
+// The least depth is a minimum over all directions. The law tries many, along the bodies' axes and at random, then ever
+// nearer to the best of them. None may be less deep than the lower end of the bracket.
 LawResult no_direction_is_less_deep(const Case& problem, const Method& method) {
   constexpr int kAtRandom = 128, kNearTheBest = 128;
   if (method.query != Query::penetration) return other_query();
@@ -173,14 +174,14 @@ LawResult miss_is_shown(const Case& problem, const Method& method) {
   const Reach h = reach(question->seen, n);
   const Vec3<double> v = velocity(question->seen);
   const double speed = n.dot(v), speed_error = kLean * question->u * v.stableNorm();
-  // C, rounded by the target distance, is on the far side of 0, and of what the path has covered.
+  // C, rounded by the target distance, is on the far side of 0 and of the path so far.
   const bool swept = method.query == Query::swept_overlap;
   const bool moving = swept || method.query == Query::line;
   const double target = moving ? question->seen.target_distance : 0;
   const double path = swept && speed < 0 ? question->seen.t_max * speed : 0;
   double slack = question->limit + h.error + (method.is_exact() ? exact_slack(h, question->u) : 0);
   if (swept) slack += std::isfinite(question->seen.t_max) ? question->seen.t_max * speed_error : 0;
-  // Along the whole line the axis may not lean: what it leans is rounding.
+  // Along the whole line the axis must be perpendicular to the motion, within rounding.
   if ((method.query == Query::line || (swept && std::isinf(question->seen.t_max))) && moving) {
     const bool leans = method.query == Query::line ? std::abs(speed) > speed_error : speed < -speed_error;
     if (leans) return broken(fmt::format("the axis of a miss leans by {}: {}", speed, describe(answer)));
@@ -214,7 +215,7 @@ LawResult line_normals_support(const Case& problem, const Method& method) {
       return broken(fmt::format("a normal the wrong way along the motion: {}", describe(answer)));
     const Reach h = reach(question->seen, n);
     const double target = question->seen.target_distance;
-    // The time of the bracket that suits the normal: each has its own backward error.
+    // The end of the bracket that suits the normal, since each has its own backward error.
     const double at_lower = h.value + target - t.lower * n.dot(v),
                  at_upper = h.value + target - t.upper * n.dot(v);
     const double off = std::min(std::abs(at_lower), std::abs(at_upper));

@@ -1,4 +1,4 @@
-// Questions beside the cast, made from a linear case: the same bodies, asked something else.
+// Questions beside the cast, made from a linear case: the same bodies with another query.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace graze::law {
 
-// A line asks for the motion as it is, a swept overlap for it or for one that goes on in the same way far longer. The others are asked at rest, without a target
-// distance: B stands where the path has it at one of a few times, chosen by `pick`; most of the families aim
-// at t = 1/2, so that the bodies are apart, near, just in each other or deep in each other. The direction of
-// penetration_along is the motion's. Starts are reported; nothing is expected.
+// A line queries the motion as it is. A swept overlap queries it, or one that continues in the same way far longer. The
+// others are queried at rest, without a target distance: B stands at its place on the path at one of a few times,
+// chosen by `pick`. Most of the families aim at t = 1/2, so the bodies are apart, near, just in each other or deep in
+// each other. The direction of penetration_along is the motion's. Starts are reported, and nothing is expected.
 [[nodiscard]] corpus::Case question_for(corpus::Case problem, corpus::Query query, std::size_t pick);
 
 // The case in the scalar of the method, as doubles.

@@ -1,5 +1,5 @@
-// Laws about what an answer of a rotating method says of itself, and how it changes with what is asked: the
-// options, the shapes, the method.
+// Laws about the consistency of a rotating method's answer, and about its changes with the options, the shapes and the
+// method.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -69,7 +69,7 @@ LawResult turning_superset(const Case& problem, const Method& method) {
 LawResult tolerance_is_kept(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
-  // Steps are refined to the tolerance too, but may miss; the published form has its slop.
+  // Steps are refined to the tolerance too, but may miss. The published form has its slop.
   if (method.name == "bilateral_published") return not_applicable("its tolerance is a slop");
   const Answer tight = plain_answer(method, seen);
   LawResult result = holds({label_of(tight.outcome)});
@@ -79,7 +79,7 @@ LawResult tolerance_is_kept(const Case& problem, const Method& method) {
                               "a tolerance changes the answer");
     if (found.holding == Holding::broken) return found;
     const Limits row = limits_of(method, seen, scale_of(seen), method.is_certified() ? 0 : tolerance);
-    // Of a linear cast a tolerance means the backward error, and its distance may be the larger.
+    // In a linear cast a tolerance means the backward error, and its distance may be the larger.
     const bool marched = loose.plan.effects == Effects::rotating;
     if (marched && claims_contact(loose) && loose.distance > row.wide + row.rounding_at(loose.toi_lower)) {
       return broken(fmt::format("asked for a width of {} of the scale, {} is given: {}", tolerance,
@@ -96,7 +96,7 @@ LawResult tolerance_is_kept(const Case& problem, const Method& method) {
   return result;
 }
 
-// A proof is of the whole motion, whatever the plan spares: another search, at times a shorter one.
+// A proof covers the whole motion, whatever the plan spares: another search, at times a shorter one.
 LawResult turning_requesting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
@@ -139,7 +139,7 @@ LawResult turning_answer_is_consistent(const Case& problem, const Method& method
       fault = "a valid case was refused";
       break;
   }
-  // Rounded, so a little below 0 at times; without a bound where nothing is known at toi_lower.
+  // Rounded, so at times a little below 0. Unbounded if nothing is known at toi_lower.
   const bool unknown = answer.outcome == Outcome::not_converged && answer.distance == kInfinity<double>;
   if (!unknown &&
       !(answer.distance >= -limits_of(method, seen, scale_of(seen)).wide && std::isfinite(answer.distance)))
@@ -148,7 +148,7 @@ LawResult turning_answer_is_consistent(const Case& problem, const Method& method
   return holds({label_of(answer.outcome)});
 }
 
-// The search is the same until its budget ends, so what it has then is a bracket of what it would have had.
+// The search is the same until its budget ends, so its bracket then holds the bracket of the full search.
 LawResult turning_budget(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
@@ -169,7 +169,7 @@ LawResult turning_budget(const Case& problem, const Method& method) {
       fault = "has an earlier contact than the whole search";
     }
     if (!fault.empty()) {
-      // Near contact a start may be called either, within the row.
+      // Near contact a start may be called either, within the guarantee.
       LawResult found = arbitrate(method, {"a part of the search", seen, more}, {"all of it", seen, whole},
                                   fmt::format("a budget of {} {}", budget, fault));
       if (found.holding == Holding::broken) return found;

@@ -1,8 +1,8 @@
 // The laws of the start policy pass_over where a rotation is visible (judge/judge_followed.hpp).
 //
-// Few drawn cases start in contact, so one is made of each that has a hit: the bodies stand where they meet, and go on as
-// they came, or back, or slide and spin on the contact's plane. Of the last the truth is known: n separates the bodies, one
-// rests and the other keeps to its side of the plane, so the contact never gets deeper.
+// Few drawn cases start in contact, so the law makes one of each case that has a hit. The bodies stand where they meet,
+// and continue as they came, or back, or slide and spin on the contact's plane. For the last motion the truth is known:
+// n separates the bodies, one rests and the other keeps to its side of the plane, so the contact never gets deeper.
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -30,7 +30,7 @@ bool refuses(const Answer& answer) {
   return answer.outcome == Outcome::invalid_input && answer.invalid == Invalid::not_followed;
 }
 
-// From where the bodies meet, the motion from there.
+// The motion from the place where the bodies meet.
 std::optional<Case> from_contact(const Case& seen, const Answer& met, Motion motion) {
   const std::optional<Standing> standing = standing_at(seen, met.toi_lower);
   if (!standing) return std::nullopt;
@@ -75,7 +75,7 @@ LawResult judged(const Case& problem, const Method& method, Motion motion) {
   const Request request = Request::normal | Request::witnesses;
   const Answer answer = method.ask(*start, {.request = request});
   if (refuses(answer)) return not_applicable("the method does not follow a contact");
-  // Of linear motion the policy asks of the bodies without the target distance whether they leave.
+  // In linear motion the policy decides by the bodies without the target distance if they separate.
   if (answer.plan.effects != Effects::rotating && start->target_distance > 0)
     return not_applicable("linear motion at a target distance");
   LawResult result = holds({label_of(answer.outcome)});
@@ -116,7 +116,7 @@ LawResult apart_start_has_no_policy(const Case& problem, const Method& method) {
   if (!(truth->distance_at(0).low > followed_depth(limits))) return not_applicable("the start is in contact");
   if (over.passed_over) return broken("the start is apart, and was passed over: " + describe(over));
   if (same_times(report, over)) return holds({label_of(report.outcome)});
-  // Another search may have answered: of what turns unseen, or of a tie at the end of the motion.
+  // Another search may have answered: for an invisible rotation, or for a tie at the end of the motion.
   LawResult found =
       compare(method, {"report", seen, report}, {"pass_over", passing, over}, "the start is apart");
   if (found.holding != Holding::broken) found.labels.push_back("other search");

@@ -1,4 +1,4 @@
-// The laws of rotating casts that stand on the oracle: an answer's errors, each within the method's row
+// The laws of rotating casts that need the oracle: an answer's errors, each within the method's guarantee
 // (judge/judge_rotating.cpp).
 #include <fmt/format.h>
 
@@ -49,7 +49,8 @@ LawResult turning_distance_is_stated(const Case& problem, const Method& method) 
   return by_truth(problem, method, &distance_error);
 }
 
-// Tier certified alone promises it; of tier standard a stall has its cap (docs/reference/guarantees.md).
+// Only tier certified guarantees it. In tier standard, answers that did not converge have a cap
+// (docs/reference/guarantees.md).
 LawResult turning_certified_decides(const Case& problem, const Method& method) {
   if (!method.is_certified()) return not_applicable("not of tier certified");
   return by_truth(problem, method, &undecided_error);
@@ -67,10 +68,10 @@ LawResult turning_contact_is_right(const Case& problem, const Method& method) {
     const RotatingError found = error(*truth, answer, row);
     if (!found.fault.empty()) return broken(found.fault + ": " + describe(answer));
   }
-  // At each other, by no more than the distance that is stated. A normal that misses support by g is known to
-  // the root of 2 g over a ball's radius, so the ball's point to sqrt(2 g R) <= 2e-5 of the scale for g <=
-  // 2e-10 of it, which is above what the bracket of any row with a kappa leaves; the published slides end at
-  // a linear slop, which is the distance that they state.
+  // The witnesses are at most the stated distance apart. A normal that misses support by g is known to the
+  // root of 2 g over a ball's radius. So the ball's point is known to sqrt(2 g R) <= 2e-5 of the scale for g
+  // <= 2e-10 of it, which is above the rest of the bracket for any guarantee with a kappa. The published
+  // slides end at a linear slop, which is the distance that they state.
   const double between_points = (answer.point_b - answer.point_a).norm() - seen.target_distance;
   const double of_balls = std::max(2e-5 * row.scale, std::sqrt(2 * answer.distance * row.scale));
   const double near_enough = answer.distance + of_balls + 2 * row.contact +

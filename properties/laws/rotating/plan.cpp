@@ -1,4 +1,4 @@
-// The laws of the plan: what it spares changes no answer, and is not done.
+// The laws of the plan: motion that it spares changes no answer, and is not simulated.
 #include <fmt/format.h>
 
 #include <array>
@@ -120,14 +120,14 @@ LawResult plan_is_monotone(const Case& problem, const Method& method) {
 
 LawResult unturned_is_linear(const Case& problem, const Method& method) {
   Case still = without_turns(method.seen(problem));
-  // Few cases come with that policy; here it may be had in every other one.
+  // Few cases come with that policy. Here every other one may have it.
   if (follows_plan(method) && hash_of(still) % 2 == 0) still.start_policy = StartPolicy::pass_over;
   if (!engine::unsupported(engine::Kind::rotating, still).empty() || !in_domain(still))
     return no_rotating_question();
   const bool ray = std::isinf(still.t_max) || still.start_policy != StartPolicy::report;
   const Answer answer = method.ask(still, {});
   if (ray && !follows_plan(method)) {
-    // What no method alone takes is refused.
+    // A question that no single method takes is refused.
     const bool refused = answer.outcome == Outcome::invalid_input && answer.invalid == Invalid::not_linear;
     if (std::isinf(still.t_max) && !refused)
       return broken("a rotating method takes a ray: " + describe(answer));
@@ -135,7 +135,7 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
   }
   LawResult result = holds({label_of(answer.outcome)});
   if (follows_plan(method)) {
-    // By the tier's method: of tier standard one of two, whichever suits the shapes.
+    // By the tier's method. Tier standard has two, and uses the one that suits the shapes.
     std::string said;
     for (const char* name : {"certified", "mpr", "gjk"}) {
       if (method.is_certified() != (name == std::string_view("certified"))) continue;
@@ -147,7 +147,8 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
           (answer.outcome == Outcome::invalid_input ||
            (answer.toi_lower == its.toi_lower && answer.toi_upper == its.toi_upper)))
         return result;
-      // A rotating cast follows the start that a linear one reports: judged by what happens to that contact.
+      // A rotating cast follows the start that a linear one reports. It is judged by what happens to that
+      // contact.
       if (still.start_policy == StartPolicy::pass_over && its.outcome == Outcome::initially_overlapping) {
         const RotatingTruth start = truth_from_start(still);
         Judgement followed;
@@ -172,8 +173,8 @@ LawResult unturned_is_linear(const Case& problem, const Method& method) {
   return labelled(std::move(result), {"arbitrated"});
 }
 
-// Against the body without its turn. The other body keeps what it has, or, at times, turns unseen as well:
-// then the plan must come to a linear cast, for rays and policies too.
+// Compared with the body without its rotation. The other body keeps its motion or, at times, also rotates invisibly.
+// Then the plan must reduce to a linear cast, for rays and policies too.
 LawResult unseen_turn_is_none(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!in_domain(seen)) return no_rotating_question();

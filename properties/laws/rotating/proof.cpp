@@ -1,4 +1,4 @@
-// The laws of rotating casts that stand on the checker of proofs.
+// The laws of rotating casts that need the checker of proofs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using engine::Method;
 
 namespace {
 
-// How many points of curved parts a point of the shape consists of; a proof's feature names kCurvedParts.
+// The number of points of curved parts in a point of the shape. A proof's feature names kCurvedParts.
 std::size_t curved_points(const Shape<double>& shape) {
   const auto of_part = [](const SharedShape<double>& part) { return part ? curved_points(part->shape) : 0; };
   if (const auto* posed = std::get_if<Posed<double>>(&shape)) return of_part(posed->shape);
@@ -55,8 +55,8 @@ LawResult turning_proof_is_accepted(const Case& problem, const Method& method) {
     return broken(fmt::format("proof refused, {}: {}; answered: {}", oracle::to_string(verdict.refusal),
                               verdict.detail, describe(answer)));
   }
-  // In doubles, before the times are rounded to the scalar. A start that is called contact for being near has
-  // no upper half, nor has a contact whose points cannot be named.
+  // In doubles, before the times are rounded to the scalar. A start that counts as contact because it is near
+  // has no upper half. Neither has a contact whose points cannot be named.
   const bool near = (answer.outcome == Outcome::initially_overlapping && !method.is_certified()) ||
                     std::max(curved_points(seen.a.shape), curved_points(seen.b.shape)) > kCurvedParts;
   if (!(proof.toi_lower >= answer.toi_lower) || !(near || proof.toi_upper <= answer.toi_upper)) {

@@ -57,7 +57,7 @@ const RotatingTruth* rotating_truth_of(const Case& seen) {
   Entry& entry = kept[next++ % kept.size()];
   entry.problem.reset();
   entry.truth.reset();
-  // The oracle says what it does not decide by this exception, and nothing else.
+  // The oracle reports an undecided case by this exception, and nothing else.
   try {
     entry.truth.emplace(seen, RotatingTruth::kDefaultWidth, kTruthBudget);
   } catch (const std::invalid_argument&) {

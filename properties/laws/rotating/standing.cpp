@@ -1,5 +1,4 @@
-// The law that takes a rotating cast at its word: the bodies where the motion has them at a moment, and asked
-// a static query.
+// The law that checks a rotating cast by static queries of the bodies at their places at a moment of the motion.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,12 +19,12 @@ using engine::Method;
 
 namespace {
 
-// How far the bodies are apart at a moment, less the target distance; below 0: how deep in each other.
+// The distance of the bodies at a moment, less the target distance. Below 0, it is their depth in each other.
 struct Gap {
   double low = 0, high = 0;
 };
 
-// The answer of one query in double, widened by its row.
+// The answer of one query in double, widened by its guarantee.
 std::optional<engine::Answer> asked(const Case& still, corpus::Query query, double& row) {
   for (const engine::Method& method : engine::methods(engine::Kind::query)) {
     if (method.query != query || method.scalar != "double" || method.is_exact()) continue;

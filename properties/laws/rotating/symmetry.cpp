@@ -1,5 +1,5 @@
-// Laws that ask a rotating method twice, the second time about the same bodies and motion described in
-// another way: exact edits of a case (edit/turning.hpp) that keep the times of contact.
+// Laws that call a rotating method twice, the second time with the same bodies and motion described in another way.
+// They use exact edits of a case (edit/turning.hpp) that keep the times of contact.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -91,7 +91,8 @@ LawResult pivot_is_a_line(const Case& problem, const Method& method) {
         compare(method, {"as it was", slid->before, one}, {"with a pivot along the axis", slid->after, two},
                 "a pivot moved along its axis changes the answer");
     if (result.holding == Holding::broken) return result;
-    // Nothing is below noise in tier certified: what is exactly unseen stays so. Bounds are about the pivots.
+    // In tier certified no motion is below noise: an exactly invisible one stays so. Bounds are about the
+    // pivots.
     const Vec3<double>& w = first ? slid->before.spin_a.rotation : slid->before.spin_b.rotation;
     const bool plain = (w.array() != 0).count() == 1;
     const auto bounded = [](const Answer& a) { return a.plan.effects == Effects::nothing; };
@@ -116,8 +117,8 @@ LawResult idle_pivot_is_nothing(const Case& problem, const Method& method) {
   return holds({label_of(one.outcome), engine::turns(seen) ? "one turns" : "none turns"});
 }
 
-// Velocities count by their difference alone, and their sums here are exact: the same to the bit, but for
-// witnesses, which are carried along.
+// Velocities count by their difference alone, and their sums here are exact. The answers are the same to the bit,
+// except for witnesses, which are carried along.
 LawResult turning_drifting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen)) return no_rotating_question();
@@ -136,7 +137,7 @@ LawResult turning_drifting(const Case& problem, const Method& method) {
   for (const bool first : {true, false}) {
     const Vec3<double>&x = first ? one.point_a : one.point_b, &y = first ? two.point_a : two.point_b;
     const double off = (y - x - way).norm();
-    // Each is rounded to the scalar: u of itself an axis, and in between of what is summed.
+    // Each is rounded to the scalar: an axis by u of itself, and a point by u of its summands.
     const double granted =
         2 * limits_of(method, seen, scale_of(seen)).contact + 8 * u * (x.norm() + y.norm() + way.norm());
     if (off > granted) {

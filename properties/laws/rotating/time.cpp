@@ -1,5 +1,5 @@
-// Laws that ask a rotating method twice, the second time about other times: a longer or a shorter step, a
-// part of it, the way back.
+// Laws that call a rotating method twice, the second time for other times: a longer or a shorter step, a part of it,
+// the way back.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -46,9 +46,9 @@ LawResult stretching_time(const Case& problem, const Method& method) {
 
 constexpr double kFractions[] = {0.5, 0.25, 0.75, 0.125, 0.875};
 
-// A pose that is rounded to the scalar: a quaternion's components by u each, so a point of the body, and the
-// pivot, by 2 u of its distance from the body's origin, which is rounded by u. Three times as much later
-// (Restart).
+// A pose that is rounded to the scalar. A quaternion's components round by u each, so a point of the body, and the
+// pivot, round by 2 u of their distance from the body's origin, which is rounded by u. Later the error is three times
+// as much (Restart).
 double rounding_of_pose(const Case& given, const Method& method) {
   double sum = 0;
   for (const auto& [body, spin] : {std::pair(&given.a, &given.spin_a), std::pair(&given.b, &given.spin_b)}) {
@@ -76,7 +76,7 @@ LawResult turning_horizon(const Case& problem, const Method& method) {
                   {part.outcome == Outcome::miss ? "contact after or none" : "contact before"});
 }
 
-// What is restarted is off by a rounding (edit/turning.hpp: Restart), which is granted as a length.
+// A restarted motion is off by a rounding (edit/turning.hpp: Restart), which is granted as a length.
 LawResult turning_splitting(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
@@ -117,8 +117,8 @@ LawResult turning_splitting(const Case& problem, const Method& method) {
   return result;
 }
 
-// The last contact of a path is the first on the way back, so that is no later than T less the first one; and
-// a miss stays a miss. Either answer has a case of its own, and a truth; they differ by a rounding.
+// The last contact of a path is the first on the way back, so that is no later than T less the first one. A miss stays
+// a miss. Either answer has a case of its own, and a truth. They differ by a rounding.
 LawResult turning_backwards(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();
@@ -139,7 +139,7 @@ LawResult turning_backwards(const Case& problem, const Method& method) {
                    "the way back finds other contacts");
 }
 
-// Fast turns are answered by what they sweep (whole_turns.hpp), a single one is not.
+// Fast rotations are answered by their swept volume (whole_turns.hpp), a single one is not.
 LawResult whole_turn_is_all(const Case& problem, const Method& method) {
   const Case seen = method.seen(problem);
   if (!is_rotating_question(seen) || !is_safe(method)) return no_rotating_question();

@@ -1,4 +1,4 @@
-// The law of the door of rotating casts: what no method may take.
+// The law of input validation of rotating casts: input that no method may accept.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ LawResult bad_turn_is_refused(const Case& problem, const Method& method) {
   for (const double tolerance : {kNan, kInf, -1.0}) {
     expect_refusal(seen, {.tolerance = tolerance}, fmt::format("a tolerance of {}", tolerance));
   }
-  // A turn that is seen, as a ray.
+  // A visible rotation, as a ray.
   Case rod = seen;
   rod.a.shape = Segment<double>{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0)};
   rod.a.orientation = {};
