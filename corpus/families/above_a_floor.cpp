@@ -2,7 +2,7 @@
 // k, it starts about 10^-k above.
 //
 // The floor's top is z = 0, and the body's lowest feature starts at the height, exactly. Half of the bodies
-// turn about z and slide. Their height does not change, which is a clear miss. Of the others, some tumble and
+// turn about z and slide. Their height does not change, which is a clear miss. Some of the others tumble and
 // rise faster than any of their points can sink, and the rest tumble and fall. All cases are also run with a
 // tolerance, 1e-6 or 1e-3, as in a game. A tolerance changes times but no verdict, and bodies that start
 // apart do not start in contact. This breaks a search that ends within the tolerance of contact and reports

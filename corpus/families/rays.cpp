@@ -1,8 +1,9 @@
-// rays: a point flies at a feature of a shape, or passes it by 10^-k. Hardness: k; one case in eight has 0.
+// rays: a point flies at a feature of a shape, or passes it by 10^-k. Hardness: k. One case in eight has
+// distance 0.
 //
-// Frame: the shape has a pose, and its feature is a corner, a point of an edge or of a face, the middle or
-// the side of its bounds, or a point on a curved side. The ray comes from anywhere, along one of the shape's
-// own axes, or in the plane of a face. Its start is on the feature one time in eight.
+// Frame: the shape has a pose. Its feature is a corner, a point of an edge or of a face, the middle or the
+// side of its bounds, or a point on a curved side. The ray comes from anywhere, along one of the shape's own
+// axes, or in the plane of a face. Its start is on the feature one time in eight.
 //
 // Difficulties:
 //   - a slab whose direction is 0, and one whose start is on its plane,

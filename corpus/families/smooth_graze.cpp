@@ -1,7 +1,7 @@
 // smooth_graze: round shapes that pass, each other or something flat, at a gap of 10^-k, or meet to a depth
 // of it (or pass beneath, where C is thinner than that). Hardness: k.
 //
-// Frame and construction: pass_over in topped.hpp. C's top plane is z = 0, and so the gap is exact. That
+// Frame and construction: pass_over in topped.hpp. C's top plane is z = 0, and so the gap is exact. This
 // requires shapes whose extreme along z is a grid number:
 //   - spheres,
 //   - capsules, cylinders and cones standing, lying or turned by the angle of cosine 3/5 and sine 4/5, with

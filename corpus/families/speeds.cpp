@@ -1,6 +1,7 @@
 // speeds: a random pair whose motion is slow or fast, over a horizon as long or as short, or without end.
-// Hardness: k = |log10 |v| / size|, to about one for a path of some sizes. |v| is 10^k or 10^-k times a speed
-// that arrives within a unit of time, and t_max is 10^-k or 10^k, rounded. One case in sixteen rests.
+// Hardness: k = |log10 |v| / size|, to about one for a path of some sizes. The speed |v| is 10^k or 10^-k
+// times a speed that arrives within a unit of time, and t_max is 10^-k or 10^k, rounded. One case in sixteen
+// rests.
 //
 // Slow ones go down to 10^-50 (every component is 0 or at least 10^-60, where the domain ends), fast ones up
 // to 10^30. Beyond 10^30 coordinates are doubles, since a float has no such number. Difficulties: |v| and n.v

@@ -10,9 +10,12 @@ namespace graze::corpus {
 
 // Posed, the body lies in z >= 0 and touches z = 0. On the grid: both statements are exact.
 //
-// The shape is a ball, a capsule, cylinder or cone that stands or lies (a cone on its side, one of 3 : 4 :
-// 5), an ellipsoid on a pole, or one of topped_any(), mirrored. In half of the cases a ball is added about
-// it. Extents are up to `reach`, 4 at least.
+// The shape is one of these:
+//   - a ball,
+//   - a capsule, cylinder or cone that stands or lies (a cone on its side, one of 3 : 4 : 5),
+//   - an ellipsoid on a pole,
+//   - one of topped_any(), mirrored.
+// In half of the cases a ball is added about it. Extents are up to `reach`, 4 at least.
 [[nodiscard]] Topped standing(Draw& draw, double reach);
 // The same, without corners: the first three kinds.
 [[nodiscard]] Topped standing_smooth(Draw& draw, double reach);

@@ -7,7 +7,7 @@
 //   - boxes on a grid whose faces are m and a few lengths more apart,
 //   - starts within m of each other, as in `sliding` with a gap, that leave, slide or continue, under either
 //     policy,
-//   - the rest.
+//   - random pairs that approach from beyond m.
 //
 // Difficulties: a margin that is folded into a radius and subtracted again, a constant shape margin, an
 // offset of the time by |margin| / |v|, a policy that is applied to the margin instead of the shapes.

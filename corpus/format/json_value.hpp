@@ -20,9 +20,9 @@ struct JsonValue {
   bool boolean = false;
   double number = 0;              // the double nearest to the decimal
   bool is_integer = false;        // the number was written without a point or an exponent
-  std::string text;               // of a string
-  std::vector<JsonValue> items;   // of an array, or the values of an object
-  std::vector<std::string> keys;  // of an object: items[i] is the value of keys[i]
+  std::string text;               // text of a string
+  std::vector<JsonValue> items;   // items of an array, or the values of an object
+  std::vector<std::string> keys;  // keys of an object: items[i] is the value of keys[i]
 
   [[nodiscard]] const JsonValue* find(std::string_view key) const;
 };
