@@ -25,7 +25,7 @@ struct Part {
 
   PartKind kind = PartKind::leaf;
   Leaf leaf;                                     // leaf, or the radius of a rounded part
-  Vec3<double> extents = Vec3<double>::Zero();   // ellipsoid: radii, or cylinder and cone: radius, half height, 0
+  Vec3<double> extents = Vec3<double>::Zero();   // ellipsoid: radii, others: radius, half height, 0
   Vec3<double> position = Vec3<double>::Zero();  // posed
   bool rotated = false;
   Quaternion<double> q = {};   // scaled, unused unless rotated

@@ -26,7 +26,7 @@ class BallBody {
   BallBody(BallBody&&) noexcept;
   BallBody& operator=(BallBody&&) noexcept;
 
-  // Of the shape as it stands relative to the body's own position: add the position to place it.
+  // The support of the shape relative to the body's own position. Add the position to place it.
   [[nodiscard]] BallSupport support(const BallVec& n) const;
   [[nodiscard]] const BallVec& position() const { return position_; }
   [[nodiscard]] const BallVec& displacement() const { return displacement_; }

@@ -66,7 +66,7 @@ struct Linear {
   Rational alpha, beta;  // alpha + beta t >= 0
 };
 
-// What the path meets: its times of contact, and whether it is in contact at t = 0.
+// The set on the path: its times of contact, and whether it is in contact at t = 0.
 class Path {
  public:
   Path(RationalPoint from, RationalPoint velocity, double t_max)
@@ -122,7 +122,7 @@ class Path {
     if (sgn(c) <= 0 && above) overlapping = true;
     add(height.beta * height.beta, -height.alpha * height.beta, c, inside);
   }
-  // Where alpha + beta t = 0 and |x|^2 + |y|^2 <= r^2 for the coordinates 0 and 1.
+  // The times with alpha + beta t = 0 and |x|^2 + |y|^2 <= r^2 for the coordinates 0 and 1.
   void disk(const Linear& height, const Rational& r) {
     if (sgn(height.beta) == 0) return;
     const Rational t = -height.alpha / height.beta, x = c0_[0] + t * w_[0], y = c0_[1] + t * w_[1];
@@ -143,7 +143,7 @@ class Path {
   Rational horizon_;
 };
 
-// p, p + e, rounded by radius; e = 0 for a point.
+// p, p + e, rounded by radius. For a point e = 0.
 struct RoundedSegment {
   RationalPoint p, e;
   Rational radius;

@@ -33,12 +33,12 @@ class ClosedForm {
 
   // initially_overlapping, hit or miss.
   [[nodiscard]] Outcome outcome() const { return outcome_; }
-  // The largest double not above the TOI, the least not below it; infinity for a miss.
+  // The largest double not above the TOI, and the least not below it. Both are infinity for a miss.
   [[nodiscard]] double toi_lower() const { return lower_; }
   [[nodiscard]] double toi_upper() const { return upper_; }
   // "n/d" or "n" where the TOI is rational, else "".
   [[nodiscard]] const std::string& toi_exact() const { return exact_; }
-  // sign(t - TOI), exact; -1 for a miss.
+  // sign(t - TOI), exact. It is -1 for a miss.
   [[nodiscard]] int compare(const Rational& t) const;
 
  private:
@@ -46,7 +46,7 @@ class ClosedForm {
   Outcome outcome_ = Outcome::miss;
   double lower_ = 0, upper_ = 0;
   std::string exact_;
-  std::vector<QuadraticRoot> times_;  // times of contact; the TOI is the least
+  std::vector<QuadraticRoot> times_;  // times of contact (the TOI is the least)
 };
 
 }  // namespace graze::oracle
