@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRestReach = 4;  // size of a body (length)
 
-// Its top is z = 0: a box, a triangle, the face of a hull, or what else stands, upside down.
+// Its top is z = 0: a box, a triangle, the face of a hull, or another standing body, upside down.
 Topped ground(Draw& draw) {
   Random& random = draw.random;
   const double size = kRestReach + draw.positive_on_grid(2 * kRestReach),

@@ -62,7 +62,7 @@ void fill_level_tiles(Draw& draw, double hardness, Case& problem) {
   const Topped below = tile(draw), above = rolls ? roller(draw) : standing(draw, 4);
   problem.a = {.shape = below.shape, .position = below.position, .orientation = below.orientation};
   problem.b = {.shape = above.shape, .position = above.position, .orientation = above.orientation};
-  // The tile takes what the body's own height cannot: B's is height and nothing else.
+  // The tile takes the part that the body's own height cannot: B's position is exactly the height.
   problem.a.position[2] -= above.position[2];
   problem.b.position[2] = height;
 

@@ -22,7 +22,7 @@ namespace graze::corpus {
 
 // Half a turn about x, which exchanges up and down.
 inline constexpr Quaternion<double> kUpsideDown = {0, 1, 0, 0};
-// z to -y: what was upright lies along y.
+// z to -y: an upright body then lies along y.
 inline constexpr Quaternion<double> kLaidDown = {1, 1, 0, 0};
 
 // Turns the whole scene by an integer quaternion q with every length times |q|^2, so that nothing is rounded:

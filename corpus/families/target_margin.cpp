@@ -1,8 +1,7 @@
 // target_margin: casts to a target distance m. Hardness: k, m is 10^k of a size of 4, k from -6 to 4. C is
 // rounded by m. A larger m leaves the shapes a smaller share in the answer, but they still determine it.
 //
-// m is 4 times 10^k, rounded to float with floats and integers. The cases are of four kinds, the first three
-// a quarter each:
+// m is 4 times 10^k, rounded to float with floats and integers. The cases are of four kinds, a quarter each:
 //   - paths that pass a top feature of C at the height m (1 + 2^-10) or m (1 - 2^-10), as in `grazing`,
 //   - boxes on a grid whose faces are m and a few lengths more apart,
 //   - starts within m of each other, as in `sliding` with a gap, that leave, slide or continue, under either

@@ -1,4 +1,4 @@
-// One case to and from a JSON value: what case_io and proof_io share.
+// One case to and from a JSON value. case_io and proof_io share this code.
 #pragma once
 
 #include "corpus/format/fields.hpp"

@@ -67,7 +67,7 @@ struct Hinges final : Scene {
   }
 };
 
-// Plates that spin about their middles or a hub, and what is shot and thrown through them.
+// Plates that spin about their middles or a hub, and bodies that are shot and thrown through them.
 struct SpinningPlates final : Scene {
   void set_up(Simulation& world) override {
     constexpr int kShots = 1;

@@ -61,7 +61,7 @@ enum class Refusal {
 
 struct Verdict {
   Refusal refusal = Refusal::none;
-  std::string detail;  // one line: the claim, and what is true instead; empty when accepted
+  std::string detail;  // one line with the claim and the true value, empty when accepted
   [[nodiscard]] bool accepted() const { return refusal == Refusal::none; }
 };
 

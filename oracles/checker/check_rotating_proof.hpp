@@ -74,9 +74,9 @@ inline constexpr int kMostPieces = 4096;
 
 // The amount of work. It is added to when given.
 struct RotatingCheckCost {
-  long long slices = 0;     // that were looked at
-  long long in_double = 0;  // that the filter proved
-  long long pieces = 0;     // that they were cut into, in double and in balls
+  long long slices = 0;     // slices that were examined
+  long long in_double = 0;  // slices that the filter proved
+  long long pieces = 0;     // pieces that they were cut into, in double and in balls
   long long raised = 0;     // slices and contacts that 128 bits left open
 };
 

@@ -30,7 +30,7 @@ class BallBody {
   [[nodiscard]] BallSupport support(const BallVec& n) const;
   [[nodiscard]] const BallVec& position() const { return position_; }
   [[nodiscard]] const BallVec& displacement() const { return displacement_; }
-  // An upper bound of the magnitude of the numbers in it: what rounding errors are relative to.
+  // An upper bound of the magnitude of the numbers in it. Rounding errors are relative to it.
   [[nodiscard]] double magnitude() const { return magnitude_; }
 
  private:

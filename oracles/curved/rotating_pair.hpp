@@ -45,7 +45,7 @@ struct Contact {
 
 class RotatingPair {
  public:
-  // Throws std::invalid_argument for what BallMotion refuses. Rounded to the working precision.
+  // Throws std::invalid_argument for shapes that BallMotion refuses. Rounded to the working precision.
   explicit RotatingPair(const corpus::Case& problem);
 
   [[nodiscard]] const BallMotion& a() const { return a_; }
@@ -74,7 +74,7 @@ class RotatingPair {
   // shows half the distance. For an overlap, depth <= (1 + slack) lower or both are about `fine`.
   [[nodiscard]] Contact contact(const PairPose& pose, const Vec3<double>& start, const Ball& fine,
                                 const Ball& near, double slack) const;
-  // A slack of contact() for whoever needs no depth of an overlap but that it is proved: within a factor of 16.
+  // A slack of contact() for callers that only need a proof of overlap: the depth is within a factor of 16.
   static constexpr double kAnyDepth = 15;
   // The distance at a time: within `fine` or that part of itself.
   [[nodiscard]] Nearest3 distance(const PairPose& pose, const Ball& fine, double relative) const;

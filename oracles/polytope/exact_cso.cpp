@@ -24,8 +24,8 @@ namespace {
 
 // Most of a difference's faces are parallelograms, whose fourth corner no filter separates from the plane of
 // the others, so the exact decision dominates the cost. Integers of 512 bits on the stack decide in a fifth
-// of the time of the lazy exact kernel. That kernel serves the coordinates that they cannot hold: for b bits,
-// a plane's normal has 2 b + 3, and its sign at a point 3 b + 8.
+// of the time of the lazy exact kernel. The lazy kernel serves the coordinates that they cannot hold: for b
+// bits, a plane's normal has 2 b + 3, and its sign at a point 3 b + 8.
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,

@@ -5,8 +5,8 @@
 // Cannot be trusted: for other pairs, which it refuses. It measures no depth and no distance.
 //
 // Notation   x(t) = c0 + t w is the path of one body's reference point in a frame in which the other rests.
-//   The set to be met is a union of pieces; each piece of its boundary gives  a t^2 - 2 b t + c = 0  and
-//   linear side conditions alpha + beta t >= 0, whose sign at a root mid +- sqrt(square) is decided in
+//   The set to be met is a union of pieces. Each piece of its boundary gives  a t^2 - 2 b t + c = 0  and
+//   linear side conditions alpha + beta t >= 0. Their sign at a root mid +- sqrt(square) is decided in
 //   rationals. Every root that passes is a time of contact, and the first contact is among them.
 #include "oracles/truth/closed_form.hpp"
 

@@ -1,11 +1,11 @@
 // The exact answer of a linear cast where it is the root of a quadratic with rational coefficients.
 //
-// Which pairs, in either order, poses and motions being any rationals:
+// The pairs, in either order, with any rational poses and motions:
 //   point, segment, sphere, capsule with each other        target distance allowed
 //   point, sphere                 with a box               target distance allowed
-//   point                         with an ellipsoid (radii > 0), a cylinder, a cone; no target distance
-// It knows nothing of support functions, hulls or searches: it solves for the crossing of every piece of the
-// boundary. So it is the judge of the judges; cost and limits: see closed_form.cpp.
+//   point                         with an ellipsoid (radii > 0), a cylinder, a cone, but no target distance
+// It uses no support functions, hulls or searches: it solves for the crossing of every piece of the
+// boundary. So it checks the other judges. Cost and limits: see closed_form.cpp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The expected answer of a case, by the exact oracle: what the corpus stores and a later run derives again.
+// The expected answer of a case, by the exact oracle. The corpus stores it, and a later run derives it again.
 #pragma once
 
 #include <stdexcept>

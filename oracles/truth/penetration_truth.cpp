@@ -111,8 +111,8 @@ PenetrationTruth::Impl::Slack PenetrationTruth::Impl::slack(const HomogeneousPoi
 
 // For an origin outside P, the direction from its nearest point of P. For an origin in P, n attains the least
 // h only if the plane {h(n) = n.c} touches the ball of that radius about the origin, in a point of P. So n is
-// a face's normal, or the least is 0 and n is any of the normal cone at the origin. That cone is spanned by
-// the normals of the half-spaces that the origin bounds. It is a ray or, for a flat P, a line, if they are
+// a face's normal, or the least is 0 and n is any of the normal cone at the origin. The normals of the
+// half-spaces that the origin bounds span this cone. It is a ray or, for a flat P, a line, if they are
 // parallel.
 void PenetrationTruth::Impl::find_normals(const Slack& at_origin) {
   const ConvexHull& hull = cso->hull();

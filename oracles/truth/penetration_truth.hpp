@@ -50,9 +50,9 @@ class PenetrationTruth {
   [[nodiscard]] double nearest_depth() const;
   // The squared depth, "n/d" or "n", if it is rational (always without radii), else "".
   [[nodiscard]] std::string depth_sq_exact() const;
-  // The unit normals n with h(n) = depth, components to the nearest double, if they are finitely many (an
-  // origin inside a solid P, in the plane of a flat one, or outside P but within r of it). The list is empty
-  // if they are a continuum (an origin on an edge of a solid P, within a segment, ...).
+  // The unit normals n with h(n) = depth, components to the nearest double, if they are finitely many. This
+  // is so for an origin inside a solid P, in the plane of a flat one, or outside P but within r of it. The
+  // list is empty if they are a continuum (an origin on an edge of a solid P, within a segment, ...).
   [[nodiscard]] const std::vector<Vec3<double>>& normals() const;
 
   // |proposed - depth|, infinity for a value that is not finite.
@@ -69,10 +69,10 @@ class PenetrationTruth {
   // C. No contact needed. Infinity for an x that is not finite.
   [[nodiscard]] Enclosure depth_after(const Vec3<double>& x) const;
   [[nodiscard]] Enclosure distance_after(const Vec3<double>& x) const;
-  // The error of a pair of world points that is claimed to realise the least penetration. x = point_a -
-  // point_b (exact) should be on the boundary of C at the distance `depth` from the origin. The error is the
-  // largest of | |x| - depth |, depth_after(x) and distance_after(x). Another function checks that the points
-  // lie on their bodies.
+  // The error of a pair of world points that is claimed to realise the least penetration. The difference x =
+  // point_a - point_b (exact) should be on the boundary of C at the distance `depth` from the origin. The
+  // error is the largest of | |x| - depth |, depth_after(x) and distance_after(x). Another function checks
+  // that the points lie on their bodies.
   [[nodiscard]] Enclosure pair_error(const Vec3<double>& point_a, const Vec3<double>& point_b) const;
 
   // d is finite and not zero, otherwise it throws std::invalid_argument. Nothing if the ray {s d : s >= 0}

@@ -5,7 +5,7 @@
 //   none              18                    2.5 (10)    2
 //   a few radians     23                    4.3 (33)    3
 //   some 200 radians  103                   10 (45)     30
-//   A pair that slides in contact without depth ends undecided after 4,096 slices, 0.4 s; the whole budget
+//   A pair that slides in contact without depth ends undecided after 4,096 slices, 0.4 s. The whole budget
 //   is 10 s.
 // Cannot be trusted: to answer at all where clearance or depth is below the width, where a flat A - B passes
 //   through the origin, or beyond its budget. There the answer is not_converged, undecided. Its answers are proved.

@@ -41,7 +41,7 @@ struct SampledContact::Impl {
       const WorkingPrecision precision(bits);
       pair.emplace(problem);
     }
-    // As RotatingTruth: what is lost to coordinates beyond the scale is added.
+    // As in RotatingTruth: the bits lost to coordinates beyond the scale are added.
     const double size = pair->scale().low_double();
     const double largest =
         pair->magnitude() + norm(pair->b().velocity() - pair->a().velocity()).high_double() * end;

@@ -17,7 +17,7 @@ namespace graze::oracle {
 
 class SampledContact {
  public:
-  // Throws std::invalid_argument for what RotatingTruth refuses, but the policy, which is not looked at.
+  // Throws std::invalid_argument for cases that RotatingTruth refuses. It ignores the policy.
   explicit SampledContact(const corpus::Case& problem);
   ~SampledContact();
   SampledContact(SampledContact&&) noexcept;
