@@ -12,7 +12,7 @@ namespace graze::corpus {
 using StartPolicy = graze::StartPolicy;
 enum class Query { cast, line, overlap, distance, penetration, penetration_along, swept_overlap };
 
-// The rotating part of a body's motion; zero for every linear case.
+// The rotating part of a body's motion. It is zero for every linear case.
 struct Spin {
   Vec3<double> rotation = Vec3<double>::Zero();  // rotation vector per unit of t, radians, world axes
   Vec3<double> pivot = Vec3<double>::Zero();     // centre of the rotation, body's own frame
@@ -27,9 +27,9 @@ struct Expect {
   std::string toi_exact;  // "n/d" or "n" where the TOI is rational, else empty
   std::optional<double> t_in, t_out, distance, depth;
   std::optional<Vec3<double>> normal;
-  // Of linear casts, lengths by which a wrong verdict is told from a harmless one: the distance of the path
-  // of a miss from contact, and how deep the path of a contact goes, both rounded down; the scale of the
-  // question, rounded up.
+  // Lengths of a linear cast that tell a wrong verdict from a harmless one. `clearance` is the distance of
+  // the path of a miss from contact, and `path_depth` is how deep the path of a contact goes. Both are
+  // rounded down. `scale` is the scale of the question, rounded up.
   std::optional<double> clearance, path_depth, scale;
 
   [[nodiscard]] bool has_measures() const { return clearance || path_depth || scale; }

@@ -1,12 +1,17 @@
 // Families of generated cases, each with a hardness that can be turned until methods break.
 //
-// A case is a pure function of (family, hardness, seed): the same bits on every platform (own generator,
-// integers and correctly rounded operations only, in a fixed order; no fused multiply-add). Of a body that
-// turns, that is said of its rotation vector; where the vector takes it involves a sine.
+// A case is a pure function of (family, hardness, seed) and has the same bits on every platform. The
+// generator is our own and uses only integers and correctly rounded operations, in a fixed order, without
+// fused multiply-add. For a rotating body this holds for its rotation vector. The pose that the vector leads
+// to involves a sine.
 //
-// What every family mixes, by seed: the shapes; identity and rotated poses (integer quaternions, so that
-// posed vertices are rationals); which body moves; |v| by powers of two; t_max; and coordinates of three
-// kinds: floats, full doubles and small integers.
+// Every family varies these by seed:
+//   - the shapes,
+//   - identity and rotated poses (integer quaternions, so that posed vertices are rationals),
+//   - which body moves,
+//   - |v| by powers of two,
+//   - t_max,
+//   - coordinates of three kinds: floats, full doubles and small integers.
 #pragma once
 
 #include <span>
@@ -20,13 +25,13 @@ class Draw;
 
 struct Family {
   std::string_view name;
-  std::string_view sentence;          // what is hard about it
+  std::string_view sentence;          // why the cases are hard
   std::string_view hardness_meaning;  // the exact quantity that hardness is tied to
-  std::span<const double> levels;     // from easy to hard; any integer between the extremes is one too
+  std::span<const double> levels;     // from easy to hard (any integer between the extremes is a level too)
   void (*fill)(Draw&, double, Case&);
-  bool rotating = false;  // a body of each case turns, but for one in sixteen or so
-  // Of a workload (workloads.hpp): so many seeds in a row are the questions of one run of a simulation, which is
-  // drawn once; draw.question says which is wanted.
+  bool rotating = false;  // a body of each case rotates, except in about one case in sixteen
+  // For a workload (workloads.hpp), this many seeds in a row are the questions of one simulation run. The run
+  // is drawn once, and draw.question selects the question.
   std::uint64_t of_run = 1;
   struct {
     double hardness = 0;
@@ -38,10 +43,10 @@ struct Family {
   [[nodiscard]] Case generate(double hardness, std::uint64_t seed) const;
 };
 
-// The linear families, which every method for linear casts is judged by; and those in which bodies turn.
+// The linear families, used to test every method for linear casts, and the families with rotating bodies.
 [[nodiscard]] std::span<const Family> families();
 [[nodiscard]] std::span<const Family> rotating_families();
-// Of either kind, or a workload; nullptr if there is none.
+// Finds a linear family, a rotating family or a workload. Returns nullptr if no family has this name.
 [[nodiscard]] const Family* find_family(std::string_view name);
 
 }  // namespace graze::corpus

@@ -1,6 +1,6 @@
-// h(n) = max over x in shape of n.x, in rounded doubles: to place, bound and measure cases, never to judge an
-// answer. Body's own frame; n of any length. The bits are the same everywhere: a fixed order of additions,
-// multiplications, divisions and square roots.
+// h(n) = max over x in shape of n.x, in rounded doubles. It is used to place, bound and measure cases, never
+// to judge an answer. n is in the body's own frame and of any length. The bits are the same everywhere: a
+// fixed order of additions, multiplications, divisions and square roots.
 #pragma once
 
 #include "corpus/case.hpp"

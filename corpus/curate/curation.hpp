@@ -1,4 +1,5 @@
-// What a curated case must have beyond its format, and when two cases ask the same.
+// The requirements on a curated case beyond its format, and the test for two cases that ask the same
+// question.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace graze::corpus {
 
-// A comment says in a sentence why the case is hard; fewer characters say nothing.
+// A comment says in a sentence why the case is hard. A shorter comment says nothing.
 inline constexpr std::size_t kShortestComment = 20;
 
 enum class Shelf {
@@ -16,12 +17,12 @@ enum class Shelf {
   known,  // corpus/known_failures.jsonl: a mechanism that is not mended yet, and may have no flag
 };
 
-// What is missing, one line each, empty for a sound case: the id is family/name, the comment a sentence, a
-// flag is set, and what was reported has its address.
+// The missing items, one line each. The list is empty for a sound case: the id is family/name, the comment is
+// a sentence, a flag is set, and a reported case has its address.
 [[nodiscard]] std::vector<std::string> curation_faults(const Case& problem, Shelf shelf);
 
-// The case without what is said about it: its id, family, hardness, comment, source, flags and answer.
-// Written in one line; two cases are the same question if these lines are equal.
+// The case without its metadata: its id, family, hardness, comment, source, flags and answer. The text is one
+// line. Two cases ask the same question if these lines are equal.
 [[nodiscard]] std::string question_of(const Case& problem);
 
 }  // namespace graze::corpus

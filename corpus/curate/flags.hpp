@@ -1,5 +1,5 @@
-// The notes on the flags of the curated cases: what a flagged thing breaks, whom it affects, and where it was
-// seen. corpus/flags.json holds them; every flag of a case has a note, and every note is used (tested).
+// The notes on the flags of the curated cases: what a flagged property breaks, whom it affects, and where it
+// was seen. corpus/flags.json holds them. Every flag of a case has a note, and every note is used (tested).
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@ namespace graze::corpus {
 struct FlagNote {
   std::string breaks;              // the trap, in a sentence
   std::string affects;             // for whom, and how it shows
-  std::vector<std::string> cases;  // ids of cases that show it as it was reported; may be empty
+  std::vector<std::string> cases;  // ids of cases that show it as it was reported, possibly empty
 };
 
 struct FlagNotes {
   std::map<std::string, FlagNote> notes;
-  std::string error;  // one line; empty if all was well
+  std::string error;  // one line, empty on success
 };
 
 [[nodiscard]] FlagNotes read_flag_notes(std::string_view text, const std::string& name);

@@ -1,4 +1,4 @@
-// Where the built-in corpus is.
+// The location of the built-in corpus.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,12 @@ namespace graze::corpus {
 // A file of a build folder whose one line is the corpus of the tree that it builds.
 inline constexpr const char* kCorpusPointer = "graze_corpus_directory";
 
-// The environment variable GRAZE_CORPUS if it is set; else ../share/graze/corpus beside the program, where it is
-// installed; else, for a program of a build folder, the first that is found in the folders above it: corpus/, or what
-// kCorpusPointer names. It holds cases/ and flags.json. If there is none, where an installed one would be.
+// Returns the folder that holds cases/ and flags.json. The search order is:
+//   1. the environment variable GRAZE_CORPUS, if it is set,
+//   2. ../share/graze/corpus beside the program, the place of an installed corpus,
+//   3. for a program of a build folder, the first match in the folders above it: corpus/, or the folder that
+//      kCorpusPointer names.
+// If nothing is found, the result is the place of an installed corpus.
 [[nodiscard]] std::filesystem::path corpus_directory();
 
 }  // namespace graze::corpus

@@ -1,11 +1,12 @@
-// above_a_floor: a body that turns starts a little above a floor, and stays above it, rises or falls.
-// Hardness: k, it starts about 10^-k above.
+// above_a_floor: a rotating body starts a little above a floor, and stays above it, rises or falls. Hardness:
+// k, it starts about 10^-k above.
 //
-// The floor's top is z = 0, and the body's lowest feature starts at the height, exactly. Half of them turn
-// about z and slide, and the height stays what it is: a clear miss. Others tumble and rise faster than any
-// point of them can sink; the rest tumble and fall. All are asked with a tolerance too, 1e-6 or 1e-3, as a
-// game asks: a tolerance moves times, and no verdict, and bodies that start apart do not start in contact.
-// What breaks: a search that ends within the tolerance of contact and calls that an answer.
+// The floor's top is z = 0, and the body's lowest feature starts at the height, exactly. Half of the bodies
+// turn about z and slide. Their height does not change, which is a clear miss. Some of the others tumble and
+// rise faster than any of their points can sink, and the rest tumble and fall. All cases are also run with a
+// tolerance, 1e-6 or 1e-3, as in a game. A tolerance changes times but no verdict, and bodies that start
+// apart do not start in contact. This breaks a search that ends within the tolerance of contact and reports
+// that as an answer.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"

@@ -1,12 +1,13 @@
 // at_rest: a body stands exactly on another, or comes to it by a path on which it just touches. Hardness: -n,
-// an extent of one body is n units in its last place too large or too small; 0 touches.
+// an extent of one body is n units in its last place too large or too small. At 0 the bodies touch.
 //
-// The bodies are placed on the plane z = 0, on the grid, and the scene is turned by an integer quaternion q
-// with every length times |q|^2 (standing.hpp): contact at rest is then a tie that is exact in doubles, with
-// orientations whose entries no double is. The body rests, slides, leaves, is pushed in, falls so far that it
-// arrives when the step ends, or slides in from beside at exactly that height. What breaks: a proof of
-// contact by a point that must lie in both bodies, a proof of separation by a plane that must lie between
-// them, and a tie that some other tolerance decides.
+// The bodies are placed on the plane z = 0, on the grid. The scene is then turned by an integer quaternion q
+// with every length times |q|^2 (standing.hpp). Contact at rest is therefore a tie that is exact in doubles,
+// although the entries of the rotation matrices are not doubles. The body rests, slides, leaves, is pushed
+// in, falls so far that it arrives when the step ends, or slides in from the side at exactly that height.
+//
+// This breaks a proof of contact by a point that must lie in both bodies, and a proof of separation by a
+// plane that must lie between them. It also breaks a tie that some other tolerance decides.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kRestReach = 4;  // size of a body (length)
 
-// Its top is z = 0: a box, a triangle, the face of a hull, or what else stands, upside down.
+// Its top is z = 0: a box, a triangle, the face of a hull, or another standing body, upside down.
 Topped ground(Draw& draw) {
   Random& random = draw.random;
   const double size = kRestReach + draw.positive_on_grid(2 * kRestReach),
@@ -42,7 +43,7 @@ Topped ground(Draw& draw) {
   }
 }
 
-// Every extent by that many units in its last place; of what has none, its place.
+// Changes every extent by that many units in its last place. A shape without extents changes its place.
 void change_extents(Draw& draw, Body<double>& body, int units) {
   const auto changed = [&](double x) { return moved_by_units(draw, x, units); };
   const auto change = [&](double& x) { x = changed(x); };
@@ -76,10 +77,10 @@ void fill_at_rest(Draw& draw, double hardness, Case& problem) {
   const Topped below = ground(draw), above = standing(draw, kRestReach);
   problem.a = {.shape = below.shape, .position = below.position, .orientation = below.orientation};
   problem.b = {.shape = above.shape, .position = above.position, .orientation = above.orientation};
-  // Where the point of contact is on its z-axis, that stays where it is.
+  // If the point of contact is on the body's z-axis, a turn about z leaves it where it is.
   if (above.position[0] == 0 && above.position[1] == 0 && random.once_in(2))
     problem.b.orientation = multiply(draw.pose_about_z(), problem.b.orientation);
-  // Anywhere on a face that is large enough; on what is round, at its top.
+  // Anywhere on a face that is large enough. On a round body, at its top.
   const auto* box = std::get_if<Box<double>>(&below.shape);
   if (box && below.orientation.is_identity() && box->half_extents.head<2>().minCoeff() >= kRestReach) {
     for (int i = 0; i < 2; ++i) problem.b.position[i] += draw.on_grid(kRestReach);

@@ -1,7 +1,8 @@
-// both_turn: both bodies turn, with angular velocities that differ by 2^-k at most along each axis. Their
-// points are fast and their distance is not: bounds that add the two are loose by 2^k, bounds that subtract
-// them must know the arms. Hardness: k. Half of them move about one point, as one but for that difference,
-// and start within twice that of each other, or within 1/4, on one side or the other; half approach as well.
+// both_turn: both bodies rotate, with angular velocities that differ by at most 2^-k along each axis. Their
+// points are fast and their distance changes slowly. Bounds that add the two speeds are loose by 2^k, and
+// bounds that subtract them must know the arms. Hardness: k. Half of the pairs rotate about one point, as one
+// body except for that difference. They start within twice that difference of each other, or within 1/4, on
+// one side or the other. Half of them approach as well.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/turning.hpp"
 
@@ -25,7 +26,7 @@ void as_one(Draw& draw, double hardness, Case& problem) {
   const double gap = draw.real(unit * random.uniform(-1, 2));
   problem.a.position = Vec3<double>(0, 0, 0 + (below.lift - above.lift));
   problem.b.position = Vec3<double>(0, 0, gap);
-  // About one point: of A's frame, and so of B's, whose origin is off by a sum that is exact but for the gap.
+  // Both rotate about one point of A's frame. B's origin is off by a sum that is exact except for the gap.
   const double x = draw.on_grid(16), y = draw.on_grid(16);
   problem.spin_a.pivot = Vec3<double>(x, y, 0);
   problem.spin_b.pivot = problem.spin_a.pivot;

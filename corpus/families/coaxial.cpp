@@ -1,12 +1,13 @@
-// coaxial: round bodies about one axis: a peg in a hole, nested cylinders, a ball in a cone, a point on an
-// axis. Hardness: k, the axes are 10^-k of a size of 4 apart; from 17 on they are one.
+// coaxial: round bodies about one axis, such as a peg in a hole, nested cylinders, a ball in a cone, or a
+// point on an axis. Hardness: k, the axes are 10^-k of a size of 4 apart. From 17 on they coincide.
 //
-// Cylinders, cones, capsules, ellipsoids of revolution, balls, and a segment or a point on the axis; about
-// the same axis, the other way up, or about one across it. C = A - B is then a body of revolution too, and
-// the origin is on its axis: a whole circle of its points is equally near. The bodies are concentric, or one
-// stands higher up the axis, or moves along it, in and out again, or across. What breaks: a polytope that
-// grows by a face at a time toward a circle of equally near points, whatever room it has; a normal that may
-// be any of a circle.
+// The shapes are cylinders, cones, capsules, ellipsoids of revolution, balls, and a segment or a point on the
+// axis. The second shape is about the same axis, upside down, or about an axis across it. C = A - B is then a
+// body of revolution too, and the origin is on its axis: a whole circle of its points is equally near. The
+// bodies are concentric, or one stands higher up the axis, or moves along it, in and out again, or across.
+//
+// This breaks a polytope that grows by one face at a time toward a circle of equally near points, however
+// large its storage is. It also breaks a normal that may be any of a circle.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -15,7 +16,7 @@
 namespace graze::corpus {
 namespace {
 
-// Of extents up to `reach`, about z.
+// A shape about z with extents up to `reach`.
 Shape<double> about_z(Draw& draw, double reach) {
   const double radius = draw.positive_on_grid(reach), half_height = draw.positive_on_grid(reach);
   switch (draw.random.below(9)) {
@@ -66,7 +67,7 @@ void fill_coaxial(Draw& draw, double hardness, Case& problem) {
   if (random.once_in(2)) meeting[2] = draw.on_grid(2);
   Vec3<double> v(0, 0, random.once_in(2) ? 32 : -32);
   if (random.once_in(4)) v = Vec3<double>(random.once_in(2) ? 32 : -32, 0, 0);
-  // Starts there; or comes to it at a half; or has left it, or was never to come there.
+  // The body starts there, comes to it at a half, has left it, or never comes there.
   double t0 = 0.5;
   switch (random.below(8)) {
     case 0:

@@ -1,11 +1,11 @@
 // contained: centrally symmetric bodies, one within the other, or on its way to the other's middle, or gone.
 // Hardness: k, the offset of their centres is 10^-k of a size of 4 along each axis, and 0 above 16. C is
-// symmetric about the point that is so far off, at t = 0 or somewhere on the line of motion: support heights
-// along n and -n differ by no more, so every axis of least penetration has a twin.
+// symmetric about the point with that offset, at t = 0 or somewhere on the line of motion. Support heights
+// along n and -n differ by at most the offset, so every axis of least penetration has a twin.
 //
-// Exact: A's centre is the origin, B's coordinates at the meeting are the offset and nothing else (rounded to
-// float with floats and integers); a path to the middle starts on a grid multiple of v and is rounded once.
-// What breaks: the origin at the middle of the start simplex, a zero first direction, twin axes of depth.
+// Exact: A's centre is the origin, and B's coordinates at the meeting are exactly the offset (rounded to
+// float with floats and integers). A path to the middle starts on a grid multiple of v and is rounded once.
+// Difficulties: the origin at the middle of the start simplex, a zero first direction, twin axes of depth.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -86,7 +86,7 @@ void fill_contained(Draw& draw, double hardness, Case& problem) {
   for (int i = 0; i < 3; ++i) v[i] = draw.on_grid(16);
   v[random.integer(0, 2)] = random.once_in(2) ? 64 : -64;
   if (random.once_in(3)) v = Vec3<double>(0, 0, v[2] < 0 ? -64 : 64);
-  // Starts contained, half of the time; or comes to the middle at a quarter or a half; or has left it.
+  // The body starts contained half of the time, comes to the middle at a quarter or a half, or has left it.
   double t0 = 0;
   if (!random.once_in(2)) {
     constexpr double kMeetings[] = {0.25, 0.5, 0.5, -0.25, -0.5};

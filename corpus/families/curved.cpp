@@ -1,6 +1,6 @@
 // curved: pairs among all ten shapes, one of them round more often than not, thinned. Hardness: k, the thin
-// extents are 10^-k of the others: needles, disks, blades; a curvature of 10^2k beside a flat side. The path
-// aims at the middle of a side, or past it by the thin extents.
+// extents are 10^-k of the others. This gives needles, disks and blades, with a curvature of 10^2k beside a
+// flat side. The path aims at the middle of a side, or past it by the thin extents.
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {

@@ -10,7 +10,7 @@
 namespace graze::corpus {
 namespace {
 
-// The least positive multiple below which a capped hull's other vertices stay (length; sizes are about 4).
+// A capped hull's other vertices stay below the cap by at least this multiple (length, sizes are about 4).
 constexpr double kBelowCap = 0.25;
 
 Shape<double> negated(const Shape<double>& shape) {
@@ -427,8 +427,8 @@ void approach(Draw& draw, Case& problem) {
     const double away = draw.snap(random.uniform(8, 24));
     start[axis] = random.once_in(2) ? away : -away;
   }
-  // Aimed at a point near A's middle; far enough off to miss now and then, and not always far enough to
-  // arrive.
+  // Aimed at a point near A's middle. The start is far enough off to miss now and then, and not always far
+  // enough to arrive.
   const Vec3<double> target = draw.vector(5);
   const double reach = random.uniform(0.5, 2);
   Vec3<double> position, v;

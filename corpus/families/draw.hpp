@@ -1,8 +1,7 @@
-// What the families draw with: coordinates of three kinds, shapes, poses, motions.
+// The drawing tools of the families: coordinates of three kinds, shapes, poses, motions.
 //
-// Grid. Tie families need sums that are exact, so beside free coordinates there are those on a grid:
-// multiples of 2^-10 (float), 2^-30 (double) or 1 (integer), below 2^12 in magnitude; sums of a few of them
-// are exact.
+// Grid. Tie families need exact sums. Therefore there are grid coordinates beside the free ones: multiples of
+// 2^-10 (float), 2^-30 (double) or 1 (integer), below 2^12 in magnitude. Sums of a few of them are exact.
 #pragma once
 
 #include "corpus/case.hpp"
@@ -12,14 +11,14 @@ namespace graze::corpus {
 
 enum class Coordinates { floats, doubles, integers };
 
-// q x conj(q) / |q|^2 in doubles; exact where every product and quotient is.
+// q x conj(q) / |q|^2 in doubles. It is exact if every product and quotient is.
 [[nodiscard]] Vec3<double> rotate(const Quaternion<double>& q, const Vec3<double>& x);
 [[nodiscard]] Quaternion<double> multiply(const Quaternion<double>& l, const Quaternion<double>& r);
 // The radius of a ball about the body's origin that holds the shape, rounded up.
 [[nodiscard]] double bounding_radius(const Shape<double>& shape);
-// x rounded to the 24 bits of a float (Veltkamp's splitting; Dekker 1971), for |x| within 2^-126 .. 2^100.
-// Not by a conversion to float and back: g++ 12 vectorises three of those in a row, at -O2, to no rounding at
-// all.
+// x rounded to the 24 bits of a float (Veltkamp's splitting, Dekker 1971), for |x| within 2^-126 .. 2^100. A
+// conversion to float and back is not used, because g++ 12 at -O2 vectorises three of those in a row and
+// drops the rounding.
 [[nodiscard]] double round_to_float(double x);
 // 10^k, k an integer: exact up to 22, correctly rounded for -22 and above.
 [[nodiscard]] double power_of_ten(int k);
@@ -42,7 +41,7 @@ class Draw {
   // Free coordinates, |x| <= reach.
   double coordinate(double reach);
   Vec3<double> vector(double reach);
-  // Grid coordinates, |x| <= reach; a positive one is at least a grid step.
+  // Grid coordinates, |x| <= reach. A positive one is at least a grid step.
   double on_grid(double reach);
   double positive_on_grid(double reach);
   double grid_step() const;
@@ -56,8 +55,8 @@ class Draw {
   // Point, sphere, box or hull of `vertices` vertices within |x_i| <= reach.
   Shape<double> shape(double reach, int vertices);
   Shape<double> hull(double reach, int vertices);
-  // One of the ten that are no combinators. Each extent is 0.5 .. reach, kept, or times 10^-thinness, or
-  // times a power of ten between, or, one in twelve, 0; what has vertices is thinned along an axis.
+  // One of the ten shapes that are not combinators. Each extent is 0.5 .. reach, kept, or times 10^-thinness,
+  // or times a power of ten between, or, one in twelve, 0. Shapes with vertices are thinned along an axis.
   Shape<double> leaf(double reach, int thinness);
   // Without corners, or with two at most: what may be summed many times.
   Shape<double> smooth_leaf(double reach, int thinness);
@@ -95,16 +94,17 @@ void vary_time_scale(Draw& draw, Case& problem);
 // Turns the whole scene by a cube rotation, exactly: into the poses, or, where they are identities, half of
 // the time into boxes, hulls, spheres and points.
 void turn_exactly(Draw& draw, Case& problem);
-// Turns the whole scene by an integer quaternion; positions and displacements are rounded to the kind of
+// Turns the whole scene by an integer quaternion. Positions and displacements are rounded to the kind of
 // coordinate (floats or doubles).
 void turn_rounded(Draw& draw, Case& problem);
-// Puts B on a path that brings a point of its bounding box, its middle or the middle of a side, to one of A's
-// at a time in 0 .. 2, or beside it by `miss` at most along each axis. A has its pose; B gets its
-// position, v is of length 8 to 40, and the horizon is drawn.
+// Puts B on a path that brings a point of B's bounding box to a point of A's. Each point is the middle of the
+// box or the middle of a side. The meeting time is in 0 .. 2. The points may miss each other by `miss` at
+// most along each axis. A has its pose. B gets its position, v is of length 8 to 40, and the horizon is
+// drawn.
 void aim(Draw& draw, Case& problem, double miss);
-// Places A near the origin and B 8 to 24 along an axis away, one time in ten nearer, and sends B to a point
-// near A's middle, far enough off to miss now and then, and not always far enough to arrive. Draws the
-// horizon, the scale of time and which body is which. The shapes are 4 in size, and have their poses.
+// Places A near the origin and B 8 to 24 away along an axis, one time in ten nearer. Sends B to a point near
+// A's middle, far enough off to miss now and then, and not always far enough to arrive. Draws the horizon,
+// the scale of time and which body is which. The shapes are 4 in size, and have their poses.
 void approach(Draw& draw, Case& problem);
 // Swaps A and B once in two.
 void maybe_swap(Draw& draw, Case& problem);

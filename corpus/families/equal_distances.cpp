@@ -1,12 +1,14 @@
 // equal_distances: a polytope with many faces, edges or corners at one distance, and a small body in the
 // middle of them. Hardness: k, about 2^k corners.
 //
-// Pyramids, double pyramids, prisms and frusta over a regular polygon, whose sides are equally near to every
-// point of the axis, and hulls of points of one sphere, half of them with -x for every x. The other body is
-// on the axis, within the tip, in the middle or on its way there, off it by nothing or by 10^-j, j drawn: a
-// point, a ball, a segment along the axis, a small box or a smaller copy. What breaks: a search for the face
-// of least depth that must open nearly all of them, in whatever room it has, and a stop that waits for one
-// to be nearer than the rest.
+// The polytopes are pyramids, double pyramids, prisms and frusta over a regular polygon, whose sides are
+// equally near to every point of the axis. Others are hulls of points of one sphere, half of them with -x for
+// every x. The other body is a point, a ball, a segment along the axis, a small box or a smaller copy. It is
+// on the axis, within the tip, in the middle or on its way there. Its offset from there is 0 or 10^-j, j
+// drawn.
+//
+// This breaks a search for the face of least depth that must open nearly all of them, however large its
+// storage is. It also breaks a stopping test that waits for one face to be nearer than the rest.
 #include <algorithm>
 #include <cmath>
 
@@ -103,7 +105,7 @@ void fill_equal_distances(Draw& draw, double hardness, Case& problem) {
   const double off = j > kLastOffset ? 0 : 4 * power_of_ten(-j);
   Vec3<double> meeting = Vec3<double>::Zero();
   for (int i = 0; i < 2; ++i) meeting[i] = off * random.integer(-1, 1);
-  // In the middle; within the tip, or just out of it.
+  // In the middle, within the tip, or just out of it.
   constexpr double kHeights[] = {0, 0, 0.5, 0.9, 1, 1.25};
   meeting[2] = kHeights[random.below(std::size(kHeights))] * around.tip;
   Vec3<double> v(0, 0, random.once_in(2) ? 32 : -32);

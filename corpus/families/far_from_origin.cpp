@@ -1,5 +1,5 @@
-// far_from_origin: a random pair moved away from the origin by 10^k along some axes. Hardness: k.
-// Offsets are in the positions; of full doubles, one time in three, in the vertices of the hulls instead.
+// far_from_origin: a random pair moved away from the origin by 10^k along some axes. Hardness: k. Offsets are
+// in the positions. With full doubles, one time in three, they are in the vertices of the hulls instead.
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {

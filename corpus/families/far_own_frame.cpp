@@ -1,8 +1,8 @@
 // far_own_frame: two bodies, one of them or both 10^k out in their own frames, meet near the origin.
-// Hardness: k. Nothing of the offset is in the world: positions take it back, to the rounding of a number of
-// that size. `far_from_origin` has the offset in the world, and both bodies there.
-// What breaks: who rotates a vertex before subtracting, who measures a body from the origin of its frame, and
-// whose bound of rounding knows the size of the body only.
+// Hardness: k. The offset does not appear in the world: positions cancel it, up to the rounding of a number
+// of that size. `far_from_origin` has the offset in the world, and both bodies there. This breaks code that
+// rotates a vertex before subtracting, code that measures a body from the origin of its frame, and a rounding
+// bound that uses the size of the body only.
 #include "corpus/families/far_own_frame.hpp"
 
 #include "corpus/families/families_list.hpp"

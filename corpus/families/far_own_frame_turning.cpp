@@ -1,12 +1,12 @@
-// far_own_frame_turning: bodies that lie 2^k out in their own frames, turning and at rest; positions bring
+// far_own_frame_turning: bodies that lie 2^k out in their own frames, rotating and at rest. Positions bring
 // them back, and the pivots are out there with them. Hardness: k.
 //
-// Half of them are any shapes that meet. The others are rods that come tip to tip: a rod turns about a point
-// of its own through the line to the other, which rests on that line or comes through it at the same time,
-// and the tips pass at, or reach to, a few units in the last place of 2^k or a part of one, 2^-35 at least:
-// what a body's reach is measured with when the size of its frame is forgotten. Balls about the pivots are as
-// near there as the rods. Tips and pivots are the differences of doubles that far out, so what was drawn is
-// exact to the rounding of a position, u 2^k.
+// Half of them are any shapes that meet. The others are rods that come tip to tip. A rod turns about a point
+// of its own through the line to the other rod, which rests on that line or comes through it at the same
+// time. The tips pass at, or reach to, a few units in the last place of 2^k or a part of one, at least 2^-35.
+// This is the accuracy of a body's reach when the size of its frame is ignored. Near that point, balls about
+// the pivots are as close as the rods. Tips and pivots are the differences of doubles that far out, so the
+// drawn values are exact to the rounding of a position, u 2^k.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +17,8 @@
 namespace graze::corpus {
 namespace {
 
-// From base to tip; a solid one is as thick along y and z. Two that are not lie in one plane, and meet
-// without a depth.
+// A rod from base to tip. A solid one is as thick along y and z. Two rods that are not solid lie in one
+// plane, and meet without a depth.
 Shape<double> rod(Draw& draw, const Vec3<double>& base, const Vec3<double>& tip, double thick, bool solid) {
   Random& random = draw.random;
   const Vec3<double> along(tip[0] - base[0], 0, 0);
@@ -53,8 +53,8 @@ double place_rod(Draw& draw, Body<double>& body, Spin& spin, const Vec3<double>&
                  int exponent, bool solid) {
   Random& random = draw.random;
   const double length = random.uniform(1, 4), behind = random.uniform(-0.9, 0.9) * length;
-  // Wide enough that a position's rounding does not make tips pass side by side; thin enough that the ball
-  // about a rod is no larger than the rod but by a unit in the last place, thick^2 / length.
+  // Wide enough that a position's rounding does not make tips pass side by side. Thin enough that the ball
+  // about a rod is larger than the rod by at most a unit in the last place, thick^2 / length.
   const int widest = std::clamp((exponent - 56) / 2, -20, -6);
   const double thick =
       std::scalbn(1.0, random.integer(std::min(widest, std::max(-30, exponent - 48)), widest));
@@ -80,8 +80,8 @@ void tip_to_tip(Draw& draw, double hardness, Case& problem) {
   const int solid = random.integer(0, 2);  // A, B, or both
   const double reach_a = place_rod(draw, problem.a, problem.spin_a, out_a, 1, exponent, solid != 1),
                reach_b = place_rod(draw, problem.b, problem.spin_b, out_b, -1, exponent, solid != 0);
-  // From an eighth of a unit in the last place of 2^k to two of them; the middle of two vertices out there
-  // loses half of one.
+  // From an eighth of a unit in the last place of 2^k to two of them. The middle of two vertices out there
+  // loses half of a unit.
   const double fine = std::max(0x1p-35, power_of_two(exponent - 52 + random.integer(-4, 0)));
   const double gap = random.once_in(3) ? fine : -fine;
 
@@ -99,7 +99,7 @@ void tip_to_tip(Draw& draw, double hardness, Case& problem) {
   };
   come(problem.a, problem.spin_a);
   if (!later && random.once_in(2)) problem.spin_a.rotation[2] /= 1024;
-  // B too, or it rests; its pivot then means nothing, wherever it is.
+  // B rotates too, or it rests. Its pivot then has no meaning, wherever it is.
   if (random.once_in(3)) {
     come(problem.b, problem.spin_b);
   } else {
@@ -110,7 +110,7 @@ void tip_to_tip(Draw& draw, double hardness, Case& problem) {
     problem.a.position[i] = 0 - a[i];
     problem.b.position[i] = 0 - b[i];
   }
-  // B's tip is at the origin, exactly where it rests; A's has every digit of the gap where A is not far out.
+  // B's tip is exactly at the origin if B rests. A's tip has every digit of the gap if A is not far out.
   problem.a.position[0] = (0 - a[0]) - (reach_a + gap);
   problem.b.position[0] = reach_b - b[0];
 }

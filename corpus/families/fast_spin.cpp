@@ -1,7 +1,6 @@
-// fast_spin: one body, or both, turns by up to 2^k radians over the step while the other passes near. Within
-// a turn the contact comes and goes; a bound on the speed of its points is as large as the turns are many.
-// Hardness: k. The bodies meet, or pass each other, at a time that is drawn, at poses that are rational
-// there.
+// fast_spin: one body, or both, rotates by up to 2^k radians over the step while the other passes near.
+// Within a turn the contact comes and goes. A bound on the speed of its points grows with the number of
+// turns. Hardness: k. The bodies meet, or pass each other, at a drawn time, with rational poses at that time.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/turning.hpp"
 

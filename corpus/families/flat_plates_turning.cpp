@@ -1,11 +1,13 @@
-// flat_plates_turning: a point or a small body is shot through a plate without thickness that turns.
-// Hardness: k, the body is 10^-k in size, and from 17 on a point.
+// flat_plates_turning: a point or a small body is shot through a rotating plate without thickness. Hardness:
+// k, the body is 10^-k in size, and from 17 on a point.
 //
-// The plate is a box, a disk, an ellipse, a triangle or a hull in one plane; it turns by a fraction of a radian or by a
-// few, and the other spins as fast as it likes. They come together at a time that is drawn, at a point of the
-// plate or beside it. Before and after the moment of contact the bodies are apart: there is no depth, so
-// contact is shown by a crossing or not at all. What breaks: a proof of contact by an overlap, and a march
-// that comes to a stop before the plate and answers neither.
+// The plate is a box, a disk, an ellipse, a triangle or a hull in one plane. It turns by a fraction of a
+// radian or by a few. The other body spins at any speed. They come together at a drawn time, at a point of
+// the plate or beside it. Before and after the moment of contact the bodies are apart. There is no depth, so
+// only a crossing can show contact.
+//
+// This breaks a proof of contact by an overlap, and a march that stops before the plate and gives neither
+// answer.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"

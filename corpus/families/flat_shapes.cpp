@@ -4,9 +4,8 @@
 //
 // Exact: the thin coordinates are -1, 0 or 1 times 10^-k (rounded to float with floats and integers), the
 // others reach 1 to 4 from the middle. In one plane, positions and motion lie in z = 0, or a thickness above
-// it, and a rotation of the cube keeps that.
-// What breaks: C is flat too, so a simplex is a triangle or a segment for good, its volume 0 or noise, and a
-// barycentric divisor vanishes.
+// it, and a rotation of the cube keeps that. Difficulty: C is flat too, so a simplex stays a triangle or a
+// segment, its volume is 0 or noise, and a barycentric divisor vanishes.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +18,7 @@ constexpr int kLastThick = 16;
 
 struct Flat {
   double thickness = 0;  // half extent along the thin axes (length)
-  int thick_axes = 2;    // x, or x and y; the others are thin
+  int thick_axes = 2;    // x, or x and y (the others are thin)
 };
 
 Vec3<double> flat_point(Draw& draw, const Flat& flat) {
@@ -70,7 +69,7 @@ Shape<double> partner(Draw& draw, const Flat& flat) {
   return flat_shape(draw, flat);
 }
 
-// Both thin along the same axes; the path lies in their plane (line) or a thickness off it.
+// Both are thin along the same axes. The path lies in their plane (line) or a thickness off it.
 void fill_in_one_plane(Draw& draw, const Flat& flat, Case& problem) {
   Random& random = draw.random;
   problem.b.shape = partner(draw, flat);

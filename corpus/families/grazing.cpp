@@ -1,17 +1,19 @@
 // grazing_vertex, grazing_edge, grazing_face: the path passes a vertex, an edge or a face of C at a distance
-// of 10^-k, above (a miss whose clearance it is) or below (a hit whose depth is at most that; now and then a
-// miss by less, where C is flat and the path lies in a plane beside it). Hardness: k.
+// of 10^-k. Hardness: k. Above the feature this is a miss with that clearance. Below it is a hit with at most
+// that depth. Now and then it is a miss by less, if C is flat and the path lies in a plane beside it.
 //
 // Frame and construction: pass_over in topped.hpp. C's top feature is the sum of A's and of B's mirrored
-// bottom: a vertex of two vertices; an edge of an edge and a vertex, or of two parallel edges; a face of a
-// face and anything, or of two edges that cross. The path lies over it: over an edge across or along it; over
-// a face it is support ties all the way. Clearance and depth stay exact unless full doubles are turned: delta
-// is then known to within 4 u times the coordinates (about 32), and from k = 15 on the side is the
-// rounding's.
+// bottom:
+//   vertex   two vertices,
+//   edge     an edge and a vertex, or two parallel edges,
+//   face     a face and any feature, or two edges that cross.
+// The path lies over it, along or across an edge. Over a face, supports tie along the whole path. Clearance
+// and depth stay exact unless full doubles are turned. Then delta is known to within 4 u times the
+// coordinates (about 32), and from k = 15 on rounding decides the side.
 //
-// What breaks: a method that stops when "near" turns the miss into a hit; one whose normal is off by an angle
-// e reports a time that is off by 10^-k / e; a ray cast that clips against a plane of its simplex loses the
-// sign of a height of the size of its rounding.
+// This breaks three kinds of methods. A method that stops when "near" turns the miss into a hit. A method
+// whose normal is off by an angle e reports a time that is off by 10^-k / e. A ray cast that clips against a
+// plane of its simplex loses the sign of a height of the size of its rounding.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/placing.hpp"
 #include "corpus/families/topped.hpp"

@@ -1,9 +1,9 @@
 // lattice: shapes, positions and motion on ever coarser lattices. Hardness: k, the coordinates of shapes are
-// integers of -2^(6-k) .. 2^(6-k); positions and velocities are small integer multiples of such. The fraction
-// of the 26 directions of -1, 0, 1 in which C's support is no single vertex grows with it.
+// integers of -2^(6-k) .. 2^(6-k). Positions and velocities are small integer multiples of such. With k grows
+// the fraction of the 26 directions of -1, 0, 1 in which C's support is not a single vertex.
 //
-// Exact: integers below 2^12 alone, and poses that are rotations of the cube.
-// What breaks: support ties at every step, the origin on faces and edges of the simplex, starts that touch.
+// Exact: integers below 2^12 alone, and poses that are rotations of the cube. Difficulties: support ties at
+// every step, the origin on faces and edges of the simplex, starts that touch.
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {

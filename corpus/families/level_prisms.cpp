@@ -1,13 +1,17 @@
-// level_prisms: two prisms, their ends exactly level and at one height or nearly, their edges upright but for
-// 10^-k. Hardness: k.
+// level_prisms: two prisms, their ends exactly level and at one height or nearly, their edges upright except
+// for 10^-k. Hardness: k.
 //
-// A ring of three to six corners stands at two heights, the same to the bit. One body's edges lean by 10^-k:
-// its upper ring is moved by that, or its orientation is a quarter of a turn and a little more; or it is a
-// copy of the other body with noise of 10^-k across. So edges of one are parallel to edges of the other, ends
-// lie in one plane, and what A - B has there are slivers of faces whose normals agree to 10^-k. The motion is
-// level, or along the edges, or any; it goes by beside the other body as often as into it. What breaks: a
-// simplex of corners that are 10^-k from being in one plane, a projection on it, and a stop that waits for a
-// support to repeat among ends that tie.
+// A ring of three to six corners stands at two heights, the same to the bit. One body's edges lean by 10^-k,
+// in one of three ways:
+//   - its upper ring is moved by that,
+//   - its orientation is a quarter of a turn and a little more,
+//   - it is a copy of the other body with noise of 10^-k across.
+// So edges of one body are parallel to edges of the other, ends lie in one plane, and A - B has slivers of
+// faces there whose normals agree to 10^-k. The motion is level, or along the edges, or any. It passes beside
+// the other body as often as it goes into it.
+//
+// This breaks a simplex of corners that are 10^-k from being in one plane, a projection on it, and a stopping
+// test that waits for a support to repeat among ends that tie.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +34,7 @@ Prism prism(Draw& draw, double size) {
   Prism out;
   const int corners = random.integer(3, 6);
   const bool regular = random.once_in(2);
-  // Of a regular pentagon and hexagon, to six decimals; else corners of any triangle to hexagon.
+  // Corners of a regular pentagon and hexagon, to six decimals. Otherwise corners of any triangle to hexagon.
   constexpr double kFive[][2] = {
       {1, 0}, {0.309017, 0.951057}, {-0.809017, 0.587785}, {-0.809017, -0.587785}, {0.309017, -0.951057}};
   constexpr double kSix[][2] = {{1, 0},  {0.5, 0.866025},   {-0.5, 0.866025},
@@ -58,7 +62,7 @@ Shape<double> upright(const Prism& prism, const Vec3<double>& lean) {
   return Hull<double>(std::span<const Vec3<double>>(list));
 }
 
-// Along x in its own frame; turned upright, or so, by a quaternion that is not.
+// Lies along x in its own frame. A quaternion turns it upright, exactly or nearly.
 void lay_down(Draw& draw, Body<double>& body, const Prism& prism, double unit) {
   Random& random = draw.random;
   std::vector<Vec3<double>> list;
@@ -107,7 +111,7 @@ void fill_level_prisms(Draw& draw, double hardness, Case& problem) {
   }
   if (way < 2) v[2] = random.once_in(2) ? 40 : -40;
   if (way == 2) v[random.integer(0, 1)] = 0;
-  // Beside each other across the way, by as much as the bodies are wide or less; level, or nearly.
+  // Beside each other across the way, by at most the width of the bodies, level or nearly.
   const double width = random.once_in(3) ? 0.6 : 2.5;
   Vec3<double> beside = Vec3<double>::Zero();
   for (int i = 0; i < 2; ++i) beside[i] = random.uniform(-width, width);

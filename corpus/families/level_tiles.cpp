@@ -1,12 +1,14 @@
-// level_tiles: a body slides or rolls, yawing, onto a tile that is level with what it came from. Hardness: k,
-// its height above the tile is 10^-k, either way; from 17 on exactly 0.
+// level_tiles: a body slides or rolls, yawing, onto a tile that is level with the floor it came from.
+// Hardness: k, its height above the tile is 10^-k, either way. From 17 on it is exactly 0.
 //
-// The tile's top is z = 0, the body's lowest feature is at that height, on the grid, and a turn about z
-// moves no height: a body that slides touches the tile at the moment at which it reaches its rim, and stays
-// in touch, or hovers, or its rim meets the tile's wall at the lowest corner. What rolls turns about its own
-// axis as well, and its axis then dips by the product of the two turns. Most start beside the tile, one in
-// six on it, and one in six passes by. What breaks: contact is never deeper than the rounding, so there is
-// none to prove; and a march that must get there gains less with every step.
+// The tile's top is z = 0, the body's lowest feature is at that height, on the grid, and a turn about z moves
+// no height. A sliding body touches the tile at the moment at which it reaches its rim, and stays in touch,
+// or hovers, or its rim meets the tile's wall at the lowest corner. A rolling body turns about its own axis
+// as well, and its axis then dips by the product of the two turns. Most start beside the tile, one in six on
+// it, and one in six passes by.
+//
+// Difficulties: contact is never deeper than the rounding, so no depth can be proved. A march that must get
+// there gains less with every step.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -60,11 +62,11 @@ void fill_level_tiles(Draw& draw, double hardness, Case& problem) {
   const Topped below = tile(draw), above = rolls ? roller(draw) : standing(draw, 4);
   problem.a = {.shape = below.shape, .position = below.position, .orientation = below.orientation};
   problem.b = {.shape = above.shape, .position = above.position, .orientation = above.orientation};
-  // The tile takes what the body's own height cannot: B's is height and nothing else.
+  // The tile takes the part that the body's own height cannot: B's position is exactly the height.
   problem.a.position[2] -= above.position[2];
   problem.b.position[2] = height;
 
-  // From beside the tile onto it, within the step or the next; or on it; or past it.
+  // From beside the tile onto it within this step or the next, or on it, or past it.
   const double reach = std::floor(reach_of(below) + reach_of(above)) + 1;
   const bool fast = random.once_in(2);
   const double along = fast ? draw.positive_on_grid(8) : draw.real(random.uniform(0.01, 0.25));
@@ -82,7 +84,7 @@ void fill_level_tiles(Draw& draw, double hardness, Case& problem) {
   const double yaw = draw.real(random.once_in(2) ? random.uniform(-2, 2) : random.uniform(-0.05, 0.05));
   problem.spin_b.rotation = Vec3<double>(0, 0, yaw);
   if (rolls) {
-    // As fast as it goes; its yaw none, slight or any.
+    // It rolls as fast as it moves. Its yaw is zero, slight or any.
     const double radius = above.position[2];
     problem.spin_b.rotation[1] = draw.real(v[0] / radius);
     if (!random.once_in(4))

@@ -1,16 +1,16 @@
-// long_arms: both bodies on arms of 2^k turn as one, or nearly so, and stand near each other: what matters is
-// the difference of two motions, each of which is 2^k times as large as the bodies. Hardness: k.
+// long_arms: both bodies, on arms of 2^k, rotate as one or nearly so, and stand near each other. The
+// difference of the two motions decides, and each motion is 2^k times as large as the bodies. Hardness: k.
 //
 // In the axes that turn with A, and with one rotation vector w for both, B moves by (R(wt)^-1 - 1) d, where d
-// is the difference of the pivots: nothing but what of d lies across w. With rotation vectors that differ by
+// is the difference of the pivots. Only the part of d across w counts. With rotation vectors that differ by
 // dw about one point, c away, it moves by about dw x c. So, a third of the cases each:
 //   pivots   one w, a multiple of small integers, and pivots apart by nearly a multiple of it, or by nearly
-//            nothing: they leave its direction by one or two units in the last place of 2^k;
-//   axes     one pivot, to rounding, and axes that are parallel but for a unit in the last place or two; half
-//            have round bodies, one behind the other along w, where n x w comes out as 0;
+//            nothing: they leave its direction by one or two units in the last place of 2^k,
+//   axes     one pivot, to rounding, and axes that are parallel except for a unit in the last place or two. Half
+//            have round bodies, one behind the other along w, where n x w comes out as 0,
 //   speeds   one pivot, and rotation vectors that differ by 2^-j of 1/2^k, j drawn.
-// What B moves by so is `swing`, 2^-34 at least, and the bodies start within half of it of each other, or
-// up to a fifth of it deep: about a quarter in contact at the start, and as many meet later.
+// B's motion relative to A is `swing`, at least 2^-34. The bodies start within half of it of each other, or
+// up to a fifth of it deep. About a quarter are in contact at the start, and as many meet later.
 #include <algorithm>
 #include <cmath>
 
@@ -96,7 +96,7 @@ void line_up(Draw& draw, Case& problem, const Vec3<double>& along, double swing)
   problem.b.position = Vec3<double>(far * along[0], far * along[1], far * along[2]);
 }
 
-// Both pivots, given as points of the world; the bodies are not turned yet.
+// Both pivots, given as points of the world. The bodies are not turned yet.
 void set_pivots(Case& problem, const Vec3<double>& a, const Vec3<double>& b) {
   for (int i = 0; i < 3; ++i) {
     problem.spin_a.pivot[i] = a[i] - problem.a.position[i];
@@ -110,7 +110,7 @@ void pivots_apart(Draw& draw, double arm, double step, Case& problem) {
   const Vec3<double> along = small_integers(random, random.once_in(4) ? 4 : 1);
   problem.spin_a.rotation = exactly_along(along, random.uniform(0.5, 8));
   problem.spin_b.rotation = problem.spin_a.rotation;
-  // About points beside the bodies, or out on an arm; apart along w by an arm, or not at all.
+  // The pivots are beside the bodies, or out on an arm. They are apart along w by an arm, or not at all.
   Vec3<double> a = Vec3<double>::Zero();
   const bool far = random.once_in(2);
   if (far) {

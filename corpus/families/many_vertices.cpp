@@ -1,11 +1,15 @@
 // many_vertices: hulls of 2^k vertices, all of them corners. Hardness: k.
 //
-// Kinds: rational points of a sphere; a cap of the paraboloid z = -s (x^2 + y^2) over a lattice, flat where s
-// is small; a prism over a polygon, its two faces of half the vertices each exactly plane; and the same with
-// the corners of the top lowered by 2^-38 at most, or, with floats, by 2^-17, a ring of nearly coplanar
-// triangles. Half of the hulls are handed in with the graph of their faces, which methods climb on. The other
-// body is small. What breaks: a climb that stops on a plateau or at a neighbour that is as high, a face
-// normal of three neighbours in a row, a simplex of nearly coplanar supports.
+// Kinds:
+//   - rational points of a sphere,
+//   - a cap of the paraboloid z = -s (x^2 + y^2) over a lattice, flat where s is small,
+//   - a prism over a polygon, its two faces of half the vertices each exactly plane,
+//   - the same with the corners of the top lowered by 2^-38 at most, or, with floats, by 2^-17, a ring of
+//     nearly coplanar triangles.
+// Half of the hulls come with the graph of their faces, which methods climb on. The other body is small.
+//
+// This breaks a climb that stops on a plateau or at a neighbour that is as high, a face normal of three
+// neighbours in a row, and a simplex of nearly coplanar supports.
 #include <algorithm>
 #include <cmath>
 #include <graze/hull.hpp>
@@ -57,7 +61,7 @@ Points on_cap(Draw& draw, int count) {
   return list;
 }
 
-// Two rings of count / 2 points of a circle, at z = h and z = -h; with `lowered`, the upper one's corners are
+// Two rings of count / 2 points of a circle, at z = h and z = -h. With `lowered`, the upper one's corners are
 // 0, 1 or 2 units lower.
 Points prism(Draw& draw, int count, bool lowered) {
   const double r = size_of(draw), height = r / 2;

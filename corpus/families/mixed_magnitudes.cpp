@@ -1,11 +1,12 @@
-// mixed_magnitudes: coordinates of very different size within one case, in sums and nested poses.
-// Hardness: k, exponents of 10 go from -k to k.
+// mixed_magnitudes: coordinates of very different size within one case, in sums and nested poses. Hardness:
+// k, exponents of 10 go from -k to k.
 //
-// Each coordinate is 0, or 1, 1.5 or any digits times its own power of ten; orientations are integers, or
-// lean from one by such a number. Half of the motions lead B's origin through A's, exactly where position and
-// displacement are each other's negatives, as those of a body that flies home are; others are of any size.
-// What breaks: intermediate squares and products of what is in range, scales taken from the largest number
-// where the least decides, and supports that tie in every digit but those that were rounded away.
+// Each coordinate is 0, or 1, 1.5 or any digits times its own power of ten. Orientations are integers, or
+// lean from one by such a number. Half of the motions lead B's origin exactly through A's, where position and
+// displacement are each other's negatives, as for a body that flies home. Others are of any size.
+//
+// Difficulties: intermediate squares and products of values in range, scales taken from the largest number
+// where the least decides, and supports that tie in every digit except those that were rounded away.
 #include <algorithm>
 #include <cmath>
 #include <utility>

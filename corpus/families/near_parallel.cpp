@@ -1,16 +1,18 @@
 // parallel_faces: a small body falls face down on a large plate, the two faces parallel to within 10^-k
 // radians. parallel_edges: an edge meets an edge that crosses it at an angle of 10^-k. Hardness: k.
 //
-// The tilt is exact however small: the tilted face is a parallelogram about the body's origin, whose corners'
-// z-coordinates are the tilt times their distance and nothing else; the tilted edge likewise. Or the body is
-// a box, turned by the quaternion (1, x, y, 0) of half the tilt. A scene with such corners is turned by a
-// rotation of the cube, into the hulls or the poses, one with such a quaternion by half turns only: anything
-// else would round the tilt away.
+// The tilt is exact however small. The tilted face is a parallelogram about the body's origin, and the
+// z-coordinates of its corners are exactly the tilt times their distance. The tilted edge is built in the
+// same way. Or the body is a box, turned by the quaternion (1, x, y, 0) of half the tilt. A scene with such
+// corners is turned by a rotation of the cube, into the hulls or the poses. A scene with such a quaternion is
+// turned by half turns only. Any other rotation would round the tilt away.
 //
-// What breaks: which corner comes first is decided by 10^-k, and a wrong one leaves the normal 10^-k off;
-// the faces of C that meet are nearly one plane, so a simplex of theirs is flat, and the polytope of an EPA
-// or MPR is refined for no gain; the normal of crossing edges is the cross product of two that are nearly
-// parallel, and the face of C that holds the contact is 10^-k wide.
+// Difficulties:
+//   - 10^-k decides which corner comes first, and a wrong one leaves the normal 10^-k off,
+//   - the faces of C that meet are nearly one plane, so a simplex of theirs is flat, and the polytope of an EPA
+//     or MPR is refined for no gain,
+//   - the normal of crossing edges is the cross product of two that are nearly parallel, and the face of C that
+//     holds the contact is 10^-k wide.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +29,7 @@ struct Slope {
   double x = 0, y = 0;
 };
 
-// Of length 1.
+// A slope of length 1.
 Slope unit_slope(Random& random) {
   constexpr Slope kSlopes[] = {{1, 0}, {0, 1}, {0.6, 0.8}, {-0.8, 0.6}, {-0.28, 0.96}};
   return kSlopes[random.below(std::size(kSlopes))];

@@ -1,14 +1,15 @@
-// needles: long thin bodies, length 10^k times the width, that meet near their ends. plates: flat ones,
-// width 10^k times the thickness, that meet flat on flat, edge on edge and edge on flat, near their rims.
-// Hardness: k. The larger extent is 4 times a power of ten between 1 and 10^k, so that the small one is at
-// most 4.
+// needles: long thin bodies, length 10^k times the width, that meet near their ends. plates: flat ones, width
+// 10^k times the thickness, that meet flat on flat, edge on edge and edge on flat, near their rims. Hardness:
+// k. The larger extent is 4 times a power of ten between 1 and 10^k, so that the small one is at most 4.
 //
-// The path is as long as the body, or as the body is thin: in the second case both bodies reach far past the
-// scene that decides.
+// The path is as long as the body, or as short as the body is thin. In the second case both bodies reach far
+// past the deciding part of the scene.
 //
-// What breaks: supports of size L meet in a contact of size L 10^-k, so a direction that is off by u loses k
-// digits; an interior point in the middle sees the contact at an angle of 10^-k (MPR); simplices are slivers;
-// and a tolerance relative to the size is larger than the body is thin.
+// Difficulties:
+//   - supports of size L meet in a contact of size L 10^-k, so a direction that is off by u loses k digits,
+//   - an interior point in the middle sees the contact at an angle of 10^-k (MPR),
+//   - simplices are slivers,
+//   - a tolerance relative to the size is larger than the thickness of the body.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +30,7 @@ Sizes sizes(Draw& draw, int k) {
   return {4 * power_of_ten(up), 4 * power_of_ten(up - k)};
 }
 
-// 1/2 to 1 times the extent; of integers, at least 1.
+// 1/2 to 1 times the extent. With integers it is at least 1.
 double extent(Draw& draw, double full) {
   const double x = draw.snap(full * draw.random.uniform(0.5, 1));
   return draw.coordinates == Coordinates::integers ? std::max(x, 1.0) : x;
@@ -99,7 +100,7 @@ Vec3<double> any_vector(Draw& draw, double size) {
   return v;
 }
 
-// By the small extent, half of the time; else the points meet.
+// The offset is the small extent half of the time. Otherwise the points meet.
 Vec3<double> beside(Random& random, double size) {
   Vec3<double> x = Vec3<double>::Zero();
   if (random.once_in(3)) return x;

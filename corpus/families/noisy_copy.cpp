@@ -2,10 +2,10 @@
 // every coordinate. Hardness: k. They meet corner on corner, pass each other beside their extremes by as much
 // as the noise, or start one in the other.
 //
-// The noise is not rounded to the kind of coordinate that A has: a float or an integer would lose it.
+// The noise is not rounded to the kind of coordinate that A has, because a float or an integer would lose it.
 //
-// What breaks: C is nearly A - A, symmetric, with a copy of every face of A and of its mirror image, each
-// split into slivers by the noise; all the a_i - b_i lie within the noise of one point, so simplices are flat
+// Difficulties: C is nearly A - A, symmetric, with a copy of every face of A and of its mirror image, each
+// split into slivers by the noise. All the a_i - b_i lie within the noise of one point, so simplices are flat
 // or smaller than their rounding, and a test for "the same support again" fails or holds too early.
 #include <utility>
 

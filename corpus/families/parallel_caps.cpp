@@ -1,11 +1,13 @@
-// parallel_caps: prisms that fall cap on cap, the caps parallel but for the last bits. Hardness: k, the
+// parallel_caps: prisms that fall cap on cap, the caps parallel except for the last bits. Hardness: k, the
 // larger has 2^k vertices.
 //
 // A cap is a disk of random points, a regular polygon, or the ring of a cylinder, at a height that is the
-// same but for a few units in the last place; a body often lies far out in its own frame, and the two are
-// turned by one quaternion of four doubles, or by two that differ by a unit in the last place. So every vertex
-// of a cap is as far along the normal as every other, to rounding, and A - B has a face of as many near ties
-// as pairs. What breaks: deciding near ties one by one, each in exact arithmetic.
+// same up to a few units in the last place. A body often lies far out in its own frame. The two bodies are
+// turned by one quaternion of four doubles, or by two that differ by a unit in the last place. So every
+// vertex of a cap is as far along the normal as every other, to rounding, and A - B has a face of as many
+// near ties as pairs.
+//
+// This breaks methods that decide near ties one by one, each in exact arithmetic.
 #include <algorithm>
 #include <cmath>
 
@@ -80,7 +82,7 @@ void fill_parallel_caps(Draw& draw, double hardness, Case& problem) {
   if (random.once_in(2)) q.z = moved_by_units(draw, q.z, random.once_in(2) ? 1 : -1);
   problem.b.orientation = q;
 
-  // Cap to cap, along their normal or at an angle to it; from above, or past each other.
+  // Cap to cap, along their normal or at an angle to it, from above or past each other.
   const double sign = random.once_in(2) ? 1 : -1;
   Vec3<double> way(0, 0, -sign * random.uniform(4, 12));
   if (!random.once_in(3)) {

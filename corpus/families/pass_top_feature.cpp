@@ -1,11 +1,11 @@
-// The path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at the height delta, above
-// it (a miss whose clearance delta is) or below (a hit whose depth is at most -delta).
+// The path passes a top feature (vertex, edge, face, or the pole of a sphere) of C at the height delta. Above
+// the feature this is a miss with clearance delta. Below it is a hit with depth at most -delta.
 //
 // Frame of the construction: C's top plane is z = 0, its top feature holds the origin, v is horizontal. At t0
-// the path is at (0, 0, delta). B's own z-coordinate is delta and nothing else, so it is exact however small.
-// With floats and integers the scene is then turned by a rotation of the cube: clearance and depth stay
-// exact. With full doubles it is turned by any integer quaternion, and positions are rounded: delta is then
-// known to within 4 u times the coordinates (about 16).
+// the path is at (0, 0, delta). B's own z-coordinate is exactly delta, however small. With floats and
+// integers the scene is then turned by a rotation of the cube: clearance and depth stay exact. With full
+// doubles it is turned by any integer quaternion, and positions are rounded. Then delta is known to within 4
+// u times the coordinates (about 16).
 #include "corpus/families/placing.hpp"
 
 namespace graze::corpus {

@@ -1,15 +1,16 @@
-// perpendicular: v makes an angle of 10^-k with the face that it would hit; now and then it lies in the
+// perpendicular: v makes an angle of 10^-k with the face that it would hit. Now and then it lies in the
 // face's plane. Hardness: k.
 //
 // Frame: C's top face is z = 0, of a half width of about 4 to 400, and holds the origin. v = (v_x, v_y, -w)
-// with w = 10^-k |(v_x, v_y)|, and B's own z-coordinate is w t_c and nothing else: the path passes the face's
-// plane at the time t_c, and the origin, or the point above or below it, at t0. It hits the face if it comes
-// through the plane over it, the side before if it comes through sooner, and misses if it does later: by a
-// clearance of about 10^-k times the width.
+// with w = 10^-k |(v_x, v_y)|, and B's own z-coordinate is exactly w t_c. The path passes the face's plane at
+// the time t_c, and the origin, or the point above or below it, at t0. It hits the face if it comes through
+// the plane over the face. It hits the side in front if it comes through sooner. If it comes through later,
+// it misses by a clearance of about 10^-k times the width.
 //
-// What breaks: n.v is a difference that cancels, and a time found by dividing by it is worth k digits less; a
-// bound on it ("if |n.v| < epsilon: parallel, no hit") is wrong however it is chosen; a portal of the line
-// along v lies edge on.
+// Difficulties:
+//   - n.v is a difference that cancels, and a time found by dividing by it loses k digits,
+//   - a bound on it ("if |n.v| < epsilon: parallel, no hit") is wrong however it is chosen,
+//   - a portal of the line along v lies edge on.
 #include <algorithm>
 #include <cmath>
 

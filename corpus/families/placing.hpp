@@ -1,5 +1,5 @@
-// Where bodies meet: what the families of needles, slivers, near-parallel and near-equal bodies are placed
-// by.
+// Placement of bodies at their meeting, for the families of needles, slivers, near-parallel and near-equal
+// bodies.
 #pragma once
 
 #include "corpus/families/draw.hpp"
@@ -15,9 +15,9 @@ void meet(Draw& draw, Case& problem, const Vec3<double>& a, const Vec3<double>& 
           const Vec3<double>& v, double t);
 // A time in 0 .. 2 of the meeting: in most cases within the horizon of 1.
 [[nodiscard]] double meeting_time(Random& random);
-// 1 mostly; 1/2, 4 or infinity.
+// Mostly 1, otherwise 1/2, 4 or infinity.
 void draw_horizon(Random& random, Case& problem);
-// 10^-k as this kind of coordinate; to a double of integers.
+// 10^-k as this kind of coordinate. With integers it is rounded to a double.
 [[nodiscard]] double small_unit(const Draw& draw, double k);
 // Half a turn of the scene about one of the axes, or none: exact whatever the orientations are.
 void turn_by_half_turn(Draw& draw, Case& problem);

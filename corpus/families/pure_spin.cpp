@@ -1,13 +1,13 @@
-// pure_spin: no linear motion at all; a body meets the other by turning alone, about an axis of its own or
-// one that is far outside. Hardness: k, the clearance is 2^-k, or the depth 2^-k at most.
+// pure_spin: no linear motion at all. A body meets the other by rotation alone, about an axis of its own or a
+// distant axis. Hardness: k, the clearance is 2^-k, or the depth 2^-k at most.
 //
-// About an axis of its own it is `spinning_graze` without the sliding, and with longer turns. Far outside:
-// the body is the end of an arm. One vertex of it is at the distance `reach` from the axis, a rational (a
-// Pythagorean triple), the others within reach (1 - 2^-5); the other body stands on the plane that is reach +
-// delta away. The body is not turned at the start, so that position + pivot is exact, and the scene by a
-// rotation of the cube only: clearance and depth are exact with every kind of coordinate.
-// What breaks: bounds from |v| alone, spheres about a pivot that is not within the body, steps that jump over
-// a contact when nothing moves but an angle.
+// About an axis of its own, this is `spinning_graze` without the sliding, and with longer turns. With a
+// distant axis, the body is the end of an arm. One vertex of it is at the distance `reach` from the axis, a
+// rational (a Pythagorean triple), the others within reach (1 - 2^-5). The other body stands on the plane
+// that is reach + delta away. The body is not turned at the start, so that position + pivot is exact, and the
+// scene is turned by a rotation of the cube only. Clearance and depth are exact with every kind of
+// coordinate. Difficulties: bounds from |v| alone, spheres about a pivot that is not within the body, steps
+// that jump over a contact when nothing moves but an angle.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +18,8 @@
 namespace graze::corpus {
 namespace {
 
-// The end of an arm about the axis x through the pivot. In the frame of the pivot (y, z), but for `origin`.
+// The end of an arm about the axis x through the pivot. In the frame of the pivot (y, z), except for
+// `origin`.
 struct Arm {
   Shape<double> shape;  // in its own frame: the pivot is at -origin
   Vec3<double> origin;
@@ -71,8 +72,8 @@ void swing_past(Draw& draw, Case& problem, double delta) {
       wide ? Capped{Box<double>{Vec3<double>(32, 32, height)}, height} : draw.capped_below(4);
   problem.a.shape = turning.shape;
   problem.b.shape = above.shape;
-  // But for the lift, the pivot is on the axis x through (0, 0, -reach), and the plane above is z = delta:
-  // B's own coordinate is that alone, however small, and A's, on the grid, takes the lift.
+  // Except for the lift, the pivot is on the axis x through (0, 0, -reach), and the plane above is z = delta.
+  // B's own coordinate is exactly delta, however small, and A's, on the grid, takes the lift.
   problem.a.position = Vec3<double>(0 + (turning.origin[0] - turning.feature[0]), turning.origin[1],
                                     turning.origin[2] - (turning.reach + above.lift));
   problem.b.position = Vec3<double>(0, 0, delta);
@@ -99,7 +100,8 @@ void fill_pure_spin(Draw& draw, double hardness, Case& problem) {
     return;
   }
   spin_past(draw, problem, delta, 3.7, draw.random.once_in(4) ? 40 : 9);
-  // What slides there, or moves both bodies as one, moves along the plane: the clearance is the same without.
+  // A body that slides there moves along the plane, and so does a common motion of both. The clearance is the
+  // same without that motion.
   problem.a.displacement = Vec3<double>::Zero();
   problem.b.displacement = Vec3<double>::Zero();
 }

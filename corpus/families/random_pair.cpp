@@ -5,7 +5,7 @@ namespace graze::corpus {
 namespace {
 
 void fill_random(Draw& draw, double hardness, Case& problem) {
-  constexpr double kReach = 4;  // size of a shape (length); integers up to 4 keep some variety
+  constexpr double kReach = 4;  // size of a shape (length), where integers up to 4 keep some variety
   Random& random = draw.random;
   const int vertices = static_cast<int>(hardness);
   problem.a.shape = random.once_in(4) ? draw.shape(kReach, vertices) : draw.hull(kReach, vertices);

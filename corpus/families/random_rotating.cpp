@@ -1,6 +1,6 @@
-// random_rotating: two bodies of any shapes with moderate motion, turning by a turn or two at most. Hardness:
-// how deep combinators are nested in one of them; 0 for none. One in six only spins, one body in four does
-// not turn, pivots are anywhere.
+// random_rotating: two bodies of any shapes with moderate motion, rotating by a turn or two at most.
+// Hardness: the nesting depth of combinators in one of them, 0 without combinators. One in six only spins,
+// one body in four does not rotate, pivots are anywhere.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/turning.hpp"
 

@@ -1,12 +1,17 @@
-// rays: a point flies at a feature of a shape, or passes it by 10^-k. Hardness: k; one case in eight has 0.
+// rays: a point flies at a feature of a shape, or passes it by 10^-k. Hardness: k. One case in eight has
+// distance 0.
 //
-// Frame: the shape has a pose, and its feature is a corner, a point of an edge or of a face, the middle or the side of its
-// bounds, or a point on a curved side. The ray comes from anywhere, along one of the shape's own axes, or in the plane of a
-// face. Its start is on the feature one time in eight.
+// Frame: the shape has a pose. Its feature is a corner, a point of an edge or of a face, the middle or the
+// side of its bounds, or a point on a curved side. The ray comes from anywhere, along one of the shape's own
+// axes, or in the plane of a face. Its start is on the feature one time in eight.
 //
-// What breaks: a slab whose direction is 0, and one whose start is on its plane; an edge between two triangles that
-// neither claims; a discriminant that cancels far from the shape; the upper half of the double cone; the end of a capsule
-// that is never asked; the body behind the start.
+// Difficulties:
+//   - a slab whose direction is 0, and one whose start is on its plane,
+//   - an edge between two triangles that neither claims,
+//   - a discriminant that cancels far from the shape,
+//   - the upper half of the double cone,
+//   - the end of a capsule that is never tested,
+//   - the body behind the start.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -17,7 +22,7 @@ namespace {
 
 constexpr double kShapeSize = 4;  // size of the shape (length)
 
-// A point of the shape's boundary, or near it; in its own frame.
+// A point of the shape's boundary, or near it, in its own frame.
 Vec3<double> feature(Random& random, const Shape<double>& shape) {
   const std::vector<Vec3<double>> all = corners(shape);
   if (all.size() > 1 && !random.once_in(4)) {

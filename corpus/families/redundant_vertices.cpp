@@ -2,8 +2,8 @@
 // of the corners: copies, midpoints of two corners, weighted means of three and of four, all shuffled.
 //
 // Exact: corners are multiples of 4 grid steps, so that halves and quarters of their sums are on the grid. A
-// mean of two, three or four corners lies on an edge, in a face, or inside.
-// What breaks: a support that is drawn again under another index, collinear and coplanar simplexes, cycles.
+// mean of two, three or four corners lies on an edge, in a face, or inside. Difficulties: a support that is
+// drawn again under another index, collinear and coplanar simplexes, cycles.
 #include <algorithm>
 #include <utility>
 
@@ -79,7 +79,7 @@ void fill_redundant_vertices(Draw& draw, double hardness, Case& problem) {
   problem.a.shape = redundant_hull(draw, copies);
   problem.b.shape =
       random.once_in(2) ? redundant_hull(draw, std::min(copies, kOtherCopies)) : draw.shape(4, 6);
-  // On a grid, along an axis or a diagonal: ties along the whole path; or anyhow.
+  // On a grid, along an axis or a diagonal (ties along the whole path), or anyhow.
   const bool aligned = random.once_in(2);
   if (aligned) {
     const double speed = 32 + draw.positive_on_grid(32), t0 = 0.25 * random.integer(0, 3);

@@ -1,11 +1,16 @@
 // resting_turns: bodies that start in contact and rotate, with the start policy pass_over. Hardness: k, the part of the
 // rotation that lies in the plane of contact is 10^-k of it (k > 16: none).
 //
-// A body stands on another (standing.hpp) or touches it as in `sliding`, on the plane z = 0 of the grid, so that the contact
-// is exact. It spins about the plane's normal and slides, with a tilt; it tips about a point or an edge of the contact; it
-// lifts, and may land again; or it swings about a pivot somewhere. What breaks: a start in contact that is reported or let
-// go whatever follows; steps as short as the rounding, where a body tips about an edge that stays; a contact that a wobble
-// of the normal makes deeper by no more than rounding.
+// A body stands on another (standing.hpp) or touches it as in `sliding`, on the plane z = 0 of the grid, so
+// that the contact is exact. It moves in one of four ways:
+//   - it spins about the plane's normal and slides, with a tilt,
+//   - it tips about a point or an edge of the contact,
+//   - it lifts, and may land again,
+//   - it swings about a pivot somewhere.
+//
+// This breaks methods that always report, or always ignore, a start in contact. Steps are as short as the
+// rounding where a body tips about an edge that stays. A wobble of the normal makes a contact deeper by no
+// more than rounding.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -47,7 +52,8 @@ void fill_resting_turns(Draw& draw, double hardness, Case& problem) {
   } else {
     plane = touch(draw, problem);
   }
-  // A point of the contact: below the body's origin; in its own frame, so of bodies without an orientation.
+  // A point of the contact below the body's origin, in its own frame. It is for bodies without an
+  // orientation.
   const bool is_plain = problem.b.orientation.is_identity();
   const Vec3<double> foot(0, 0, plane - problem.b.position[2]);
 

@@ -1,10 +1,12 @@
 // rods_and_round: a rod or a plate, very long beside the round body that it meets. Hardness: k, it is 10^k
 // times as long as that.
 //
-// A box, a triangle, a segment or a capsule, one or two of its extents 10^k, the others about 1; and an
-// ellipsoid, a cone or a cylinder of size 1. They meet anywhere along the rod, near an end or at one. What
-// breaks: the weights of a portal whose corners are 10^k apart, of which the last is a difference; a point of
-// contact that is their sum is off its body by as much as the weights do not add up to 1.
+// The rod is a box, a triangle, a segment or a capsule, one or two of its extents 10^k, the others about 1.
+// The round body is an ellipsoid, a cone or a cylinder of size 1. They meet anywhere along the rod, near an
+// end or at one.
+//
+// This breaks the weights of a portal whose corners are 10^k apart, because the last weight is a difference.
+// A point of contact that is their sum is off its body by as much as the weights differ from a sum of 1.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"

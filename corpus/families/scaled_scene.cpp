@@ -1,11 +1,13 @@
-// scaled_scene: a whole scene, 2^j or 2^-j as large. Hardness: j; sizes of 4 become sizes of 4 times that.
-// Exact: nothing but exponents changes, so the answer is that of the scene as drawn.
+// scaled_scene: a whole scene, 2^j or 2^-j as large. Hardness: j, so sizes of 4 become sizes of 4 times that.
+// Exact: only exponents change, so the answer is that of the scene as drawn.
 //
-// Three cases in four pass a top feature of C, as in `grazing`, at a height (or a depth) that is 0.1, 1 or 10
-// times an absolute tolerance in common use, 1e-4, FLT_EPSILON or 1e-12, once scaled; the fourth is a random
+// Three cases in four pass a top feature of C, as in `grazing`. Once scaled, the height (or the depth) is
+// 0.1, 1 or 10 times an absolute tolerance in common use, 1e-4, FLT_EPSILON or 1e-12. The fourth is a random
 // pair. Below 10^-4 in size, such a gap is larger than the bodies, and above 10^12 smaller than their
-// rounding. What breaks: an absolute tolerance compared with a length, an area or a volume; squares that
-// vanish or overflow (2^100 squared is no float).
+// rounding.
+//
+// This breaks an absolute tolerance compared with a length, an area or a volume. Squares vanish or overflow
+// (2^100 squared exceeds the floats).
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,7 @@ Vec3<double> scaled(const Vec3<double>& x, int exponent) {
   return {std::scalbn(x[0], exponent), std::scalbn(x[1], exponent), std::scalbn(x[2], exponent)};
 }
 
-// Of what capped() and shape() draw.
+// For the shapes that capped() and shape() draw.
 Shape<double> scaled(const Shape<double>& shape, int exponent) {
   if (const auto* sphere = std::get_if<Sphere<double>>(&shape)) {
     return Sphere<double>{std::scalbn(sphere->radius, exponent)};

@@ -7,7 +7,7 @@
 namespace graze::corpus {
 namespace {
 
-// A plate, a prism or a ball with its top at z = 0; `reach` is its half width.
+// A plate, a prism or a ball with its top at z = 0. `reach` is its half width.
 Capped large_body(Draw& draw, double reach) {
   Random& random = draw.random;
   const double depth = draw.snap(reach * random.uniform(0.25, 1) + 1);
@@ -40,7 +40,7 @@ void fill_size_ratio(Draw& draw, double hardness, Case& problem) {
   problem.b.shape = draw.shape(kReach, random.integer(4, 24));
   problem.b.orientation = draw.pose();
 
-  // Over the whole top, now and then beside it; over a ball, near its pole, where a flat top would be.
+  // Over the whole top, now and then beside it. Over a ball, near its pole, in place of a flat top.
   const bool ball = std::holds_alternative<Sphere<double>>(large.shape);
   const double spread = ball ? std::sqrt(reach) : 1.1 * reach;
   const double x = draw.coordinate(spread), y = draw.coordinate(spread);

@@ -1,11 +1,12 @@
 // sliding: bodies that start in touch exactly, and slide off, along, or into each other. Hardness: k, the
-// normal n of the plane of contact has |n.v| = 10^-k of the largest component of v (k > 16: exactly 0);
-// either policy for starts.
+// normal n of the plane of contact has |n.v| = 10^-k of the largest component of v (k > 16: exactly 0). Both
+// policies for starts occur.
 //
 // Exact, as in `touching`: the plane of contact is z = 1, its sides are the bodies' features there, n = z,
-// and v's z-component is what it is; a rotation of the cube keeps all that. What breaks: the sign of n.v,
-// which decides between a contact and a start that is passed over, is below the rounding of any normal that
-// was not computed exactly.
+// and v's z-component is unrounded. A rotation of the cube keeps all that.
+//
+// Difficulty: the sign of n.v decides between a contact and a start that is passed over. It is below the
+// rounding of any normal that was not computed exactly.
 #include "corpus/families/families_list.hpp"
 
 namespace graze::corpus {
@@ -43,7 +44,7 @@ void fill_sliding(Draw& draw, double hardness, Case& problem) {
   problem.a.displacement = Vec3<double>::Zero();
   problem.b.displacement = v;
   if (random.once_in(4)) {
-    // Which of the two moves.
+    // A moves instead of B.
     problem.a.displacement = Vec3<double>(0 - v[0], 0 - v[1], 0 - v[2]);
     problem.b.displacement = Vec3<double>::Zero();
   }

@@ -1,14 +1,16 @@
 // slivers: triangles and hulls with faces that are needles of aspect 10^k. Hardness: k.
 //
-// A triangle with its third corner 10^-k beside the middle of the opposite side, or beside one of its ends;
-// a tetrahedron of two diagonals that pass each other by 10^-k; the ten nodes of a second-order tetrahedron,
-// four corners and the edges' midpoints with noise of 10^-k; a hull with 2 to 6 more corners beside its
-// edges. The corner beside the middle is (0, 0, 0) and that offset, exact however small; else it is the
-// double next to it: known to 4 u of coordinates of 4.
+// The shapes are:
+//   - a triangle with its third corner 10^-k beside the middle of the opposite side, or beside one of its ends,
+//   - a tetrahedron of two diagonals that pass each other by 10^-k,
+//   - the ten nodes of a second-order tetrahedron, four corners and the edges' midpoints with noise of 10^-k,
+//   - a hull with 2 to 6 more corners beside its edges.
+// The corner beside the middle is (0, 0, 0) and that offset, exact however small. Other corners are the
+// doubles next to the offset position, known to 4 u of coordinates of 4.
 //
-// What breaks: normals by cross products of such edges have no digit from k = 8 on (their squares from k = 4,
-// in float); barycentric divisors vanish; a point of the simplex that is nearest by rounding is not the
-// nearest (mesh importers and element libraries hand in such corners all day).
+// Difficulties: normals by cross products of such edges have no digit from k = 8 on (their squares from k =
+// 4, in float). Barycentric divisors vanish. A point of the simplex that is nearest by rounding is not the
+// nearest. Mesh importers and element libraries produce such corners all the time.
 #include <utility>
 
 #include "corpus/families/families_list.hpp"
@@ -124,7 +126,8 @@ void fill_slivers(Draw& draw, double hardness, Case& problem) {
     const Vec3<double> edge = rotate(problem.a.orientation, p - q);
     for (int i = 0; i < 3; ++i) v[i] = draw.real(4 * edge[i]);
   }
-  // Onto a corner, or the middle of two; beside it by as much as the noise, or by a size, or not at all.
+  // Onto a corner, or the middle of two. The target is beside it by as much as the noise, or by a size, or
+  // exact.
   Vec3<double> target = p;
   if (random.once_in(2)) {
     for (int i = 0; i < 3; ++i) target[i] = (p[i] + q[i]) / 2;

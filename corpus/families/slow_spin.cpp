@@ -1,5 +1,5 @@
-// slow_spin: a linear cast but for a turn of 2^-k radians over the step. Hardness: k. Half of them pass a top
-// feature at a height of 2^-k, as in grazing, so that the turn has its say in the verdict; half are aimed
+// slow_spin: a linear cast except for a turn of 2^-k radians over the step. Hardness: k. Half of them pass a
+// top feature at a height of 2^-k, as in grazing, so that the turn affects the verdict. Half are aimed
 // anywhere.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/placing.hpp"

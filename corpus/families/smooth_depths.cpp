@@ -1,11 +1,13 @@
 // smooth_depths: smooth bodies in each other, shallow to concentric, discs among them: a lens in a ring, a cone on
 // a cone, a hull in an ellipsoid. Hardness: k, they are 10^-k of a size of 4, and of a radian, from symmetric.
 //
-// One body is a capsule, an ellipsoid, a cylinder or a cone; the other is one of these, a ball, a box, a hull, its
-// copy, or a smaller copy. A half height or a radius of an ellipsoid may be 0, which leaves a disc without inside.
-// They are concentric, on one axis, beside each other along it or across, or anywhere; turned by quarter turns, and
-// anyhow. What breaks: a local minimum of the depth that is taken for the least; a bound by a ball that is not in
-// the body; points where a whole disc is equally near.
+// One body is a capsule, an ellipsoid, a cylinder or a cone. The other is one of these, a ball, a box, a
+// hull, its copy, or a smaller copy. A half height or a radius of an ellipsoid may be 0, which leaves a disc
+// without inside. They are concentric, on one axis, beside each other along it or across, or anywhere. They
+// are turned by quarter turns, and anyhow.
+//
+// This breaks a local minimum of the depth that is taken for the least, and a bound by a ball that is not in
+// the body. At some points a whole disc is equally near.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -18,7 +20,7 @@ namespace {
 constexpr double kReach = 4;
 constexpr int kLastOffset = 16;
 
-// Kinds from `first` on; the last four are smooth and not a ball.
+// Kinds from `first` on. The last four are smooth and not a ball.
 Shape<double> draw_shape(Draw& draw, int first) {
   Random& random = draw.random;
   const double radius = draw.positive_on_grid(kReach), other = draw.positive_on_grid(kReach);
@@ -94,7 +96,7 @@ void fill_smooth_depths(Draw& draw, double hardness, Case& problem) {
       meeting = draw.vector(kReach / 2);
       break;
   }
-  // Starts there, and may stay; or comes to it at a half; or has left it, or never comes.
+  // The body starts there and may stay, comes to it at a half, has left it, or never comes.
   double speed = 32, t0 = 0;
   switch (random.below(8)) {
     case 0:

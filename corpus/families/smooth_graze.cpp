@@ -1,16 +1,20 @@
 // smooth_graze: round shapes that pass, each other or something flat, at a gap of 10^-k, or meet to a depth
 // of it (or pass beneath, where C is thinner than that). Hardness: k.
 //
-// Frame and construction: pass_over in topped.hpp; C's top plane is z = 0, and so the gap is exact. That
-// takes shapes whose extreme along z is a grid number: spheres; capsules, cylinders and cones standing, lying
-// or turned by the angle of cosine 3/5 and sine 4/5, with sizes that are multiples of 5; ellipsoids standing,
-// or turned so, with radii for which the root of (4/5 r)^2 + (3/5 s)^2 is whole; rounded polytopes. Where the
-// extreme point's other coordinates are no grid numbers (a turned ellipsoid) they are rounded: the path then
-// passes the pole beside it by e < 2^-45, and the gap is off by e^2 over a radius.
+// Frame and construction: pass_over in topped.hpp. C's top plane is z = 0, and so the gap is exact. This
+// requires shapes whose extreme along z is a grid number:
+//   - spheres,
+//   - capsules, cylinders and cones standing, lying or turned by the angle of cosine 3/5 and sine 4/5, with
+//     sizes that are multiples of 5,
+//   - ellipsoids standing, or turned so, with radii for which the root of (4/5 r)^2 + (3/5 s)^2 is whole,
+//   - rounded polytopes.
+// The extreme point's other coordinates are rounded if they are not grid numbers (a turned ellipsoid). The
+// path then passes the pole beside it by e < 2^-45, and the gap is off by e^2 over a radius.
 //
-// What breaks: the support of a smooth shape never repeats, so a walk that waits for it to do so never ends;
-// the bounds close by the square root: at a gap of g the contact point moves by sqrt(g); and the distance
-// from the smooth side of a flat top (a cylinder's) is decided by a face.
+// Difficulties:
+//   - the support of a smooth shape never repeats, so a walk that waits for it to do so never ends,
+//   - the bounds close by the square root: at a gap of g the contact point moves by sqrt(g),
+//   - the distance from the smooth side of a flat top (a cylinder's) is decided by a face.
 #include <algorithm>
 #include <utility>
 

@@ -1,10 +1,11 @@
 // speeds: a random pair whose motion is slow or fast, over a horizon as long or as short, or without end.
-// Hardness: k = |log10 |v| / size|, to about one for a path of some sizes: |v| is 10^k or 10^-k of what
-// arrives within a unit of time, and t_max 10^-k or 10^k, rounded. One case in sixteen rests.
+// Hardness: k = |log10 |v| / size|, to about one for a path of some sizes. The speed |v| is 10^k or 10^-k
+// times a speed that arrives within a unit of time, and t_max is 10^-k or 10^k, rounded. One case in sixteen
+// rests.
 //
-// Slow ones go down to 10^-50 (every component 0 or 10^-60 at the least, where the domain ends), fast ones up
-// to 10^30; beyond 10^30 coordinates are doubles, since a float has no such number.
-// What breaks: |v| and n.v compared with an absolute bound, |v|^2 that vanishes, t times v and v times t_max.
+// Slow ones go down to 10^-50 (every component is 0 or at least 10^-60, where the domain ends), fast ones up
+// to 10^30. Beyond 10^30 coordinates are doubles, since a float has no such number. Difficulties: |v| and n.v
+// compared with an absolute bound, |v|^2 that vanishes, t times v and v times t_max.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -13,7 +14,7 @@ namespace graze::corpus {
 namespace {
 
 constexpr int kLastFast = 30;
-// Of the domain (validate.hpp), with room for a rounding.
+// The least value of the domain (validate.hpp), with room for a rounding.
 constexpr double kLeast = 1.0001e-60;
 
 void fill_speeds(Draw& draw, double hardness, Case& problem) {

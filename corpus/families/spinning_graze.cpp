@@ -1,13 +1,13 @@
-// spinning_graze: the feature of a spinning body that reaches furthest from the axis passes a plane, and what
-// stands on it, at a distance of 2^-k, above (a miss whose clearance it is) or below (a hit of that depth at
-// most). Hardness: k.
+// spinning_graze: a spinning body passes a plane, and the body that stands on it, with the feature that
+// reaches furthest from the axis. Hardness: k, the distance is 2^-k. Above the feature this is a miss with
+// that clearance, below it a hit with at most that depth.
 //
-// The side is known though sines are not: the spinning body lies within `reach` of its axis, a rational (a
-// Pythagorean triple, a sum), the plane is reach + delta away from it, and the turn is long enough to pass
+// The side is known without evaluating sines. The spinning body lies within `reach` of its axis, a rational
+// (a Pythagorean triple, a sum). The plane is reach + delta away from it, and the turn is long enough to pass
 // the nearest point, wherever in time that is. Start poses are turns about the axis by integer quaternions,
 // which keep the reach exactly. With floats and integers the scene is then turned by a rotation of the cube:
 // clearance and depth stay exact. With full doubles it is turned by any integer quaternion, and the
-// positions, the axis and the normal are rounded: delta is then known to about 2^-47.
+// positions, the axis and the normal are rounded. Then delta is known to about 2^-47.
 #include "corpus/families/families_list.hpp"
 #include "corpus/families/turning.hpp"
 

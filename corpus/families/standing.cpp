@@ -80,7 +80,7 @@ Shape<double> stretched(const Shape<double>& shape, double factor) {
         } else if constexpr (std::same_as<T, Posed<double>>) {
           return posed<double>(stretched(one.shape->shape, factor), times(one.position), one.orientation);
         } else {
-          return one;  // a point; of the other combinators, none is drawn here
+          return one;  // a point (the other combinators are not drawn here)
         }
       },
       shape);

@@ -1,11 +1,11 @@
 // swung_balls: a ball that is written as another shape, swung by up to a few turns about a pivot that is 2^k
 // of its radii away. Hardness: k.
 //
-// What it sweeps is a ring, as thick as the ball: whoever takes the shape for a point that turns, or counts
-// the radius twice, is wrong by a radius or two. The other body stands on the ring's outside, within the
-// ring, or on its flank, at a gap or a depth of 2^-4 to 2^-24, or drifts into the ring while the ball comes
-// round. The ring is exact to the rounding of its radius, 2^-36 at most: the ball starts 8 or so from where
-// it meets, at a rational angle, so that scale is the bodies' size and not the arm's.
+// The ball sweeps a ring that is as thick as the ball. A method that takes the shape for a rotating point, or
+// counts the radius twice, is wrong by a radius or two. The other body stands on the ring's outside, within
+// the ring, or on its flank, at a gap or a depth of 2^-4 to 2^-24, or drifts into the ring while the ball
+// comes round. The ring is exact to the rounding of its radius, 2^-36 at most. The ball starts about 8 from
+// where it meets, at a rational angle, so that the scale is the bodies' size and not the arm's.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,8 +38,8 @@ Shape<double> ball(Draw& draw, double radius) {
   }
 }
 
-// What has its lowest point at the origin, and no width along y: within the ring a wide one would reach into
-// it elsewhere.
+// A shape with its lowest point at the origin and no width along y. Within the ring, a wide shape would reach
+// into it elsewhere.
 Capped narrow(Draw& draw) {
   const double size = draw.positive_on_grid(2), other = draw.positive_on_grid(4);
   switch (draw.random.below(4)) {
@@ -56,7 +56,7 @@ Capped narrow(Draw& draw) {
   }
 }
 
-// The axis is x through the origin; the ball meets at (0, 0, radius of the ring), or beside it.
+// The axis is x through the origin. The ball meets at (0, 0, radius of the ring), or beside it.
 void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   Random& random = draw.random;
   const double radius = 2 * draw.positive_on_grid(2);
@@ -78,7 +78,7 @@ void fill_swung_balls(Draw& draw, double hardness, Case& problem) {
   const Vec3<double> pivot = rotate(start, problem.spin_a.pivot);
   problem.a.position = Vec3<double>(0 - pivot[0], 0 - pivot[1], 0 - pivot[2]);
 
-  // By way of the meeting, or round to it; a part of a turn, or a few.
+  // It passes the meeting, or goes round to it, by a part of a turn or by a few.
   const int whole = random.once_in(3) ? 0 : random.integer(1, 4);
   const double turns = whole + random.uniform(0.25, 1);
   const double angle = draw.real(2 * kPi * turns);

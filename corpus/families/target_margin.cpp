@@ -1,13 +1,15 @@
 // target_margin: casts to a target distance m. Hardness: k, m is 10^k of a size of 4, k from -6 to 4. C is
-// rounded by m: the farther that reaches, the smaller is the share of the shapes in the answer, which is
-// still theirs.
+// rounded by m. A larger m leaves the shapes a smaller share in the answer, but they still determine it.
 //
-// m is 4 times 10^k, rounded to float with floats and integers. A quarter of the cases pass a top feature of
-// C at the height m (1 + 2^-10) or m (1 - 2^-10), as in `grazing`; a quarter are boxes on a grid whose faces
-// are m and a few lengths more apart; a quarter start within m of each other, as in `sliding` with a gap, and
-// leave, slide or go on, under either policy. What breaks: a margin that is folded into a radius and
-// subtracted again, a constant shape margin, an offset of the time by |margin| / |v|, a policy that is asked
-// of the margin instead of the shapes.
+// m is 4 times 10^k, rounded to float with floats and integers. The cases are of four kinds, a quarter each:
+//   - paths that pass a top feature of C at the height m (1 + 2^-10) or m (1 - 2^-10), as in `grazing`,
+//   - boxes on a grid whose faces are m and a few lengths more apart,
+//   - starts within m of each other, as in `sliding` with a gap, that leave, slide or continue, under either
+//     policy,
+//   - random pairs that approach from beyond m.
+//
+// Difficulties: a margin that is folded into a radius and subtracted again, a constant shape margin, an
+// offset of the time by |margin| / |v|, a policy that is applied to the margin instead of the shapes.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"

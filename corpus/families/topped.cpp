@@ -7,7 +7,7 @@
 namespace graze::corpus {
 namespace {
 
-// The least that the other vertices lie below the top (length; sizes are about 4).
+// The other vertices lie below the top by at least this much (length, sizes are about 4).
 constexpr double kBelowTop = 0.25;
 // A quarter of a turn about z.
 constexpr Quaternion<double> kQuarterTurn = {1, 0, 0, 1};

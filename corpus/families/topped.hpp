@@ -1,8 +1,8 @@
-// Shapes with a known top feature, and paths that pass it: what the grazing families are made of.
+// Shapes with a known top feature, and paths that pass it: the building blocks of the grazing families.
 //
-// Frame: a topped shape, posed, lies in z <= 0; its top feature lies in z = 0 and holds the origin. B is the
+// Frame: a topped shape, posed, lies in z <= 0. Its top feature lies in z = 0 and holds the origin. B is the
 // mirror image at the origin of a topped shape, so that C = A - B is the sum of two topped ones, and topped.
-// All on the grid (draw.hpp): what is said of the plane z = 0 is exact.
+// All are on the grid (draw.hpp): statements about the plane z = 0 are exact.
 #pragma once
 
 #include "corpus/families/draw.hpp"
@@ -16,8 +16,8 @@ struct Topped {
 };
 
 // Points, segments, triangles, boxes (standing on a corner, or on an edge) and hulls of 4 to 24 vertices,
-// about `reach` in size; tilted boxes of integers up to 10. What a triangle or a hull adds to its top lies
-// below z = 0 by a grid step at least, and by 1/4.
+// about `reach` in size. Tilted boxes have integers up to 10. The other vertices of a triangle or a hull lie
+// below z = 0 by at least a grid step, and by 1/4.
 Topped topped_vertex(Draw& draw, double reach);
 // The top is an edge along `edge`, a horizontal vector of the grid, its ends at one or two times it, either
 // way.
@@ -25,12 +25,12 @@ Topped topped_edge(Draw& draw, double reach, const Vec3<double>& edge);
 Topped topped_face(Draw& draw, double reach);
 // One of the three, the edge any.
 Topped topped_any(Draw& draw, double reach);
-// Horizontal: an axis, half of the time; else any.
+// Horizontal. It is along an axis half of the time.
 Vec3<double> edge_vector(Draw& draw);
 // The hull of `top` and of points below it, 4 to 24 together, in any order, moved by -shift.
 Shape<double> hull_under(Draw& draw, std::vector<Vec3<double>> top, double reach, const Vec3<double>& shift);
 
-// Turned about z, as far as that is exact.
+// Turned about z, if that is exact.
 void turn_about_z(Draw& draw, Topped& body);
 // {-x : x in body}.
 Topped mirrored(const Topped& body);
@@ -39,10 +39,9 @@ double reach_of(const Topped& body);
 
 // A = a, B = the mirror image of b, at the time t0 in 3/8 .. 5/8 at (0, 0, delta), so that the path passes
 // C's top feature, the origin, at the height delta. v is horizontal: along `direction` if that is not zero.
-// B's own z-coordinate is delta and nothing else, so it is exact however small. The bodies start apart and
-// may end so; the horizon may be infinite. The scene is then left as it is (one time in six), or turned by
-// a rotation of the cube, exactly; with full doubles, half of the time, by any integer quaternion, and
-// rounded.
+// B's own z-coordinate is exactly delta, however small. The bodies start apart and may end so. The horizon
+// may be infinite. The scene is then left as it is (one time in six), or turned exactly by a rotation of the
+// cube. With full doubles, half of the time, it is turned by any integer quaternion and rounded.
 void pass_over(Draw& draw, Case& problem, const Topped& a, const Topped& b, const Vec3<double>& direction,
                double delta);
 // The end of it: the horizon, the scale of time, the turn of the scene, and which body is which.

@@ -9,8 +9,8 @@
 namespace graze::corpus {
 namespace {
 
-// atan x for x >= 0: halved three times by tan(a/2) = tan a / (1 + sqrt(1 + tan^2 a)), to 0.2 at most; the
-// term left out is below 0.2^27 / 27, 2^-67.
+// atan x for x >= 0. The angle is halved three times by tan(a/2) = tan a / (1 + sqrt(1 + tan^2 a)), to 0.2 at
+// most. The first omitted term is below 0.2^27 / 27, 2^-67.
 double arc_tangent(double x) {
   for (int i = 0; i < 3; ++i) x = x / (1 + std::sqrt(1 + x * x));
   const double square = x * x;
@@ -27,7 +27,7 @@ Vec3<double> minus(const Vec3<double>& l, const Vec3<double>& r) {
 }
 Vec3<double> times(double s, const Vec3<double>& x) { return {s * x[0], s * x[1], s * x[2]}; }
 
-// Where the body's point x is at the meeting, less its position at t = 0.
+// The place of the body's point x at the meeting, less its position at t = 0.
 Vec3<double> carried(const Body<double>& body, const Spin& spin, const Quaternion<double>& turn, double t,
                      const Vec3<double>& x) {
   const Vec3<double> pivot = rotate(body.orientation, spin.pivot);
@@ -141,7 +141,7 @@ Triple right_triangle(Draw& draw) {
   return out;
 }
 
-// Within half the reach of the axis but for one vertex.
+// Within half the reach of the axis, except for one vertex.
 Spinner spinning_hull(Draw& draw) {
   Random& random = draw.random;
   const Triple far = right_triangle(draw);
@@ -210,8 +210,8 @@ Spinner plain_spinner(Draw& draw) {
   }
 }
 
-// What stands on the plane: its lowest feature holds the origin, on its own z axis. The other curved ones
-// than those of capped_below, and combinators.
+// A body that stands on the plane: its lowest feature holds the origin, on its own z axis. It covers the
+// curved shapes that capped_below does not draw, and combinators.
 Capped standing(Draw& draw) {
   Random& random = draw.random;
   const double radius = draw.positive_on_grid(4), height = draw.positive_on_grid(4);

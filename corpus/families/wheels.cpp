@@ -2,10 +2,12 @@
 // of time.
 //
 // A prism over a regular polygon, whose corners come by at one height, one after the other, each to the
-// rounding of its coordinates; or a cylinder, about an axis that leaves its own by 2^-j, so that its turn is
-// seen. The height above the floor is 0, a few units in the last place, 10^-13 to 10^-7, or once in six large;
-// either way. The wheel spins where it is, rolls, or slides. What breaks: a bound of the motion from the speed
-// of its points is the speed, and the gap is nothing, so a march takes as many steps as there are.
+// rounding of its coordinates. Or a cylinder, about an axis that leaves its own by 2^-j, so that its turn is
+// seen. The height above the floor is 0, a few units in the last place, 10^-13 to 10^-7, or once in six
+// large, with either sign. The wheel spins where it is, rolls, or slides.
+//
+// Difficulty: a bound of the motion from the speed of its points is that speed, and the gap is nearly zero,
+// so a march takes as many steps as there are.
 #include <cmath>
 
 #include "corpus/families/families_list.hpp"
@@ -58,7 +60,7 @@ void fill_wheels(Draw& draw, double hardness, Case& problem) {
   problem.b.orientation = random.once_in(4) ? kLaidDown : multiply(kLaidDown, draw.pose_about_z());
   const double thickness = draw.positive_on_grid(1);
   problem.a.shape = Box<double>{Vec3<double>(32, 32, thickness)};
-  // The floor takes the radius, as far as coordinates are floats: B's own height is the gap alone.
+  // The floor takes the radius if coordinates are floats. B's own height is the gap alone.
   problem.a.position = Vec3<double>(0, 0, -(thickness + radius));
   for (int i = 0; i < 2; ++i) problem.b.position[i] = draw.on_grid(4);
   problem.b.position[2] = height_above(draw);

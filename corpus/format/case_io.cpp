@@ -32,7 +32,7 @@ void read_one(std::string_view text, const std::string& name, int line, Ids& ids
   }
 }
 
-// Of a file of something else one line says so, and not each of its own.
+// A file of another format gives one line that says so, instead of an error for each line.
 std::string held_by_its_first_line(std::string_view text) {
   const std::vector<TextLine> lines = split_lines(text);
   if (lines.empty()) return {};
@@ -40,7 +40,7 @@ std::string held_by_its_first_line(std::string_view text) {
   return parsed.error ? std::string() : held_by_another_schema(parsed.value, kCaseSchemas);
 }
 
-// The fields of a case in the order of the schema; `starts_line` in the pretty form.
+// The fields of a case in the order of the schema. `starts_line` is for the pretty form.
 struct Field {
   const char* key;
   std::string value;
@@ -52,7 +52,7 @@ std::vector<Field> fields_of(const Case& problem) {
   const auto add = [&](const char* key, std::string value, bool starts_line) {
     fields.push_back({key, std::move(value), starts_line});
   };
-  // What the first schema can say is said in it.
+  // A case that fits the first schema is written in it.
   const bool is_second = problem.expect && problem.expect->has_measures();
   add("schema", json_quote(is_second ? kSecondCaseSchema : kCaseSchema), false);
   add("id", json_quote(problem.id), false);

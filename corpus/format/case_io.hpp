@@ -1,7 +1,7 @@
 // Reading and writing cases, graze.case/1 and graze.case/2 (docs/reference/case-format.md).
 //
-// Guarantees. A number is the double nearest to its decimal or hexfloat. What a writer wrote reads back to
-// the same bits. Nothing throws. A file gives all its good cases and an error for every bad one.
+// Guarantees. A number is the double nearest to its decimal or hexfloat. Written text reads back to the same
+// bits. Nothing throws. A file gives all its good cases and an error for every bad one.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@
 
 namespace graze::corpus {
 
-// What was wrong, where, and what would be right; one line.
+// The error, its place, and the correct form, in one line.
 struct ReadError {
   std::string file;
-  int line = 0;       // of a .jsonl file, from 1; 0 for a file that holds one object
-  std::string field;  // the path of the field, such as a.shape.vertices[3]; may be empty
+  int line = 0;       // line of a .jsonl file, from 1 (0 for a file that holds one object)
+  std::string field;  // path of the field, such as a.shape.vertices[3], possibly empty
   std::string what;
 
   // `file:line: field: what`
@@ -32,7 +32,8 @@ struct ReadResult {
 // The ids that were read so far. An id names one case in everything that is read together.
 class Ids {
  public:
-  // The place that has this id already, "x.jsonl:3" or "x.json"; empty if none has, and then `place` has it.
+  // The place that already has this id, "x.jsonl:3" or "x.json". It is empty if the id is new, and the id is
+  // then stored with `place`.
   [[nodiscard]] std::string taken(const std::string& id, const std::string& place);
 
  private:

@@ -1,4 +1,4 @@
-// One case to and from a JSON value: what case_io and proof_io share.
+// One case to and from a JSON value. case_io and proof_io share this code.
 #pragma once
 
 #include "corpus/format/fields.hpp"
@@ -8,7 +8,7 @@ namespace graze::corpus {
 // Throws Malformed. `path` is the case's own place, empty at the top of a file.
 [[nodiscard]] Case case_from_json(const JsonValue& value, const std::string& path);
 
-// The lines of a file, without their ends, and their numbers from 1; blank lines are left out.
+// The lines of a file, without their ends, and their numbers from 1. Blank lines are left out.
 struct TextLine {
   int number;
   std::string_view text;

@@ -1,5 +1,5 @@
 // Reading typed fields out of a JsonValue. Every reader throws Malformed, which names the path of the field,
-// what was wrong and what would be right; whoever reads a document catches it.
+// what was wrong and what would be right. Code that reads a document catches it.
 #pragma once
 
 #include <initializer_list>
@@ -18,7 +18,7 @@ class Fields {
  public:
   Fields(const JsonValue& value, std::string path, std::initializer_list<std::string_view> known);
 
-  // `right` says what the field must be; it ends the message when the field is missing.
+  // `right` says what the field must be. It ends the message when the field is missing.
   [[nodiscard]] const JsonValue& required(std::string_view key, std::string_view right) const;
   [[nodiscard]] const JsonValue* optional(std::string_view key) const { return value_.find(key); }
   [[nodiscard]] std::string path(std::string_view key) const { return child_path(path_, key); }
@@ -28,12 +28,12 @@ class Fields {
   std::string path_;
 };
 
-// What a document says by its schema that it holds, where that is known and none of `own`: "holds a scene
-// (graze.scene/1); graze scene answers it". Else empty.
+// Describes a document whose schema is known and is not one of `own`: "holds a scene (graze.scene/1); graze
+// scene answers it". Otherwise the result is empty.
 [[nodiscard]] std::string held_by_another_schema(const JsonValue& value,
                                                  std::span<const std::string_view> own);
 
-// What a value is, in words, for the first half of a message: `a string`, `an array of 2`.
+// A description of a value in words, for the first half of a message: `a string`, `an array of 2`.
 [[nodiscard]] std::string describe(const JsonValue& value);
 
 // A finite double: a JSON number, or a hexfloat string such as "0x1.8p+1".

@@ -110,8 +110,8 @@ class TreeBuilder {
     return true;
   }
 
-  // Where the parser stands, cut after some levels: the head says where to look. At a key, that key's field: the last
-  // that its object has is done.
+  // The place of the parser, cut after some levels: the head says where to look. At a key, it is that key's
+  // field. Otherwise it is the last field of the object, which is complete.
   std::string path(const std::string* next_key = nullptr) const {
     constexpr std::size_t kMaxLevels = 8;
     std::string p;
@@ -127,7 +127,7 @@ class TreeBuilder {
         p += (p.empty() ? "" : ".") + (name.size() > kMaxQuoted ? json_quote_short(name) : name);
       }
     }
-    // A key may hold anything; a message is one line.
+    // A key may hold anything, and a message is one line.
     for (char& c : p) c = static_cast<unsigned char>(c) < 0x20 ? '?' : c;
     return p;
   }
@@ -135,7 +135,8 @@ class TreeBuilder {
   std::vector<JsonValue*> stack_;
 };
 
-// The parser takes a NUL byte for the end of the text, and what follows it would go unread. Nothing, if there is none.
+// The parser takes a NUL byte for the end of the text and would not read the rest. The result is empty if
+// there is no NUL byte.
 std::string nul_byte_of(std::string_view text) {
   const std::size_t at = text.find('\0');
   if (at == std::string_view::npos) return {};

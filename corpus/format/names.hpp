@@ -16,7 +16,7 @@ template <class Enum, std::size_t kCount>
   return names;
 }
 
-// What a case says that it is.
+// The names of the schema in a case.
 inline constexpr std::string_view kCaseSchema = "graze.case/1", kSecondCaseSchema = "graze.case/2";
 
 inline constexpr std::array<std::string_view, 2> kCaseSchemas = {kCaseSchema, kSecondCaseSchema};

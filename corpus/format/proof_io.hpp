@@ -1,5 +1,5 @@
-// The text form of a proof, graze.proof/1: one JSON object a line, which holds its case in full, so that a
-// file of proofs can be checked by itself. Numbers read back to the same bits; an infinite bound is "inf".
+// The text form of a proof, graze.proof/1. Each line is one JSON object that holds its case in full, so that
+// a file of proofs can be checked by itself. Numbers read back to the same bits. An infinite bound is "inf".
 //
 //   {"schema": "graze.proof/1", "case": {...}, "method": "mpr", "scalar": "double", "outcome": "hit",
 //    "proof": {"toi_lower": 0.25, "axis": [0, -1, 0], "toi_upper": 0.25,
@@ -11,22 +11,24 @@
 //   "axis": {"sign": -1, "cross": [{"from": {"a": {"vertex": 1}, "b": {"vertex": 0}},
 //                                   "to": {"a": {"vertex": 3}, "b": {"vertex": 0}}}, "motion"]}
 //
-// Two fields are left out where nothing is said: "tier", standard, certified or exact, what the answer was
-// given as; and "toi", {"lower": 0.25, "upper": 0.25}, the bracket that it states, which in tier standard may
-// be narrower than what the proof proves. oracles/checker/check_record.hpp compares both with the proof.
+// Two fields are optional:
+//   - "tier" is standard, certified or exact, the tier of the answer,
+//   - "toi", {"lower": 0.25, "upper": 0.25}, is the bracket that the answer states. In tier standard it may be
+//     narrower than the bracket that the proof proves.
+// oracles/checker/check_record.hpp compares both with the proof.
 //
-// No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). What a
-// proof claims is not judged here: a reader's proof may be false.
+// No axis, a "toi_upper" of "inf" and an empty portal are the absence of a claim (graze/proof.hpp). This
+// format does not judge the claims of a proof. A reader's proof may be false.
 //
-// The proof of a rotating answer (graze/rotating_proof.hpp) has a chain instead of an axis, and
-// weighted contact pairs instead of a portal; "frame" is world, a or b, and world where it is left out:
+// The proof of a rotating answer (graze/rotating_proof.hpp) has a chain instead of an axis, and weighted
+// contact pairs instead of a portal. "frame" is world, a or b. The default is world:
 //
 //   "proof": {"toi_lower": 0.25, "chain": [{"end": 0.125, "axis": [0, 0, 1]},
 //                                          {"end": 0.25, "axis": [0, 1, 0], "frame": "a"}],
 //             "toi_upper": 0.375, "contact": [{"a": {"vertex": 3}, "b": {"vertex": 0}, "weight": 1}]}
 //
-// It is known by its field "chain", which may be empty. The points of its pairs have no offset. Contact by
-// crossing has a "contact_from", and may do without weights, which are 0 then:
+// The field "chain", which may be empty, identifies it. The points of its pairs have no offset. Contact by
+// crossing has a "contact_from". Its weights are optional and default to 0:
 //
 //             "toi_upper": 0.375, "contact_from": 0.3125,
 //             "contact": [{"a": {"vertex": 0}, "b": {"vertex": 0}}, {"a": {"vertex": 1}, "b": {"vertex": 0}},
@@ -51,9 +53,9 @@ struct ProofRecord {
   std::optional<Tier> tier;
   Outcome outcome = Outcome::not_converged;
   std::optional<StatedBracket> toi;
-  Proof proof;                            // of a linear answer; without a claim where it is rotating
-  std::optional<RotatingProof> rotating;  // of a rotating answer
-  int line = 0;                           // where it was read, from 1; not written
+  Proof proof;                            // proof of a linear answer (without a claim for a rotating answer)
+  std::optional<RotatingProof> rotating;  // proof of a rotating answer
+  int line = 0;                           // line in the file, from 1 (not written)
 };
 
 struct JsonValue;

@@ -70,8 +70,8 @@ Shape<double> read_ellipsoid(const JsonValue& value, const std::string& path, in
   return Ellipsoid<double>{read_lengths(fields, "radii")};
 }
 
-// A hint for engines that want faces: its form and its indices are checked here, whether it is true by
-// with_faces. The set is the hull of the vertices whatever it says; what is written out has no faces.
+// A hint for engines that need faces. Its form and its indices are checked here, and with_faces checks
+// whether it is true. The set is the hull of the vertices whatever the hint says. The writer omits faces.
 std::vector<std::vector<std::uint32_t>> read_faces(const JsonValue& value, const std::string& path,
                                                    std::size_t vertices) {
   constexpr std::string_view kForm = "faces is an array of arrays of three or more vertex indices";

@@ -10,8 +10,8 @@ struct MovingBody {
   Spin spin;
 };
 
-// The most combinators (posed, rounded, sum, hull_of) on the way from a shape to a leaf that are read; with
-// the body's own and the JSON arrays around them it stays below kMaxJsonDepth.
+// The greatest number of combinators (posed, rounded, sum, hull_of) on the way from a shape to a leaf that is
+// read. Together with the body's own and the JSON arrays around them it stays below kMaxJsonDepth.
 inline constexpr int kMaxShapeDepth = 16;
 
 // Throw Malformed.

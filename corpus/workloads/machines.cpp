@@ -11,7 +11,7 @@ namespace {
 
 double between(Draw& draw, double low, double high) { return draw.real(draw.random.uniform(low, high)); }
 
-// A door that swings about a hinge by a spring, its frame, and a box in its way; and a pendulum beside them.
+// A door that swings about a hinge by a spring, its frame, a box in its way, and a pendulum beside them.
 struct Hinges final : Scene {
   void set_up(Simulation& world) override {
     constexpr int kFrame = 1;
@@ -42,7 +42,7 @@ struct Hinges final : Scene {
     obstacle.position = Vec3<double>(between(draw, 0.2, 0.8), 0, 0.25);
     obstacle.position[1] = between(draw, 0.4, 0.8);
     world.members.push_back(obstacle);
-    // A rod and its bob hang from a pivot; a wall is near the lowest point of the swing.
+    // A rod and its bob hang from a pivot. A wall is near the lowest point of the swing.
     const double arm = between(draw, 0.5, 1);
     Member bob{.shape = Capsule<double>{0.0625, 0.25}, .moves = true};
     bob.pivot = Vec3<double>(0, 0, arm);
@@ -67,7 +67,7 @@ struct Hinges final : Scene {
   }
 };
 
-// Plates that spin about their middles or a hub, and what is shot and thrown through them.
+// Plates that spin about their middles or a hub, and bodies that are shot and thrown through them.
 struct SpinningPlates final : Scene {
   void set_up(Simulation& world) override {
     constexpr int kShots = 1;
@@ -135,7 +135,7 @@ struct RobotArm final : Scene {
     for (int i = 0; i < kLinks; ++i) {
       Member link{.moves = true, .group = kArm};
       const double half = 0.35 - 0.05 * i, thick = 0.06 - 0.01 * i;
-      // Along z in its own frame; a capsule, a box, or, at the end, a tool with corners.
+      // Along z in its own frame: a capsule, a box, or, at the end, a tool with corners.
       if (random.once_in(2)) {
         link.shape = Capsule<double>{draw.real(thick), draw.real(half)};
       } else {
@@ -181,7 +181,7 @@ struct RobotArm final : Scene {
       until = 15;
       for (double& one : rate) one = draw.random.once_in(5) ? 0 : between(draw, -3, 3);
     }
-    // The first joint turns about z, the others about the y-axis of the link before; spins add up.
+    // The first joint turns about z, the others about the y-axis of the link before. Spins add up.
     Vec3<double> spin(0, 0, rate[0]), speed = Vec3<double>::Zero();
     for (int i = 0; i < kLinks; ++i) {
       Member& link = world.members[static_cast<std::size_t>(i)];
@@ -219,7 +219,7 @@ struct Gears final : Scene {
                        double speed, double backlash, bool between_teeth) {
     constexpr double kModule = 0.05, kHalfWidth = 0.05;
     Draw& draw = world.draw();
-    // A tooth: half of the pitch wide at the pitch circle, less the backlash; narrower at its tip.
+    // A tooth: half of the pitch wide at the pitch circle, less the backlash, and narrower at its tip.
     const double half = 0.25 * 3.140625 * kModule * (1 - backlash);
     std::vector<Vec3<double>> list;
     for (const double z : {-kHalfWidth, kHalfWidth}) {

@@ -83,7 +83,7 @@ struct Falling final : Scene {
   }
 };
 
-// Bodies that keep their height and turn about z only, at a skin above the floor; friction slows them.
+// Bodies that keep their height and turn about z only, at a skin above the floor. Friction slows them.
 struct Sliding final : Scene {
   void set_up(Simulation& world) override {
     Draw& draw = world.draw();
@@ -191,8 +191,8 @@ struct Rolling final : Scene {
   }
 };
 
-// A column of boxes and cylinders at rest on each other, which gravity presses and the solver's noise moves
-// by less than a millimetre a step; another falls onto it.
+// A column of boxes and cylinders at rest on each other. Gravity presses it, and the solver's noise moves it
+// by less than a millimetre a step. Another body falls onto it.
 struct Stacking final : Scene {
   void set_up(Simulation& world) override {
     Draw& draw = world.draw();

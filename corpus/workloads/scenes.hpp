@@ -1,4 +1,5 @@
-// The scenes of the workloads: what stands where, and what moves it. Each is set up anew when it has run for
+// The scenes of the workloads: the bodies, their places and their motions. Each is set up anew when it has
+// run for
 // as many steps as it says.
 #pragma once
 

@@ -8,8 +8,8 @@
 namespace graze::corpus {
 namespace {
 
-// A lowest point of the shape, in world axes from the body's origin. Of what is round, by the shape's support
-// function alone: x and y are those of its middle.
+// A lowest point of the shape, in world axes from the body's origin. For a round shape it uses the shape's
+// support function alone: x and y are those of its middle.
 Vec3<double> lowest_point(const Member& one) {
   const auto lower = [&](const Vec3<double>& best, const Vec3<double>& x) {
     const Vec3<double> turned = rotate(one.orientation, x);
@@ -113,7 +113,7 @@ void Simulation::meet_floor(Member& one) const {
     one.spin += lightness * cross(arm, impulse);
   };
   const double side = arm[0] * arm[0] + arm[1] * arm[1];
-  // What comes down slowly does not bounce.
+  // A body that comes down slowly does not bounce.
   const double restitution = speed[2] < -0.5 ? bounce : 0;
   const double normal = -(1 + restitution) * speed[2] / (1 + lightness * side);
   push(Vec3<double>(0, 0, normal));

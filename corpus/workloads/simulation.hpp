@@ -1,9 +1,10 @@
 // A small simulation of rigid bodies, whose steps are the questions of a workload.
 //
-// Semi-implicit Euler: velocities first, then positions; q += dt/2 (0, w) q, normalised by a square root. A
-// body that is below the floor is lifted onto it and gets an impulse at its lowest point, with friction. It is no
-// physics engine: it moves bodies as engines do, in additions, products, quotients and square roots in a
-// fixed order, so that it has the same bits everywhere. Units: metres, seconds, radians; z is up.
+// Semi-implicit Euler: velocities first, then positions. The orientation step is q += dt/2 (0, w) q,
+// normalised by a square root. A body that is below the floor is lifted onto it and gets an impulse at its
+// lowest point, with friction. It is not a physics engine. It moves bodies as engines do, in additions,
+// products, quotients and square roots in a fixed order, so that it has the same bits everywhere. Units:
+// metres, seconds, radians. The z-axis points up.
 #pragma once
 
 #include <vector>
@@ -20,14 +21,14 @@ struct Member {
   Vec3<double> position = Vec3<double>::Zero(), velocity = Vec3<double>::Zero();
   Quaternion<double> orientation = {};
   Vec3<double> spin = Vec3<double>::Zero();   // angular velocity, world axes
-  Vec3<double> pivot = Vec3<double>::Zero();  // what it turns about, own frame; `velocity` is the pivot's
+  Vec3<double> pivot = Vec3<double>::Zero();  // centre of its rotation, own frame (`velocity` is the pivot's)
   bool moves = false;
   bool falls = false;  // gravity and the floor act on it
-  int group = 0;       // pairs of one group are not asked, but for group 0
-  double floor = 0;    // z of what it lies on
+  int group = 0;       // pairs of one group are not queried, except in group 0
+  double floor = 0;    // z of the surface that it lies on
 };
 
-// What the simulations need of vectors, each sum in a fixed order.
+// Vector operations of the simulations, each sum in a fixed order.
 [[nodiscard]] double dot(const Vec3<double>& l, const Vec3<double>& r);
 [[nodiscard]] Vec3<double> cross(const Vec3<double>& l, const Vec3<double>& r);
 [[nodiscard]] double length(const Vec3<double>& x);

@@ -2,7 +2,7 @@
 // efficient arbitrary-precision midpoint-radius interval arithmetic", IEEE Trans. Computers 66, 2017).
 //
 // Every operation returns a ball that holds all results for all numbers in its operands' balls, rounded to
-// the thread's working precision. Searches compare midpoints and claim nothing; proofs compare whole balls.
+// the thread's working precision. Searches compare midpoints and claim nothing. Proofs compare whole balls.
 // For the oracles' own .cpp files: this header includes Arb.
 #pragma once
 
@@ -87,13 +87,13 @@ class Ball {
     return *this;
   }
 
-  // Of every number in the ball.
+  // True if every number in the ball is positive.
   [[nodiscard]] bool is_positive() const { return arb_is_positive(x_) != 0; }
   [[nodiscard]] bool is_negative() const { return arb_is_negative(x_) != 0; }
   [[nodiscard]] bool is_nonnegative() const { return arb_is_nonnegative(x_) != 0; }
   [[nodiscard]] bool is_zero() const { return arb_is_zero(x_) != 0; }
   [[nodiscard]] bool is_finite() const { return arb_is_finite(x_) != 0; }
-  // Of the midpoint.
+  // The sign of the midpoint.
   [[nodiscard]] int mid_sign() const { return arf_sgn(arb_midref(x_)); }
   [[nodiscard]] double mid_double() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
 
@@ -113,7 +113,7 @@ class Ball {
     arb_get_ubound_arf(arb_midref(end.x_), x_, WorkingPrecision::bits());
     return end;
   }
-  // Doubles on either side of the whole ball. What is not finite is unbounded.
+  // Doubles on either side of the whole ball. A ball that is not finite is unbounded.
   [[nodiscard]] double low_double() const {
     const double d = arf_get_d(arb_midref(low().x_), ARF_RND_FLOOR);
     return std::isnan(d) ? -std::numeric_limits<double>::infinity() : d;
@@ -147,7 +147,7 @@ inline Ball abs(Ball x) {
   arb_abs(x.get(), x.get());
   return x;
 }
-// Of max(0, x), for an x that is known not to be negative.
+// The root of max(0, x), for an x that is known not to be negative.
 inline Ball sqrt(Ball x) {
   arb_sqrtpos(x.get(), x.get(), WorkingPrecision::bits());
   return x;

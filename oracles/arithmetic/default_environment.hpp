@@ -1,16 +1,17 @@
-// While it lives, this thread computes in the default floating-point environment, whatever its caller's:
-// to nearest, with subnormals, without traps. Its end gives the caller's back.
+// While this object lives, its thread computes in the default floating-point environment, whatever the
+// caller's: to nearest, with subnormals, without traps. Its destructor restores the caller's environment.
 //
-// Every bound of the oracles' filters supposes that, and so does what is not filtered: a comparison of two
-// given doubles is exact, but where subnormals count as zeros (a library linked with -ffast-math turns that
-// on for a whole process) 5e-324 > 0 is false; GMP, MPFR and Arb read doubles, and CGAL changes the direction
-// of rounding and gives back what it found. So every function that the oracles offer begins with one of
-// these.
+// Every error bound of the oracles' filters assumes this environment. The unfiltered code assumes it too:
+//   - A comparison of two given doubles is exact. But where subnormals count as zeros, 5e-324 > 0 is false. A
+//     library linked with -ffast-math turns that on for a whole process.
+//   - GMP, MPFR and Arb read doubles.
+//   - CGAL changes the direction of rounding and restores the direction that it found.
+// So every function that the oracles offer begins with one of these objects.
 //
-// On x86-64 MXCSR is all that governs floating point (no x87 code runs where long double is not used), so a
-// look at it tells, for a nanosecond, that nothing need be done. Elsewhere the environment is always set.
-// FE_DFL_ENV is that of the program's start without such a library: glibc's clears the bits that flush, in
-// MXCSR as in FPCR. Where a C library's does not, no answer is given: the constructor throws.
+// On x86-64, MXCSR alone governs floating point (no x87 code runs where long double is not used). Reading it
+// takes a nanosecond and shows when nothing needs to be done. Elsewhere the environment is always set.
+// FE_DFL_ENV is the environment of a program start without such a library: glibc's clears the bits that
+// flush, in MXCSR as in FPCR. If a C library's does not, the constructor throws and no answer is given.
 #pragma once
 
 #include <cfenv>
@@ -40,7 +41,7 @@ class DefaultEnvironment {
   DefaultEnvironment& operator=(const DefaultEnvironment&) = delete;
 
  private:
-  // Of MXCSR all but the flags of what has happened: the six masks, and nothing else, are set.
+  // All bits of MXCSR except the exception flags: the six masks, and nothing else, are set.
   [[nodiscard]] static bool is_default() {
 #if defined(__x86_64__)
     constexpr unsigned kFlags = 0x3f, kMasks = 0x1f80;

@@ -1,17 +1,16 @@
-// A double-double with a running bound on its error: |x - (high + low)| <= error. An operation that loses
-// nothing adds nothing to the error, so ties between short numbers (integers, aligned boxes) come out as
-// exact zeros.
+// A double-double with a running bound on its error: |x - (high + low)| <= error. An exact operation adds
+// nothing to the error, so ties between short numbers (integers, aligned boxes) come out as exact zeros.
 //
-// Error-free transformations [Dekker 1971; Knuth, TAOCP 2, 4.2.2], round to nearest, gradual underflow:
+// Error-free transformations [Dekker 1971, and Knuth, TAOCP 2, 4.2.2], round to nearest, gradual underflow:
 //   two_sum(a, b)      s + e = a + b exactly, s = fl(a + b), unless it overflows
 //   two_product(a, b)  p + e = a b exactly, p = fl(a b), unless it overflows or 0 < |p| < 2^-960
-// What a step discards it has in hand, and its magnitude goes into the error:
-//   sum      a + b = s0 + e0 + s1 + e1,  (s0,e0) = two_sum(a0,b0), (s1,e1) = two_sum(a1,b1);
-//            (t,e2) = two_sum(e0,s1);  result two_sum(s0,t);  discarded e1, e2.
-//   product  a b = a0 b0 + a0 b1 + a1 b0 + a1 b1;
-//            (p,q) = two_product(a0,b0), p1 = fl(a0 b1), p2 = fl(a1 b0);
-//            (t1,f1) = two_sum(p1,p2), (t2,f2) = two_sum(q,t1);  result two_sum(p,t2);
-//            discarded f1, f2, a1 b1, and the roundings of p1 and p2, at most u |p1| + u |p2|;
+// Each step knows the terms that it discards, and their magnitude goes into the error:
+//   sum      a + b = s0 + e0 + s1 + e1,  (s0,e0) = two_sum(a0,b0), (s1,e1) = two_sum(a1,b1),
+//            (t,e2) = two_sum(e0,s1),  result two_sum(s0,t),  discarded e1, e2.
+//   product  a b = a0 b0 + a0 b1 + a1 b0 + a1 b1,
+//            (p,q) = two_product(a0,b0), p1 = fl(a0 b1), p2 = fl(a1 b0),
+//            (t1,f1) = two_sum(p1,p2), (t2,f2) = two_sum(q,t1),  result two_sum(p,t2),
+//            discarded f1, f2, a1 b1, and the roundings of p1 and p2, at most u |p1| + u |p2|,
 //            inherited (|a0|+|a1|) eb + (|b0|+|b1|) ea + ea eb.
 // The bound is computed by fewer than 20 operations on numbers >= 0: kUp = 1 + 2^-47 pays for their rounding,
 // kTiny = 2^-1000 for underflow, added wherever a factor is not a plain double or the product is tiny.
@@ -81,7 +80,7 @@ class Extended {
   }
   friend Extended operator*(const Extended& a, double b) { return a * Extended(b); }
   friend Extended abs(const Extended& a) { return a.high_ + a.low_ < 0 ? -a : a; }
-  // max(x1, x2) lies within max(e1, e2) of max(v1, v2); the sum of the errors is taken, so that a NaN stays.
+  // max(x1, x2) lies within max(e1, e2) of max(v1, v2). The sum of the errors is taken, so that a NaN stays.
   friend Extended max(const Extended& a, const Extended& b) {
     // high = fl(high + low), so pairs compare by the high parts, then by the low ones.
     const bool a_larger = a.high_ > b.high_ || (a.high_ == b.high_ && a.low_ >= b.low_);

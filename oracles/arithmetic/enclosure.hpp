@@ -3,8 +3,8 @@
 
 namespace graze::oracle {
 
-// low <= x <= high, neighbouring doubles wherever x is the root of a rational; each function that returns one
-// says where it is wider.
+// low <= x <= high. They are neighbouring doubles wherever x is the root of a rational. Each function that
+// returns a wider enclosure documents it.
 struct Enclosure {
   double low = 0, high = 0;
 };

@@ -6,10 +6,10 @@
 //   quotient |x1 / x2 - fl(v1 / v2)| <= (e1 + |v1 / v2| e2) / (|v2| - e2) + u |v| + 2^-1075, for |v2| > e2
 //   root     |sqrt(x) - fl(sqrt(w))| <= min(e / sqrt(w), sqrt(e)) + u |v|, w = max(0, v1), for x >= 0
 //   max      |max(x1, x2) - max(v1, v2)| <= max(e1, e2)
-// The bound is itself computed, by fewer than 10 operations on numbers >= 0, each low by at most a factor
-// 1 - u or by 2^-1075: kUp = 1 + 2^-48 > (1 - u)^-10 and kTiny = 2^-1022 pay for that and for underflow.
-// A sum contracted with a product into one FMA rounds once instead of twice; the bound holds all the more.
-// Overflow makes the error infinite or NaN, and the sign unknown.
+// The bound is itself computed, by fewer than 10 operations on numbers >= 0, each low by at most a factor 1 -
+// u or by 2^-1075. kUp = 1 + 2^-48 > (1 - u)^-10 and kTiny = 2^-1022 cover that and underflow. A sum
+// contracted with a product into one FMA rounds once instead of twice, so the bound still holds. Overflow
+// makes the error infinite or NaN, and the sign unknown.
 #pragma once
 
 #include <cmath>
@@ -55,7 +55,7 @@ class Filtered {
                 kUnitRoundoff<double> * std::abs(v) + kTiny) *
                    kUp};
   }
-  // Of a number known not to be negative.
+  // The root of a number known not to be negative.
   friend Filtered root(const Filtered& a) {
     const double v = std::sqrt(a.value_ < 0 ? 0 : a.value_);
     const double far = std::sqrt(a.error_), near = v > 0 ? a.error_ / v : far;

@@ -1,4 +1,5 @@
-// What the checker's three arithmetics share: signs that may be unknown, and vectors over any of them.
+// The common part of the checker's three arithmetics: signs that may be unknown, and vectors over any of
+// them.
 //
 // A predicate of the checker is one template, free of division and of square roots, over a number type N:
 //   Filtered   a double and a bound on its error            nanoseconds, leaves the close calls open
@@ -48,7 +49,7 @@ template <class N>
 [[nodiscard]] Triple<N> triple(const Vec3<double>& a) {
   return {N(a.x()), N(a.y()), N(a.z())};
 }
-// a - b; each component is one operation on exact doubles.
+// a - b. Each component is one operation on exact doubles.
 template <class N>
 [[nodiscard]] Triple<N> difference(const Vec3<double>& a, const Vec3<double>& b) {
   return {N(a.x()) - N(b.x()), N(a.y()) - N(b.y()), N(a.z()) - N(b.z())};

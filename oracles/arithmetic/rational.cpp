@@ -12,8 +12,8 @@
 namespace graze::oracle {
 namespace {
 
-// Enough that a root rounded down here and down again to 53 bits is rounded down once, except where 200 zero
-// or one bits follow; there the enclosure is still valid.
+// Enough bits that a root rounded down here and down again to 53 bits equals one rounding down. The exception
+// is a root with 200 consecutive zero or one bits. There the enclosure is still valid.
 constexpr mpfr_prec_t kRootBits = 256;
 
 double rounded(const Rational& q, mpfr_rnd_t mode) {

@@ -1,8 +1,8 @@
-// Integers, rationals and integer vectors for the oracles, and the way back to doubles, rounded outward.
+// Integers, rationals and integer vectors for the oracles, and conversions back to doubles, rounded outward.
 //
-// The oracles multiply every length of a case by one common denominator, so that the geometry is decided in
-// integers: no gcd is ever taken inside a predicate. A point that is not integral is homogeneous, x / w, w >
-// 0. GMP does the arithmetic, MPFR the directed roundings; both are exact or correctly rounded.
+// The oracles multiply every length of a case by one common denominator and decide the geometry in integers,
+// so no gcd is ever taken inside a predicate. A point that is not integral is homogeneous, x / w, w > 0. GMP
+// does the arithmetic, and MPFR the directed roundings. Both are exact or correctly rounded.
 #pragma once
 
 #include <gmpxx.h>
@@ -56,7 +56,8 @@ struct HomogeneousPoint {
 [[nodiscard]] double ceil_double(const Rational& q);
 [[nodiscard]] double nearest_double(const Rational& q);
 
-// q; sqrt(q), q >= 0; r + sign sqrt(q) without cancellation, r >= 0, q >= 0. Neighbouring doubles at most.
+// Enclosures of q, of sqrt(q), q >= 0, and of r + sign sqrt(q) without cancellation, r >= 0, q >= 0. Each is
+// at most neighbouring doubles wide.
 [[nodiscard]] Enclosure enclose(const Rational& q);
 [[nodiscard]] Enclosure enclose_sqrt(const Rational& q);
 [[nodiscard]] Enclosure enclose_radius_and_sqrt(const Rational& r, int sign, const Rational& q);

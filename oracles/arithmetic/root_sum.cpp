@@ -1,9 +1,9 @@
 // Decides: the sign of r + s sqrt(p) + t sqrt(q), and the doubles on either side of it. Costs: a microsecond
 // or two. Cannot be trusted: beyond 2^(2^30).
 //
-// Roots of squares are taken first, and roots in a rational ratio are added. What then remains of roots is
-// irrational (1, sqrt p, sqrt q are linearly independent over the rationals), so no double and no middle of
-// two is ever met, and more bits always decide (Ziv's loop ends).
+// Roots of squares are taken first, and roots in a rational ratio are added. The remaining part is irrational
+// (1, sqrt p, sqrt q are linearly independent over the rationals). So it never equals a double or the middle
+// of two, and more bits always decide (Ziv's loop ends).
 #include "oracles/arithmetic/root_sum.hpp"
 
 #include <optional>

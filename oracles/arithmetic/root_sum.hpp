@@ -1,4 +1,4 @@
-// Numbers r + s sqrt(p) + t sqrt(q): what depths, reaches along a direction and their differences are.
+// Numbers r + s sqrt(p) + t sqrt(q). Depths, reaches along a direction and their differences have this form.
 #pragma once
 
 #include "oracles/arithmetic/rational.hpp"

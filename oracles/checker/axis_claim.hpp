@@ -1,10 +1,11 @@
-// What an axis n proves, over any of the checker's arithmetics. Notation as in core/graze/proof.hpp;
-// R = radius_A + radius_B + m; H = max over vertices of n.(a - b), so h(n) = H + R |n|; w = wA wB > 0.
+// The claim that an axis n proves, over any of the checker's arithmetics. Notation as in
+// core/graze/proof.hpp, and R = radius_A + radius_B + m, H = max over vertices of n.(a - b), so h(n) = H + R
+// |n|, w = wA wB > 0.
 //
 //   TOI >= t > 0   iff  n.v < 0 and h(n) - t n.v <= 0
 //   a miss         iff  h(n) - t n.v < 0  with t = T where n.v < 0 (T = infinity: never), else t = 0
-// Both ask for the sign of D + w R |n|, D = w (H - t n.v). For R > 0 it is <= 0 iff D <= 0 and
-// D^2 >= w^2 R^2 |n|^2; strict likewise. A symbolic n that is exactly zero is no axis.
+// Both need the sign of D + w R |n|, D = w (H - t n.v). For R > 0 it is <= 0 iff D <= 0 and D^2 >= w^2 R^2
+// |n|^2. The strict case is analogous. A symbolic n that is exactly zero is not an axis.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -58,7 +59,7 @@ enum class AxisFinding { holds, zero_axis, not_approaching, fails, unknown };
                                 : AxisFinding::unknown;
 }
 
-// TOI >= t, for 0 < t < infinity; below(x, strict) answers whether h(n) - x < 0, or <= 0 unless strict.
+// TOI >= t, for 0 < t < infinity. below(x, strict) answers whether h(n) - x < 0, or <= 0 unless strict.
 template <class N, class Below>
 [[nodiscard]] AxisFinding lower_finding(const Approach<N>& approach, double t, const Below& below) {
   if (approach.negative == Answer::no) return AxisFinding::not_approaching;
@@ -74,7 +75,7 @@ template <class N, class Below>
   if (approach.negative == Answer::no) return finding(at_start);
   if (horizon == kInfinity<double>)
     return approach.negative == Answer::yes ? AxisFinding::fails : AxisFinding::unknown;
-  // With n.v < 0 the end of the path is the stronger demand; with n.v >= 0 it is implied by the start.
+  // With n.v < 0 the end of the path is the stronger demand. With n.v >= 0 it is implied by the start.
   return finding(both(at_start, below(approach.value * horizon, true)));
 }
 

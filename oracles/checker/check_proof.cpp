@@ -12,7 +12,7 @@ namespace {
 
 // ---- the door ---------------------------------------------------------------------------------------------
 
-// Reads a body whose shape is a polytope plus a ball; false: the shape is another, and nothing is read.
+// Reads a body whose shape is a polytope plus a ball. Returns false for any other shape and reads nothing.
 [[nodiscard]] bool read_solid(const Body<double>& body, Solid& solid, Door& door) {
   if (!read_leaf(body.shape, solid, door)) return false;
   door.vector(body.position);
@@ -30,7 +30,8 @@ struct VertexCounts {
   std::uint64_t a, b;
 };
 
-// What is wrong with the form of a support pair; nullptr: nothing. `counts`: where the shapes are known.
+// The fault in the form of a support pair, or nullptr if there is no fault. `counts` is given if the shapes
+// are known.
 [[nodiscard]] const char* fault_of(const SupportPair& pair, const VertexCounts* counts) {
   for (const Feature* f : {&pair.a, &pair.b}) {
     if (!all_finite(f->offset)) return "a NaN or an infinite offset";
@@ -115,7 +116,7 @@ class Cascade {
  public:
   Cascade(CheckCost* cost, Stages stages) : cost_(cost), doubles_(stages == Stages::all) {}
 
-  // decide.operator()<N>() tells the finding over N; one that is open goes on to the next arithmetic.
+  // decide.operator()<N>() returns the finding over N. An open finding passes to the next arithmetic.
   template <class Decide>
   [[nodiscard]] auto run(const Decide& decide) const {
     if (doubles_) {
@@ -140,7 +141,7 @@ class Cascade {
     return decide.template operator()<Dyadic>();
   }
 
-  // The same for what may have square roots; it may stay unknown.
+  // The same for claims with square roots, whose finding may stay unknown.
   template <class Decide>
   [[nodiscard]] auto run_with_roots(bool has_roots, const Decide& decide) const {
     if (doubles_) {

@@ -1,24 +1,32 @@
 // The checker of linear proofs: exact, and it shares nothing with the search (it includes core's input types
 // and the proof value, and none of core's algorithms).
 //
-// What it decides: whether the claims of a Proof hold for the true shapes of a case, exactly. Polytopes plus
-// a ball (point, segment, triangle, sphere, capsule, box, hull): in double with a running error bound, what
-// is open then in double-double, what is still open in GMP. Every other shape: axes in double, where they
-// take no square roots in double-double, then in balls of 128 to 4,096 bits, then with exact sums and
-// products; portals as above. A symbolic axis is computed in the arithmetic at hand, so what it proves is
-// exact too; the points of its factors may lie anywhere, as every vector but zero is an axis.
+// Scope: decides exactly whether the claims of a Proof hold for the true shapes of a case.
+//   - Polytopes plus a ball (point, segment, triangle, sphere, capsule, box, hull) are decided in double with a
+//     running error bound, open claims then in double-double, and claims that are still open in GMP.
+//   - For every other shape, axes are decided in double, axes without square roots then in double-double, then
+//     in balls of 128 to 4,096 bits, then with exact sums and products. Portals are decided as above.
+// A symbolic axis is computed in the arithmetic at hand, so its result is exact too. The points of its
+// factors may lie anywhere, as every vector but zero is an axis.
 //
-// What it costs, tight proofs, 8 to 16 vertices, median (bench/check_proof_bench.cpp): polytopes plus a ball
-// 1.2 microseconds, 2.4 with rotated poses; by the symbolic axis of a facet of C 1.4 and 2.7, a ray's miss by
-// v x edge 0.2 and 0.3. Nothing is allocated unless it refuses or needs GMP, which no tight claim of 2,773
-// random facets did (tests/oracles/checker/symbolic_proof_test.cpp). Any other shape 3 to 5, and 8 to 12 with
-// rotated poses; by its symbolic facet, a hull swept along a segment 3.2 and 6.1.
+// Cost: tight proofs, 8 to 16 vertices, median, in microseconds (bench/check_proof_bench.cpp).
+//   proof                                                    identity poses   rotated poses
+//   polytopes plus a ball                                    1.2              2.4
+//   the same by the symbolic axis of a facet of C            1.4              2.7
+//   the same, a ray's miss by v x edge                       0.2              0.3
+//   any other shape                                          3 to 5           8 to 12
+//   a hull swept along a segment, by its symbolic facet      3.2              6.1
+// The checker allocates nothing unless it refuses or needs GMP. No tight claim of 2,773 random facets needed
+// GMP (tests/oracles/checker/symbolic_proof_test.cpp).
 //
-// Where it does not decide: a case with a magnitude outside 1e-60 .. 1e60 is refused as out_of_range; the
-// proof's own numbers may be any finite doubles. A shape of more than 64 levels or 4,096 parts is
-// unsupported, and so is an upper bound under the policy pass_over without a lower one above 0 (a start that
-// leaves makes it void). What 4,096 bits leave open is undecided: never a tie (tree_support.hpp), only roots
-// that differ by less.
+// Limits:
+//   - A case with a magnitude outside 1e-60 .. 1e60 is refused as out_of_range. The proof's own numbers may be
+//     any finite doubles.
+//   - A shape of more than 64 levels or 4,096 parts is unsupported.
+//   - An upper bound under the policy pass_over without a lower one above 0 is unsupported, because a start
+//     that leaves makes it void.
+//   - A claim that 4,096 bits leave open is undecided. It is never a tie (tree_support.hpp), only roots that
+//     differ by less.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -53,11 +61,11 @@ enum class Refusal {
 
 struct Verdict {
   Refusal refusal = Refusal::none;
-  std::string detail;  // one line: the claim, and what is true instead; empty when accepted
+  std::string detail;  // one line with the claim and the true value, empty when accepted
   [[nodiscard]] bool accepted() const { return refusal == Refusal::none; }
 };
 
-// How much of the work the filters settled (for the cost table); filled when given.
+// The share of the work that the filters settled (for the cost table). It is filled when given.
 struct CheckCost {
   long long double_decisions = 0, extended_decisions = 0, exact_decisions = 0;
   long long ball_decisions = 0;  // by balls of 128 to 4,096 bits
@@ -66,14 +74,14 @@ struct CheckCost {
 [[nodiscard]] Verdict check_proof(const corpus::Case& problem, const Proof& proof, CheckCost* cost = nullptr,
                                   Stages stages = Stages::all);
 
-// Of an accepted proof with toi_lower < toi_upper < infinity: would it be accepted with either bound moved to
-// the other? Tight bounds would not. False of any other proof.
+// For an accepted proof with toi_lower < toi_upper < infinity: would it be accepted with either bound moved
+// to the other? A proof with tight bounds would not. False for any other proof.
 struct MovedBounds {
   bool lower_accepted = false;  // toi_lower raised to toi_upper
   bool upper_accepted = false;  // toi_upper lowered to toi_lower
 };
 
-// What check_proof says of the proof and of these two, for hardly more than it costs alone.
+// The verdict of check_proof on the proof and on these two, for hardly more than the cost of one check.
 [[nodiscard]] Verdict check_bracket(const corpus::Case& problem, const Proof& proof, MovedBounds& moved,
                                     CheckCost* cost = nullptr);
 

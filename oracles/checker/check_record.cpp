@@ -12,7 +12,7 @@
 namespace graze::oracle {
 namespace {
 
-// What a true proof says of the time of impact.
+// The statement of a true proof about the time of impact.
 struct Proved {
   double lower, upper;
   bool no_contact;
@@ -61,13 +61,13 @@ struct Proved {
     case Outcome::invalid_input:
       break;
   }
-  // Of no contact any finite upper end within the step says the contrary.
+  // A record of no contact is contradicted by any finite upper end within the step.
   if (!toi || record.outcome == Outcome::miss) return false;
   if (proved.no_contact) return toi->upper < kInfinity<double> && toi->upper <= record.problem.t_max;
   return proved.upper < toi->lower || proved.lower > toi->upper;
 }
 
-// Of the halves of what the outcome says.
+// The proved halves of the outcome's claim.
 struct Halves {
   int needed = 0, proved = 0;
   void add(bool is_proved) {
@@ -106,8 +106,8 @@ struct Halves {
   return count;
 }
 
-// What the format has no words for: of a start under pass_over, that it does not leave; of contact, a point
-// made of more curved ones than a feature holds.
+// Claims that the format cannot express: that a start under pass_over does not leave, and a contact point
+// made of more curved points than a feature holds.
 [[nodiscard]] bool is_beyond_words(const Proved& proved, const corpus::ProofRecord& record) {
   const corpus::Case& problem = record.problem;
   if (problem.start_policy == corpus::StartPolicy::pass_over && !proved.start_is_free()) return true;

@@ -1,28 +1,33 @@
 // The checker of rotating proofs: it shares nothing with the search (it includes core's input types and the
 // proof value, and none of core's algorithms).
 //
-// What it decides: whether the claims of a RotatingProof (graze/rotating_proof.hpp) hold for the
-// true shapes and motions of a case.
-//   Every slice of the chain, also what reaches beyond toi_lower: by the separation along the axis at the
-//   ends of the slice and a bound on how far it sinks between them, by the points' second derivatives or
-//   their speed (ball_motion.hpp); where that does not suffice the slice is cut in halves, and each is asked
-//   again. In double with a running error bound (slice_filter.hpp), then in balls of 128, 256 and 512 bits;
-//   there also with the cylinders that turning bodies sweep in whole turns (whole_turns.hpp). The chain: its
-//   slices follow each other from t = 0 to toi_lower, of a miss to t_max. The contact at toi_upper, which is
-//   at most t_max: the pairs' points where the bodies carry them, by the weights or by strict containment, in
-//   balls. Or the crossing of the origin through the triangle of three pairs between contact_from and
-//   toi_upper: by the sign of a volume at its two ends, and balls that hold all times between
-//   (crossing_claim.hpp has the argument); it is cut in halves as a slice is.
+// Scope: decides whether the claims of a RotatingProof (graze/rotating_proof.hpp) hold for the true shapes
+// and motions of a case.
+//   - Every slice of the chain, including any part beyond toi_lower. The check uses the separation along the
+//     axis at the ends of the slice and a bound on how far it sinks between them, from the points' second
+//     derivatives or their speed (ball_motion.hpp). If that does not suffice, the slice is cut in halves, and
+//     each is checked again. The arithmetic is double with a running error bound (slice_filter.hpp), then balls
+//     of 128, 256 and 512 bits. The balls also use the cylinders that rotating bodies sweep in whole turns
+//     (whole_turns.hpp).
+//   - The chain. Its slices follow each other from t = 0 to toi_lower, and for a miss to t_max.
+//   - The contact at toi_upper, which is at most t_max. Either the pairs' points where the bodies carry them,
+//     by the weights or by strict containment, in balls. Or the crossing of the origin through the triangle of
+//     three pairs between contact_from and toi_upper, by the sign of a volume at its two ends, and balls that
+//     hold all times between (crossing_claim.hpp has the argument). It is cut in halves as a slice is.
 //
-// What it costs (tests/oracles/checker/rotating_trial_test.cpp prints it; balls, boxes, segments, all three
-// frames): a slice 0.9 microseconds in double and 12 to 15 in balls, as often as it is cut; a proof 15 more,
-// for reading its case. All of 10,745 tight slices up to 1e-9 of first contact were proved in double.
+// Cost (printed by tests/oracles/checker/rotating_trial_test.cpp, with balls, boxes, segments, all three
+// frames): a slice takes 0.9 microseconds in double and 12 to 15 in balls, as often as it is cut. A proof
+// takes 15 more, for reading its case. All of 10,745 tight slices up to 1e-9 of first contact were proved in
+// double.
 //
-// Where it does not decide: a magnitude of the case outside 1e-60 .. 1e60 is out_of_range; a shape of more
-// than 64 levels or 4,096 parts is unsupported, and so is an upper bound under the policy pass_over without a
-// lower one above 0. Points of no ball that touch exactly (a rod that lies on a rod) prove no contact by
-// weights while a rotation makes their places irrational: undecided. A crossing is looked at along one
-// direction, the triangle's normal in the middle of the time; one that only others show is refused.
+// Limits:
+//   - A magnitude of the case outside 1e-60 .. 1e60 is out_of_range.
+//   - A shape of more than 64 levels or 4,096 parts is unsupported, and so is an upper bound under the policy
+//     pass_over without a lower one above 0.
+//   - Points outside every ball that touch exactly (a rod that lies on a rod) prove no contact by weights while
+//     a rotation makes their places irrational. The result is undecided.
+//   - A crossing is examined along one direction, the triangle's normal in the middle of the time. A crossing
+//     that only other directions show is refused.
 #pragma once
 
 #include <graze/rotating_proof.hpp>
@@ -60,18 +65,18 @@ enum class RotatingRefusal {
 
 struct RotatingVerdict {
   RotatingRefusal refusal = RotatingRefusal::none;
-  std::string detail;  // one line: the claim, and what is true instead; empty when accepted
+  std::string detail;  // one line with the claim and the true value, empty when accepted
   [[nodiscard]] bool accepted() const { return refusal == RotatingRefusal::none; }
 };
 
 // Pieces that one slice is cut into at most.
 inline constexpr int kMostPieces = 4096;
 
-// How much work it was; added to when given.
+// The amount of work. It is added to when given.
 struct RotatingCheckCost {
-  long long slices = 0;     // that were looked at
-  long long in_double = 0;  // that the filter proved
-  long long pieces = 0;     // that they were cut into, in double and in balls
+  long long slices = 0;     // slices that were examined
+  long long in_double = 0;  // slices that the filter proved
+  long long pieces = 0;     // pieces that they were cut into, in double and in balls
   long long raised = 0;     // slices and contacts that 128 bits left open
 };
 

@@ -12,7 +12,7 @@ using corpus::Case;
 
 namespace {
 
-// The checker reads no magnitudes of a case below 1e-60; what is smaller is left out, and counted.
+// The checker reads no magnitudes of a case below 1e-60. Smaller ones are left out, and counted.
 constexpr double kLeast = 1e-60;
 
 [[nodiscard]] double flushed(double x, double& lost) {
@@ -35,7 +35,7 @@ void add_points(Body<double>& body, std::initializer_list<Vec3<double>> points) 
   body.orientation = {};
 }
 
-// No longer than `length`, along n; 0 where n has no direction.
+// A vector along n, no longer than `length`. It is 0 if n has no direction.
 [[nodiscard]] Vec3<double> step_along(const Vec3<double>& n, double length) {
   const Vec3<double> unit = n.stableNormalized();
   if (!unit.allFinite()) return Vec3<double>::Zero();
@@ -53,7 +53,7 @@ void add_points(Body<double>& body, std::initializer_list<Vec3<double>> points) 
   return check_proof(problem, proof);
 }
 
-// Where the body is at t = `from`: what is added to its position is the exact product.
+// The place of the body at t = `from`: the exact product is added to its position.
 void start_at(Body<double>& body, double from, double& lost) {
   Vec3<double> high, low;
   for (int i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ void start_at(Body<double>& body, double from, double& lost) {
   add_points(body, {high, low});
 }
 
-// x - y or a little less, not below 0; x >= y.
+// x - y or a little less, not below 0, for x >= y.
 [[nodiscard]] double at_most_difference(double x, double y) {
   if (y == 0 || !(x < kInfinity<double>)) return x;
   const double difference = x - y;
@@ -137,7 +137,7 @@ struct Box3 {
   }
 };
 
-// Of the rotated shape, relative to the body's position.
+// Bounds of the rotated shape, relative to the body's position.
 [[nodiscard]] Box3 bounds_of(const Body<double>& body) {
   const corpus::Bounds box = corpus::bounds(body.shape, body.orientation);
   return {box.low, box.high};
@@ -161,7 +161,7 @@ RecordVerdict check_record_within(const corpus::ProofRecord& record, Kappas kapp
                of_bracket = rounding_granted(record, std::max(kappa.of_proof, kappa.of_bracket));
   RecordVerdict exact = check_record(record, of_bracket);
   if (exactly != nullptr) *exactly = true;
-  // What a record says beside a true proof rounding does not excuse.
+  // If the proof is true, rounding does not explain a record that contradicts or exceeds it.
   const bool is_false =
       exact.finding == RecordFinding::refused && exact.reason != "contradicted" && exact.reason != "unproved";
   if (!is_false || record.rotating || !(of_proof > 0)) return exact;
@@ -176,8 +176,8 @@ double rounding_granted(const corpus::ProofRecord& record, double kappa) {
   return std::isfinite(length) ? length : 0;
 }
 
-// Not above the scale, unless rounding of the poses ate more than a hundredth of it (hulls far from their own
-// origin); then the error of the coordinates is subtracted.
+// At most the scale, unless rounding of the poses lost more than a hundredth of it (hulls far from their own
+// origin). Then the error of the coordinates is subtracted.
 double scale_from_below(const Case& problem) {
   const Box3 a = bounds_of(problem.a), b = bounds_of(problem.b);
   const double centers = (problem.b.position - problem.a.position + b.center() - a.center()).stableNorm();

@@ -1,5 +1,5 @@
-// What the contact of a rotating proof claims, in balls: at toi_upper the points that its pairs name, each
-// where its body has carried it, meet by the weights, or their differences hold the origin strictly inside.
+// The contact claim of a rotating proof, in balls. At toi_upper the points that its pairs name, each where
+// its body has carried it, meet by the weights, or their differences hold the origin strictly inside.
 //
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
@@ -50,8 +50,8 @@ struct ContactAnswer {
   return answer;
 }
 
-// The points that the pairs name; finding: holds, unnamed, point_outside, or open where a point of a curved
-// part, or an offset, is too near its boundary.
+// The points that the pairs name. The finding is holds, unnamed, point_outside, or open if a point of a
+// curved part, or an offset, is too near its boundary.
 struct NamedPairs {
   std::array<NamedPoint, kContactPairs> a, b;
   ContactAnswer answer;
@@ -73,7 +73,7 @@ struct NamedPairs {
       }
     }
   }
-  // Within the ball about the point; what is left of the ball counts on.
+  // Within the ball about the point. The rest of the ball still counts.
   static void take_offset(NamedPoint& point, const Vec3<double>& offset) {
     if (offset.isZero(0)) return;
     const BallVec o(offset);

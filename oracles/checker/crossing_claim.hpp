@@ -1,15 +1,15 @@
-// What a crossing of a rotating proof claims, in balls: the origin goes through the triangle of three pairs
+// The crossing claim of a rotating proof, in balls: the origin passes through the triangle of three pairs
 // between contact_from and toi_upper.
 //
 // Let c_i(t) = a_i - b_i, n a vector, W_k = n.(c_i x c_j) for (i, j, k) cyclic, and d = det(c_0, c_1, c_2).
 // Then
 //   W_0 c_0 + W_1 c_1 + W_2 c_2 = d n:
-// where d != 0 the W_k / d are the coordinates of n in the c_k, by Cramer's rule; both sides are polynomials.
-// So while the three W_k are of one sign, with W their sum, the line {s n} meets the triangle of the c_k, a
-// part of C, at (d / W) n. d / W is continuous in t, since the c_k are; if d is above 0 at one end of the
-// time and below at the other, or 0 at either, then it is 0 at some time between, and the origin is in C.
-// Radii and a target distance only make C larger. Nothing is asked of n but that it is one vector all the
-// time.
+// If d != 0, the W_k / d are the coordinates of n in the c_k, by Cramer's rule. Both sides are polynomials,
+// so the identity holds for d = 0 too. While the three W_k are of one sign, with W their sum, the line {s n}
+// meets the triangle of the c_k, a part of C, at (d / W) n. The quotient d / W is continuous in t, since the
+// c_k are. If d is above 0 at one end of the time and below at the other, or 0 at either, then it is 0 at
+// some time between, and the origin is in C. Radii and a target distance only make C larger. The only
+// condition on n is that it is one vector all the time.
 //
 // The checker takes for n the normal of the triangle in the middle of the time, rounded, and shows the signs
 // of the W_k with balls for t that cover the whole of it.
@@ -57,7 +57,7 @@ class CrossingClaim {
  private:
   using Triangle3 = std::array<BallVec, 3>;
 
-  // Where the pairs hold at the times in a ball. The bodies' common motion is taken out before t enters.
+  // The place of the pairs at the times in a ball. The bodies' common motion is taken out before t enters.
   [[nodiscard]] Triangle3 triangle(const Ball& t) const {
     const BallMotion::Pose a = motion_.a.at(t), b = motion_.b.at(t);
     const BallVec between = apart_ + t * velocity_;

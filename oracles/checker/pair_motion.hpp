@@ -23,7 +23,8 @@ struct PairMotion {
         common(CommonTurn::of(a, b)),
         target_distance(problem.target_distance) {}
 
-  // Of the separation along n, fixed in the world: of its slope by turning, and of that slope's change.
+  // Bounds on the separation along n, fixed in the world: on its slope by rotation, and on that slope's
+  // change.
   [[nodiscard]] Ball first_bound(const BallVec& n) const {
     const Ball each = a.first_bound(n) + b.first_bound(n);
     return common ? min(each, common->first_bound(n)) : each;

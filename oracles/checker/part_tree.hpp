@@ -1,7 +1,7 @@
-// A shape of any kind as a list of parts, read and checked once, so that what walks it later cannot meet a
-// part without a shape, a cycle of work without end, or a number out of place.
+// A shape of any kind as a list of parts, read and checked once. Later walks therefore cannot meet a part
+// without a shape, an endless cycle, or a number out of range.
 //
-// Part 0 is the body's own pose about its origin; a part comes before its children, which are linked as first
+// Part 0 is the body's own pose about its origin. A part comes before its children, which are linked as first
 // child and next sibling. A part that is shared in the shape is listed each time it is met.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace graze::oracle {
 
-// Depth and size of a tree that the checker reads; beyond, it is unsupported. They bound the recursion of
+// Depth and size of a tree that the checker reads. A larger tree is unsupported. They bound the recursion of
 // every walk (a frame holds some ten numbers), and the work: shared parts can make 2^n paths of n nodes.
 inline constexpr int kDeepestPart = 64;
 inline constexpr std::size_t kMostParts = 4096;
@@ -24,11 +24,11 @@ struct Part {
   static constexpr std::uint64_t kManyVertices = std::uint64_t{1} << 32;
 
   PartKind kind = PartKind::leaf;
-  Leaf leaf;                                     // leaf; of rounded, its radius
-  Vec3<double> extents = Vec3<double>::Zero();   // ellipsoid: radii; cylinder, cone: radius, half height, 0
+  Leaf leaf;                                     // leaf, or the radius of a rounded part
+  Vec3<double> extents = Vec3<double>::Zero();   // ellipsoid: radii, others: radius, half height, 0
   Vec3<double> position = Vec3<double>::Zero();  // posed
   bool rotated = false;
-  Quaternion<double> q = {};   // scaled; unused unless rotated
+  Quaternion<double> q = {};   // scaled, unused unless rotated
   std::uint64_t vertices = 1;  // at most kManyVertices
   std::size_t first_child = kNone, next = kNone;
 
@@ -62,7 +62,7 @@ class PartTree {
     if (part.rotated) part.q = scaled_to_one(q);
   }
 
-  // The index of the new part; kNone where the door already refuses.
+  // Returns the index of the new part, or kNone if the door already refuses.
   std::size_t add(const Shape<double>& shape, int depth, Door& door) {
     if (depth > kDeepestPart || parts_.size() >= kMostParts) {
       door.unsupported("a shape of more than 64 levels or 4096 parts");

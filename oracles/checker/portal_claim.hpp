@@ -1,18 +1,19 @@
-// What a portal proves, over any of the checker's arithmetics: is there a point of P = hull{p_1..p_k}, k <=
-// 4, at s v (within m of it) for some s in [0, U]?  p_i = a_i - b_i, U = min(T, toi_upper); points come
-// scaled by w = wA wB > 0.
+// The claim that a portal proves, over any of the checker's arithmetics. Is there a point of P =
+// hull{p_1..p_k}, k <= 4, at s v (within m of it) for some s in [0, U]?  Here p_i = a_i - b_i and U = min(T,
+// toi_upper). Points come scaled by w = wA wB > 0.
 //
 // m = 0. {s : s v in P} is an interval [s0, s1], and its ends are basic solutions of a linear program: each
 // comes from a subset of the points whose projections along v are affinely independent and hold 0:
 //   a point       v x p = 0                                      s = p_c / v_c
 //   a segment     0 between two opposite projections             s = (-g_ij p_i + g_ii p_j)_c / ((g_ii - g_ij) v_c)
 //   a triangle    0 in it, o_ij, o_jk, o_ki of one sign or zero  s = sum o_jk p_i,c / (sum o v_c)
-// with c any axis along which v_c != 0, o_ij = v.(p_i x p_j), g_ij = (v x p_i).(v x p_j). The claim holds iff
-// the subsets give some s <= U and some s >= 0; it is off the path iff there is no subset.
+// Here c is any axis along which v_c != 0, o_ij = v.(p_i x p_j), and g_ij = (v x p_i).(v x p_j). The claim
+// holds iff the subsets give some s <= U and some s >= 0. It is off the path iff there is no subset.
 //
-// m > 0. Where P and the segment [0, U v] are disjoint, their distance is that of two faces at a foot point
-// inside both: end x point, edge, triangle of P; or segment x point, edge of P. Every foot inside gives the
-// distance of two points of the sets, so the claim holds iff one such squared distance is <= m^2.
+// m > 0. If P and the segment [0, U v] are disjoint, their distance is that of two faces at a foot point
+// inside both. The pairs of faces are an end with a point, an edge or the triangle of P, and the segment with
+// a point or an edge of P. Every foot inside gives the distance of two points of the sets, so the claim holds
+// iff one such squared distance is <= m^2.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -62,7 +63,7 @@ class PortalClaim {
         lowered_(ask.lowered),
         target_distance_(ask.target_distance),
         velocity_(difference<N>(ask.displacement_b, ask.displacement_a)) {
-    // The largest component of v; its sign is exact, being that of one rounded difference.
+    // The largest component of v. Its sign is exact, being that of one rounded difference.
     const Vec3<double> v = ask.displacement_b - ask.displacement_a;
     v.cwiseAbs().maxCoeff(&axis_);
     moving_ = v[axis_] != 0;
@@ -162,7 +163,7 @@ class PortalClaim {
           const Sign ij = turn_sign[i][j], jk = turn_sign[j][k], ki = negated(turn_sign[i][k]);
           const bool any_negative = ij == Sign::negative || jk == Sign::negative || ki == Sign::negative;
           const bool any_positive = ij == Sign::positive || jk == Sign::positive || ki == Sign::positive;
-          if (any_negative == any_positive) continue;  // 0 outside; or, all zero, no triangle
+          if (any_negative == any_positive) continue;  // 0 outside, or no triangle if all are zero
           const N total = turn[i][j] + turn[j][k] - turn[i][k];
           add(crossing,
               turn[j][k] * portal_.at[i][axis_] - turn[i][k] * portal_.at[j][axis_] +
@@ -221,7 +222,7 @@ class PortalClaim {
   enum class Patch { triangle, parallelogram, strip };  // strip: unbounded along the second direction
 
   // Is 0 within m of z + alpha d + beta e, with its foot inside the patch?  With g = d x e:
-  // (z.g)^2 / g.g <= m^2;  alpha = A / g.g, beta = B / g.g by the normal equations.
+  // (z.g)^2 / g.g <= m^2,  alpha = A / g.g, beta = B / g.g by the normal equations.
   [[nodiscard]] static Answer near_patch(const Triple<N>& z, const Triple<N>& d, const Triple<N>& e,
                                          const N& m_sq, Patch patch) {
     const Triple<N> g = cross(d, e);

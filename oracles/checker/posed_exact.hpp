@@ -1,9 +1,9 @@
 // Posed bodies over any of the checker's arithmetics, free of division.
 //
 //   world point = position + M x / w,   M = the matrix of x -> q x conj(q),   w = |q|^2,
-// and everything about A - B is said of (wA wB)(a - b): one positive factor for all points of a case, so no
-// comparison feels it. q is given scaled by a power of two (its rotation is the same) so that its largest
-// component lies in [1, 2).
+// Everything about A - B is computed for (wA wB)(a - b). This is one positive factor for all points of a
+// case, so no comparison changes. q is given scaled by a power of two (its rotation is the same) so that its
+// largest component lies in [1, 2).
 #pragma once
 
 #include <algorithm>
@@ -50,10 +50,10 @@ struct Leaf {
   bool has_ball = false;
 };
 
-// What the checker reads of a body whose shape is such a leaf.
+// The data that the checker reads of a body whose shape is such a leaf.
 struct Solid : Leaf {
   bool rotated = false;
-  Quaternion<double> q = {};  // scaled; unused unless rotated
+  Quaternion<double> q = {};  // scaled, unused unless rotated
   const Vec3<double>* position = nullptr;
   const Vec3<double>* displacement = nullptr;
 };
@@ -66,7 +66,7 @@ struct Solid : Leaf {
   return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
 }
 
-// M and w; rows of M. For a body that is not rotated w = 1 and M = 1, and neither is used.
+// M by rows, and w. For a body that is not rotated w = 1 and M = 1, and neither is used.
 template <class N>
 struct Frame {
   bool rotated = false;
@@ -125,7 +125,7 @@ struct Pair {
   [[nodiscard]] Triple<N> weigh(const Triple<N>& s) const { return weighted ? scaled(weight, s) : s; }
 };
 
-// How the vertices of a hull compare along a direction, found in double; what remains is for the finer
+// A comparison of a hull's vertices along a direction, found in double. Open comparisons remain for the finer
 // arithmetics.
 struct Scan {
   Vec3<double> direction = Vec3<double>::Zero();
@@ -141,7 +141,7 @@ struct Scan {
 //
 // d_i the computed n_i, |n_i - d_i| <= e_i, X_i = max |x_i|. Every fl(d.x), fused or not, is within
 //   3.01 u sum |d_i| X_i + sum e_i X_i + 2^-1072
-// of n.x, so within `error` = 8 u sum |d_i| X_i + sum e_i X_i + 2^-1000, rounded up; the excess covers the
+// of n.x, so within `error` = 8 u sum |d_i| X_i + sum e_i X_i + 2^-1000, rounded up. The excess covers the
 // rounding of the threshold, best - 2 error. Best is within `error` of the maximum.
 [[nodiscard]] inline Filtered support(const Polytope& core, const Triple<Filtered>& n, Scan& scan) {
   if (core.half_extents != nullptr) {

@@ -20,8 +20,8 @@ struct Entry {
   const char* reason = "";
 };
 
-// Collects what is wrong with the numbers of a body; malformed comes before unsupported, and that before out
-// of range, so the caller sees the gravest.
+// Collects the faults in the numbers of a body. Malformed comes before unsupported, and that before out of
+// range, so the caller gets the gravest.
 class Door {
  public:
   void number(double x) {
@@ -87,7 +87,7 @@ inline void read_own(Polytope& core, std::initializer_list<Vec3<double>> vertice
 
 }  // namespace detail
 
-// Reads a polytope plus a ball; false: the shape is another.
+// Reads a polytope plus a ball. Returns false for any other shape.
 [[nodiscard]] inline bool read_leaf(const Shape<double>& shape, Leaf& leaf, Door& door) {
   constexpr const char* kRadius = "a radius below zero";
   if (const auto* hull = std::get_if<Hull<double>>(&shape)) {

@@ -1,12 +1,12 @@
-// What a slice of a rotating proof claims, in balls: its axis keeps the bodies apart at every time of it.
+// The slice claim of a rotating proof, in balls: its axis keeps the bodies apart at every time of the slice.
 //
 // With s(t) = min over B(t) of n(t).b - max over A(t) of n(t).a and M a bound on how fast the slope of any
-// point's n(t).x(t) changes, s lies at most M (t - t_0)(t_1 - t)/2 below its chord on [t_0, t_1]
-// (ball_motion.hpp proves it; in the frame of a body the points are taken relative to the path of its pivot,
-// which cancels in s). The slice wants s - m |n| > 0. Along an axis of the world the speed of the points says
-// it too, and of a slice of very many radians it says more. A piece that both leave open is cut in the
-// middle; near a contact at t* that the bodies approach with a speed, halves as short as t* - t suffice, so
-// pieces grow with the logarithm of the gap only.
+// point's n(t).x(t) changes, s lies at most M (t - t_0)(t_1 - t)/2 below its chord on [t_0, t_1].
+// ball_motion.hpp proves it. In the frame of a body the points are taken relative to the path of its pivot,
+// which cancels in s. The slice requires s - m |n| > 0. Along an axis of the world the speed of the points
+// gives a second bound, which is stronger for a slice of very many radians. A piece that both bounds leave
+// open is cut in the middle. Near a contact at t* that the bodies approach with a speed, halves as short as
+// t* - t suffice, so the number of pieces grows only with the logarithm of the gap.
 //
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
@@ -94,7 +94,7 @@ class SliceClaim {
     return slopes_stay_positive(first, last, turning - moving, turning + moving, d);
   }
 
-  // With one body, or both, at all angles at once; the other one's turn alone bends the separation.
+  // One body, or both, at all angles at once. Only the rotation of the other one bends the separation.
   [[nodiscard]] bool holds_by_whole_turns(const PairInstant& begin, const PairInstant& end) const {
     if (frame_ != AxisFrame::world) return false;
     for (const auto& [a, b] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {

@@ -1,12 +1,12 @@
-// A slice of a rotating proof in double with running error bounds (filtered.hpp): proves it, or leaves it to
-// the balls of slice_claim.hpp.
+// A slice of a rotating proof in double with running error bounds (filtered.hpp). It is proved here, or left
+// to the balls of slice_claim.hpp.
 //
-// Notation   u = w/|w|, the axis of a body's rotation;   theta = |w| t;   arm = R(orientation) pivot.
-//   R(t) n = cos n + sin u x n + (1 - cos)(u.n) u, and R(t)^-1 n by -sin; cos and sin are balls rounded once.
+// Notation   u = w/|w|, the axis of a body's rotation,   theta = |w| t,   arm = R(orientation) pivot.
+//   R(t) n = cos n + sin u x n + (1 - cos)(u.n) u, and R(t)^-1 n by -sin. cos and sin are balls rounded once.
 //   max over X(t) of n.x = h(R^-1 n) - (R^-1 n).arm + n.(position + arm + t v), h that of the shape about its
 //   position (tree_support.hpp). Only the difference of the two positions is taken, of exact doubles.
 // The bounds of derivatives are those that ball_motion.cpp derives, without the ones for a shape of
-// revolution about its own axis; where they do not suffice, that of second derivatives is asked for as a
+// revolution about its own axis. If they do not suffice, the bound of second derivatives is computed as a
 // ball. For the oracles' own .cpp files (it includes Arb).
 #pragma once
 
@@ -146,14 +146,14 @@ class SliceFilter {
     double begin, end, first, last;
   };
 
-  // Of sines and cosines; the angle is known to 128 bits.
+  // Bits of sines and cosines. The angle is known to 128 bits.
   static constexpr long kBits = 80;
 
   [[nodiscard]] static double low(const Filtered& x) { return (x.value() - x.error()) * (1 - 0x1p-50); }
   [[nodiscard]] static double high(const Filtered& x) {
     return (std::abs(x.value()) + x.error()) * Filtered::kUp;
   }
-  // Of a number of either sign, not let vanish.
+  // Upper bound of a number of either sign, kept from vanishing.
   [[nodiscard]] static double top(const Filtered& x) {
     const double most = x.value() + x.error();
     return most + 0x1p-50 * (std::abs(x.value()) + x.error()) + 0x1p-900;
@@ -165,7 +165,7 @@ class SliceFilter {
   };
 
   // By (sqrt s0 + sqrt s1)^2 > d^2 M / 2, or s0 / f + s1 / r > d (ball_motion.hpp has both). Each side has
-  // fewer than 10 roundings, which 2^-40 covers; M is not let vanish.
+  // fewer than 10 roundings, which 2^-40 covers. M is kept from vanishing.
   [[nodiscard]] static bool stays_positive(const Piece& piece, const Slopes& slopes) {
     const double d = piece.end - piece.begin, roots = std::sqrt(piece.first) + std::sqrt(piece.last);
     const double most = std::max(slopes.bend, 0x1p-900);

@@ -1,5 +1,5 @@
-// Which arithmetics a checker goes through: all of them in turn, the quickest first; or none in doubles, so
-// that what is behind the filters is tried by itself. The verdict is the same.
+// The arithmetics that a checker uses: all of them in turn, the quickest first, or only those after the
+// doubles, so that the stages behind the filters are tested by themselves. The verdict is the same.
 #pragma once
 
 namespace graze::oracle {

@@ -1,11 +1,13 @@
-// The axis of a proof over any of the checker's arithmetics: n up to a positive factor, which no claim feels.
+// The axis of a proof over any of the checker's arithmetics: n up to a positive factor, which no claim
+// depends on.
 //
-// A factor between support pairs is (a_to - b_to) - (a_from - b_from) = R_A x + o - R_B y, x the difference
-// of the two vertices in A's frame, y likewise, o that of the offsets: the positions cancel before they are
-// rounded. Where only one body's vertex changes, its weight is dropped. A rotation goes through a cross
-// product, (M x1) x (M x2) = w M (x1 x2) for M = w R, so two such edges of one body are crossed in its frame.
+// A factor between support pairs is (a_to - b_to) - (a_from - b_from) = R_A x + o - R_B y. Here x is the
+// difference of the two vertices in A's frame, y likewise in B's, and o that of the offsets. The positions
+// cancel before they are rounded. If only one body's vertex changes, its weight is dropped. A rotation goes
+// through a cross product, (M x1) x (M x2) = w M (x1 x2) for M = w R, so two such edges of one body are
+// crossed in its frame.
 //
-// Every n is an axis, so nothing is asked of where a factor's points lie, only that they are named.
+// Every n is an axis, so a factor's points may lie anywhere. They only have to be named.
 #pragma once
 
 #include <graze/proof.hpp>
@@ -53,7 +55,7 @@ template <class N>
          difference<N>(factor.to.b.offset, factor.from.b.offset);
 }
 
-// A factor up to a positive one, in the frame where it is simplest; those of the bodies are meant by M.
+// A factor up to a positive one, in the frame where it is simplest. M maps the factors of the bodies.
 enum class EdgeFrame { world, of_a, of_b };
 
 template <class N>

@@ -1,4 +1,4 @@
-// The axis of a proof about shapes of any kind, and what it proves; a factor's points may be of any feature.
+// The axis of a proof about shapes of any kind, and its claim. A factor's points may be of any feature.
 #pragma once
 
 #include "oracles/checker/tree_point.hpp"
@@ -53,7 +53,7 @@ class TreeAxis {
 
  private:
   struct FactorWays {
-    std::vector<Way> a, b;  // from, to; empty unless the factor is a difference
+    std::vector<Way> a, b;  // from, to (empty unless the factor is a difference)
   };
 
   // A factor up to a positive one, as in symbolic_axis.hpp.

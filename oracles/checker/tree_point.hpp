@@ -1,8 +1,10 @@
-// The points that a proof names on shapes of any kind: whether they are there, and where; free of division.
+// The points that a proof names on shapes of any kind: whether they exist, and where they are, computed
+// without division.
 //
-// The index of a vertex is read as core/graze/shape.hpp writes it: of a sum in mixed radix, the last part
-// fastest; of a hull, the parts' vertices one after the other. The way to it goes through all parts of a sum
-// and one of a hull. A point of the way's curved parts is taken from the feature, in their order.
+// The index of a vertex is read as core/graze/shape.hpp writes it. For a sum it is in mixed radix, the last
+// part fastest. For a hull, the parts' vertices follow one after the other. The way to a vertex goes through
+// all parts of a sum and one of a hull. A point of the way's curved parts is taken from the feature, in their
+// order.
 #pragma once
 
 #include "oracles/checker/portal_claim.hpp"
@@ -11,7 +13,7 @@
 namespace graze::oracle {
 
 // Is x in the ellipsoid, cylinder or cone?
-//   ellipsoid  sum (x_i / r_i)^2 <= 1 over r_i > 0, times the product of the r_i^2; x_i = 0 where r_i = 0
+//   ellipsoid  sum (x_i / r_i)^2 <= 1 over r_i > 0, times the product of the r_i^2, and x_i = 0 where r_i = 0
 //   cylinder   x^2 + y^2 <= r^2, |z| <= h
 //   cone       the same, and (x^2 + y^2) (2 h)^2 <= r^2 (h - z)^2
 template <class N>
@@ -46,11 +48,11 @@ class Way {
     go(0, feature.vertex);
   }
 
-  // How many curved parts it meets; the feature has points for kCurvedParts of them.
+  // The number of curved parts on the way. The feature has points for kCurvedParts of them.
   [[nodiscard]] std::size_t curved_count() const { return curved_.size(); }
   [[nodiscard]] const Part& curved(std::size_t k) const { return *curved_[k]; }
   [[nodiscard]] const Feature& feature() const { return feature_; }
-  // Of the spheres, capsules and roundings that it meets.
+  // The radii of the spheres, capsules and roundings on the way.
   [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
   // |offset| <= the sum of the radii met

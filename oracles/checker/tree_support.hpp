@@ -1,19 +1,19 @@
-// What an axis proves about shapes of any kind: h(n) by recursion over the parts, with square roots, over
-// doubles with an error bound (Filtered), where no roots are met over double-doubles too (Extended), and over
-// balls of growing precision (Ball).
+// The claim that an axis proves about shapes of any kind: h(n) by recursion over the parts, with square
+// roots. The arithmetics are doubles with an error bound (Filtered), double-doubles (Extended) if there are
+// no roots, and balls of growing precision (Ball).
 //
 //   leaf       max over vertices x of n.x, + radius |n|         posed     p.n + h_child(R^T n)
 //   ellipsoid  sqrt(sum (r_i n_i)^2)                            rounded   h_child + radius |n|
 //   cylinder   r |n_xy| + h |n_z|                               sum       the children's sum
 //   cone       max(h n_z, r |n_xy| - h n_z)                     hull_of   the children's maximum
-// R = M / w as in posed_exact.hpp. h is homogeneous, so h(R^T n) = h(M^T n) / w: no number is divided, and a
-// value comes as a fraction with a weight > 0. |n| is taken once, at the root; below a pose it is w |n|.
+// R = M / w as in posed_exact.hpp. h is homogeneous, so h(R^T n) = h(M^T n) / w. No number is divided, and a
+// value comes as a fraction with a weight > 0. |n| is taken once, at the root. Below a pose it is w |n|.
 //
-// Why balls end: a tie h(n) = t n.v of a case makes sum of c_i sqrt(q_i) a rational, c_i > 0, q_i rational;
-// then every root in it is itself rational (a sum of positive roots of rationals is rational only if each of
-// them is), and being the root of an m 2^e it is an m 2^e. Enough bits compute it without error, and the ball
-// is the point 0. Any other number is told from 0 by enough bits; 4,096 are tried, then 4,096 for the roots
-// and exact sums and products.
+// Termination of the balls: a tie h(n) = t n.v of a case makes sum of c_i sqrt(q_i) a rational, with rational
+// c_i > 0 and rational q_i. Then every root in it is itself rational, because a sum of positive roots of
+// rationals is rational only if each of them is. Being the root of an m 2^e, it is an m 2^e. Enough bits
+// compute it without error, and the ball is the point 0. For any other number, enough bits distinguish it
+// from 0. The code tries up to 4,096, then 4,096 for the roots with exact sums and products.
 #pragma once
 
 #include "oracles/arithmetic/ball.hpp"
@@ -26,7 +26,7 @@ namespace graze::oracle {
 
 inline constexpr long kFirstBits = 128, kMostBits = 4096;
 
-// Of a number known not to be negative.
+// The root of a number known not to be negative.
 [[nodiscard]] inline Ball root(Ball x) {
   arb_sqrtpos(x.get(), x.get(), std::min(WorkingPrecision::bits(), kMostBits));
   return x;
@@ -68,7 +68,7 @@ template <class N>
 [[nodiscard]] Fraction<N> max(const Fraction<N>& l, const Fraction<N>& r) {
   return over_product<N>(max(weigh(r, l.value), weigh(l, r.value)), l, r);
 }
-// x / w. What carries a rounding error anyhow is divided at once.
+// x / w. A number that already has a rounding error is divided at once.
 template <class N>
 [[nodiscard]] Fraction<N> divided(const Fraction<N>& x, const N& w) {
   if constexpr (std::is_same_v<N, Filtered>) return {x.value / w};
@@ -80,7 +80,7 @@ class TreeSupport {
  public:
   TreeSupport(const PartTree& tree, std::vector<Scan>& scans) : tree_(tree), scans_(scans) {}
 
-  // h(n) of the body about its position; length = |n|.
+  // h(n) of the body about its position, with length = |n|.
   [[nodiscard]] Fraction<N> operator()(const Triple<N>& n, const N& length) const { return at(0, n, length); }
 
  private:

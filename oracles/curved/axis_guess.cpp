@@ -1,4 +1,4 @@
-// Decides, brackets: nothing; what it finds is tried in balls.
+// Decides, brackets: nothing. The balls test the axis that it finds.
 // Costs: 1 to 4 microseconds for boxes and small hulls, up to 15 for two curved shapes.
 // Cannot be trusted: near contact, where a direction in double is worth little.
 #include <Eigen/Geometry>

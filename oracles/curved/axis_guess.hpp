@@ -5,7 +5,7 @@
 
 namespace graze::oracle {
 
-// x -> turn x of a shape's own frame; the shapes' origins lie `between` apart, B's from A's.
+// x -> turn x of a shape's own frame. The shapes' origins lie `between` apart, B's from A's.
 struct PlacedShapes {
   const Shape<double>& a;
   const Shape<double>& b;

@@ -1,13 +1,14 @@
 // Decides exactly: nothing.
-// Brackets only: support values, to the working precision; and it names points that are in the shape without
+// Brackets only: support values, to the working precision. The points that it names are in the shape without
 //   condition.
-// Costs: 2 to 5 microseconds a leaf at 330 bits, turned; a hull is scanned in double with a proved error
-//   bound, and only what lies within it is evaluated in balls.
-// Cannot be trusted: it can; where a direction vanishes the point is some point of the shape, and the value
+// Costs: 2 to 5 microseconds a leaf at 330 bits, turned. A hull is scanned in double with a proved error
+//   bound, and only the vertices within the bound are evaluated in balls.
+// Cannot be trusted: it can. If a direction vanishes, the point is some point of the shape, and the value
 //   still holds h.
 //
-// A direction arrives as a ball (a rotation is a rational that is no dyadic number). The value is evaluated
-// on the whole ball, so it holds h(n) for the true n; the point is the support point of the ball's midpoint.
+// A direction arrives as a ball (the entries of a rotation are rationals that are not dyadic). The value is
+// evaluated on the whole ball, so it holds h(n) for the true n. The point is the support point of the ball's
+// midpoint.
 #include "oracles/curved/ball_body.hpp"
 
 #include <cmath>
@@ -60,10 +61,10 @@ class VertexScan {
     }
   }
   [[nodiscard]] BallSupport support(const BallVec& n) const {
-    // The direction times a power of two, rounded to double: an error of u in each coordinate, relative to
-    // the largest, 1. The differences have relative error u, the dot product less than 3.1 u of 3 reach_;
-    // 16 u reach_ covers all, twice for the two ends of a comparison. A direction in a ball wider than
-    // rounding would void this: then every vertex is evaluated.
+    // The direction times a power of two, rounded to double: an error of u in each coordinate, relative to the
+    // largest, 1. The differences have relative error u, and the dot product less than 3.1 u of 3 reach_. The
+    // bound 16 u reach_ covers all, twice for the two ends of a comparison. A direction in a ball wider than
+    // rounding would void this. Then every vertex is evaluated.
     Vec3<double> d;
     const bool open = !to_double(n, d);
     const double band = 40 * kUnitRoundoff<double> * reach_;
@@ -196,7 +197,7 @@ BallSupport BallBody::Node::support(const BallVec& n) const {
   return {};
 }
 
-// A shape as a node; `magnitude` becomes at least the largest coordinate of the shape, in its own frame.
+// A shape as a node. `magnitude` becomes at least the largest coordinate of the shape, in its own frame.
 struct BallBody::Builder {
   using Kind = Node::Kind;
   double magnitude = 0;

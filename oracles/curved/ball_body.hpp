@@ -26,11 +26,11 @@ class BallBody {
   BallBody(BallBody&&) noexcept;
   BallBody& operator=(BallBody&&) noexcept;
 
-  // Of the shape as it stands relative to the body's own position: add the position to place it.
+  // The support of the shape relative to the body's own position. Add the position to place it.
   [[nodiscard]] BallSupport support(const BallVec& n) const;
   [[nodiscard]] const BallVec& position() const { return position_; }
   [[nodiscard]] const BallVec& displacement() const { return displacement_; }
-  // An upper bound of the magnitude of the numbers in it: what rounding errors are relative to.
+  // An upper bound of the magnitude of the numbers in it. Rounding errors are relative to it.
   [[nodiscard]] double magnitude() const { return magnitude_; }
 
  private:

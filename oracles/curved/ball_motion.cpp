@@ -1,26 +1,27 @@
 // Decides exactly: nothing.
-// Brackets only: support values and points, to the working precision; bounds of derivatives, from above.
+// Brackets only: support values and points, to the working precision, and bounds of derivatives, from above.
 // Costs: a pose 5 microseconds at 128 bits, a support of a placed box 5 more.
 // Cannot be trusted: it can.
 //
-// Bounds, n fixed in the world. A followed point is x(t) = c + t v + R(t) r + (what has no derivatives but
-// those of t v), with r fixed: (n.x)'' = n . (w x (w x R r)), and w x (w x R r) = -|w|^2 times the part of
-// R r across w, whose length is r's distance d from the axis of rotation. So
+// Bounds, n fixed in the world. A followed point is x(t) = c + t v + R(t) r + (terms without derivatives
+// except those of t v), with r fixed. Then (n.x)'' = n . (w x (w x R r)), and w x (w x R r) = -|w|^2 times
+// the part of R r across w, whose length is r's distance d from the axis of rotation. So
 //   |(n.(x - t v))'| <= |n x w| d,   |(n.x)''| <= |w| |n x w| d.
 //
-// A shape of revolution, a its unit axis and o its centre from the pivot, world axes of t = 0: turning the
-// shape about a by any angle first moves no point out of it, so x(t) = c + t v + R(t) (o + Q(t) y), Q(t) the
-// turn about a by -(w.a) t, covers the same set. u(t) = R(t) Q(t) y turns with the angular velocity
+// A shape of revolution, with a its unit axis and o its centre from the pivot, in world axes of t = 0.
+// Turning the shape about a by any angle first moves no point out of it. So x(t) = c + t v + R(t) (o + Q(t)
+// y), Q(t) the turn about a by -(w.a) t, covers the same set. u(t) = R(t) Q(t) y turns with the angular
+// velocity
 //   e(t) = w - (w.a) R(t) a,   |e| = |w x a|,   |e'| = |w.a| |w x a|
-// (w fixed, R a turning about w), and u'' = e' x u + e x (e x u). With s = w.a, e = |w x a|, and u = (u1, u2,
-// u3) along e/|e|, R a and their cross product, that is e (s u2, -s u1 - e u2, -e u3): e times a symmetric
-// matrix of u, up to signs, whose greatest eigenvalue is k = (e + sqrt(e^2 + 4 s^2))/2 >= e. Hence
+// (w fixed, R a rotation about w), and u'' = e' x u + e x (e x u). With s = w.a, e = |w x a|, and u = (u1,
+// u2, u3) along e/|e|, R a and their cross product, that is e (s u2, -s u1 - e u2, -e u3). This is e times a
+// symmetric matrix of u, up to signs, whose greatest eigenvalue is k = (e + sqrt(e^2 + 4 s^2))/2 >= e. Hence
 //   |(n.(x - t v))'| <= |n x w| d_o + |n| e |y|,
 //   |(n.x)''| <= |w| |n x w| d_o + |n| e k |y|,
 // d_o the distance of o from the axis of rotation. The lesser of the two bounds holds.
 //
-// An axis that turns with X: with m = R_X n, D = c_Y + t v_Y - c_X - t v_X, d = w_Y - w_X and u = R_Y r, the
-// point is R_X^-1 (u + D) in X's axes, and differentiating R_X^-1 gives -R_X^-1 w_X x:
+// An axis that turns with X. With m = R_X n, D = c_Y + t v_Y - c_X - t v_X, d = w_Y - w_X and u = R_Y r, the
+// point is R_X^-1 (u + D) in X's axes. Differentiating R_X^-1 gives -R_X^-1 w_X x:
 //   f'' = m . (d x (w_Y x u) - w_X x (d x u) - 2 w_X x (v_Y - v_X) + w_X x (w_X x D)).
 // |m . (w_X x z)| <= |n x w_X| |z|, as |m x w_X| does not change; |d x u| <= |d| |u|, |w_Y x u| = |w_Y| d_u,
 // and |w_X x D| is convex in t, so it is largest at an end.
@@ -55,8 +56,8 @@ struct Blob {
 
 constexpr std::size_t kMostBlobs = 4096;
 
-// The greatest |M x|, |x| <= 1, where M has rank 2: the root of the greater root of l^2 - tr(G) l + e, with
-// G = M^T M and e the sum of its principal minors, as det G = 0.
+// The greatest |M x|, |x| <= 1, for M of rank 2: the root of the greater root of l^2 - tr(G) l + e, with G =
+// M^T M and e the sum of its principal minors, as det G = 0.
 Ball stretch_across(const std::array<BallVec, 3>& m) {
   std::array<std::array<Ball, 3>, 3> g;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -76,8 +77,8 @@ Ball farthest(const BallVec& c, const std::array<BallVec, 3>& m, const Ball& str
 }
 
 // A shape's core as blobs, and the radius of the ball that is left out of it: the shape lies in the core and
-// that ball about its points. What a kind of shape leaves out of the one it adds to the other, here and
-// nowhere else.
+// that ball about its points. For each kind of shape, only this code decides which part belongs to the core
+// and which to the ball.
 struct Blobs {
   std::vector<Blob> list;
   Ball ball;
@@ -201,7 +202,7 @@ struct Blobs {
     }
     return *most;
   }
-  // About the middle of the core's bounds along the axes; the origin where that is no double.
+  // The middle of the core's bounds along the axes, or the origin if the middle is not finite in double.
   [[nodiscard]] Vec3<double> middle() const {
     Vec3<double> low = Vec3<double>::Constant(kInfinity<double>), high = -low;
     for (const Blob& blob : list) {
@@ -218,19 +219,20 @@ struct Blobs {
     const Vec3<double> x = low / 2 + high / 2;
     return x.allFinite() ? x : Vec3<double>(Vec3<double>::Zero());
   }
-  // Of all points from the origin. Columns at right angles stretch by the longest.
+  // The largest distance of all points from the origin. Columns at right angles stretch by the longest.
   [[nodiscard]] Ball reach() const {
     return reach([](const BallVec& x) { return x; },
                  [](const auto& m) { return max(max(norm(m[0]), norm(m[1])), norm(m[2])); });
   }
-  // Of all points from the line through the origin along w, w != 0.
+  // The largest distance of all points from the line through the origin along w, w != 0.
   [[nodiscard]] Ball reach_across(const BallVec& w) const {
     const Ball over_rate = Ball(1) / norm(w);
     return reach([&](const BallVec& x) { return over_rate * cross(w, x); }, stretch_across);
   }
 
  private:
-  // Of map x, a linear map that lengthens nothing; stretch: of an ellipsoid's columns, mapped.
+  // The same after `map`, a linear map that lengthens nothing. `stretch` gives the stretch of an ellipsoid's
+  // mapped columns.
   template <class Map, class Stretch>
   [[nodiscard]] Ball reach(const Map& map, const Stretch& stretch) const {
     Ball most;

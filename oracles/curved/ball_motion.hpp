@@ -1,21 +1,21 @@
-// A body that moves and turns, in ball arithmetic: its support at any time, named points of it, and how fast
-// and how far from straight its points can move along an axis.
+// A body that moves and rotates, in ball arithmetic: its support at any time, named points of it, and bounds
+// on the speed and the curvature of its points' motion along an axis.
 //
-// Notation   R(t) = R(t w), w the rotation vector;   c = position + R(orientation) pivot;   v the velocity.
+// Notation   R(t) = R(t w), w the rotation vector,   c = position + R(orientation) pivot,   v the velocity.
 //   A world point x of the body at t = 0 is at R(t) (x - c) + c + t v at time t.
-// Frame: world axes, origin at the `reference` that is given at construction, subtracted exactly; bodies of
+// Frame: world axes, origin at the `reference` that is given at construction, subtracted exactly. Bodies of
 // one pair share it.
 //
-// Points that are followed. Only the set counts, so the body may be covered at every t by any points that
-// stay in it; the bounds below hold for these curves:
+// Followed points. Only the set counts, so the body may be covered at every t by any points that stay in it.
+// The bounds below hold for these curves:
 //   - a ball of a sphere, capsule, rounding or ellipsoid of equal radii does not turn: its points are
-//     centre(t) + a constant. The centres are the body's *core*, and what is left out of it is ball();
+//     centre(t) + a constant. The centres are the body's *core*, and ball() is the part left out of it,
 //   - a cylinder, cone or ellipsoid of revolution about its own axis a is followed in a frame that does not
-//     spin about a, where that bounds better (ball_motion.cpp).
+//     spin about a, if that frame gives a better bound (ball_motion.cpp).
 //
-// The pivot of a body that does not turn may be any point, whatever the case gives. One far from the body
-// would count in pivot_reach(), so it is one amid the body; spin() is the one place that says which.
-// For the oracles' own .cpp files (it includes Arb).
+// The pivot of a body that does not rotate may be any point, whatever the case gives. One far from the body
+// would count in pivot_reach(), so a point amid the body is used. Only spin() makes this choice. For the
+// oracles' own .cpp files (it includes Arb).
 #pragma once
 
 #include <memory>
@@ -29,11 +29,11 @@
 namespace graze::oracle {
 
 // A point of the body that a proof names: R(orientation) (x - pivot), world axes of t = 0, without the
-// feature's offset; and the sum of the radii on the way to it.
+// feature's offset, and the sum of the radii on the way to it.
 struct NamedPoint {
   BallVec from_pivot;
   Ball radius;
-  std::size_t curved_parts = 0;  // on the way; a feature holds points for kCurvedParts of them
+  std::size_t curved_parts = 0;  // on the way (a feature holds points for kCurvedParts of them)
   Answer inside = Answer::yes;   // do the feature's curved points lie in their parts, proved?
 };
 
@@ -74,7 +74,7 @@ class BallMotion {
   // Throws std::invalid_argument for a vertex that the shape does not have, and for a shape of more than 64
   // levels or 4,096 parts.
   [[nodiscard]] NamedPoint named(const Feature& feature) const;
-  // How many vertices features may name; at least 2^32 is any.
+  // The number of vertices that features may name. A value of at least 2^32 allows any.
   [[nodiscard]] std::uint64_t vertex_count() const;
 
   [[nodiscard]] const BallVec& velocity() const { return velocity_; }  // exact
@@ -94,8 +94,8 @@ class BallMotion {
   [[nodiscard]] const Ball& pivot_reach() const { return pivot_reach_; }
   [[nodiscard]] const Ball& axis_low() const { return axis_low_; }
   [[nodiscard]] const Ball& axis_high() const { return axis_high_; }
-  // A point amid the body, from the pivot at t = 0, and how far the core's points are from it at most. Of a
-  // body that turns.
+  // For a rotating body: a point amid the body, from the pivot at t = 0, and the largest distance of the
+  // core's points from it.
   [[nodiscard]] const Vec3<double>& middle() const { return middle_; }
   [[nodiscard]] const Ball& middle_reach() const { return middle_reach_; }
   // For n fixed in the world, of |(n.(x - t v))'| and of |(n.x)''| over the points x(t).
@@ -107,7 +107,7 @@ class BallMotion {
   struct OwnAxis {
     bool exists = false;
     Ball spin, tilt;      // |w.a|, |w x a|, a a unit vector along the shape's own axis
-    Ball center, around;  // distance of the shape's centre from the axis of rotation; of points from it
+    Ball center, around;  // distance from the axis of rotation: of the shape's centre, of points from it
   };
 
   BallBody body_;
@@ -123,14 +123,14 @@ class BallMotion {
 };
 
 // For an axis that turns with X, R_X(t) n: an upper bound over [begin, end] of |(R_X(t) n . (x(t) - p(t)))''|
-// for Y's followed points x and p the path of X's pivot. For X's own points that is 0; their balls, and Y's,
+// for Y's followed points x and p the path of X's pivot. For X's own points that is 0. Their balls, and Y's,
 // add constants.
 [[nodiscard]] Ball second_bound_turning(const BallMotion& x, const BallMotion& y, const BallVec& n,
                                         const Ball& begin, const Ball& end);
 
-// Two bodies that turn by one rotation vector w, exactly: seen from any point of the one, a point of the
-// other moves as R(t) z but for a constant velocity, z no farther than this from the axis of rotation.
-// Nothing where the vectors differ or are 0. With it
+// For two bodies with exactly one rotation vector w. Seen from any point of one body, a point of the other
+// moves as R(t) z up to a constant velocity, with z no farther than this from the axis of rotation. Nothing
+// if the vectors differ or are 0. With it
 //   |(n.(y - x - t v))'| <= |n x w| z,     |(n.(y - x))''| <= |w| |n x w| z.
 struct CommonTurn {
   BallVec rotation;
@@ -141,16 +141,17 @@ struct CommonTurn {
   [[nodiscard]] Ball second_bound(const BallVec& n) const { return rate * first_bound(n); }
 };
 
-// Of g(x) = chord from s0 at 0 to s1 at d, less bound x (d - x) / 2, over [0, d], d > 0.
-// Where the vertex, at d/2 - (s1 - s0) / (bound d), is inside, g there is positive iff s0, s1 > 0 and
-//   sqrt(s0) + sqrt(s1) > d sqrt(bound / 2);
-// where it is outside, |s1 - s0| >= bound d^2 / 2, and s0, s1 > 0 already give that:
-// (sqrt s0 + sqrt s1)^2 > |s1 - s0|. So the one test says that g is positive; certain where it does.
+// Tests g(x) = chord from s0 at 0 to s1 at d, less bound x (d - x) / 2, over [0, d], d > 0. The vertex of g
+// is at d/2 - (s1 - s0) / (bound d). If it is inside, g is positive there iff s0, s1 > 0 and
+//   sqrt(s0) + sqrt(s1) > d sqrt(bound / 2).
+// If it is outside, |s1 - s0| >= bound d^2 / 2, and s0, s1 > 0 already give that: (sqrt s0 + sqrt s1)^2 > |s1
+// - s0|. So one test suffices for g > 0, and a positive answer is certain.
 [[nodiscard]] bool chord_stays_positive(const Ball& s0, const Ball& s1, const Ball& bound, const Ball& d);
-// A function from s0 at 0 to s1 at d that falls no faster than f and rises no faster than r is above
-// s0 - f x and s1 - r (d - x). Both ends positive, it is positive on [0, d] if f <= 0 or r <= 0, or
+// A function from s0 at 0 to s1 at d that falls no faster than f and rises no faster than r is above s0 - f x
+// and s1 - r (d - x). With both ends positive, it is positive on [0, d] if f <= 0 or r <= 0, or
 //   s0 / f + s1 / r > d,
-// as then the one is positive up to beyond where the other begins to be. Certain where it says so.
+// because then the first bound stays positive beyond the point where the second becomes positive. A positive
+// answer is certain.
 [[nodiscard]] bool slopes_stay_positive(const Ball& s0, const Ball& s1, const Ball& f, const Ball& r,
                                         const Ball& d);
 // A lower bound of the least g.

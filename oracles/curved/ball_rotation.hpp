@@ -9,7 +9,7 @@
 
 namespace graze::oracle {
 
-// A rotation as a matrix; rounded to the working precision of its construction.
+// A rotation as a matrix, rounded to the working precision of its construction.
 class BallRotation {
  public:
   BallRotation() = default;  // the identity

@@ -1,9 +1,9 @@
 // Decides exactly: nothing.
 // Brackets only: distance, depth and first point on a line, each from outside by half-spaces (support values)
 //   and from inside by hulls of points of K.
-// Costs: a step takes one support and 10 to 30 microseconds more at 330 bits; a smooth boundary takes three
-//   or four steps a decimal digit, a polytope ends in as many as it has features near.
-// Cannot be trusted: it can; but at the end of a budget the bracket is wide.
+// Costs: a step takes one support and 10 to 30 microseconds more at 330 bits. A smooth boundary takes three
+//   or four steps a decimal digit. A polytope ends in as many steps as it has features near.
+// Cannot be trusted: it can, but at the end of a budget the bracket is wide.
 #include "oracles/curved/ball_search.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ struct Corral {
 };
 
 struct AffineStep {
-  std::vector<Ball> weights;  // of the affine hull's nearest point; or a dependence, of sum 0
+  std::vector<Ball> weights;  // for the affine hull's nearest point, or a dependence with sum 0
   bool dependent = false;
 };
 
@@ -235,7 +235,7 @@ Nearest3 nearest(const ConvexSet& set, const BallVec& shift, const NearestGoal& 
     if (goal.until_separated && result.lower.is_positive()) break;
     const Ball upper = length + norm(shift), gap = upper - result.lower;
     if (mid_less(gap, goal.absolute) || mid_less(gap, goal.relative * upper)) break;
-    // What the new point gains, against what rounding could feign.
+    // Compares the gain of the new point with the possible rounding error.
     const BallVec y = (found.point - shift).mid();
     const Ball gain = x_sq - dot(x, y);
     if (!mid_less(noise() * x_sq, gain)) break;
@@ -250,7 +250,7 @@ Nearest3 nearest(const ConvexSet& set, const BallVec& shift, const NearestGoal& 
   return result;
 }
 
-// --- Least depth: a polytope of points of K around the origin, grown where a facet is nearest (the expanding
+// --- Least depth: a polytope of points of K around the origin, grown at its nearest facet (the expanding
 // polytope of van den Bergen, "Proximity queries and penetration depth computation on 3D game objects",
 // 2001). Proof of the lower bound: the facets close up (each edge is met once in each direction), and every
 // facet has the origin strictly on its inner side. Then the surface, seen from the origin, covers every
@@ -260,7 +260,7 @@ namespace {
 struct Facet {
   std::array<int, 3> corner;
   BallVec normal;         // midpoints, outward, not normalised
-  Ball offset, distance;  // normal.x on the plane; over |normal|
+  Ball offset, distance;  // normal.x on the plane, and the same over |normal|
   Ball length;
   bool alive = true, final = false;
 };
@@ -398,14 +398,14 @@ Depth3 least_depth(const ConvexSet& set, const std::vector<CsoPoint>& start, con
 }
 
 // --- First point on a line: column generation (Dantzig and Wolfe, "Decomposition principle for linear
-// programs", 1960) on  min height  over combinations that lie on the line; three columns are a portal, the
-// support in the portal's normal is the pricing. All columns found stay in the pool: the portal is a face of
-// their hull, as in a Delaunay triangulation, and does not grow long.
+// programs", 1960) on  min height  over combinations that lie on the line. Three columns are a portal, and
+// the support in the portal's normal is the pricing. All columns found stay in the pool: the portal is a face
+// of their hull, as in a Delaunay triangulation, and does not grow long.
 namespace {
 
 struct Column {
   CsoPoint from;
-  Ball x, y, height;  // in a frame across the line, and along it in units of v; midpoints
+  Ball x, y, height;  // midpoints, in a frame across the line, and along it in units of v
 };
 
 struct Weights {

@@ -1,6 +1,6 @@
 // Searches over a convex set K given by its support function, in ball arithmetic: nearest point, least depth,
-// first point on a line. Searches compare midpoints; what they return is enclosed, and holds whatever they
-// did.
+// first point on a line. Searches compare midpoints. Their results are enclosed, and hold whatever path the
+// search took.
 //
 // For the oracles' own .cpp files (it includes Arb).
 #pragma once
@@ -46,11 +46,12 @@ struct NearestGoal {
   int max_supports = 600;
 };
 
-// `shift`: a tiny vector, or zero; the search runs about it instead of the origin, so that ties do not arise.
+// `shift` is a tiny vector, or zero. The search runs about it instead of the origin, so that ties do not
+// arise.
 [[nodiscard]] Nearest3 nearest(const ConvexSet& set, const BallVec& shift, const NearestGoal& goal);
 
-// The depth of the origin in K, the distance from the complement of K: lower <= depth <= upper, exact balls;
-// lower > 0 proves that the origin is inside.
+// The depth of the origin in K, the distance from the complement of K: lower <= depth <= upper, exact balls.
+// A positive lower bound proves that the origin is inside.
 struct Depth3 {
   Ball lower, upper;
   BallVec axis;  // h(axis) <= upper |axis|
@@ -69,7 +70,7 @@ struct DepthGoal {
 // The least t with t v in K, for a line known to pass through its inside.
 struct FirstOnLine {
   Ball lower;         // exact: t >= lower for every t v in K
-  BallVec axis;       // proves it; n.v < 0
+  BallVec axis;       // proves it, with n.v < 0
   Combination inner;  // a point of K: (height) v, off the line by no more than `off`
   Ball height, off;   // exact, height rounded up
   int supports = 0;

@@ -1,7 +1,7 @@
 // Decides exactly: nothing.
 // Brackets only: separations, distances and depths at a time, separations over a slice.
 // Costs: 20 microseconds a separation of two placed boxes at 192 bits, 5 to 500 to find an axis.
-// Cannot be trusted: it can; where contact is closer than `fine`, it is open.
+// Cannot be trusted: it can. A contact closer than `fine` stays open.
 #include "oracles/curved/rotating_pair.hpp"
 
 #include <cmath>
@@ -11,7 +11,8 @@
 namespace graze::oracle {
 namespace {
 
-// Any direction in general position serves; far below what is told apart, so that ties do not arise.
+// Any direction in general position serves. Its length is far below the resolution, so that ties do not
+// arise.
 BallVec shift_for(const Ball& fine) {
   return ((fine * Ball(0x1p-10)) * BallVec(Vec3<double>(0.53771, -0.31883, 0.75213))).mid();
 }

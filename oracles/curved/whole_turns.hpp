@@ -1,7 +1,8 @@
-// A turning body at all its angles at once: the cylinder that it sweeps about its axis of rotation, which
-// only moves along. What keeps clear of the cylinder keeps clear of the body, however many turns it makes.
+// A rotating body at all its angles at once: the cylinder that it sweeps about its axis of rotation, which
+// only translates. A set that does not touch the cylinder does not touch the body, however many turns it
+// makes.
 //
-// Notation   u = w/|w|;   c + t v the path of the pivot;   every point of the body is within r of the core.
+// Notation   u = w/|w|,   c + t v the path of the pivot.   Every point of the body is within r of the core.
 //   max over the cylinder and the ball of n.x = n.(c + t v) + max(n.u high, n.u low) + |n x u| reach + r |n|,
 // high and low the core's greatest and least height along u from the pivot, which no turn changes, reach its
 // largest distance from the axis. All four are those of one core: BallMotion's (ball_motion.hpp).
@@ -24,7 +25,7 @@ class SweptBody {
     return out;
   }
 
-  // h(n) of all angles, at the time t; n of any length.
+  // h(n) of all angles, at the time t, with n of any length.
   [[nodiscard]] Ball reach(const BallMotion& body, const BallVec& n, double t) const {
     const Ball along = dot(n, axis_);
     const BallVec pivot = body.pivot() + Ball(t) * body.velocity();

@@ -1,6 +1,6 @@
 // Decides: the exact posed vertices and the radius of a body. Brackets: nothing. Costs: about 5 microseconds
-// a rotated vertex, as much again for every pose within the shape. Cannot be trusted: nowhere; what it cannot
-// represent it refuses.
+// a rotated vertex, as much again for every pose within the shape. Cannot be trusted: nowhere. It refuses
+// shapes that it cannot represent.
 #include "oracles/polytope/exact_body.hpp"
 
 #include <cmath>
@@ -71,7 +71,7 @@ void demand_parts(const Parts& parts) {
   if (parts.empty()) throw std::invalid_argument("a combinator: it has no part");
 }
 
-// What a shape is made of, found without a vertex: throws where it is not one polytope and one ball.
+// The parts of a shape, found without a vertex. Throws if the shape is not one polytope and one ball.
 struct Outline {
   std::size_t vertices = 0;
   Rational radius;

@@ -1,8 +1,9 @@
-// Decides: the convex hull of integer points, exactly, in the dimension that it has. Solids by CGAL's
-// convex_hull_3; points, segments and polygons by the few signs that they need.
+// Decides: the convex hull of integer points, exactly, in the dimension that it has. Solids use CGAL's
+// convex_hull_3. Points, segments and polygons use the few signs that they need.
 // Brackets: nothing.
 // Costs: nearly all of what linear_truth.cpp's construction costs.
-// Cannot be trusted: where CGAL's hull is wrong; linear_program.cpp and nef_minkowski.cpp are asked too.
+// Cannot be trusted: if CGAL's hull is wrong. Therefore linear_program.cpp and nef_minkowski.cpp are used as
+// checks.
 #include "oracles/polytope/exact_cso.hpp"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,9 +22,10 @@
 namespace graze::oracle {
 namespace {
 
-// Most of a difference's faces are parallelograms, whose fourth corner no filter tells from the plane of the others: what
-// decides there is the cost. Integers of 512 bits on the stack decide in a fifth of the time of the lazy exact kernel,
-// which is for coordinates that they cannot hold: of b bits, a plane's normal has 2 b + 3, and its sign at a point 3 b + 8.
+// Most of a difference's faces are parallelograms, whose fourth corner no filter separates from the plane of
+// the others, so the exact decision dominates the cost. Integers of 512 bits on the stack decide in a fifth
+// of the time of the lazy exact kernel. The lazy kernel serves the coordinates that they cannot hold: for b
+// bits, a plane's normal has 2 b + 3, and its sign at a point 3 b + 8.
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 512, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,
@@ -127,10 +129,10 @@ ConvexHull segment_hull(const std::vector<IntVec>& points, const IntVec& along) 
   return hull;
 }
 
-// Andrew's monotone chain in the plane with the given normal; points are sorted.
+// Andrew's monotone chain in the plane with the given normal. Points are sorted.
 ConvexHull polygon_hull(const std::vector<IntVec>& points, const IntVec& normal) {
   // A point left of (p, q) about the normal: dot(cross(q - p, r - p), normal) > 0. Lexicographic order is a
-  // sweep order of the plane too: distinct points of it with equal (x, y) differ in z consistently, because
+  // sweep order of the plane too. Distinct points of it with equal (x, y) differ in z consistently, because
   // the order is by x, then y, then z, and each is a linear function on the plane.
   const auto turn = [&](const IntVec& p, const IntVec& q, const IntVec& r) {
     return sgn(dot(cross(q - p, r - p), normal));

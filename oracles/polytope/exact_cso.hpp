@@ -23,20 +23,20 @@ struct HullFacet {
 struct HullEdge {
   int from = 0, to = 0;
   std::array<int, 2>
-      facets{};      // the facets that meet in it (both sides of a flat hull; unused for a segment)
+      facets{};      // the facets that meet in it (both sides of a flat hull, unused for a segment)
   IntVec direction;  // to - from
 };
 
 struct ConvexHull {
   int dimension = 0;
   std::vector<IntVec>
-      vertices;  // every extreme point; in a solid's flat face maybe others of the given points
-  std::vector<HullEdge> edges;         // every edge; diagonals between coplanar triangles too
+      vertices;  // every extreme point, and maybe other given points in a solid's flat face
+  std::vector<HullEdge> edges;         // every edge, including diagonals between coplanar triangles
   std::vector<HullFacet> facets;       // solids and polygons
   std::vector<HalfSpace> half_spaces;  // their intersection is the hull, in every dimension
 };
 
-// points is not empty; duplicates are welcome.
+// points is not empty. Duplicates are allowed.
 [[nodiscard]] ConvexHull convex_hull(std::vector<IntVec> points);
 
 }  // namespace graze::oracle

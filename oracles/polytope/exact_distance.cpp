@@ -1,8 +1,8 @@
 // Decides: the squared distance of a point, and of a line, from a hull, and the interval of a line inside it.
 //
 // A feature is nearest when the projection on its affine hull lies in it and the hull lies behind the plane
-// through the projection (the condition of Karush, Kuhn and Tucker, sufficient for convex sets): doubles
-// propose an order of features, integers decide, and all features are tried before giving up.
+// through the projection (the condition of Karush, Kuhn and Tucker, sufficient for convex sets). Doubles
+// propose an order of features, and integers decide. All features are tried before giving up.
 //
 // Brackets: nothing. Costs: about 20 microseconds a point at 30 vertices. Cannot be trusted: nowhere known.
 #include "oracles/polytope/exact_distance.hpp"
@@ -183,7 +183,7 @@ LineDistance HullDistance::from_line(const IntVec& v) const {
   const Integer vv = oracle::dot(v, v);
   const auto project = [&](const IntVec& c) { return vv * c - oracle::dot(c, v) * v; };
   const auto result = [&](const HomogeneousPoint& foot) {
-    // The line foot + s v touches the hull; the first point of the touch is the answer's.
+    // The line foot + s v touches the hull. The first point of the touch is the answer's.
     return LineDistance{fraction(oracle::dot(foot.x, foot.x), foot.w * foot.w),
                         clip_line(foot, v).value().in};
   };

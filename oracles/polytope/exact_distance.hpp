@@ -15,7 +15,7 @@ struct PointDistance {
   int index = 0;  // of the facet, edge or vertex whose affine hull holds the nearest point
 };
 
-// The interval {s : base + s v in hull}, v != 0; nothing if it is empty.
+// The interval {s : base + s v in hull}, v != 0. Nothing if it is empty.
 struct LineInterval {
   Rational in, out;
 };

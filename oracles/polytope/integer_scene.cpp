@@ -1,6 +1,6 @@
-// Decides: the CSO's polytope in integers. Brackets: the roots that distances are. Costs: nearly all of what
-// the construction of linear_truth.cpp and penetration_truth.cpp costs; the hull (exact_cso.cpp) is most of
-// it. Cannot be trusted: where CGAL's hull is wrong.
+// Decides: the CSO's polytope in integers. Brackets: the roots in distances. Costs: nearly all of the
+// construction cost of linear_truth.cpp and penetration_truth.cpp. The hull (exact_cso.cpp) is most of it.
+// Cannot be trusted: if CGAL's hull is wrong.
 #include "oracles/polytope/integer_scene.hpp"
 
 #include <cmath>

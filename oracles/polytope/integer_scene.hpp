@@ -35,7 +35,7 @@ class IntegerScene {
   ExactBody a, b;
   Integer unit = 1;
   IntVec v;                      // v_B - v_A
-  Integer shape_radius, radius;  // r_A + r_B; R
+  Integer shape_radius, radius;  // r_A + r_B, and R
   std::optional<HullDistance> cso;
 
   // Lengths, back in the caller's unit.
@@ -43,9 +43,9 @@ class IntegerScene {
   [[nodiscard]] Rational length_sq(const Rational& squared) const { return squared / (unit * unit); }
   // unit x, homogeneous.
   [[nodiscard]] HomogeneousPoint point(const RationalPoint& x) const;
-  // The hull of the vertices of A ('a') or B ('b') at t = 0; std::invalid_argument for another letter.
+  // The hull of the vertices of A ('a') or B ('b') at t = 0. Any other letter throws std::invalid_argument.
   [[nodiscard]] const HullDistance& body_hull(char body) const;
-  // Distance of a world point from a body as it stands at time t; infinity for what is not finite.
+  // Distance of a world point from a body at time t. It is infinity for an argument that is not finite.
   [[nodiscard]] Enclosure distance_from_body(char body, double t, const Vec3<double>& world_point) const;
 
  private:

@@ -5,7 +5,7 @@
 // and the squared distance of t v from the CSO, by its exact quadratic solver:
 //   min |sum l_i a_i - sum m_j b_j - t v|^2   over the same weights.
 // It shares with linear_truth.cpp the posed vertices and nothing else. Brackets: nothing.
-// Costs: 0.1 ms at 8 vertices a shape, 0.8 ms at 64; half as much again with rotated poses.
+// Costs: 0.1 ms at 8 vertices a shape, 0.8 ms at 64, and half as much again with rotated poses.
 // Cannot be trusted: for radii and target distances, which it refuses. Bland's rule keeps it from cycling.
 #include "oracles/polytope/linear_program.hpp"
 
@@ -25,7 +25,7 @@ using Program = CGAL::Quadratic_program<CGAL::Gmpz>;
 
 CGAL::Gmpz to_cgal(const Integer& i) { return CGAL::Gmpz(i.get_mpz_t()); }
 
-// What is asked of t: within [0, T] or free, the least or the greatest.
+// The goal for t: within [0, T] or free, the least or the greatest.
 struct Aim {
   bool is_free = false;
   std::optional<Rational> most;  // T

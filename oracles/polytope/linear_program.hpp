@@ -9,11 +9,12 @@
 
 namespace graze::oracle {
 
-// The least t in [0, T] with t v in C; nothing for a miss. Bodies that exact_body.hpp represents, with radii
-// of zero, no target distance: std::invalid_argument otherwise.
+// The least t in [0, T] with t v in C, or nothing for a miss. The bodies must be ones that exact_body.hpp
+// represents, with radii of zero and no target distance. Otherwise it throws std::invalid_argument.
 [[nodiscard]] std::optional<Rational> toi_by_linear_program(const corpus::Case& problem);
 
-// The least and the greatest t in R with t v in C, v != 0 (std::invalid_argument); nothing if there is none.
+// The least and the greatest t in R with t v in C, or nothing if there is no such t. v = 0 throws
+// std::invalid_argument.
 [[nodiscard]] std::optional<std::pair<Rational, Rational>> contact_times_by_linear_program(
     const corpus::Case& problem);
 

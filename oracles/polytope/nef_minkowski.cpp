@@ -1,7 +1,7 @@
-// Decides: the CSO of two polytopes and the line through it, exactly, by CGAL's Nef polyhedra: neither
-// pairwise differences nor a hull of them is formed. Brackets: nothing. Costs: 20 to 50 ms at 8 vertices a
-// shape. Cannot be trusted: for a flat CSO (two flat bodies in one plane), which it refuses; too slow for
-// more than a sample.
+// Decides: the CSO of two polytopes and the line through it, exactly, by CGAL's Nef polyhedra. It forms
+// neither pairwise differences nor a hull of them. Brackets: nothing. Costs: 20 to 50 ms at 8 vertices a
+// shape. Cannot be trusted: for a flat CSO (two flat bodies in one plane), which it refuses. It is too slow
+// for more than a sample.
 #include "oracles/polytope/nef_minkowski.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ NefCso nef_cso(const corpus::Case& problem) {
   }
   for (Rational& c : inner) c /= static_cast<unsigned long>(cso.vertices.size());
   std::sort(cso.vertices.begin(), cso.vertices.end());
-  // Each face is there twice, once a side; both are turned outward, away from the centre.
+  // Each face is there twice, once a side. Both are turned outward, away from the centre.
   for (auto f = sum.halffacets_begin(); f != sum.halffacets_end(); ++f) {
     if (f->is_twin()) continue;
     const Kernel::Plane_3& plane = f->plane();

@@ -1,6 +1,6 @@
 // Decides exactly: the verdict (overlapping at the start, hit, miss) wherever clearance or depth exceeds the
-//   asked width times scale.
-// Brackets only: every number; the TOI to the asked width (1e-3 to 1e-60 of scale), distances and lengths to
+//   requested width times scale.
+// Brackets only: every number. The TOI to the requested width (1e-3 to 1e-60 of scale), distances and lengths to
 //   that width or 2^-45 of themselves, depths within kDepthSlack.
 // Costs, milliseconds of one core, mean (worst) of 120 turned pairs:
 //   pair                        polytopes      polytope, curved   curved, curved
@@ -11,13 +11,13 @@
 //   depth of the path           0.2 (0.4)      0.3 (0.6)          0.4 (0.7)
 //   A penetration that is the same in all directions (concentric balls) takes 3 at a slack of 1/16, and 210
 //   to spend its whole budget at 1e-6, where it ends at 1/140.
-// Cannot be trusted: to speak at all where pairs touch, where a flat CSO moves in its own plane, and where
-//   clearance or depth is below the width: there it says not_converged, undecided. What it says is proved.
+// Cannot be trusted: to answer at all where pairs touch, where a flat CSO moves in its own plane, and where
+//   clearance or depth is below the width. There the answer is not_converged, undecided. Its answers are proved.
 //
-// Notation   C = A - B + ball(m);   K(t) = C - [0, t] v, the swept CSO: the path over [0, t] makes contact
-//   iff 0 is in K(t); its clearance is the distance of 0 from K(T), its depth the depth of 0 in K(T).
+// Notation   C = A - B + ball(m),   K(t) = C - [0, t] v, the swept CSO. The path over [0, t] makes contact
+//   iff 0 is in K(t). Its clearance is the distance of 0 from K(T), its depth the depth of 0 in K(T).
 //
-// A horizon beyond T' = 2 M / |v|, M >= |c| for every c in C, changes none of these: contact needs t |v| <=
+// A horizon beyond T' = 2 M / |v|, M >= |c| for every c in C, changes none of these. Contact needs t |v| <=
 // M, and turning n across v by an angle changes h(n) by at most sqrt(2) M sin(angle) < T' |v| sin(angle).
 //
 // Proof of an upper bound. Let q be a combination of points of C, e = |q - s v|, and let the ball of radius r
@@ -95,9 +95,9 @@ struct BracketTruth::Impl {
   long bits = 256;
   double target, t_max;
   std::optional<BallBody> a, b;
-  BallVec between, v;          // position of B from A; velocity: exact
-  Ball scale, unit, greatest;  // unit = width scale, exact; greatest >= |c| for c in C
-  Ball speed, horizon;         // |v|; min(T, T'), exact
+  BallVec between, v;          // position of B from A, and velocity (both exact)
+  Ball scale, unit, greatest;  // unit = width scale, exact, and greatest >= |c| for c in C
+  Ball speed, horizon;         // |v|, and min(T, T'), exact
   BallVec shift;
 
   bool passes_over = false;     // the policy
@@ -132,9 +132,9 @@ BracketTruth::Impl::Impl(const corpus::Case& problem, double asked)
     const WorkingPrecision precision(bits);
     measure(problem);
   }
-  // The search sees features of the size of the square root of the width and of the shift, width^2, and takes
-  // differences of products of them: three widths, what the offsets of the shapes cost, and 128 bits to
-  // spare.
+  // The search resolves features of the size of the square root of the width and of the shift, width^2, and
+  // takes differences of products of them. The bits are three widths, the cost of the offsets of the shapes,
+  // and 128 bits to spare.
   const double offsets = a->magnitude() + b->magnitude() + target;
   const double size = scale.low_double();
   const double lost = size > 0 ? std::log2(std::max(1.0, offsets / size)) : 0;
@@ -173,7 +173,7 @@ void BracketTruth::Impl::measure(const corpus::Case& problem) {
                  .high();
   speed = norm(v);
   horizon = clipped(t_max);
-  // Any direction in general position serves; its length is far below the width squared.
+  // Any direction in general position serves. Its length is far below the width squared.
   const Ball length = unit * Ball(width) * Ball(0x1p-6);
   shift = BallVec{length * Ball(0.53771), length * Ball(-0.31883), length * Ball(0.75213)}.mid();
 }
@@ -216,7 +216,8 @@ Nearest3 BracketTruth::Impl::distance_of(const ConvexSet& set) const {
   return nearest(set, shift, {.absolute = unit, .relative = kRelativeDistance});
 }
 
-// Of the origin in the set; lower 0 and an upper bound where it is not proved to be inside.
+// The depth of the origin in the set. If the origin is not proved to be inside, the bounds are 0 and an upper
+// bound.
 Depth3 BracketTruth::Impl::depth_of(const ConvexSet& set, double slack) const {
   const Nearest3 near = nearest(set, shift, {.until_separated = true});
   Depth3 found;

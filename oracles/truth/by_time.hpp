@@ -1,5 +1,5 @@
-// What is known of the times that were asked about: a judge asks for one time's error when it convicts, when it measures
-// and when it looks for the limit that would do.
+// Cached results for the queried times. A judge needs one time's error when it convicts, when it measures and
+// when it looks for the limit that would suffice.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@ namespace graze::oracle {
 
 class ByTime {
  public:
-  // compute(), the first time that t is asked about; t is no NaN.
+  // compute(), the first time that t is queried. t is not a NaN.
   template <class Compute>
   [[nodiscard]] Enclosure at(double t, const Compute& compute) {
     const auto known = known_.find(t);

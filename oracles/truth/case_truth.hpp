@@ -1,9 +1,9 @@
-// What is true of a linear case, by the oracle that knows most of it: exact where the bodies are polytopes or
+// The truth about a linear case, by the oracle that knows most of it: exact if the bodies are polytopes or
 // rounded ones (LinearTruth), a proved bracket for every other pair of shapes (BracketTruth).
 //
-// Decides what the oracle behind it decides. An outcome of not_converged is the bracket oracle's "undecided":
-// clearance and depth are then below its width, or only contact at t = 0 is open. Enclosures are those of the
-// oracle; a judge convicts by the end that favours the accused.
+// It decides the same questions as the oracle behind it. An outcome of not_converged is the bracket oracle's
+// "undecided": clearance and depth are then below its width, or only contact at t = 0 is open. Enclosures are
+// those of the oracle. A judge convicts by the end that favours the accused.
 #pragma once
 
 #include <variant>
@@ -24,7 +24,7 @@ class CaseTruth {
   }
 
  public:
-  // width: over scale, of the bracket oracle; see bracket_truth.hpp. Throws as the oracle does.
+  // width: over scale, of the bracket oracle (see bracket_truth.hpp). Throws as the oracle does.
   explicit CaseTruth(const corpus::Case& problem, double width = BracketTruth::kDefaultWidth)
       : truth_(is_exact_body(problem.a.shape) && is_exact_body(problem.b.shape)
                    ? Either(std::in_place_type<LinearTruth>, problem)

@@ -5,8 +5,8 @@
 // Cannot be trusted: for other pairs, which it refuses. It measures no depth and no distance.
 //
 // Notation   x(t) = c0 + t w is the path of one body's reference point in a frame in which the other rests.
-//   The set to be met is a union of pieces; each piece of its boundary gives  a t^2 - 2 b t + c = 0  and
-//   linear side conditions alpha + beta t >= 0, whose sign at a root mid +- sqrt(square) is decided in
+//   The set to be met is a union of pieces. Each piece of its boundary gives  a t^2 - 2 b t + c = 0  and
+//   linear side conditions alpha + beta t >= 0. Their sign at a root mid +- sqrt(square) is decided in
 //   rationals. Every root that passes is a time of contact, and the first contact is among them.
 #include "oracles/truth/closed_form.hpp"
 
@@ -66,7 +66,7 @@ struct Linear {
   Rational alpha, beta;  // alpha + beta t >= 0
 };
 
-// What the path meets: its times of contact, and whether it is in contact at t = 0.
+// The set on the path: its times of contact, and whether it is in contact at t = 0.
 class Path {
  public:
   Path(RationalPoint from, RationalPoint velocity, double t_max)
@@ -122,7 +122,7 @@ class Path {
     if (sgn(c) <= 0 && above) overlapping = true;
     add(height.beta * height.beta, -height.alpha * height.beta, c, inside);
   }
-  // Where alpha + beta t = 0 and |x|^2 + |y|^2 <= r^2 for the coordinates 0 and 1.
+  // The times with alpha + beta t = 0 and |x|^2 + |y|^2 <= r^2 for the coordinates 0 and 1.
   void disk(const Linear& height, const Rational& r) {
     if (sgn(height.beta) == 0) return;
     const Rational t = -height.alpha / height.beta, x = c0_[0] + t * w_[0], y = c0_[1] + t * w_[1];
@@ -143,7 +143,7 @@ class Path {
   Rational horizon_;
 };
 
-// p, p + e, rounded by radius; e = 0 for a point.
+// p, p + e, rounded by radius. For a point e = 0.
 struct RoundedSegment {
   RationalPoint p, e;
   Rational radius;

@@ -1,11 +1,11 @@
 // The exact answer of a linear cast where it is the root of a quadratic with rational coefficients.
 //
-// Which pairs, in either order, poses and motions being any rationals:
+// The pairs, in either order, with any rational poses and motions:
 //   point, segment, sphere, capsule with each other        target distance allowed
 //   point, sphere                 with a box               target distance allowed
-//   point                         with an ellipsoid (radii > 0), a cylinder, a cone; no target distance
-// It knows nothing of support functions, hulls or searches: it solves for the crossing of every piece of the
-// boundary. So it is the judge of the judges; cost and limits: see closed_form.cpp.
+//   point                         with an ellipsoid (radii > 0), a cylinder, a cone, but no target distance
+// It uses no support functions, hulls or searches: it solves for the crossing of every piece of the
+// boundary. So it checks the other judges. Cost and limits: see closed_form.cpp.
 #pragma once
 
 #include <optional>
@@ -33,12 +33,12 @@ class ClosedForm {
 
   // initially_overlapping, hit or miss.
   [[nodiscard]] Outcome outcome() const { return outcome_; }
-  // The largest double not above the TOI, the least not below it; infinity for a miss.
+  // The largest double not above the TOI, and the least not below it. Both are infinity for a miss.
   [[nodiscard]] double toi_lower() const { return lower_; }
   [[nodiscard]] double toi_upper() const { return upper_; }
   // "n/d" or "n" where the TOI is rational, else "".
   [[nodiscard]] const std::string& toi_exact() const { return exact_; }
-  // sign(t - TOI), exact; -1 for a miss.
+  // sign(t - TOI), exact. It is -1 for a miss.
   [[nodiscard]] int compare(const Rational& t) const;
 
  private:
@@ -46,7 +46,7 @@ class ClosedForm {
   Outcome outcome_ = Outcome::miss;
   double lower_ = 0, upper_ = 0;
   std::string exact_;
-  std::vector<QuadraticRoot> times_;  // times of contact; the TOI is the least
+  std::vector<QuadraticRoot> times_;  // times of contact (the TOI is the least)
 };
 
 }  // namespace graze::oracle

@@ -1,6 +1,6 @@
-// Decides: what linear_truth.cpp and penetration_truth.cpp decide, for curved shapes what closed_form.cpp and
-// bracket_truth.cpp do, of casts of bodies that turn what rotating_truth.cpp does; lengths are rounded to the
-// nearest double. Costs: as there.
+// Decides: the questions of linear_truth.cpp and penetration_truth.cpp, for curved shapes those of
+// closed_form.cpp and bracket_truth.cpp, and for casts of rotating bodies those of rotating_truth.cpp.
+// Lengths are rounded to the nearest double. Costs: as there.
 #include "oracles/truth/derive.hpp"
 
 #include <cmath>
@@ -190,8 +190,8 @@ bool turns(const corpus::Case& problem) {
 // Over scale: how wide an expected bracket may be.
 constexpr double kExpectedWidth = 1e-14;
 
-// Of a start in contact that is followed (judge/judge_followed.hpp): the same for any depth from kTouching to kDeep over scale
-// that counts as deeper. Nothing: the start is apart.
+// The expectation for a start in contact that is followed (judge/judge_followed.hpp). It must be the same for
+// any depth from kTouching to kDeep over scale that counts as deeper. Nothing if the start is apart.
 std::optional<Expect> followed_expectation(const corpus::Case& reported) {
   constexpr double kTouching = 1e-14, kDeep = 1e-12;
   const RotatingTruth truth = RotatingTruth::of_proved(reported, 0, 0, kTouching / 8);
@@ -209,7 +209,7 @@ std::optional<Expect> followed_expectation(const corpus::Case& reported) {
   }
   if (start.high > touching) throw Undecided("a start about as deep as is followed, by pass_over");
   if (all.high <= touching) {
-    // What comes apart and touches again without depth is new contact or none.
+    // Bodies that come apart and touch again without depth may or may not make new contact.
     constexpr int kTimes = 64;
     bool apart = false;
     for (int i = 1; i <= kTimes; ++i) {

@@ -23,7 +23,7 @@ std::optional<Root> smaller_root(const Quadratic& q) {
     const Rational root = fraction(q.c, q.b + sqrt(discriminant));
     return Root{root, root, true};
   }
-  // sqrt(4^k discriminant) to one unit, with kRootBits and more to spare; then k cancels. The quotient is cut
+  // sqrt(4^k discriminant) to one unit, with kRootBits and more to spare. Then k cancels. The quotient is cut
   // to kRootBits, and two units on each side cover both roundings.
   const unsigned k = 2 * kRootBits;
   const Integer root = sqrt(Integer(discriminant << (2 * k)));
@@ -111,8 +111,8 @@ HomogeneousPoint Approach::at(const Rational& t) const {
   return {t.get_den() * base + t.get_num() * v, t.get_den() * weight};
 }
 
-// The nearest feature at a probe proposes a root of its quadratic; the signs of f - R decide; bisection takes
-// over every second step, so the loop always narrows.
+// The nearest feature at a probe proposes a root of its quadratic. The signs of f - R decide. Bisection takes
+// every second step, so the loop always narrows.
 Root first_contact(const HullDistance& polytope, const Integer& radius, const Approach& approach,
                    Rational end) {
   const Rational radius_sq(radius * radius);
@@ -129,7 +129,7 @@ Root first_contact(const HullDistance& polytope, const Integer& radius, const Ap
     return sign == 0;
   };
   if (excess(high) == 0) return {high, high, true};
-  constexpr int kBudget = 4000;  // beyond every exponent of a double; typically 1 to 4 rounds are used
+  constexpr int kBudget = 4000;  // beyond every exponent of a double (typically 1 to 4 rounds are used)
   Integer precision = 1;
   precision <<= kRootBits - 16;
   for (int round = 0; round < kBudget && (high - low) * precision > high; ++round) {

@@ -1,9 +1,10 @@
-// When a point that moves uniformly first comes within R of a polytope, and the interval in which a line is.
+// The first time when a uniformly moving point comes within R of a polytope, and the interval in which a line
+// is.
 //
-// Notation   P the polytope, all lengths in its integer unit;   f(t) = distance of the point at time t from
+// Notation   P the polytope, all lengths in its integer unit,   f(t) = distance of the point at time t from
 // P. f is convex. Let s be the first t in R at which it is least (rational: a line and a polytope). Then f
-// falls strictly on (-inf, s], so before s  "f(t) > R"  is  "t < the first contact", and nothing else is ever
-// asked of a root.
+// falls strictly on (-inf, s], so before s  "f(t) > R"  is  "t < the first contact". No other question about
+// a root is needed.
 #pragma once
 
 #include <functional>
@@ -29,12 +30,12 @@ struct Approach {
   [[nodiscard]] HomogeneousPoint at(const Rational& t) const;
 };
 
-// The t in (0, end] with f(t) = R, where f(0) > R >= f(end) and f falls strictly on [0, end]: exact if it is
-// rational (as far as it was found to be: a square discriminant), else to kRootBits - 16 bits of it.
+// The t in (0, end] with f(t) = R, for f(0) > R >= f(end) and f strictly falling on [0, end]. It is exact if
+// it was found to be rational (a square discriminant), otherwise it has kRootBits - 16 bits.
 [[nodiscard]] Root first_contact(const HullDistance& polytope, const Integer& radius,
                                  const Approach& approach, Rational end);
 
-// {t in R : t v within R of P}, v != 0; nothing if it is empty.
+// {t in R : t v within R of P}, v != 0. Nothing if it is empty.
 struct ContactTimes {
   Root in, out;
 };
@@ -42,7 +43,7 @@ struct ContactTimes {
                                                         const IntVec& v);
 
 // The doubles on either side of a root (or it, twice), and the one nearest to it. `compare` gives sign(t -
-// root) exactly; it is asked only about t in the root's interval.
+// root) exactly. It is called only for t in the root's interval.
 using CompareTime = std::function<int(const Rational& t)>;
 [[nodiscard]] Enclosure enclose(const Root& root, const CompareTime& compare);
 [[nodiscard]] double nearest_double(const Root& root, const CompareTime& compare);

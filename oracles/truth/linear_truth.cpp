@@ -1,24 +1,24 @@
 // Decides exactly: outcome, TOI and every comparison of a time with it, both ends of the signed answer,
-// leaving or sliding; for linear motion of every shape that exact_body.hpp represents, with target distance,
-// any T.
+// leaving or sliding. It covers linear motion of every shape that exact_body.hpp represents, with target
+// distance, any T.
 //
-// Brackets only: lengths that are roots of rationals, by neighbouring doubles; an irrational TOI, to 2^-230
-// of it.
+// Brackets only: lengths that are roots of rationals, by neighbouring doubles, and an irrational TOI, to
+// 2^-230 of it.
 //
 // Costs, medians in milliseconds of CPU, random hulls, identity poses (rotated by any four doubles):
 //   vertices a shape              8 x 8         16 x 16      64 x 64     16 and a sphere
 //   construction (hull and TOI)   0.4 (0.6)     0.8 (1.1)    15 (19)     0.2 (0.3)
 //   depth                         0.06 (0.13)   0.1 (0.2)    2.7 (3.5)   0.03 (0.04)
-//   distance_at, witness          0.01 to 0.1 everywhere; compare under 0.001, in the last bits of a root as
+//   distance_at, witness          0.01 to 0.1 everywhere. compare under 0.001, in the last bits of a root as
 //                                 distance_at
-//   contact_interval, both rounded by a radius: 1.0 (1.4), 1.8 (2.8), 9 (15); without radii under 0.5
-//   construction, a sum of 64, 512, 4,096 vertices against a ball: 1, 12, 90; 512 x 512 points of a sphere:
+//   contact_interval, both rounded by a radius: 1.0 (1.4), 1.8 (2.8), 9 (15). Without radii under 0.5
+//   construction, a sum of 64, 512, 4,096 vertices against a ball: 1, 12, 90. 512 x 512 points of a sphere:
 //   1,200
 //
 // Cannot be trusted: for curved shapes and hulls of unequal radii, which it refuses. Its hull is CGAL's
-// (exact_cso.cpp); linear_program.cpp and nef_minkowski.cpp, which do not use it, are its checks.
+// (exact_cso.cpp). linear_program.cpp and nef_minkowski.cpp do not use that hull and serve as checks.
 //
-// Notation   P = hull of the differences a - b, R = r_A + r_B + m, so C = P + ball(R);   f(t) = dist(t v, P).
+// Notation   P = hull of the differences a - b, R = r_A + r_B + m, so C = P + ball(R),   f(t) = dist(t v, P).
 //   All lengths are integers here: the case's times one common denominator `unit`.
 #include "oracles/truth/linear_truth.hpp"
 
@@ -65,7 +65,7 @@ RationalPoint minus(const RationalPoint& l, const RationalPoint& r) {
   return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
 }
 
-// The times over which a path is asked about; nothing: minus and plus infinity.
+// The times of a path that are queried. Nothing stands for minus and plus infinity.
 struct Span {
   OptionalTime from, to;
 };
@@ -107,7 +107,7 @@ struct LinearTruth::Impl : IntegerScene {
   [[nodiscard]] Rational path_distance_sq(const Span& span) const;
   [[nodiscard]] bool sweeps_flat() const;
   void prepare_sides() const;
-  // Of the path over the span in P + ball(r).
+  // The depth in P + ball(r) of the path over the span.
   [[nodiscard]] Enclosure sweep_depth(const Span& span, const Integer& r) const;
   // The larger of the distance of t v from C and the depth of the path over the span.
   [[nodiscard]] Enclosure end_error(double t, const Span& span) const;
@@ -158,8 +158,8 @@ int LinearTruth::Impl::compare(const Rational& t) const {
 }
 
 // Leaving or sliding: n.v >= 0 for some n != 0 with h(n) <= 0, h of C without the target. Such an n exists
-// exactly when the origin is not interior to the hull of C and -v: for a ball around P, when the ray from 0
-// along v never comes nearer to P than its radius; for a polytope, by that hull.
+// exactly when the origin is not interior to the hull of C and -v. For a ball around P, this is when the ray
+// from 0 along v never comes nearer to P than its radius. For a polytope, that hull decides.
 bool LinearTruth::Impl::leaves_or_slides() const {
   if (sgn(shape_radius) > 0) return path_distance_sq(path({})) >= Rational(shape_radius * shape_radius);
   std::vector<IntVec> points = cso->hull().vertices;
@@ -193,9 +193,9 @@ bool LinearTruth::Impl::sweeps_flat() const {
   return hull.dimension < 2 || (hull.dimension == 2 && sgn(dot(hull.half_spaces[0].normal, v)) == 0);
 }
 
-// Every facet of a solid P + {-t v : t in a span} has the normal of a facet of P or is parallel to v and an
-// edge of P that separates facets seen from v from facets not seen. More normals than that do no harm: depth
-// is a least value over all directions.
+// Every facet of a solid P + {-t v : t in a span} has one of two normals. It is the normal of a facet of P.
+// Or it is parallel to v and to an edge of P that separates facets visible along v from the other facets.
+// Extra normals do no harm, because depth is a least value over all directions.
 void LinearTruth::Impl::prepare_sides() const {
   if (!sides.empty()) return;
   const ConvexHull& hull = cso->hull();
@@ -425,7 +425,8 @@ Enclosure LinearTruth::entry_error(double t) const {
   const DefaultEnvironment environment;
   if (std::isnan(t)) return kUnbounded;
   if (!std::isinf(t)) return impl_->end_error(t, {{}, Rational(t)});
-  // A claim of contact from the beginning of time on, true of a body at rest; or of none at all.
+  // For t = -inf the claim is contact from the beginning of time on, which is true for a body at rest. For t
+  // = +inf the claim is no contact at all.
   if (t < 0) return impl_->v.is_zero() ? line_clearance() : kUnbounded;
   return line_depth();
 }

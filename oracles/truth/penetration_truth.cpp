@@ -1,6 +1,6 @@
 // Decides exactly: whether the bodies are in contact, the least penetration with all its normals, the
-// penetration along a direction; the errors of proposed ones, as roots of rationals that neighbouring doubles
-// enclose. Brackets: nothing else.
+// penetration along a direction, and the errors of proposed ones, as roots of rationals that neighbouring
+// doubles enclose. Brackets: nothing else.
 //
 // Costs, medians in milliseconds of CPU, random hulls, identity poses (rotated by any four doubles):
 //   vertices a shape                       8 x 8          16 x 16       64 x 64
@@ -9,8 +9,8 @@
 //   errors of a depth, a normal, a pair    below 0.1      below 0.2     below 1
 //   along_error                            a construction and a depth of the path: 0.6 to 30
 //
-// Cannot be trusted: for curved shapes and hulls of unequal radii, which it refuses. Its hull is CGAL's;
-// tests compare depths with Nef polyhedra and with the quadratic program, which do not use it.
+// Cannot be trusted: for curved shapes and hulls of unequal radii, which it refuses. Its hull is CGAL's.
+// Tests compare depths with Nef polyhedra and with the quadratic program, which do not use it.
 #include "oracles/truth/penetration_truth.hpp"
 
 #include <algorithm>
@@ -59,13 +59,13 @@ Enclosure larger(const Enclosure& l, const Enclosure& r) {
 struct PenetrationTruth::Impl : IntegerScene {
   corpus::Case problem;
   bool contact = false;
-  RootSum depth;  // in the caller's unit; valid in contact
+  RootSum depth;  // in the caller's unit, valid in contact
   std::vector<Vec3<double>> normals;
 
   explicit Impl(const corpus::Case& given);
 
-  // min over unit n of h(n) - n.x, h of P: the squared slack of the nearest face for x in P; for x outside,
-  // the squared distance with a negative sign.
+  // min over unit n of h(n) - n.x, h of P. For x in P, this is the squared slack of the nearest face. For x
+  // outside, it is the squared distance with a negative sign.
   struct Slack {
     int sign = 0;
     Rational squared;  // integer units
@@ -109,10 +109,10 @@ PenetrationTruth::Impl::Slack PenetrationTruth::Impl::slack(const HomogeneousPoi
   return {sgn(best), fraction(best * best, best_normal_sq * x.w * x.w), nearest};
 }
 
-// For an origin outside P, the direction from its nearest point of P. In P, n attains the least h only if the
-// plane {h(n) = n.c} touches the ball of that radius about the origin, and that it does in a point of P: so n
-// is a face's, or the least is 0 and n any of the normal cone at the origin. That cone is spanned by the
-// normals of the half-spaces that the origin bounds; it is a ray or, for a flat P, a line, if they are
+// For an origin outside P, the direction from its nearest point of P. For an origin in P, n attains the least
+// h only if the plane {h(n) = n.c} touches the ball of that radius about the origin, in a point of P. So n is
+// a face's normal, or the least is 0 and n is any of the normal cone at the origin. The normals of the
+// half-spaces that the origin bounds span this cone. It is a ray or, for a flat P, a line, if they are
 // parallel.
 void PenetrationTruth::Impl::find_normals(const Slack& at_origin) {
   const ConvexHull& hull = cso->hull();

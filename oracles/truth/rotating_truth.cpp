@@ -1,22 +1,22 @@
-// Decides exactly: contact at t = 0 of polytopes and rounded ones, where balls leave it open (LinearTruth).
+// Decides exactly: contact at t = 0 of polytopes and rounded ones, if balls leave it open (LinearTruth).
 // Brackets only: everything else.
 // Costs, milliseconds of one core, mean (worst) of 60 random pairs of all kinds of shapes, 192 bits:
 //   turn              slices of a verdict   verdict     clearance or depth
 //   none              18                    2.5 (10)    2
 //   a few radians     23                    4.3 (33)    3
 //   some 200 radians  103                   10 (45)     30
-//   A pair that slides in contact without depth ends undecided after 4,096 slices, 0.4 s; the whole budget
+//   A pair that slides in contact without depth ends undecided after 4,096 slices, 0.4 s. The whole budget
 //   is 10 s.
-// Cannot be trusted: to speak at all where clearance or depth is below the width, where a flat A - B passes
-//   through the origin, or beyond its budget: there it says not_converged, undecided. What it says is proved.
+// Cannot be trusted: to answer at all where clearance or depth is below the width, where a flat A - B passes
+//   through the origin, or beyond its budget. There the answer is not_converged, undecided. Its answers are proved.
 //
-// The march. At a time t with the bodies apart along an axis, the slice [t, t'] is taken as long as the bound
-// of rotating_pair.hpp allows, and the next axis is sought at t'. Where the axis closes in at a rate r, the
-// slice ends with a tenth of the gap left; where the bodies graze, slices grow with the root of the gap. Once
-// the distance is below a quarter of the width w, toi_lower stands, and slices prove no more than that the
-// depth stays below 0.9 w: they end as soon as an overlap is proved, toi_upper, or the bodies come apart.
-// Where the turn that is left is more than a radian, whole turns are tried first: bodies that sweep all that
-// they turn through only translate, and one axis may then serve for any number of turns.
+// The march. At a time t with the bodies apart along an axis, the slice [t, t'] is as long as the bound of
+// rotating_pair.hpp allows, and the next axis is sought at t'. If the axis closes in at a rate r, the slice
+// ends with a tenth of the gap left. If the bodies graze, slices grow with the root of the gap. Once the
+// distance is below a quarter of the width w, toi_lower is fixed, and slices prove only that the depth stays
+// below 0.9 w. They end as soon as an overlap is proved, toi_upper, or the bodies come apart. If the
+// remaining rotation is more than a radian, whole turns are tried first: the swept sets of all rotations only
+// translate, and one axis may then serve for any number of turns.
 #include "oracles/truth/rotating_truth.hpp"
 
 #include <cmath>
@@ -35,7 +35,8 @@ namespace {
 
 // Distances are as good as this part of themselves.
 constexpr double kRelativeGap = 0x1p-45;
-// The greatest depth that an open slice may hide, and the distance at which slices are open; over the width.
+// The greatest depth that an open slice may hide, and the distance at which slices are open, both over the
+// width.
 constexpr double kDeepest = 0.9, kNearest = 0.25;
 // Slices that may pass with the bodies closer than can be told: where they slide, these are short.
 constexpr int kOpenSlices = 4096;
@@ -71,7 +72,7 @@ struct RotatingTruth::Impl {
   int budget;
   long bits = 192;
   std::optional<RotatingPair> pair;
-  Ball end, fine, near, scale;  // T; width scale; where a double's axis serves
+  Ball end, fine, near, scale;  // T, width scale, and the distance beyond which a double's axis serves
   double turn = 0;              // radians that the two bodies turn together over [0, T]
 
   Outcome outcome = Outcome::not_converged;
@@ -115,8 +116,8 @@ RotatingTruth::Impl::Impl(const corpus::Case& given, double asked, int most, boo
     const WorkingPrecision precision(bits);
     measure();
   }
-  // 192 bits see a width of 1e-14 and squares of features of its size; what is lost to a smaller one, and to
-  // coordinates beyond the scale, is added.
+  // 192 bits resolve a width of 1e-14 and squares of features of its size. The bits lost to a smaller width,
+  // and to coordinates beyond the scale, are added.
   const double size = scale.low_double();
   const double speed = norm(pair->b().velocity() - pair->a().velocity()).high_double() * problem.t_max;
   const double largest = pair->magnitude() + speed;
@@ -161,7 +162,7 @@ std::optional<RotatingTruth::Impl::Step> RotatingTruth::Impl::step(const PairPos
     } else {
       shorter = by_curve < 1 ? std::max(by_chord, 0.5 * by_curve) : by_chord;
     }
-    // Where s grows by nearly as much as the bound takes off, each try gains a tenth only, whatever is left.
+    // If s grows by nearly as much as the bound subtracts, each try gains only a tenth, whatever is left.
     h *= std::min(shorter, i < kPatient ? 0.9 : 0.5);
   }
   return {};

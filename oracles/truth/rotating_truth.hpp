@@ -1,11 +1,11 @@
-// What is true of a case whose bodies may turn: a proved bracket of the first contact, and proved brackets of
-// the errors of any proposed time. The interface is BracketTruth's (bracket_truth.hpp) where the meanings are
-// the same. No header of Arb here.
+// The truth about a case whose bodies may rotate: a proved bracket of the first contact, and proved brackets
+// of the errors of any proposed time. The interface is BracketTruth's (bracket_truth.hpp) wherever the
+// meanings are the same. No header of Arb here.
 //
-// Every number that comes out is proved in ball arithmetic: no contact before toi_lower by a chain of axes,
-// each with its slice of time; contact at toi_upper by points of the bodies that hold the origin between
-// them; depths between the two by slices again. Any shape, any angle, both bodies turning; linear motion too.
-// Cost and limits: see rotating_truth.cpp. One object is for one thread.
+// Every returned number is proved in ball arithmetic. A chain of axes, each with its slice of time, proves no
+// contact before toi_lower. Points of the bodies that hold the origin between them prove contact at
+// toi_upper. Slices again prove depths between the two. It covers any shape, any angle, rotation of both
+// bodies, and linear motion too. Cost and limits: see rotating_truth.cpp. One object is for one thread.
 #pragma once
 
 #include <memory>
@@ -25,39 +25,39 @@ class RotatingTruth {
   // Slices of time that may be tried until a verdict is due.
   static constexpr int kDefaultBudget = 1 << 16;
 
-  // Throws std::invalid_argument for what is no case: numbers that are not finite, t_max among them, a
+  // Throws std::invalid_argument for an invalid case: numbers that are not finite, t_max among them, a
   // negative extent, radius, t_max or target distance, an empty hull or combinator, a zero quaternion, the
   // policy pass_over, a width outside kLeastWidth .. kGreatestWidth.
   explicit RotatingTruth(const corpus::Case& problem, double width = kDefaultWidth,
                          int budget = kDefaultBudget);
   // With a bracket that an accepted proof has shown: no contact before `lower`, contact by `upper` (finite).
-  // Nothing is searched; what is asked about times is measured as ever, at a tenth of the cost.
+  // No search runs. Measures of times work as usual, at a tenth of the cost.
   [[nodiscard]] static RotatingTruth of_proved(const corpus::Case& problem, double lower, double upper,
                                                double width = kDefaultWidth);
   ~RotatingTruth();
   RotatingTruth(RotatingTruth&&) noexcept;
   RotatingTruth& operator=(RotatingTruth&&) noexcept;
 
-  // initially_overlapping, hit, miss: proved. not_converged: undecided, and reason() says why; then either
-  // contact is proved and only whether it is there at t = 0 is open (contact_proved, TOI in [0, toi_upper]),
-  // or clearance and depth are below the width (or flat shapes meet: depth 0), or the budget ended.
+  // initially_overlapping, hit and miss are proved. not_converged means undecided, and reason() says why.
+  // Either contact is proved and only its presence at t = 0 is open (contact_proved, TOI in [0, toi_upper]).
+  // Or clearance and depth are below the width (or flat shapes meet: depth 0), or the budget ended.
   [[nodiscard]] Outcome outcome() const;
   [[nodiscard]] bool contact_proved() const;
   [[nodiscard]] bool budget_ended() const;
-  [[nodiscard]] const std::string& reason() const;  // empty where the outcome is proved
-  // toi_lower <= TOI <= toi_upper, rounded outward to doubles; both infinite for a miss. Undecided: no
-  // contact before toi_lower is proved all the same.
+  [[nodiscard]] const std::string& reason() const;  // empty if the outcome is proved
+  // toi_lower <= TOI <= toi_upper, rounded outward to doubles. Both are infinite for a miss. If undecided, it
+  // is still proved that there is no contact before toi_lower.
   [[nodiscard]] double toi_lower() const;
   [[nodiscard]] double toi_upper() const;
-  // sign(t - TOI) where it is proved; 0 for a t inside the bracket; -1 for a miss.
+  // sign(t - TOI) if it is proved. It is 0 for a t inside the bracket, and -1 for a miss.
   [[nodiscard]] int compare(double t) const;
   // Slices that the verdict took.
   [[nodiscard]] int slices() const;
 
   [[nodiscard]] Enclosure scale() const;
-  // Least distance, and greatest penetration depth, over [0, t_max]; the target distance counted. Refined by
-  // subdivision until upper <= (1 + kSlack) lower or upper is below width times scale, as far as a budget
-  // goes.
+  // Least distance, and greatest penetration depth, over [0, t_max], with the target distance counted.
+  // Subdivision refines them until upper <= (1 + kSlack) lower or upper is below width times scale, or until
+  // the budget ends.
   static constexpr double kSlack = 1.0 / 16;
   [[nodiscard]] Enclosure clearance() const;
   [[nodiscard]] Enclosure depth() const;
@@ -69,10 +69,11 @@ class RotatingTruth {
   [[nodiscard]] Enclosure backward_error(double t) const;
   // 0 for a t that is not beyond the TOI, else the greatest depth over [0, t].
   [[nodiscard]] Enclosure lateness(double t) const;
-  // h(n) / |n| of A - B + ball(m) at the TOI: by how much n fails to separate the bodies there; 0 for a
-  // normal that is right. For a proved contact; else from 0 to infinity, infinite for a miss.
+  // h(n) / |n| of A - B + ball(m) at the TOI: the amount by which n fails to separate the bodies there, 0 for
+  // a correct normal. It is for a proved contact. Otherwise it is from 0 to infinity, and infinite for a
+  // miss.
   [[nodiscard]] Enclosure normal_error(const Vec3<double>& n) const;
-  // Of a world point from body 'a' or 'b' at a time.
+  // Distance of a world point from body 'a' or 'b' at a time.
   [[nodiscard]] Enclosure distance_from_body(char body, double t, const Vec3<double>& world_point) const;
 
  private:

@@ -1,5 +1,5 @@
 // Decides exactly: nothing.
-// Brackets only: nothing; it proves contact at a time.
+// Brackets only: nothing. It proves contact at a time.
 // Costs: 20 to 60 microseconds for a time at which the bodies are apart, some hundred for a contact.
 // Cannot be trusted: to find a contact that lasts for less than the time between two looks, or is less deep
 //   than kFine of the scale.
@@ -41,7 +41,7 @@ struct SampledContact::Impl {
       const WorkingPrecision precision(bits);
       pair.emplace(problem);
     }
-    // As RotatingTruth: what is lost to coordinates beyond the scale is added.
+    // As in RotatingTruth: the bits lost to coordinates beyond the scale are added.
     const double size = pair->scale().low_double();
     const double largest =
         pair->magnitude() + norm(pair->b().velocity() - pair->a().velocity()).high_double() * end;
@@ -53,7 +53,7 @@ struct SampledContact::Impl {
     near = (Ball(0x1p-36) * pair->scale()).high();
   }
 
-  // How far apart along the axis that was found, from below; 0 where that is not known, or not so.
+  // A lower bound on the separation along the axis that was found. It is 0 if that is not known, or not so.
   double look(double t) {
     const WorkingPrecision precision(bits);
     const PairPose pose = pair->at(Ball(t));

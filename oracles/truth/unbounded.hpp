@@ -1,4 +1,4 @@
-// What a measure of something that is no number, or that nothing bounds, answers.
+// The measure of a value that is not a number, or that has no bound.
 #pragma once
 
 #include <cmath>
