@@ -1,4 +1,4 @@
-// A campaign: one result, however its casts are shared out; and no failure goes by.
+// A campaign gives one result however its casts are divided, and no failure is overlooked.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -240,7 +240,7 @@ engine::Answer late_by_a_double(const corpus::Case& problem, const engine::Ask& 
   return answer;
 }
 
-// A miss where there is none, and no proof of it: the oracle is asked.
+// A false miss without a proof: the oracle is called.
 engine::Answer denies_contact(const corpus::Case& problem, const engine::Ask& ask) {
   engine::Answer answer = exact().ask(problem, ask);
   if (answer.outcome == Outcome::hit) {
@@ -318,7 +318,7 @@ TEST(Planted, StallsBeyondTheCapOfTheRowFail) {
   EXPECT_EQ(state.tally.stalls.size(), state.tally.total().stalls);
 }
 
-// --- Parts: several methods, other queries, turning bodies.
+// --- Parts: several methods, other queries, rotating bodies.
 
 TEST(Parts, StopsShardsAndThreadsDoNotChangeAByte) {
   const Small small(7);
@@ -375,7 +375,7 @@ TEST(Parts, TurningCastsAreJudgedByProofsAndTheOracleSeesASample) {
   EXPECT_LT(total.proved, 30U);
 }
 
-// The same casts, and the same answers; of those that are not judged the outcomes are counted.
+// The same casts give the same answers. For the casts that are not judged, the outcomes are counted.
 TEST(Parts, OneCaseInSoManyIsJudged) {
   const auto run = [](const Sampling& sampling) {
     CampaignPlan plan(3);
@@ -471,7 +471,7 @@ TEST(PlantedTurning, EveryWrongAnswerIsCountedByItsKindAndItsCaseIsKept) {
   }
 }
 
-// What answers a query beside the cast, off by a hundredth of itself.
+// A distance query whose answer is off by a hundredth of itself.
 engine::Answer stretched_distance(const corpus::Case& problem, const engine::Ask& asked) {
   engine::Answer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
   if (answer.separation)

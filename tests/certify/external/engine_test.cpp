@@ -124,7 +124,8 @@ TEST(Engine, ThatAnswersTwiceAnswersAnothersQuestionNext) {
 
 class Forks : public testing::TestWithParam<const char*> {};
 
-// The answers are right. What the engine forked is found when it ends, whether it stayed in its group or not.
+// The answers are right. Processes that the engine forked are found when it ends, in its group or outside of
+// it.
 TEST_P(Forks, AreFoundWhenItEnds) {
   Engine engine(bad_engine(GetParam(), 1));
   EXPECT_EQ(engine.methods().front().answer(test::hit()).failure, Failure::none);

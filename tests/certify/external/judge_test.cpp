@@ -1,5 +1,5 @@
-// What the judge holds against answers of others: starts in contact, and engines with a margin. Each fault stands beside
-// an answer that differs in nothing else and is acquitted.
+// The judge's faults for answers of third-party engines: starts in contact, and engines with a margin. Each
+// fault stands beside an answer that differs in nothing else and is acquitted.
 #include "properties/judge/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ Declaration promising_least_penetration() {
   return engine;
 }
 
-// `fields`: those of the answer, but for schema and id.
+// `fields`: the fields of the answer except schema and id.
 Judgement judged(const Declaration& engine, const Case& problem, const std::string& fields) {
   const std::string line =
       R"({"schema": "graze.answer/1", "id": ")" + problem.id + R"(", "outcome": )" + fields + "}";
@@ -135,7 +135,8 @@ TEST(AStartInContact, HasTheNormalThatIsPromised) {
   EXPECT_NE(bad_contact(engine, near, normal("[0, 1, 0]")), "");
 }
 
-// The ball of 0.5 comes along x, and touches the one of 1 at x = 1.5; with the margin between them at 1.75.
+// The ball of radius 0.5 comes along x and touches the one of radius 1 at x = 1.5, with the margin between
+// them at 1.75.
 std::string hit(double x, double a, double b) {
   return R"("hit", "time": )" + std::to_string((4 - x) / 5) + R"(, "normal": [1, 0, 0], "point_a": [)" +
          std::to_string(a) + R"(, 0, 0], "point_b": [)" + std::to_string(b) + ", 0, 0]";
