@@ -1,4 +1,4 @@
-// What core relies on is checked where GRAZE_ASSERTIONS is defined, and nowhere else, in one program too:
+// Core checks its own assumptions where GRAZE_ASSERTIONS is defined, and nowhere else, in one program too:
 // without_assertions.cpp is compiled without, this file with them.
 #include <gtest/gtest.h>
 

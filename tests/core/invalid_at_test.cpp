@@ -1,4 +1,4 @@
-// invalid_input says where: which body, which number of it; and the same from every query.
+// invalid_input gives the location: the body, and which of its numbers. Every query gives the same one.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -156,7 +156,7 @@ TEST(InvalidAt, EachNumberOfABody) {
   expect_place(body, "orientation is (0, 0, 0, 0)", F::orientation, -1, -1);
   body.orientation = {0, kNan, 0, 0};
   expect_place(body, "orientation is NaN or infinite", F::orientation, -1, -1);
-  // Of several, the shape's is said first, as it is refused first.
+  // If several numbers are invalid, the shape's is named, as it is refused first.
   body.shape = Sphere<double>{-1};
   expect_place(body, "shape.radius is negative", F::radius, 0, -1);
 }

@@ -65,7 +65,7 @@ TEST(Dyadic, SumsDifferencesAndProductsAreGmps) {
       if (HasFatalFailure()) return;
       known.push_back(next);
     }
-    // What cancels to the last bit.
+    // Differences that cancel to the last bit.
     const Both& last = known.back();
     EXPECT_EQ((last.own - last.own).sign(), 0);
     EXPECT_EQ((last.own + -last.own).sign(), 0);
@@ -80,7 +80,7 @@ TEST(Dyadic, NeighboursDifferByTheLastBit) {
   }
 }
 
-// The room is for 10,240 bits; one more is refused, and stays refused.
+// There is room for 10,240 bits. One more is refused, and stays refused.
 TEST(Dyadic, BeyondItsRoomItIsInvalidAndStaysSo) {
   const Dyadic one(1), small(0x1p-1000);
   Dyadic power = small;

@@ -1,5 +1,5 @@
-// What exact casts rarely meet: a C that has no area seen along the path, bodies at rest that touch, slivers
-// that are turned, and numbers that outgrow their room in the queries beside the cast.
+// Rare inputs of exact casts: a C that has no area seen along the path, bodies at rest that touch, slivers
+// that are rotated, and numbers that outgrow their room in the queries beside the cast.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -329,8 +329,9 @@ TEST(ExactRare, ThePartsOfACombinatorAreNotTakenForLeaves) {
 
 // --- thousands of vertices within rounding of the last plane
 
-// Two discs whose caps are parallel but for the last bits, as one orientation is the other's over its length. Of the
-// vertices beyond the portal's plane the farthest is taken: any of them would do, and cost the walk hundreds of steps.
+// Two discs whose caps are parallel except for the last bits, as one orientation is the other's over its
+// length. The walk takes the farthest of the vertices beyond the portal's plane. Any of them would be
+// correct, but would cost hundreds of steps.
 TEST(ExactRare, CapsThatAreNearlyParallelTakeFewSteps) {
   Draw draw{37};
   std::vector<V> disc;

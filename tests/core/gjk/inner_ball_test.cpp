@@ -33,7 +33,7 @@ double support_value(const SolidCore& core, const Vec3<double>& n) {
 
 struct Touch {
   Vec3<double> x, n;
-  Vec3<double> other;  // the normal of another place that the largest ball touches; zero: not known
+  Vec3<double> other;  // normal of another place that the largest ball touches, or zero if not known
 };
 
 // A place on a face or a smooth part, with its normal.

@@ -47,8 +47,8 @@ TEST(BilateralPublished, StopsAtTheTolerance) {
     options.tolerance = tolerance;
     const auto r = cast(rod, ball, options);
     ASSERT_EQ(r.outcome, Outcome::hit);
-    // Scale is sqrt(5/4) at most; at the hit the rod's point nears the ball at a speed of 2 cos(asin(1/3))
-    // 3/4.
+    // The scale is sqrt(5/4) at most. At the hit the rod's point approaches the ball at a speed of 2
+    // cos(asin(1/3)) 3/4.
     const double speed = 2 * 0.75 * std::cos(std::asin(1.0 / 3));
     EXPECT_LE(r.toi_lower, toi);
     EXPECT_GE(r.toi_lower, toi - 2 * tolerance * 1.25 / speed);

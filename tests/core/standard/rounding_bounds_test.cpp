@@ -66,7 +66,7 @@ TEST(RoundingBounds, WhatCancelsIsNoBetterThanSumsOfTwoDoubles) {
   const Shape<double> there = translated<double>(Point<double>{}, far);
   const Shape<double> back = posed<double>(there, far, half_turn);
   EXPECT_GE(error(back, V::Zero(), {1, 0, 0, 0}), 0x1p-98 * far.norm());
-  // What does not cancel has its own rounding, and no more.
+  // Terms that do not cancel add their own rounding, and no more.
   EXPECT_LE(error(Box<double>{{1, 1, 1}}, V(4, 0, 0), {1, 2, 3, 4}), 0x1p-45);
 }
 
@@ -130,14 +130,13 @@ TEST(RoundingBounds, ASumHasTheNodesOfItsParts) {
 TEST(RoundingBounds, PointsOfACombinatorAreDrawnInFarther) {
   const Body<double> plain{.shape = Sphere<double>{1}};
   const Body<double> tree{.shape = rounded<double>(sum<double>(Box<double>{{1, 1, 1}}, Point<double>{}), 1)};
-  // A unit vector within 4 u, and one product; of a combinator two sums besides, of the radius and the
+  // A unit vector within 4 u, and one product. For a combinator, two sums besides, of the radius and the
   // excess.
   EXPECT_GE(detail::inside_slack(plain), 5 * kU);
   EXPECT_GE(detail::inside_slack(tree), detail::inside_slack(plain) + 2 * kU);
 }
 
-// What a name says exactly is the point that sums of two doubles made, whatever is turned inside of the
-// shape.
+// The exact meaning of a name is the point that sums of two doubles made, for any rotation inside the shape.
 TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
   Draw draw{212};
   for (int round = 0; round < 100; ++round) {
@@ -162,8 +161,8 @@ TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
   }
 }
 
-// A name is of the point that was found, also along a direction where two points of a part tie: the rims of
-// a cylinder seen from its side, the apex of a cone and its rim.
+// A name belongs to the point that was found, even along a direction in which two points of a part tie: the
+// rims of a cylinder seen from its side, the apex of a cone and its rim.
 TEST(RoundingBounds, ANameIsOfThePointThatWasFound) {
   const Shape<double> cylinder = Cylinder<double>{1, 2}, cone = Cone<double>{3, 2};
   const V from_side(0.6, 0.8, 0), over_slant = V(0.36, 0.48, 0.45) / 0.75;
