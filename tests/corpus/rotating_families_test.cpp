@@ -226,7 +226,7 @@ TEST(SpinningGraze, IsOnTheSideThatWasDrawn) {
 
 TEST(FastSpin, TurnsAsFastAsTheHardnessSays) {
   for_each_case(*find_family("fast_spin"), [](double level, const Case& problem) {
-    // vary_horizon leaves t_max of 1/2, 1 or 2 units of time. A quarter of the cases have one more turn.
+    // vary_horizon leaves t_max of 1/2, 1 or 2 units of time. One rotation more may take a quarter of a unit.
     const double most =
         std::max(problem.spin_a.rotation.norm(), problem.spin_b.rotation.norm()) * problem.t_max;
     EXPECT_LE(most, 2 * (std::exp2(level) + 8 * kPi)) << problem.id;

@@ -240,7 +240,7 @@ TEST(Contained, MeetAsNearlyConcentricAsTheHardnessSays) {
   }
 }
 
-// The least |n.v| / |v| of the axes that support C at the contact, by the exact oracle.
+// The least |n.v| / |v| of the coordinate axes that support C at the contact, by the exact oracle.
 std::optional<double> tilt(const Case& problem) {
   Case reported = problem;
   reported.start_policy = StartPolicy::report;

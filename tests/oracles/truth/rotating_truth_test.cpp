@@ -1,6 +1,6 @@
-// The oracle of casts of bodies that turn: against closed answers in 50 digits, computed here, against
-// sampled separating axes, against the linear oracles; what it may leave open, and wrong times that it must
-// tell from right ones.
+// The oracle of casts of rotating bodies against closed answers in 50 digits, computed here, against sampled
+// separating axes, and against the linear oracles. Tests which cases it may leave undecided, and wrong times
+// that it must tell from right ones.
 #include "oracles/truth/rotating_truth.hpp"
 
 #include <gtest/gtest.h>
@@ -359,7 +359,7 @@ TEST(RotatingTruth, ContactWithinTheStepOnly) {
   EXPECT_GT(truth.distance_at(0.48004).low, 0);
 }
 
-// box2d #115: 513 radians, or a quarter of one from 513 on; never in contact.
+// box2d #115: 513 radians, or a quarter of a rotation from 513 on. Never in contact.
 TEST(RotatingTruth, FiveHundredRadians) {
   corpus::Case problem;
   problem.a.shape = Box<double>{Vec(25, 5, 1)};
@@ -388,7 +388,8 @@ TEST(RotatingTruth, FiveHundredRadians) {
   EXPECT_LE(clearance.high, 1.1 * clearance.low);
 }
 
-// An edge of a box over a plane, at a height that it reaches but for `margin`: decided down to the width.
+// An edge of a box over a plane, at a height that it misses or exceeds by `margin`: decided down to the
+// width.
 TEST(RotatingTruth, GrazesAreDecidedDownToTheWidth) {
   int hits = 0, misses = 0, open = 0;
   for (int exponent = 1; exponent <= 17; ++exponent) {
@@ -537,7 +538,8 @@ TEST(RotatingTruth, LinearMotionAgreesWithTheLinearOracles) {
   EXPECT_GE(count[static_cast<std::size_t>(Outcome::initially_overlapping)], 10);
 }
 
-// Any two shapes at random: where it decides, the width is kept; a body that only slides past leaves it open.
+// Any two shapes at random: where the oracle decides, the width is kept. A body that only slides past is
+// undecided.
 TEST(RotatingTruth, EveryPairOfShapesKeepsTheWidth) {
   CurvedPairs make(29);
   int hits = 0;
@@ -629,7 +631,7 @@ TEST(RotatingTruth, Starts) {
   EXPECT_EQ(just.outcome(), Outcome::hit);
   EXPECT_EQ(just.toi_lower(), 0);
   EXPECT_EQ(just.compare(1e-6), 1);
-  // Of curved shapes that touch at t = 0, balls cannot say; contact later on is proved.
+  // For curved shapes that touch at t = 0, balls cannot decide. Contact later on is proved.
   corpus::Case curved;
   curved.a.shape = Ellipsoid<double>{Vec(1, 2, 3)};
   curved.spin_a.rotation = Vec(0, 0, 1);
