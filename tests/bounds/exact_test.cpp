@@ -1,5 +1,5 @@
 // The arithmetic beyond doubles that the exact tier filters with (numeric/pair.hpp, vectors.hpp, search/exact/exact_scene.hpp,
-// beyond.hpp): each stated error against exact numbers. Trees are as the door lets them in: 16 levels, many
+// beyond.hpp): each stated error against exact numbers. Trees are as large as validation accepts: 16 levels, many
 // shifts above few leaves, sixteen rotations above one leaf, more leaves than pairs of doubles are used for.
 #include <gtest/gtest.h>
 

@@ -90,7 +90,7 @@ TEST(OffsetBounds, OperatorsOfTwoDoubles) {
   for (Tally* one : {&plus, &product, &quotient, &root, &times}) one->finish(1000);
 }
 
-// Components of one size, of many, and at the ends of the door's range.
+// Components of one size, of many, and at the ends of the range that validation accepts.
 Quaternion<double> any_quaternion(HostileDraw& draw) {
   Quaternion<double> q = draw.plain().turn<double>();
   switch (draw.below(6)) {

@@ -40,7 +40,7 @@ Answer right_answer(const Case&, const Ask&) {
 }
 bool is_pair(const Case& problem, int i) { return problem.b.position[1] == i / 16.0; }
 
-// Otherwise for the pairs 2 and 3 than for all others: twice stalled, or once wrong and once stalled.
+// Different for the pairs 2 and 3: twice not converged, or once wrong and once not converged.
 Answer twice_stalled(const Case& problem, const Ask& ask) {
   Answer answer = right_answer(problem, ask);
   if (!is_pair(problem, 2) && !is_pair(problem, 3)) return answer;
@@ -129,7 +129,7 @@ TEST_F(KeptAnswersTest, StallsCountAgainstAllCasesOfTheSuite) {
   EXPECT_NE(rows[0].find("2 not converged, above the cap of 0.15, of 10"), std::string::npos) << rows[0];
 }
 
-// One stall is kept and the answer to another case differs: one of ten stalls, as is known without judging it.
+// One unconverged answer is kept and the answer to another case differs: the share of one in ten needs no judgement.
 TEST_F(KeptAnswersTest, AStallThatIsKeptCountsAndOneThatIsGoneDoesNot) {
   const KeptAnswers before = kept(&twice_stalled);
   EXPECT_TRUE(broken(&twice_stalled, 0.2, before).empty());

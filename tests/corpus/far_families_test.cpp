@@ -1,4 +1,4 @@
-// The families of bodies far from their origin of measurement: each level is as far as it says, with outcomes
+// The families of bodies far from their origin of measurement. Each level has its stated distance, and outcomes
 // in fair shares. Near rounding only the bracket oracle can tell the outcomes apart.
 #include <gtest/gtest.h>
 

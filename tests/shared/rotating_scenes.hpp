@@ -110,7 +110,7 @@ struct Mover {
 
 struct Scene {
   corpus::Case problem;
-  Long first = kNever;                // the time of first contact, or kNever if there is none
+  Long first = kNever;                // the time of first contact, or kNever without contact
   Long leaves = kNever;               // the end of that contact, for two balls
   std::function<LongVec(Long)> axis;  // world, unit, from A to B: separates until `first`
   // Pairs and weights that prove contact soon after it, written into an empty contact.

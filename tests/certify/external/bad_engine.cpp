@@ -105,7 +105,7 @@ void fork_child(bool own_session, bool twice, bool holds_output) {
   sleep_for_ever();
 }
 
-// Faults that change an answer, and of which answers: nullptr leaves the line to be written by somebody else.
+// Faults that change an answer, and the answers that they change. nullptr leaves the line to another function.
 struct FaultKind {
   enum class Needs { anything, hit, miss, start } needs;
   std::string (*line)(const Question& q, const Answer& right);

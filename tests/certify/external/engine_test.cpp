@@ -96,7 +96,7 @@ TEST(Engine, IsNotHeldUpByWhatItWritesOnStandardError) {
   EXPECT_EQ(answer.toi_lower, 0.5);
 }
 
-// A question that does not fit into a pipe that nobody reads.
+// A question that does not fit into a pipe without a reader.
 TEST(Engine, ThatSaysSomethingElseOfItselfWhenStartedAgainIsFound) {
   Engine engine(bad_engine("declares_otherwise", 2));
   const engine::Method& cast = engine.methods().front();

@@ -1,4 +1,4 @@
-// Tier certified of linear casts: brackets that hold, narrow ones, for every pair of shapes and every
+// The certified tier of linear casts: brackets that hold, and are narrow, for every pair of shapes and every
 // hardness, judged by the oracles.
 #include <gtest/gtest.h>
 #include <graze/validate.hpp>

@@ -56,8 +56,8 @@ TEST(RotatingRare, ACrossingSaysFromWhen) {
 }
 
 // Ellipsoids are a little farther apart than the tolerance, and GJK knows their distance only to a quarter of
-// it. If the pair that is pushed back is within the tolerance already, the step stands still. That is contact
-// by the tolerance.
+// it. If the pair that is pushed back is within the tolerance already, the step stands still. It is in
+// contact by the tolerance.
 TEST(RotatingRare, AStepThatStandsStillIsContact) {
   Draw draw{1};
   int contacts = 0;

@@ -194,7 +194,7 @@ TYPED_TEST(StartPolicyTest, ATargetDistanceBeyondTheBodiesIsHeld) {
 // Report: for sums of segments and triangles with coordinates from 1e-60 to 1e60, moved to each other's
 // origin, gjk and mpr did not converge in about 1 of 1,500 casts, although they always should. Mechanism: a
 // corner was far beneath an end of a flat portal, and both were beside the line by less than rounding. The
-// corner was found and dropped again for ever, as neither edge to it had the line strictly between its ends.
+// corner was found and dropped again without end, as neither edge to it had the line strictly between its ends.
 // Threshold: all converge.
 TEST(StartPolicy, MixedMagnitudesDoNotStall) {
   const Body<double> a{

@@ -506,7 +506,7 @@ TEST(CheckProofUpper, OffsetsReachTheSphereAndNotOneUnitFurther) {
   EXPECT_GT(too_long, 1000);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 struct Good {
   Case c;

@@ -469,7 +469,7 @@ TEST(CheckShapesPoint, MoreCurvedPartsThanAFeatureHoldsIsMalformed) {
   EXPECT_EQ(there(hull_of<double>(two, Ellipsoid<double>{{1, 1, 1}}), {}), Refusal::portal_off_path);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 TEST(CheckShapesDoor, WhatIsNoShapeIsMalformed) {
   const SharedShape<double> none, point = share<double>(Point<double>{});

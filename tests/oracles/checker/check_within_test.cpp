@@ -111,7 +111,7 @@ TEST(CheckWithin, GrantsPointsThatLieJustOutside) {
   EXPECT_TRUE(holds(record, 0));
   record.proof.portal[0].a.offset = {1 + 0x1p-40, 0, 0};
   record.proof.toi_lower = 0.75 - 0x1p-42;
-  // A point 2^-40 outside is drawn in, with a sixteenth of the allowance on top. The scale is 4.
+  // Points are drawn in by a sixteenth of the allowance, and this one is 2^-40 outside. The scale is 4.
   expect_needs(record, 1.0625 * 16 * 0x1p-40 / (4 * kU), "an offset");
   record = ball_and_point();
   record.problem.a.shape = Ellipsoid<double>{{1, 2, 3}};

@@ -48,7 +48,7 @@ struct Proved {
   RotatingProof proof;
 };
 
-// A hit between first contact less `gap` and first contact plus `gap`, both in time, or a miss before it.
+// Proves a hit between first contact less `gap` and first contact plus `gap`, both in time, or a miss.
 [[nodiscard]] std::optional<Proved> prove(Draw& draw, bool miss, double gap) {
   Proved out{draw_scene(draw, miss), {}};
   RotatingProof& proof = out.proof;

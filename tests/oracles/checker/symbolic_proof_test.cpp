@@ -340,7 +340,7 @@ TEST(SymbolicMiss, FacesThatTouchInAnyRotationAreContact) {
   report("touching faces", cost, 600, 200);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 struct Good {
   Case c;

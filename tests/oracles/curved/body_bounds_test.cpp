@@ -147,8 +147,8 @@ TEST(BodyBounds, SupportsBendNoFasterAlongAxesThatTurn) {
   EXPECT_LT(least_slack, 0.5);
 }
 
-// In the world the body is the same. A pivot amid it keeps the place of its own frame, and the pivot that the
-// case gives, out of the bounds of the motion.
+// In the world the body is the same. Its motion is bounded about a pivot amid the body, so neither the place of
+// its own frame nor the case's pivot enters the bounds.
 TEST(BodyBounds, ABodyAtRestIsBoundedByItsOwnSizeWhereverItsFrameIs) {
   AnyBody any(15);
   for (int i = 0; i < kBodies; ++i) {

@@ -415,7 +415,7 @@ TEST(BracketTruth, DepthUnderPassOverIsThatOfTheRay) {
 }
 
 TEST(BracketTruth, DepthUnderPassOverCountsWhatMakesAStart) {
-  corpus::Case problem;  // 1/64 beyond the target distance. It slides past, a third of it within
+  corpus::Case problem;  // 1/64 beyond the target distance, then slides past, a third of it within
   problem.a.shape = Ellipsoid<double>{Vec(1, 1, 1)};
   problem.b.shape = Cone<double>{1, 1};
   problem.b.position = Vec(0, 0, 3 + 0x1p-6);

@@ -359,7 +359,7 @@ TEST(RotatingTruth, ContactWithinTheStepOnly) {
   EXPECT_GT(truth.distance_at(0.48004).low, 0);
 }
 
-// box2d #115: 513 radians, or a quarter of a rotation from 513 on. Never in contact.
+// box2d #115: a rotation by 513 radians, or by a quarter of a radian from 513 on. Never in contact.
 TEST(RotatingTruth, FiveHundredRadians) {
   corpus::Case problem;
   problem.a.shape = Box<double>{Vec(25, 5, 1)};
@@ -388,8 +388,8 @@ TEST(RotatingTruth, FiveHundredRadians) {
   EXPECT_LE(clearance.high, 1.1 * clearance.low);
 }
 
-// An edge of a box over a plane, at a height that it misses or exceeds by `margin`: decided down to the
-// width.
+// An edge of a box rotates over a plane and stays `margin` above it at its lowest, or dips into it. The
+// outcome is decided down to the width.
 TEST(RotatingTruth, GrazesAreDecidedDownToTheWidth) {
   int hits = 0, misses = 0, open = 0;
   for (int exponent = 1; exponent <= 17; ++exponent) {
@@ -492,7 +492,7 @@ TEST(RotatingTruth, RandomBoxesAgreeWithSampledAxes) {
   EXPECT_GE(count[static_cast<std::size_t>(Outcome::initially_overlapping)], 5);
 }
 
-// Without a turn: as the linear oracles say, for every pair of kinds.
+// Without a rotation: the same answers as the linear oracles, for every pair of kinds.
 void expect_as_linear(const corpus::Case& problem, std::array<int, 5>& count) {
   const RotatingTruth truth(problem);
   const CaseTruth linear(problem);

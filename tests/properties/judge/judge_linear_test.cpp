@@ -359,7 +359,7 @@ TEST(JudgeExact, CountsApartWhatTheTierIsNotAsked) {
   EXPECT_TRUE(judged_exactly(refusal, false, problem).faulty());
 }
 
-// Is an answer a fault, or a stall where the row allows none?
+// Is an answer a fault, or unconverged although the guarantee allows no such answer?
 bool fails_as_linear(const corpus::Case& problem) {
   bool fails = false;
   for (const engine::Method& method : engine::methods(engine::Kind::linear)) {

@@ -90,7 +90,7 @@ TEST(QueryJudge, Distance) {
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_a.x() += kOff; });
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_b.y() += 0.125; });
-  // A wide answer that admits it did not converge, which is not a fault. A wide and false one is a fault.
+  // A wide answer that reports that it did not converge has no fault. A wide and false one has.
   Answer wide = ours(apart);
   wide.stalled = true;
   wide.separation = Interval{0.25, 0.75};

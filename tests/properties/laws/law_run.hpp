@@ -28,7 +28,7 @@ class LawRun {
   // build. seed: how to draw the first one again.
   [[nodiscard]] std::string report(std::string_view seed) const;
 
-  // Empty, or which outcome was never drawn, or which method stalled too often.
+  // Empty, or the outcome that was never drawn, or the method that failed to converge too often.
   [[nodiscard]] std::string shortfall() const;
   // The same, or which family was never reached.
   [[nodiscard]] std::string shortfall_over_families() const;
