@@ -100,7 +100,7 @@ Shape<double> heavy_chain(HostileDraw& draw, Shape<double> leaf, int levels) {
   return leaf;
 }
 
-// Poses in each other, `turns` of them with a rotation.
+// Nested poses, `turns` of them with a rotation.
 Shape<double> chain(HostileDraw& draw, Shape<double> leaf, int levels, int turns, double size) {
   for (int i = 0; i < levels; ++i) {
     const Vec3<double> by = draw.plain().vector<double>(size * (draw.chance(0.3) ? draw.power(-50, 0) : 1));
@@ -175,7 +175,7 @@ TEST(ExactBounds, FineTermsOfDrawnTrees) {
       Sum<double> all;
       for (std::uint64_t k = 0; k < leaves; ++k) {
         const int levels = static_cast<int>(draw.below(draw.chance(0.5) ? 3 : 14));
-        // Fewer turns where there are many leaves: weights multiply, and exact numbers grow.
+        // Fewer rotations if there are many leaves: weights multiply, and exact numbers grow.
         const int turns = leaves > 3 ? static_cast<int>(draw.below(2)) : static_cast<int>(draw.below(6));
         all.shapes.push_back(share<double>(chain(draw, leaf_of(draw, draw.chance(0.5)), levels, turns, 1)));
       }

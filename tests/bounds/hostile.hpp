@@ -17,7 +17,7 @@
 namespace graze::test {
 
 enum class Hostile : unsigned {
-  equal_spins,            // both turn by the same w
+  equal_spins,            // both rotate by the same w
   spins_an_ulp_apart,     // or by one that differs in last places
   equal_pivots,           // in the world, within the rounding of doubles
   pivots_an_ulp_apart,    // by some last places
@@ -29,7 +29,7 @@ enum class Hostile : unsigned {
   mixed_magnitudes,       // 1e-57 beside 1e57
   fast_spin,              // up to 2^30 radians
   slow_spin,              // down to 1e-57
-  at_rest,                // one body does not turn
+  at_rest,                // one body does not rotate
   axis_near_coordinate,   // w along a coordinate axis, except in last places
   own_axis_spin,          // a solid of revolution about its own axis, nearly
   zero_extent,            // flat in some direction
@@ -37,7 +37,7 @@ enum class Hostile : unsigned {
   odd_orientation,        // components of many sizes, or one last place off one that permutes
   ball_by_another_name,   // ellipsoids of equal radii, capsules of no length, rounded points
   combinator,             // sums, hulls and poses of parts
-  cancelling_parts,       // parts put far out and turned back
+  cancelling_parts,       // parts put far out and rotated back
   moves_as_one,           // equal displacements
 };
 inline constexpr unsigned kHostileClasses = 22;
@@ -312,7 +312,7 @@ class HostileDraw {
     if (chance(0.7)) out.body.displacement = draw_.vector<double>(size * power(-3, 2));
     out.rotation = spin();
     if (flag(Hostile::at_rest, 0.12)) out.rotation = Vec3<double>::Zero();
-    // A shape that is far out in its own frame turns about its own middle as often as about the origin.
+    // A shape that is far out in its own frame rotates about its own middle as often as about the origin.
     out.pivot = chance(0.5) ? out_there_ : Vec3<double>(Vec3<double>::Zero());
     if (chance(0.6)) out.pivot += draw_.vector<double>(size);
     if (out_there_ != Vec3<double>::Zero() && chance(0.5)) {

@@ -188,7 +188,7 @@ TEST(MobilityBounds, NoSetIsFasterByDifferences) {
   for (Tally* one : {&speed, &acceleration, &rotation_displacement}) one->finish(100);
 }
 
-// Is the body's point x said to be on the axis of rotation? By the arm, where core asks so.
+// Does core claim that the body's point x is on the axis of rotation? By the arm where core uses it.
 template <class Body>
 bool is_said_on_axis(const Body& a, const Vec3<double>& x) {
   if constexpr (requires { is_on_axis(a, a.pivot, x); }) {

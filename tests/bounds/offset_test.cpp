@@ -209,7 +209,7 @@ TEST(OffsetBounds, OffsetsOfPosedCentres) {
     const Vec3<double> seen = detail::accurate_offset(p_a, q_a, c_a, p_b, q_b, c_b);
     const BallVec truth = BallVec(p_b) + arm - there;
     const Ball lengths = norm(BallVec(c_a)) + norm(BallVec(c_b));
-    // The bound as a ball, over what it is to bound.
+    // The bound as a ball, over the bounded quantity.
     const auto over = [](const Ball& bound, const Ball& error) {
       return bound.is_positive() ? error / bound : error;
     };

@@ -32,7 +32,7 @@ struct Pair {
   Pair(const RotatingBody<S>& given_a, const RotatingBody<S>& given_b, const HostileScene& scene)
       : pair(given_a, given_b, scene.target),
         unit(two_to(-pair.cso().length_exponent())),
-        // A body that does not turn is looked at from the point that the pair takes for its pivot.
+        // A body that does not rotate is measured from the point that the pair takes for its pivot.
         a(scene.a, pair.pivot_a()),
         b(scene.b) {}
 
@@ -203,7 +203,7 @@ TEST(PairBounds, NoTwoPointsCloseFaster) {
   for_each_pair(
       17, rounds(800),
       [&](Pair& seen, HostileScene scene, HostileDraw& draw) {
-        // Half of them turn alike, as few do by chance.
+        // Half of them rotate alike, as few do by chance.
         const bool alike = draw.chance(0.5) && seen.a.turns;
         if (alike) scene.b.rotation = scene.a.rotation;
         const Pair pair(scene);
@@ -303,7 +303,7 @@ TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
           if (in_world ? revolves(scene.a.body.shape) || revolves(scene.b.body.shape)
                        : !with.turns || (with_a && !seen.b.turns))
             continue;
-          // Half of them turn with the body, so that little but the turn bends.
+          // Half of them rotate with the body, so that little except the rotation bends.
           Vec3<double> n_1 = elsewhere;
           if (!in_world && draw.chance(0.5)) {
             seen.pair.place(t_0);

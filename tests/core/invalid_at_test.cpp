@@ -26,7 +26,7 @@ Place place(const Result& result) {
   return {result.invalid, result.invalid_at};
 }
 
-// Every query, asked of two bodies that stand still or fly, with nothing wrong in its options.
+// Every query on two bodies that stand still or fly, with valid options.
 template <Scalar S>
 std::vector<Place> ask_all(const Body<S>& a, const Body<S>& b) {
   std::vector<Place> out;
@@ -252,7 +252,7 @@ TEST(InvalidAt, WhatTheExactTierDoesNotKnow) {
   EXPECT_EQ(to_text(cast(kBox, kBall, exact).invalid_at), "body b: " + curved);
   EXPECT_EQ(to_text(line_exact(kBox, kBall).invalid_at), "body b: " + curved);
   EXPECT_EQ(to_text(overlap_exact(kBall, kBox).invalid_at), "body a: " + curved);
-  // Turning bodies whose motion is linear after all: the linear cast's reason is handed on.
+  // Rotating bodies whose motion is linear after all: the linear cast's reason is passed on.
   const RotatingBody<double> ball{kBall}, box{kBox};
   EXPECT_EQ(to_text(cast(box, ball, {.tier = Tier::exact}).invalid_at), "body b: " + curved);
 }

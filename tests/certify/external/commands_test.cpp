@@ -192,7 +192,7 @@ TEST(LawsOfAnEngine, HoldForAnHonestOne) {
   expect_says(run, 0,
               {"swapping", "never_late", "Every law holds", "laws are not asked of engines of others",
                "which nobody promised", "requesting"});
-  // Something was asked.
+  // At least one question was asked.
   EXPECT_EQ(folder.graze("laws --law swapping balls.jsonl " + engine("none")).exit_code, 0);
 }
 

@@ -70,7 +70,7 @@ Case start(double depth = 0.25) {
   problem.b.position = {1.5 - depth, 0, 0};
   return problem;
 }
-// The same kinds of start where the oracles are others: of curved bodies, and of one that turns.
+// The same kinds of start with other oracles: curved bodies, and a rotating body.
 Case curved_start() {
   Case problem = start();
   problem.b.shape = Ellipsoid<double>{{0.5, 0.25, 0.25}};
@@ -91,7 +91,7 @@ TEST(AStartInContact, NeedsNoNormalAndNoWitnesses) {
 
 TEST(AStartInContact, HasAUnitNormalIfAny) {
   for (const Case& problem : {start(), start(0), curved_start(), turning_start()}) {
-    // Any direction: what it means is the engine's own affair.
+    // Any direction: its meaning is up to the engine.
     EXPECT_EQ(bad_contact(engine_of(), problem, R"("initially_overlapping", "normal": [0, -1, 0])"), "");
     const Judgement shrunk =
         judged(engine_of(), problem, R"("initially_overlapping", "normal": [0.83, 0, 0])");

@@ -1,4 +1,4 @@
-// A case in the terms of an engine: what it is asked, and what it is then judged on.
+// A case in the terms of an engine: the question that it gets, and the case that its answer is judged by.
 #include "certify/external/terms.hpp"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ TEST(Expansion, KeepsWhatADoubleLoses) {
   EXPECT_EQ(e.size(), 0);
 }
 
-// Bit for bit, over the whole range that is asked of it: answers must not depend on the processor.
+// Bit for bit, over the whole range in use: answers must not depend on the processor.
 TEST(FusedPairs, AreTheSamePairs) {
   if (!fuses()) GTEST_SKIP() << "the compiler may fuse anyway, or the processor cannot";
   Draw draw{52};

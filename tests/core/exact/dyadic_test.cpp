@@ -59,7 +59,7 @@ TEST(Dyadic, SumsDifferencesAndProductsAreGmps) {
       const Both& y = known[random.below(known.size())];
       const std::uint64_t what = random.below(3);
       Both next = what == 0 ? x + y : what == 1 ? x - y : x * y;
-      // Exponents spread as they multiply: beyond the room it says so, and is not asked for more.
+      // Exponents spread as they multiply. A number beyond the room is invalid, and is not used further.
       if (!next.own.valid()) continue;
       expect_equal(next);
       if (HasFatalFailure()) return;

@@ -44,7 +44,7 @@ Worst measure(int rounds, int levels, bool turned) {
       b.orientation = draw.turn<double>();
     }
     a.position = draw.vector<double>(round % 3 == 0 ? 1000 : 1);
-    // Far away and back again: what is added cancels.
+    // Far away and back again: the terms cancel.
     b.position = round % 3 == 0 ? Vec3<double>(a.position + draw.vector<double>(1)) : draw.vector<double>(1);
     a.displacement = draw.vector<double>(1);
     b.displacement = draw.vector<double>(1);

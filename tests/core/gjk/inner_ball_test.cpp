@@ -133,7 +133,7 @@ TEST(InnerBall, IsTheLargest) {
   }
 }
 
-// Whoever asks of a point that is not in the shape learns nothing of its depth: a cone's base, at its apex.
+// For a point that is not in the shape the result gives no depth: a cone's base, at its apex.
 TEST(InnerBall, IsLessThanAnyOfPointsOutside) {
   const Vec3<double> one(1, 1, 1), up(0, 0, 1);
   EXPECT_EQ(detail::inner_ball({Kind::box, one}, {1.1, 0, 1}, up), -kInfinity<double>);

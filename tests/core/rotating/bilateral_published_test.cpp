@@ -20,7 +20,7 @@ RotatingResult<double> published(const RotatingBody<double>& a, const RotatingBo
   return cast(a, b, by(RotatingMethod::bilateral_published));
 }
 
-// A cube's corner turns into a wall's face: the axis is the face's, whichever body it belongs to.
+// A cube's corner rotates into a wall's face: the axis is the face's, whichever body it belongs to.
 TEST(BilateralPublished, ACornerTurnsIntoAWall) {
   const RotatingBody<double> cube{.body = {.shape = Box<double>{{1, 1, 1}}}, .rotation = {0, 0, 1}};
   const RotatingBody<double> wall{.body = {.shape = Box<double>{{1, 2, 2}}, .position = {2.25, 0.125, 0.25}}};
@@ -56,7 +56,7 @@ TEST(BilateralPublished, StopsAtTheTolerance) {
 }
 
 TEST(BilateralPublished, MissesAContactThatBeginsAndEndsWithinTheStep) {
-  // A flat blade sweeps half a turn across a small ball, and is far from it at both ends of the step.
+  // A flat blade sweeps half a rotation across a small ball, and is far from it at both ends of the step.
   const RotatingBody<double> blade{.body = {.shape = Box<double>{{2, 0.03125, 0.25}}, .position = {0, 0, 0}},
                                    .rotation = {0, 0, 3},
                                    .pivot = {-2, 0, 0}};

@@ -324,7 +324,7 @@ TEST(RotatingCast, RefusesWhatItCannotAnswer) {
   EXPECT_EQ(cast(broken.cube, broken.wall).invalid, Invalid::not_finite);
   broken.cube.rotation = {0, 0, 0x1p31};
   EXPECT_EQ(cast(broken.cube, broken.wall).invalid, Invalid::out_of_range);
-  // A turn that cannot be seen takes nothing away from a linear motion.
+  // A rotation without effect on the shape does not restrict a linear motion.
   const RotatingBody<double> ball{.body = {.shape = Sphere<double>{1}, .displacement = {1, 0, 0}},
                                   .rotation = {0, 0, 7}};
   const RotatingBody<double> wall{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {50, 0, 0}}};
@@ -415,7 +415,7 @@ TEST(RotatingCast, ABoxThatYawsOntoALevelTileIsAHit) {
     EXPECT_NEAR(r.normal.norm(), 1, 1e-14);
     EXPECT_LE(r.counters.supports, 64);
   }
-  // With a proof only what is proved is contact.
+  // With a proof, only proved contact counts as contact.
   EXPECT_NE(cast(tile, box, {.request = Request::everything}).outcome, Outcome::miss);
 }
 

@@ -67,7 +67,7 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     }
     ++apart;
     EXPECT_GE(found.upper, truth - noise) << round;
-    // Known to the gap asked for, or to a sixteenth of itself.
+    // Known to the requested gap, or to a sixteenth of itself.
     EXPECT_LE(found.upper - found.lower, std::max(gap, found.lower / 16)) << round;
     EXPECT_NEAR(found.n.norm(), 1, 4 * kUnitRoundoff<double>) << round;
     EXPECT_LE(found.lower, -unit * farthest(h_a, h_b, d, found.n) + noise) << round;

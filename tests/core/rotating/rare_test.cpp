@@ -212,7 +212,7 @@ TEST(RotatingRare, AContactThatStaysATieIsNotLookedAtAllAlong) {
   }
 }
 
-// The start is asked before the rest of the motion is looked at.
+// The start is decided before the rest of the motion.
 TEST(RotatingRare, ABoxThatSpinsWhereItRestsIsInContactAtOnce) {
   const RotatingBody<double> floor{.body = {.shape = Box<double>{{50, 50, 1}}}};
   const RotatingBody<double> box{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {0, 0, 2}},

@@ -111,7 +111,7 @@ TYPED_TEST(StartPolicyTest, IsOpenWhereTheBudgetEnds) {
   }
 }
 
-// Lower ends that a tolerance leaves at 0 say nothing of the start.
+// Lower ends that a tolerance leaves at 0 imply nothing about the start.
 TYPED_TEST(StartPolicyTest, ALateHitUnderALooseToleranceIsNoStart) {
   using S = TypeParam;
   const Body<S> a{.shape = Point<S>{}, .position = {4, 0, 0}},

@@ -13,7 +13,7 @@ TEST(Hull, KeepsEveryVertexAsGivenDuplicatesToo) {
   EXPECT_EQ(hull.vertex(1), Vec3<double>(1, 2, 3));
 }
 
-// Every list of points names its scalar, and a hull keeps none of them.
+// Every list of points names its scalar, and a hull does not keep the list.
 TEST(Hull, IsMadeOfAnyListOfPointsAndOwnsThem) {
   std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Hull hull(points);

@@ -138,7 +138,7 @@ TEST(RotatingTruth, PivotAHundredSizesAway) {
   problem.spin_a.rotation = Vec(0, 0, 1.5);
   problem.b.shape = Box<double>{Vec(200, 1, 200)};
   problem.b.position = Vec(0, 81, 0);  // its lower face at y = 80
-  // Of the edges at (100 +- 1/2, 1/2) the inner one is higher late, the outer one first at small angles.
+  // Among the edges at (100 +- 1/2, 1/2) the inner one is higher late, the outer one first at small angles.
   const auto gap = [](const Real& t) {
     const Real angle = Real(1.5) * t;
     const Real outer = Real(100.5) * sin(angle) + cos(angle) / 2;
