@@ -1,8 +1,9 @@
-// Bounds beside the truth: none may be below it, and what they give away is counted.
+// Compares bounds with the truth: no bound may be below it, and the slack of each bound is counted.
 //
-// A tally belongs to one bound of core. Each sample is the bound, a double, and the truth, a ball; a bound
-// that is certainly less is a failure with its inputs. Truths are lower bounds of what the bound claims (the
-// greatest over the points and times looked at), so what is reported as given away is never too little.
+// A tally belongs to one bound of core. Each sample is the bound, a double, and the truth, a ball. A bound
+// that is certainly less than the truth is a failure, reported with its inputs. Truths are lower bounds of
+// the claimed quantity (the greatest over the sampled points and times), so the reported slack is never too
+// little.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 
 namespace graze::test {
 
-// Of the default run, times GRAZE_BOUNDS_TIMES where that is set: 100 for a long run.
+// Rounds of the default run, times GRAZE_BOUNDS_TIMES where that is set: 100 for a long run.
 inline int rounds(int usual) {
   const char* given = std::getenv("GRAZE_BOUNDS_TIMES");
   return usual * std::max(1, given ? std::atoi(given) : 1);

@@ -1,9 +1,9 @@
-// Where a turning body's points are, in ball arithmetic, from the definitions alone (rotating_body.hpp,
-// shape.hpp): no bound of core or of the oracles is used.
+// The positions of a rotating body's points in ball arithmetic, from the definitions alone
+// (rotating_body.hpp, shape.hpp): no bound of core or of the oracles is used.
 //
 // Notation   c = position + R(orientation) pivot;   x(t) = R(t w) r + c + t v,  r = R(orientation) (x -
-// pivot). The core of a shape is what is left of it without its ball (shape.hpp): for a curved core some of
-// its points are taken, so a maximum over points is a lower bound of the one over the core.
+// pivot). The core of a shape is the shape without its ball (shape.hpp). For a curved core some of its points
+// are sampled, so a maximum over the samples is a lower bound of the maximum over the core.
 #pragma once
 
 #include <graze/detail/shapes/shape_tree.hpp>
@@ -20,7 +20,7 @@ using oracle::BallVec;
 
 // Holds 1e60 beside 1e-60 with their squares, and 2^-100 of the least of them.
 inline constexpr long kTruthBits = 1024;
-// Where that is divided by the square of a step of 2^-200.
+// For quotients of such numbers by the square of a step of 2^-200.
 inline constexpr long kDifferenceBits = 2048;
 
 inline Ball positive_part(const Ball& x) { return oracle::not_below_zero(x); }
@@ -193,8 +193,8 @@ class CorePoints {
   std::vector<BallVec> directions_ = some_directions();
 };
 
-// A turning body: its pivot, its arms, where they are at any time. `pivot`: in the body's own frame, of a
-// body that does not turn any point.
+// A rotating body: its pivot, its arms, and their positions at any time. `pivot` is in the body's own frame.
+// For a body that does not rotate, any point will do.
 struct TrueBody {
   TrueBody(const RotatingBody<double>& given, const Vec3<double>& own_pivot)
       : orientation(given.body.orientation),
@@ -235,7 +235,7 @@ struct TrueBody {
     for (const BallVec& arm : arms) out = min(out, dot(w, arm) / rate);
     return out;
   }
-  // Of a point at distance 1 from the axis, how far it gets within time t: 2 sin(min(|w| t, pi) / 2).
+  // How far a point at distance 1 from the axis gets within time t: 2 sin(min(|w| t, pi) / 2).
   [[nodiscard]] Ball chord(double t) const { return Ball(2) * sine(min(rate * Ball(t), pi()) / Ball(2)); }
 
   BallRotation orientation;

@@ -1,6 +1,8 @@
-// Proofs of contact rest on these: how far a support point is from what its feature names, volumes and depths
-// of tetrahedra, a passage through a triangle; and what a body sweeps in whole turns (contact.hpp,
-// crossing.hpp, whole_turns.hpp). Against balls.
+// Tests the quantities that proofs of contact rest on against balls (contact.hpp, crossing.hpp, whole_turns.hpp):
+// - the distance of a support point from the point that its feature names,
+// - volumes and depths of tetrahedra,
+// - a passage through a triangle,
+// - the set that a body sweeps in whole turns.
 #include <gtest/gtest.h>
 
 #include <graze/detail/rotating/crossing.hpp>
@@ -85,7 +87,7 @@ TEST(ContactBounds, VolumesAndDepthsOfTetrahedra) {
       x *= draw.chance(0.3) ? far : 1;
     }
     if (draw.chance(0.7)) {
-      // The last against the others: the origin is inside but for rounding.
+      // The last vertex lies opposite the others, so the origin is inside up to rounding.
       const Vec3<double> sum = w[0] * draw.power(-20, 0) + w[1] + w[2] * draw.power(-4, 4);
       w[3] = -sum * draw.power(-10, 2);
       if (draw.chance(0.3)) w[3] = draw.nudged(w[3]);
@@ -106,7 +108,7 @@ TEST(ContactBounds, VolumesAndDepthsOfTetrahedra) {
       continue;
     }
     ++inside;
-    // The least distance from a face; the origin is inside where all volumes with it have one sign.
+    // The least distance from a face. The origin is inside if all volumes with it have one sign.
     const std::array<BallVec, 4> p = {a, b, c, d};
     Ball least(kInfinity<double>);
     int positive = 0, negative = 0;
@@ -128,9 +130,9 @@ TEST(ContactBounds, VolumesAndDepthsOfTetrahedra) {
 
 // --- passages
 
-// A point flies through a triangle that turns, by a little or by much, about a pivot near or far. Where it is
-// said to pass, the true height of the origin over the true triangle changes its sign, and along the normal
-// at the start the origin stays inside at every time looked at.
+// A point flies through a triangle that rotates, by a little or by much, about a pivot near or far. At a
+// claimed passage, the true height of the origin over the true triangle changes its sign. Along the
+// normal at the start, the origin stays inside at every sampled time.
 TEST(ContactBounds, APassageIsOne) {
   const WorkingPrecision precision(kTruthBits);
   HostileDraw draw(83);
@@ -220,7 +222,7 @@ TEST(WholeTurnBounds, TheCylinderHoldsTheBodyAtAllItsAngles) {
       };
       pair.place(t);
       const double seen = detail::swept_gap(pair, whole, n, counters), e = detail::swept_error(pair);
-      // Of the cylinder with the numbers that the pair has, about where the pivot truly is.
+      // The cylinder with the numbers that the pair has, about the true position of the pivot.
       const auto cylinder = [&](const detail::Mobility& m, const BallVec& axis, const BallVec& d) {
         const Ball sine = dot(d, axis);
         return max(sine * Ball(m.high), sine * Ball(m.low)) + norm(cross(d, axis)) * Ball(m.rho);

@@ -1,6 +1,7 @@
-// What cso.hpp says of its support points: how far they may be from the points that they stand for, how far
-// below the greatest, and how wrong their heights; in double and in float, quickly and accurately turned.
-// Against balls: combinators far out and turned back, curved leaves, hulls far out are in the draw.
+// Tests the claims of cso.hpp about its support points: their distance from the points that they stand for,
+// how far they are below the greatest, and the errors of their heights. The claims are compared with balls,
+// in double and in float, with quick and with accurate rotation. The draw includes combinators far out and
+// rotated back, curved leaves, and hulls far out.
 #include <gtest/gtest.h>
 
 #include <graze/detail/pairs/cso.hpp>
@@ -45,14 +46,14 @@ void check_cso(const std::string& name, detail::Turning turning, std::uint64_t s
       extent("Cso::extent, " + name);
   for (int i = 0; i < rounds(600); ++i) {
     const HostileScene scene = draw.scene();
-    // Beyond the range of floats; there the bounds are double's.
+    // Beyond the range of floats the bounds are those of double.
     if (sizeof(S) == 4 && scene.is(Hostile::mixed_magnitudes)) continue;
     const Body<double>&a = scene.a.body, &b = scene.b.body;
     const detail::Cso<S> cso(a, b, 0.0, turning);
     const Ball unit = two_to(-cso.length_exponent());
     const Standing of_a(a, a.position), of_b(b, a.position);
     for (int k = 0; k < 3; ++k) {
-      // Half of the directions let two vertices of A tie, as far as they can tell.
+      // For half of the directions, two vertices of A tie to within rounding.
       const std::uint64_t count = detail::vertex_count<double>(a.shape);
       Vec3<double> chosen = draw.direction(scene);
       if (!of_a.curved && count > 1 && draw.chance(0.5)) {

@@ -1,5 +1,5 @@
 // The arithmetic beyond doubles that the exact tier filters with (numeric/pair.hpp, vectors.hpp, search/exact/exact_scene.hpp,
-// beyond.hpp): each stated error against exact numbers. Trees are as the door lets them in: 16 levels, many
+// beyond.hpp): each stated error against exact numbers. Trees are as large as validation accepts: 16 levels, many
 // shifts above few leaves, sixteen rotations above one leaf, more leaves than pairs of doubles are used for.
 #include <gtest/gtest.h>
 
@@ -84,8 +84,8 @@ Quaternion<double> any_turn(HostileDraw& draw) {
   return q;
 }
 
-// Of few bits and of nearly the greatest weight: three hundred of them are beyond the range of doubles and
-// not beyond exact numbers.
+// A rotation of few bits and of nearly the greatest weight. The product of three hundred of them leaves the
+// range of doubles but not that of exact numbers.
 Quaternion<double> heavy_turn(HostileDraw& draw) {
   const auto c = [&] { return (draw.chance(0.5) ? 1 : -1) * (2 - 0.125 * double(1 + draw.below(4))); };
   return {c(), c(), c(), c()};
@@ -100,7 +100,7 @@ Shape<double> heavy_chain(HostileDraw& draw, Shape<double> leaf, int levels) {
   return leaf;
 }
 
-// Poses in each other, `turns` of them with a rotation.
+// Nested poses, `turns` of them with a rotation.
 Shape<double> chain(HostileDraw& draw, Shape<double> leaf, int levels, int turns, double size) {
   for (int i = 0; i < levels; ++i) {
     const Vec3<double> by = draw.plain().vector<double>(size * (draw.chance(0.3) ? draw.power(-50, 0) : 1));
@@ -113,8 +113,8 @@ Shape<double> leaf_of(HostileDraw& draw, bool flat) {
   return Segment<double>{draw.plain().vector<double>(1), draw.plain().vector<double>(1)};
 }
 
-// Shifts that keep adding to the low part of a sum near 1: each is below half a last place of it, and its
-// last bits are those of which a rounding drops the most, to one side.
+// Shifts that keep adding to the low part of a sum near 1. Each is below half a last place of the sum, and
+// its last bits are those of which a rounding drops the most, to one side.
 class LowParts {
  public:
   explicit LowParts(HostileDraw& draw) : draw_(draw) {}
@@ -165,7 +165,7 @@ std::string text(const Body<double>& a, const Body<double>& b) {
   return out.str();
 }
 
-// Where the scene is willing to use pairs of doubles, they are as good as their header says.
+// For every scene that admits pairs of doubles, the pairs are as accurate as their header says.
 TEST(ExactBounds, FineTermsOfDrawnTrees) {
   const WorkingPrecision precision(kExactBits);
   HostileDraw draw(92);
@@ -175,7 +175,7 @@ TEST(ExactBounds, FineTermsOfDrawnTrees) {
       Sum<double> all;
       for (std::uint64_t k = 0; k < leaves; ++k) {
         const int levels = static_cast<int>(draw.below(draw.chance(0.5) ? 3 : 14));
-        // Fewer turns where there are many leaves: weights multiply, and exact numbers grow.
+        // Fewer rotations if there are many leaves: weights multiply, and exact numbers grow.
         const int turns = leaves > 3 ? static_cast<int>(draw.below(2)) : static_cast<int>(draw.below(6));
         all.shapes.push_back(share<double>(chain(draw, leaf_of(draw, draw.chance(0.5)), levels, turns, 1)));
       }
@@ -235,8 +235,9 @@ TEST(ExactBounds, FineTermsOfManyShifts) {
 
 // --- beyond.hpp
 
-// The direction of two terms, also where there are more leaves than pairs of doubles are trusted for, and
-// deeply turned: within its error of the exact one, or with an error that nothing beats (not a number).
+// The direction of two terms is within its error of the exact direction, or its error is not a number, which
+// nothing beats. The draw includes trees with more leaves than pairs of doubles are trusted for, and deep
+// rotations.
 TEST(ExactBounds, DirectionsOfTwoTerms) {
   const WorkingPrecision precision(kExactBits);
   HostileDraw draw(94);
@@ -292,8 +293,8 @@ TEST(ExactBounds, DirectionsOfTwoTerms) {
   EXPECT_GT(many, rounds(15));
 }
 
-// A vertex beyond a plane is found if there is one, and none else: of many leaves, turned so often that
-// weights leave the range of doubles, against the exact sign of each leaf's every vertex.
+// A vertex beyond a plane is found exactly if there is one. The exact sign of every vertex of each leaf is
+// the reference. The trees have many leaves, rotated so often that weights leave the range of doubles.
 TEST(ExactBounds, WhatIsBeyondIsFound) {
   HostileDraw draw(95);
   int found = 0, none = 0, overflowed = 0, given_up = 0;

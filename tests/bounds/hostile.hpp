@@ -1,9 +1,10 @@
-// Hostile inputs for the tests of bounds: pairs of turning bodies that the bounds were not written for, and
-// directions to look along. Seeded, so that a failure comes back; hostile_test.cpp tests the distribution.
+// Hostile inputs for the tests of bounds: pairs of rotating bodies that the bounds were not written for, and
+// directions to look along. The draw is seeded, so a failure is reproducible. hostile_test.cpp tests the
+// distribution.
 //
 // A scene is drawn ordinary first and then made hostile in a few ways at once: each class below has its own
-// chance, so they also meet. What is drawn passes the door: magnitudes of 0 or 1e-60 to 1e60, at most 2^30
-// radians within t_end.
+// chance, so they also occur together. Every scene passes validation: magnitudes of 0 or 1e-60 to 1e60, at
+// most 2^30 radians within t_end.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,9 +17,9 @@
 namespace graze::test {
 
 enum class Hostile : unsigned {
-  equal_spins,            // both turn by the same w
+  equal_spins,            // both rotate by the same w
   spins_an_ulp_apart,     // or by one that differs in last places
-  equal_pivots,           // in the world, as far as doubles tell
+  equal_pivots,           // in the world, within the rounding of doubles
   pivots_an_ulp_apart,    // by some last places
   pivots_along_axis,      // by a multiple of w, nearly
   far_in_own_frame,       // vertices 1e6 to 2^40 out in their own frame
@@ -28,15 +29,15 @@ enum class Hostile : unsigned {
   mixed_magnitudes,       // 1e-57 beside 1e57
   fast_spin,              // up to 2^30 radians
   slow_spin,              // down to 1e-57
-  at_rest,                // one body does not turn
-  axis_near_coordinate,   // w along a coordinate axis but for last places
+  at_rest,                // one body does not rotate
+  axis_near_coordinate,   // w along a coordinate axis, except in last places
   own_axis_spin,          // a solid of revolution about its own axis, nearly
   zero_extent,            // flat in some direction
   permuting_orientation,  // axes to axes
   odd_orientation,        // components of many sizes, or one last place off one that permutes
   ball_by_another_name,   // ellipsoids of equal radii, capsules of no length, rounded points
   combinator,             // sums, hulls and poses of parts
-  cancelling_parts,       // parts put far out and turned back
+  cancelling_parts,       // parts put far out and rotated back
   moves_as_one,           // equal displacements
 };
 inline constexpr unsigned kHostileClasses = 22;
@@ -125,7 +126,7 @@ class HostileDraw {
     if (!(n.cwiseAbs().maxCoeff() > 0)) n = Vec3<double>::UnitX();
     return chance(0.5) ? unit(n) : Vec3<double>(-unit(n));
   }
-  // Of [0, t_end], its ends among them.
+  // A time in [0, t_end], its ends among them.
   [[nodiscard]] double time(const HostileScene& scene) {
     switch (below(6)) {
       case 0:
@@ -311,7 +312,7 @@ class HostileDraw {
     if (chance(0.7)) out.body.displacement = draw_.vector<double>(size * power(-3, 2));
     out.rotation = spin();
     if (flag(Hostile::at_rest, 0.12)) out.rotation = Vec3<double>::Zero();
-    // A shape that is far out in its own frame turns about its own middle as often as about the origin.
+    // A shape that is far out in its own frame rotates about its own middle as often as about the origin.
     out.pivot = chance(0.5) ? out_there_ : Vec3<double>(Vec3<double>::Zero());
     if (chance(0.6)) out.pivot += draw_.vector<double>(size);
     if (out_there_ != Vec3<double>::Zero() && chance(0.5)) {
@@ -337,7 +338,7 @@ class HostileDraw {
     return out;
   }
 
-  // What the bodies have in common, as far as doubles tell.
+  // Properties that the bodies have in common, within the rounding of doubles.
   void relate() {
     RotatingBody<double>&a = scene_->a, &b = scene_->b;
     const bool equal = flag(Hostile::equal_spins, 0.2);
@@ -375,7 +376,7 @@ class HostileDraw {
     }
   }
 
-  // What the door refuses is 0 or the greatest there is.
+  // Values that validation refuses become 0 or the greatest value that it admits.
   static void admit(Vec3<double>& x) {
     for (int i = 0; i < 3; ++i) {
       if (std::abs(x[i]) < 1e-60) x[i] = 0;

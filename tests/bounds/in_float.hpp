@@ -14,7 +14,7 @@ struct FloatScene {
   RotatingBody<float> a, b;
   HostileScene scene;  // of their numbers, widened
 
-  // Nothing where a number of the scene is beyond what the door lets in as a float.
+  // Empty if validation refuses a number of the scene as a float.
   static std::optional<FloatScene> of(const HostileScene& given) {
     FloatScene out{narrow<float>(given.a), narrow<float>(given.b), given};
     if (validate(out.a.body) != Invalid::none || validate(out.b.body) != Invalid::none) return {};

@@ -1,5 +1,5 @@
-// What tier exact decides in plain doubles on its way to an answer (search/exact/meeting.hpp, beyond.hpp, walk.hpp,
-// search/fast/fast_walk.hpp): each stated error against exact numbers.
+// The decisions of the exact tier in plain doubles on its way to an answer (search/exact/meeting.hpp,
+// beyond.hpp, walk.hpp, search/fast/fast_walk.hpp): each stated error against exact numbers.
 #include <gtest/gtest.h>
 
 #include <graze/detail/search/exact/meeting.hpp>
@@ -161,7 +161,7 @@ class Sceneries {
   HostileDraw& draw() { return draw_; }
 
   Scenery next(Turns turns) {
-    // Of few bits; or any doubles, flattened along an axis or far out in the body's own frame.
+    // Numbers of few bits, or any doubles, flattened along an axis or far out in the body's own frame.
     few_bits_ = draw_.chance(0.3);
     Scenery out;
     out.a.shape = shape();
@@ -260,8 +260,8 @@ std::array<BallVec, 3> corners(const Scene<double>& scene, const Facet& facet) {
 
 constexpr std::array kTurns = {Turns::none, Turns::one, Turns::alike, Turns::both};
 
-// Where any three vertices' plane is met: to within the stated error, and rounded to the same doubles as by exact
-// numbers; its normal within 2 u.
+// The time at which the path meets the plane of any three vertices is within the stated error, and rounds to
+// the same doubles as the exact number. The plane's normal is within 2 u.
 TEST(MeetingBounds, TimesOfAnyFacets) {
   const WorkingPrecision precision(kExactBits);
   Sceneries sceneries(193);
@@ -299,8 +299,8 @@ TEST(MeetingBounds, TimesOfAnyFacets) {
   EXPECT_GT(decided, looked_at * 4 / 5);
 }
 
-// The points that a meeting hands out: one, to within the rounding of what they are added up from. And what pairs of
-// doubles leave between them, which is small here.
+// The two witnesses that a meeting returns are one point, to within the rounding of their sums. The distance
+// that pairs of doubles leave between them is small here.
 TEST(MeetingBounds, WitnessesOfFacetsThatAreMet) {
   const WorkingPrecision precision(kExactBits);
   Sceneries sceneries(194);

@@ -1,6 +1,5 @@
-// How far out a turning body reaches, and how fast its points and it as a set can move (mobility.hpp),
-// against balls. Every field and every function of Mobility is a bound of the quantity that its header
-// defines.
+// The reach of a rotating body, and the speeds of its points and of the body as a set (mobility.hpp), against
+// balls. Every field and every function of Mobility is a bound of the quantity that its header defines.
 #include <gtest/gtest.h>
 
 #include <graze/detail/rotating/moving_pair.hpp>
@@ -27,7 +26,7 @@ struct Looked {
   Ball unit;  // internal length of one world length
   TrueBody truth;
 
-  // As bodies of S are given; `body` is what that stands for.
+  // `as_given`: the bodies in scalar S. `body`: the body that they stand for.
   template <Scalar S>
   Looked(const RotatingBody<S>& as_given, const RotatingBody<S>& other, double target,
          const RotatingBody<double>& body)
@@ -189,7 +188,7 @@ TEST(MobilityBounds, NoSetIsFasterByDifferences) {
   for (Tally* one : {&speed, &acceleration, &rotation_displacement}) one->finish(100);
 }
 
-// Is the body's point x said to be on the axis of rotation? By the arm, where core asks so.
+// Does core claim that the body's point x is on the axis of rotation? By the arm where core uses it.
 template <class Body>
 bool is_said_on_axis(const Body& a, const Vec3<double>& x) {
   if constexpr (requires { is_on_axis(a, a.pivot, x); }) {
@@ -199,7 +198,7 @@ bool is_said_on_axis(const Body& a, const Vec3<double>& x) {
   }
 }
 
-// What is said to be on the axis of rotation, or along it, is.
+// A feature that is claimed to be on the axis of rotation, or along it, is exactly so.
 TEST(MobilityBounds, WhatIsOnTheAxisIsExactlyOnIt) {
   const WorkingPrecision precision(kTruthBits);
   HostileDraw draw(5);

@@ -35,7 +35,7 @@ class DrawTwo : public HostileDraw {
     if (chance(0.2)) lo = std::copysign(hi * 0x1p-54, plain().between(-1, 1));
     return detail::two_sum(hi, lo);
   }
-  // Cancels x but for its last places, or its lower part only.
+  // Cancels x except in its last places, or cancels its lower part only.
   TwoDoubles against(const TwoDoubles& x) {
     switch (below(3)) {
       case 0:
@@ -90,7 +90,7 @@ TEST(OffsetBounds, OperatorsOfTwoDoubles) {
   for (Tally* one : {&plus, &product, &quotient, &root, &times}) one->finish(1000);
 }
 
-// Components of one size, of many, and at the ends of the door's range.
+// Components of one size, of many, and at the ends of the range that validation accepts.
 Quaternion<double> any_quaternion(HostileDraw& draw) {
   Quaternion<double> q = draw.plain().turn<double>();
   switch (draw.below(6)) {
@@ -201,7 +201,7 @@ TEST(OffsetBounds, OffsetsOfPosedCentres) {
     const Vec3<double> p_a = far();
     const BallRotation turn_a(q_a), turn_b(q_b);
     const BallVec there = BallVec(p_a) + turn_a.apply(BallVec(c_a)), arm = turn_b.apply(BallVec(c_b));
-    // Often where the centres meet but for what p_b rounds.
+    // Often the centres meet, except for the rounding of p_b.
     const Vec3<double> p_b = draw.chance(0.6) ? draw.nudged((there - arm).mid_double()) : far();
     const auto with = [&] {
       return text(q_a, c_a) + text(q_b, c_b) + "  p_a " + describe(p_a) + " p_b " + describe(p_b) + "\n";
@@ -209,7 +209,7 @@ TEST(OffsetBounds, OffsetsOfPosedCentres) {
     const Vec3<double> seen = detail::accurate_offset(p_a, q_a, c_a, p_b, q_b, c_b);
     const BallVec truth = BallVec(p_b) + arm - there;
     const Ball lengths = norm(BallVec(c_a)) + norm(BallVec(c_b));
-    // The bound as a ball, over what it is to bound.
+    // The bound as a ball, over the bounded quantity.
     const auto over = [](const Ball& bound, const Ball& error) {
       return bound.is_positive() ? error / bound : error;
     };

@@ -32,7 +32,7 @@ struct Pair {
   Pair(const RotatingBody<S>& given_a, const RotatingBody<S>& given_b, const HostileScene& scene)
       : pair(given_a, given_b, scene.target),
         unit(two_to(-pair.cso().length_exponent())),
-        // A body that does not turn is looked at from the point that the pair takes for its pivot.
+        // A body that does not rotate is measured from the point that the pair takes for its pivot.
         a(scene.a, pair.pivot_a()),
         b(scene.b) {}
 
@@ -75,7 +75,8 @@ TEST(PairBounds, TheBodiesAreWhereTheyArePlaced) {
     HostileScene scene = draw.scene();
     const double then = draw.time(scene);
     if (draw.chance(0.5)) {
-      // The centres meet at that time, as far as doubles tell: the offset is what is left of the arms.
+      // The centres meet at that time, within the rounding of doubles: the offset is the remainder of the
+      // arms.
       const Pair before(scene);
       const Ball t(then);
       const BallVec apart = center_at(before.a, scene.a, before.pair.cso().side_a().center, t) -
@@ -97,7 +98,7 @@ TEST(PairBounds, TheBodiesAreWhereTheyArePlaced) {
       };
       offset.add(2 * kU * pair.cso().offset().norm() + pair.offset_error(),
                  far_off(pair.cso().offset(), b - a), with);
-      // At the start no arm counts for the offset; those of the centres do.
+      // At the start no arm counts for the offset, but the arms of the centres count.
       if (t == 0) continue;
       centers.add(2 * kU * pair.center_a().norm() + pair.offset_error(), far_off(pair.center_a(), a - path),
                   with);
@@ -152,8 +153,8 @@ TEST(PairBounds, NoGapIsWiderThanItIs) {
 
 // --- how gaps change
 
-// Of two bodies that turn by one w, |n x w| and the largest distance of a difference of points from its axis
-// bound what the sum of both bodies' speeds does.
+// When both bodies rotate by the same w, the sum of both bodies' speeds has another bound: |n x w| times the
+// largest distance of a difference of points from its axis.
 Ball least_of(const Ball& each, const Ball& across, const std::optional<Ball>& common) {
   return common ? min(each, across * *common) : each;
 }
@@ -202,7 +203,7 @@ TEST(PairBounds, NoTwoPointsCloseFaster) {
   for_each_pair(
       17, rounds(800),
       [&](Pair& seen, HostileScene scene, HostileDraw& draw) {
-        // Half of them turn alike, as few do by chance.
+        // Half of them rotate alike, as few do by chance.
         const bool alike = draw.chance(0.5) && seen.a.turns;
         if (alike) scene.b.rotation = scene.a.rotation;
         const Pair pair(scene);
@@ -217,7 +218,7 @@ TEST(PairBounds, NoTwoPointsCloseFaster) {
         const Ball d = two_to(-200), t(scene.t_end * draw.plain().between(0.01, 0.99));
         const auto with = [&] { return describe(scene, n, t.mid_double()); };
         const Ball before = height(t - d), now = height(t), after = height(t + d);
-        // What a ball does is as much for both: curved cores are followed as they turn, or as they do not.
+        // Skip solids of revolution: their bounds hold for the set, and their points may move faster.
         if (revolves(scene.a.body.shape) || revolves(scene.b.body.shape)) return;
         closing.add(pair.pair.closing(n), (before - after) / (d + d), with);
         (alike ? common : bend).add(pair.pair.bend(n), abs(after - Ball(2) * now + before) / (d * d), with);
@@ -238,7 +239,7 @@ std::optional<double> relative_speed(const P& pair, AxisFrame of, double t_end) 
   }
 }
 
-// The header's formula, and the second difference of n(t).x(t) for points of the other body; and the first.
+// The header's formula, and the first and the second difference of n(t).x(t) for points of the other body.
 TEST(PairBounds, NoGapAlongATurnedAxisBendsMore) {
   Tally formula("MovingPair::bend(frame)"), seen_bend("MovingPair::bend(frame), of points"),
       speeds("MovingPair::relative_speed, of points");
@@ -302,7 +303,7 @@ TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
           if (in_world ? revolves(scene.a.body.shape) || revolves(scene.b.body.shape)
                        : !with.turns || (with_a && !seen.b.turns))
             continue;
-          // Half of them turn with the body, so that little but the turn bends.
+          // Half of them rotate with the body, so that little except the rotation bends.
           Vec3<double> n_1 = elsewhere;
           if (!in_world && draw.chance(0.5)) {
             seen.pair.place(t_0);
@@ -343,7 +344,8 @@ TEST(PairBounds, NoGapAlongAnAxisThatMovesBendsMore) {
 
 // --- the plan
 
-// Bodies that turn and move alike stand still to each other, but for how far the pivots' difference swings.
+// Bodies that rotate and move alike stand still relative to each other, except for the swing of the
+// difference of their pivots.
 TEST(PlanBounds, BodiesThatTurnAsOneSwingNoFarther) {
   Tally swing("swing_as_one");
   const WorkingPrecision precision(kTruthBits);

@@ -1,5 +1,5 @@
-// What a march proves is true: along a slice's axis the bodies are apart at every time that is looked at, and
-// contact that is said to be proved is no distance (slice.hpp, march.hpp), against balls.
+// Every proof of a march is true, against balls (slice.hpp, march.hpp): along a slice's axis the bodies are
+// apart at every sampled time, and at a proved contact they are not apart.
 #include <gtest/gtest.h>
 
 #include <graze/detail/rotating/march.hpp>

@@ -19,9 +19,9 @@ template <Scalar S>
 struct DrawnHull {
   std::vector<Vec3<S>> points;
   Ball diameter;        // of the box of the points
-  Vec3<double> facing;  // along which half of the points tie, as far as they can tell
+  Vec3<double> facing;  // half of the points tie along it, up to rounding
 
-  // On a sphere, in a slab, or half of them in a plane above the others; some far out.
+  // On a sphere, in a slab, or half of them in a plane above the others. Some hulls are far out.
   DrawnHull(HostileDraw& draw, std::size_t count) {
     const std::uint64_t kind = draw.below(4);
     facing = unit(draw.plain().template vector<double>(1));

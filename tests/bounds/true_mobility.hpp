@@ -1,5 +1,5 @@
-// What mobility.hpp bounds, by its own formulas in balls: a bound that is computed is to be no less. That the
-// formulas bound the motion is a test of its own (mobility_test.cpp, by differences of supports).
+// The quantities that mobility.hpp bounds, by its own formulas in balls: a computed bound must not be less.
+// mobility_test.cpp tests by differences of supports that the formulas bound the motion.
 #pragma once
 
 #include <graze/detail/rotating/mobility.hpp>
@@ -43,7 +43,7 @@ struct Revolved {
   }
 };
 
-// Of a body that turns; lengths times `unit`. All 0 for one that does not.
+// The mobility of a rotating body, lengths times `unit`. All values are 0 for a body that does not rotate.
 class TrueMobility {
  public:
   TrueMobility(const TrueBody& body, const RotatingBody<double>& given, const Vec3<double>& pivot,
@@ -64,7 +64,7 @@ class TrueMobility {
   [[nodiscard]] Ball acceleration(const BallVec& n) const { return second(rate_ * norm(cross(n, w_))); }
   [[nodiscard]] Ball top_speed() const { return first(rate_); }
   [[nodiscard]] Ball top_acceleration() const { return second(rate_ * rate_); }
-  // Of the set, where a point at distance 1 from the axis gets `chord` far.
+  // The displacement of the set when a point at distance 1 from the axis gets `chord` far.
   [[nodiscard]] Ball rotation_displacement(const Ball& chord) const {
     return own_ ? min(chord * rho_, chord * (own_->center + own_->tilt / rate_ * own_->around))
                 : chord * rho_;

@@ -12,7 +12,7 @@ namespace graze {
 inline namespace GRAZE_LINKAGE {
 namespace detail {
 
-// What turn.hpp claims of an angle: what it says of one, else what its header says of all.
+// The error that turn.hpp claims for an angle: its function for that type, or else the bound in its header.
 template <class T>
 double claimed_turn_error(T angle) {
   if constexpr (requires { turn_error(angle); }) {

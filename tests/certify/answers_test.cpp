@@ -40,7 +40,7 @@ Answer right_answer(const Case&, const Ask&) {
 }
 bool is_pair(const Case& problem, int i) { return problem.b.position[1] == i / 16.0; }
 
-// Otherwise for the pairs 2 and 3 than for all others: twice stalled, or once wrong and once stalled.
+// Different for the pairs 2 and 3: twice not converged, or once wrong and once not converged.
 Answer twice_stalled(const Case& problem, const Ask& ask) {
   Answer answer = right_answer(problem, ask);
   if (!is_pair(problem, 2) && !is_pair(problem, 3)) return answer;
@@ -61,7 +61,7 @@ Answer slower(const Case& problem, const Ask& ask) {
 
 class KeptAnswersTest : public testing::Test {
  protected:
-  // Of all cases at most this share may stall.
+  // A method of which at most this share of all cases may not converge.
   Method method_by(Answer (*ask)(const Case&, const Ask&), double stall_cap) {
     row_ = {.query = "distance",
             .method = "made_up",
@@ -82,7 +82,7 @@ class KeptAnswersTest : public testing::Test {
             .guarantee = &row_};
   }
 
-  // What came of it without the change, kept.
+  // The answers without the change, kept.
   KeptAnswers kept(Answer (*ask)(const Case&, const Ask&)) {
     const Method method = method_by(ask, 1);
     KeptAnswers answers(suites_, {&method}, 1);
@@ -90,7 +90,7 @@ class KeptAnswersTest : public testing::Test {
     return answers;
   }
 
-  // The rows that break, by what differs alone; and how many cases that are.
+  // The guarantees that break, judged on the differing answers alone. Sets differing_ to their number.
   std::vector<std::string> broken(Answer (*ask)(const Case&, const Ask&), double stall_cap,
                                   const KeptAnswers& before) {
     const Method method = method_by(ask, stall_cap);
@@ -120,7 +120,7 @@ TEST_F(KeptAnswersTest, AWrongAnswerAmongThoseThatDifferBreaksItsRow) {
   EXPECT_NE(rows[0].find("test/cubes-2"), std::string::npos) << rows[0];
 }
 
-// Two of ten stall. Of those that differ it is each.
+// Two of ten did not converge. These two are the only answers that differ.
 TEST_F(KeptAnswersTest, StallsCountAgainstAllCasesOfTheSuite) {
   const KeptAnswers before = kept(&right_answer);
   EXPECT_TRUE(broken(&twice_stalled, 0.2, before).empty());
@@ -129,7 +129,7 @@ TEST_F(KeptAnswersTest, StallsCountAgainstAllCasesOfTheSuite) {
   EXPECT_NE(rows[0].find("2 not converged, above the cap of 0.15, of 10"), std::string::npos) << rows[0];
 }
 
-// One stall is kept and the answer to another case differs: one of ten stalls, as is known without judging it.
+// One unconverged answer is kept and the answer to another case differs: the share of one in ten needs no judgement.
 TEST_F(KeptAnswersTest, AStallThatIsKeptCountsAndOneThatIsGoneDoesNot) {
   const KeptAnswers before = kept(&twice_stalled);
   EXPECT_TRUE(broken(&twice_stalled, 0.2, before).empty());
@@ -156,7 +156,7 @@ TEST_F(KeptAnswersTest, AreReadAsTheyWereWrittenAndOnlyForTheSameSuites) {
   EXPECT_THROW(broken(&right_answer, 1, read), std::runtime_error);
 }
 
-// Any field by itself makes another digest; the counters, which nobody judges, do not.
+// A change of any one field gives another digest. The counters are not judged and do not change it.
 TEST(AnswerDigest, SeesEveryFieldThatIsJudged) {
   Answer answer;
   answer.proof = Proof{};

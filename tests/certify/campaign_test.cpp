@@ -1,4 +1,4 @@
-// A campaign: one result, however its casts are shared out; and no failure goes by.
+// A campaign gives one result however its casts are divided, and no failure is overlooked.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -24,7 +24,7 @@ std::vector<const corpus::Family*> some_families() {
           corpus::find_family("touching")};
 }
 
-// A small campaign, and what is needed to run it.
+// A small campaign, with everything that a run of it needs.
 struct Small {
   // So that the contender outlives a planted method's making.
   engine::Method method = exact();
@@ -43,7 +43,7 @@ struct Small {
     plan.add({corpus::find_family("slow_spin"), corpus::find_family("random_rotating")},
              chosen_contenders(engine::Kind::rotating, {}), 48, {6});
   }
-  // One turning method.
+  // One rotating method.
   Small(const engine::Method& judged, const char* family, std::uint64_t casts) : turning(judged), plan(7) {
     plan.add({corpus::find_family(family)}, {&turning}, casts, {0});
   }
@@ -113,7 +113,7 @@ TEST(Campaign, LevelsWithHardlyAQuestionAreLeftOutByName) {
   const CampaignCases to_the_bit(families, {&exact()}, 1, {});
   EXPECT_EQ(to_the_bit.left_out(), std::vector<std::string>{"curved"});
   for (const Slot& slot : to_the_bit.slots()) EXPECT_EQ(slot.family->name, "grazing_face");
-  // Tier standard is asked everything.
+  // The standard tier gets every case.
   const CampaignCases standard(families, {engine::find_method(engine::Kind::linear, "mpr")}, 1, {});
   EXPECT_TRUE(standard.left_out().empty());
   EXPECT_FALSE(standard.draw(0).sampled);
@@ -240,7 +240,7 @@ engine::Answer late_by_a_double(const corpus::Case& problem, const engine::Ask& 
   return answer;
 }
 
-// A miss where there is none, and no proof of it: the oracle is asked.
+// A false miss without a proof: the oracle is called.
 engine::Answer denies_contact(const corpus::Case& problem, const engine::Ask& ask) {
   engine::Answer answer = exact().ask(problem, ask);
   if (answer.outcome == Outcome::hit) {
@@ -318,7 +318,7 @@ TEST(Planted, StallsBeyondTheCapOfTheRowFail) {
   EXPECT_EQ(state.tally.stalls.size(), state.tally.total().stalls);
 }
 
-// --- Parts: several methods, other queries, turning bodies.
+// --- Parts: several methods, other queries, rotating bodies.
 
 TEST(Parts, StopsShardsAndThreadsDoNotChangeAByte) {
   const Small small(7);
@@ -370,12 +370,12 @@ TEST(Parts, TurningCastsAreJudgedByProofsAndTheOracleSeesASample) {
   EXPECT_GT(total.misses, 5U);
   EXPECT_GT(total.sampled, 0U);
   EXPECT_LT(total.by_oracle, 20U);
-  // Every other case is asked with a proof.
+  // Every other case requests a proof.
   EXPECT_GT(total.proved, 10U);
   EXPECT_LT(total.proved, 30U);
 }
 
-// The same casts, and the same answers; of those that are not judged the outcomes are counted.
+// The same casts give the same answers. For the casts that are not judged, the outcomes are counted.
 TEST(Parts, OneCaseInSoManyIsJudged) {
   const auto run = [](const Sampling& sampling) {
     CampaignPlan plan(3);
@@ -447,7 +447,7 @@ TEST(PlantedTurning, EveryWrongAnswerIsCountedByItsKindAndItsCaseIsKept) {
   struct Planted {
     engine::Method method;
     std::uint64_t CampaignCounts::*kind;
-    bool with_proof;  // seen only where a proof was asked for
+    bool with_proof;  // set only where a proof was requested
   };
   const std::uint64_t honest = Small(turning("certified"), "random_rotating", 48).run(2).tally.total().hits;
   EXPECT_GT(honest, 10U);
@@ -471,7 +471,7 @@ TEST(PlantedTurning, EveryWrongAnswerIsCountedByItsKindAndItsCaseIsKept) {
   }
 }
 
-// What answers a query beside the cast, off by a hundredth of itself.
+// A distance query whose answer is off by a hundredth of itself.
 engine::Answer stretched_distance(const corpus::Case& problem, const engine::Ask& asked) {
   engine::Answer answer = law::default_method(corpus::Query::distance, "double").ask(problem, asked);
   if (answer.separation)

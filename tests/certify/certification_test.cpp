@@ -66,7 +66,7 @@ TEST(Certification, TalliesByMethodAndFamilyAndNamesTheFirstBreach) {
   }
 }
 
-// What was judged before a stop is kept, and what was not is named.
+// The judgements before a stop are kept, and the cases that were not judged are named.
 TEST(Certification, AStopKeepsWhatIsFinished) {
   Suite later = bars();
   later.family = "later";

@@ -1,4 +1,4 @@
-// Laws over suites: what is counted, what a broken law leaves, and that threads change nothing.
+// Laws over suites: the counts, the findings of a broken law, and equal results for any number of threads.
 #include "certify/laws.hpp"
 
 #include <gtest/gtest.h>

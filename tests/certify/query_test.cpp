@@ -147,7 +147,7 @@ TEST(QueryCertification, EveryQueryOfOursIsJudged) {
   }
 }
 
-// What a row of 64 u grants is none of this: each is off by a thousandth.
+// A guarantee of 64 u grants none of these errors: each answer is off by a thousandth.
 TEST(QueryCertification, OfCurvedShapesWhatIsOffIsConvicted) {
   for (const auto& [query, curved, x] : every_question()) {
     if (!curved) continue;
@@ -209,7 +209,7 @@ TEST(Intake, SortsEveryQuestionAndCountsWhatNothingJudges) {
   EXPECT_EQ(asked.at(0).query, Query::line);
   EXPECT_EQ(asked.at(1).query, Query::overlap);
   EXPECT_EQ(asked.at(2).id, "test/curved");
-  // What is asked of t = 0 sees no turn.
+  // A query at t = 0 does not depend on the rotation.
   EXPECT_EQ(asked.at(3).id, "test/turning-distance");
   EXPECT_EQ(asked.at(3).spin_b.rotation, Vec3<double>::Zero());
   EXPECT_EQ(intake.left_out, 1U);

@@ -226,7 +226,7 @@ TEST(Stability, OurMethodsHoldAndThreadsChangeNothing) {
   for (const Curve& curve : by_method) EXPECT_FALSE(curve.total().backward.empty()) << curve.method;
 }
 
-// The bar's edge meets the floor at about 1.4 lengths a unit of t; its ends move by at most pi/2 times their
+// The bar's edge meets the floor at about 1.4 lengths a unit of t. Its ends move by at most pi/2 times their
 // arm.
 constexpr double kDelay = 1e-6;
 

@@ -1,14 +1,13 @@
-// What a consumer's program answered, judged. usage: judge_answers REFERENCE_DIRECTORY DIRECTORY
+// Judges the answers of a consumer's program. usage: judge_answers REFERENCE_DIRECTORY DIRECTORY
 //
-// Both hold answers.txt and proofs.jsonl of tests/consumer/project, the reference's from a program built with
-// our own flags. For every line:
-//   1  the scene is the reference's: the same bits;
-//   2  the exact checker accepts the proof;
-//   3  the verdict is the reference's, and the brackets are apart by no more than kappa u scale (a length:
-//      times are multiplied by |v|); where one or the other is not, the exact oracle finds no fault with the
-//      answer beyond kappa u scale (properties/judge/linear_faults.hpp), kappa from the method's row of the
-//      guarantees;
-//   4  every kSample-th answer goes to the oracle whatever it is, and its normal too.
+// Both directories hold answers.txt and proofs.jsonl of tests/consumer/project. The reference is from a
+// program built with our own flags. For every line:
+//   1. The scene has the same bits as the reference's.
+//   2. The exact checker accepts the proof.
+//   3. The verdict is the reference's, and the brackets are apart by no more than kappa u scale (a length: times are
+//      multiplied by |v|). If either does not hold, the exact oracle must find no fault beyond kappa u scale with the
+//      answer (properties/judge/linear_faults.hpp), kappa from the method's guarantee.
+//   4. The oracle judges every kSample-th answer, whatever it is, and its normal too.
 // Exit code: 0, or 1 with each fault on a line.
 #include <fmt/core.h>
 
@@ -26,14 +25,14 @@ namespace {
 using namespace graze;
 
 constexpr std::size_t kSample = 10;
-constexpr std::size_t kShown = 20;  // faults printed; all are counted
+constexpr std::size_t kShown = 20;  // faults printed, of all that are counted
 
 struct Line {
   corpus::ProofRecord record;
   engine::Answer answer;
 };
 
-// strtod reads the hexfloats, "inf" and "nan" that %a wrote; streams do not.
+// strtod reads the hexfloats, "inf" and "nan" that %a wrote. Streams do not.
 double read_number(std::ifstream& in) {
   std::string word;
   in >> word;

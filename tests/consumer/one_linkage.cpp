@@ -1,7 +1,7 @@
 // The answers of one linkage, header-only or compiled, to the consumer's scenes: all of their numbers.
 //
 // Compiled twice for one program (both_linkages.cpp). The scenes' own types are not of graze, so they are
-// made local to each: nothing but graze is to be told apart by its namespace.
+// made local to each: graze alone is distinguished by its namespace.
 #include <cmath>
 #include <cstdint>
 #include <graze/cast.hpp>

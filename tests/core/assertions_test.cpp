@@ -1,4 +1,4 @@
-// What core relies on is checked where GRAZE_ASSERTIONS is defined, and nowhere else, in one program too:
+// Core checks its own assumptions where GRAZE_ASSERTIONS is defined, and nowhere else, in one program too:
 // without_assertions.cpp is compiled without, this file with them.
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Assertions, WhatHoldsIsLeftAlone) {
   EXPECT_EQ(detail::Frame<double>(Vec3<double>(0, 0, 2)).length, 2);
 }
 
-// Two settings in one program: each file has what it was compiled for.
+// Two settings in one program: each file has the setting that it was compiled with.
 TEST(AssertionsDeathTest, AFileWithoutThemHasNone) {
   EXPECT_TRUE(std::isnan(round_down_without_assertions(kNan)));
   EXPECT_DEATH(detail::round_down<float>(kNan), "relies on");

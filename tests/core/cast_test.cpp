@@ -137,7 +137,7 @@ TYPED_TEST(Cast, TargetDistanceRoundsTheShapes) {
 
 TYPED_TEST(Cast, RayAgainstARotatedBoxFindsTheFace) {
   using S = TypeParam;
-  // (1, 0, 0, 1) turns by exactly 90 degrees about z: half extents 1, 3, 2 stand as 3, 1, 2.
+  // (1, 0, 0, 1) rotates by exactly 90 degrees about z: half extents 1, 3, 2 stand as 3, 1, 2.
   const Body<S> box{.shape = Box<S>{{1, 3, 2}}, .orientation = {1, 0, 0, 1}};
   const Body<S> ray{.shape = Point<S>{}, .position = {8, S(0.25), S(0.5)}, .displacement = {-10, 0, 0}};
   for (const Method method : kMethods) {

@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-// The texts of the enumerators 0, 1, ..., up to the first value that is none.
+// The texts of the enumerators 0, 1, ..., up to the first value that is not an enumerator.
 template <class Enum>
 Words words_of() {
   Words out;

@@ -200,7 +200,7 @@ TEST(Validate, AnotherRoundingModeIsRefused) {
 }
 
 #if defined(__x86_64__)
-// Where denormals are taken for zero, a float that is one would be another number than was given.
+// When denormals are taken for zero, a denormal float would be another number than the given one.
 TEST(Validate, FlushedSubnormalsAreRefused) {
   const float tiny = std::numeric_limits<float>::denorm_min();
   const unsigned before = _mm_getcsr();

@@ -1,5 +1,4 @@
-// What the reader refuses, and the one line that says so: the file, the field, what was wrong, what would be
-// right.
+// The reader's refusals, each with its one line: the file, the field, the error, and the valid values.
 #include <gtest/gtest.h>
 
 #include <fstream>

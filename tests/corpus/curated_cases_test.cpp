@@ -145,7 +145,7 @@ TEST(CuratedCases, ReadBackAsTheyWereWritten) {
   }
 }
 
-// That the answers are the oracles' is what `graze corpus verify` says, a test of its own.
+// `graze corpus verify`, a test of its own, checks that the answers are the oracles'.
 TEST(CuratedCases, ReachEveryOutcomeAndAreMostlyAnswered) {
   std::map<Outcome, std::size_t> outcomes;
   std::size_t unanswered = 0;

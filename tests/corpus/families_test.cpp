@@ -29,8 +29,8 @@ TEST(Families, AreFoundByName) {
   EXPECT_EQ(find_family("no such family"), nullptr);
 }
 
-// Every bit of every level's first cases, through the writer, which keeps every bit. Made by g++ 12 on
-// x86-64; any other compiler, flag or machine must give the same.
+// Every bit of every level's first cases, through the writer, which keeps every bit. The hashes were made by
+// g++ 12 on x86-64. Any other compiler, flag or machine must give the same.
 TEST(Families, AreTheSameBitsEverywhere) {
   const struct {
     const char* name;
@@ -197,7 +197,7 @@ TEST(Curved, IsAsThinAsTheHardnessSays) {
   }
 }
 
-// What they draw is met, missed and overlapped: the mix is what is tested here, not the answers.
+// The families draw hits, misses and overlaps. This tests the mix, not the answers.
 TEST(Families, CurvedAndCombinatorsMixOutcomes) {
   for (const Family& family : families()) {
     if (is_exact(family)) continue;
@@ -242,7 +242,7 @@ TEST(Families, MixShapesPosesOutcomesAndHorizons) {
       }
     }
     const std::size_t total = family.levels.size() * seeds;
-    // What slides starts in touch: passed over or not.
+    // A case of sliding bodies starts in touch, passed over or not.
     if (family.name != "sliding") {
       EXPECT_GE(hits, total / 8) << family.name;
     }
@@ -279,7 +279,7 @@ TEST(Touching, StartsInContactExactlyAtHardnessZeroAndMoreRarelyBefore) {
     const oracle::LinearTruth truth(near);
     if (truth.outcome() == Outcome::initially_overlapping) continue;
     ++apart;
-    // One unit in the last place of 1, in float or in double; a vertex over a vertex may be off sideways.
+    // One unit in the last place of 1, in float or in double. A vertex over a vertex may be off sideways.
     EXPECT_LE(truth.distance().low, 0x1p-23) << near.id;
     EXPECT_GT(truth.distance().high, 0) << near.id;
   }
@@ -333,7 +333,7 @@ TEST(SizeRatio, IsTheRatioOfTheBodies) {
         return most;
       };
       const double large = std::max(reach(problem.a.shape), reach(problem.b.shape));
-      // 2 to 4 times 10^k, rounded to an integer at most; hulls and boxes reach a little below their top.
+      // 2 to 4 times 10^k, rounded to an integer at most. Hulls and boxes reach a little below their top.
       EXPECT_GE(large, 2 * std::pow(10, level)) << problem.id;
       EXPECT_LE(large, 4 * std::pow(10, level) + 2) << problem.id;
     }

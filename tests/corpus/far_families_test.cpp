@@ -1,5 +1,5 @@
-// The families of what lies far from where it is measured: each level as far as it says, and outcomes in fair
-// shares at each level. Near rounding nothing but the bracket oracle tells the outcomes apart.
+// The families of bodies far from their origin of measurement. Each level has its stated distance, and outcomes
+// in fair shares. Near rounding only the bracket oracle can tell the outcomes apart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +81,8 @@ TEST(LongArms, AreAsLongAsTheHardnessSaysAndTurnAlike) {
   for_each_case("long_arms", [](double level, const Case& problem) {
     const double arm = std::exp2(level);
     const double longest = std::max(problem.spin_a.pivot.norm(), problem.spin_b.pivot.norm());
-    // Rounded down to integers, or to a quarter along the rotation vector; a body's own place is within 16.
+    // Rounded down to integers, or to a quarter along the rotation vector. A body's own position is within
+    // 16.
     EXPECT_GE(longest, arm / 16 - 16) << problem.id;
     EXPECT_LE(longest, 8 * arm + 32) << problem.id;
     const double difference = (problem.spin_b.rotation - problem.spin_a.rotation).norm() * problem.t_max;

@@ -24,8 +24,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// The median of what is measured falls from level to level by about `factor`: between a quarter of it and
-// four times as much, from 32 cases; and over all levels by factor^levels to within `overall`, a factor.
+// The median of the measured quantity falls from level to level by about `factor`: between a quarter of it
+// and four times as much, from 32 cases. Over all levels it falls by factor^levels to within `overall`, a
+// factor.
 void expect_falls(const char* name, double factor, double overall,
                   const std::function<double(const Case&)>& measure) {
   const Family& family = *find_family(name);
@@ -66,7 +67,7 @@ TEST_P(GrazeFamily, MissesByTheHardnessAndIsMetNoDeeperAndBothAtEveryLevel) {
         ++hits;
         EXPECT_LE(truth.depth().low, wanted + rounding) << problem.id;
       } else {
-        // Every bit is decided: an open verdict is none of these.
+        // Every bit is decided, so no verdict may be undecided.
         ASSERT_EQ(truth.outcome(), Outcome::miss) << problem.id;
         const double clearance = truth.clearance().high;
         EXPECT_LE(clearance, wanted + rounding) << problem.id;

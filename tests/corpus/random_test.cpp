@@ -11,7 +11,7 @@ namespace {
 
 TEST(Random, IsXoshiro256StarStarSeededBySplitmix64) {
   // splitmix64 from 0 (Vigna's reference): e220a8397b1dcdaf 6e789e6aa1b965f4 06c45d188009454f
-  // f88bb8a8724c81ec; the first output of xoshiro256** on that state is rotl(state[1] * 5, 7) * 9, computed
+  // f88bb8a8724c81ec. The first output of xoshiro256** on that state is rotl(state[1] * 5, 7) * 9, computed
   // by hand here.
   const std::uint64_t product = 0x6e789e6aa1b965f4u * 5;
   EXPECT_EQ(Random(0).bits(), ((product << 7) | (product >> 57)) * 9);

@@ -156,7 +156,8 @@ TEST(RotatingFamilies, AnglesAreThoseOfTheMathematicalLibrary) {
     if (q.is_identity()) continue;
     const double side = std::sqrt((q.x * q.x + q.y * q.y) + q.z * q.z);
     const double angle = 2 * std::atan2(side, q.w);
-    // Sixteen roundings and three halvings, each below u relative; near 2 pi a difference of two of 3.14.
+    // Sixteen roundings and three halvings, each below u relative. Near 2 pi there is a difference of two of
+    // 3.14.
     EXPECT_NEAR(angle_of(q), angle, 32 * kUnitRoundoff<double> * angle) << q.w << ' ' << q.x;
     EXPECT_NEAR(rotation_vector(q, 2).norm(), angle + 4 * kPi, 1e-13);
   }
@@ -193,7 +194,7 @@ TEST(SpinningGraze, IsClearOrDeepByExactlyItsHardness) {
       const oracle::RotatingTruth truth(problem);
       if (truth.outcome() == Outcome::miss) {
         ++misses;
-        // The clearance is enclosed to 1/16; the scene is turned and rounded, coordinates up to 64.
+        // The clearance is enclosed to 1/16. The scene is rotated and rounded, with coordinates up to 64.
         const oracle::Enclosure clearance = truth.clearance();
         EXPECT_LE(clearance.low, wanted + 0x1p-44) << problem.id;
         EXPECT_GE(clearance.high, wanted - 0x1p-44) << problem.id;
@@ -225,7 +226,7 @@ TEST(SpinningGraze, IsOnTheSideThatWasDrawn) {
 
 TEST(FastSpin, TurnsAsFastAsTheHardnessSays) {
   for_each_case(*find_family("fast_spin"), [](double level, const Case& problem) {
-    // vary_horizon leaves t_max of 1/2, 1 or 2 units of time; a turn more in a quarter of one.
+    // vary_horizon leaves t_max of 1/2, 1 or 2 units of time. One rotation more may take a quarter of a unit.
     const double most =
         std::max(problem.spin_a.rotation.norm(), problem.spin_b.rotation.norm()) * problem.t_max;
     EXPECT_LE(most, 2 * (std::exp2(level) + 8 * kPi)) << problem.id;
@@ -236,7 +237,7 @@ TEST(FastSpin, TurnsAsFastAsTheHardnessSays) {
 TEST(OffCentrePivot, IsAsFarAsTheHardnessSays) {
   for_each_case(*find_family("off_centre_pivot"), [](double level, const Case& problem) {
     const double arm = std::max(problem.spin_a.pivot.norm(), problem.spin_b.pivot.norm());
-    // Integers round it; the other body's pivot is within 4 along each axis.
+    // Integers round it. The other body's pivot is within 4 along each axis.
     EXPECT_GE(arm, 4 * std::exp2(level) - 1) << problem.id;
     EXPECT_LE(arm, std::max(4 * std::exp2(level) + 1, 4 * std::sqrt(3.0))) << problem.id;
   });
@@ -249,8 +250,8 @@ TEST(EntersAndLeaves, IsApartAtBothEndsAndInContactForNoLongerThanItSays) {
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
       const Case problem = family.generate(level, seed);
       if (gap_at(problem, 0) <= 0 || gap_at(problem, problem.t_max) <= 0) continue;
-      // Several features of a body may pass; each for 1.9 times the fraction at most, or the sizes' 8 of
-      // 16 * 2^k.
+      // Several features of a body may pass. Each passes for 1.9 times the fraction at most, or for the
+      // sizes' 8 of 16 * 2^k.
       const int samples = 16 << static_cast<int>(level);
       int inside = 0;
       for (int i = 0; i <= samples; ++i) inside += gap_at(problem, problem.t_max * i / samples) <= 0;
@@ -265,7 +266,7 @@ TEST(BothTurn, DiffersByNoMoreThanTheHardnessSays) {
   for_each_case(*find_family("both_turn"), [](double level, const Case& problem) {
     const Vec3<double> difference = problem.spin_b.rotation - problem.spin_a.rotation;
     const double most = difference.cwiseAbs().maxCoeff() * problem.t_max;
-    // Turned by a cube rotation or none; t_max is up to two units of time.
+    // Rotated by a cube rotation or not at all. t_max is up to two units of time.
     EXPECT_LE(most, 2 * std::exp2(-level) * (1 + 1e-9) + 1e-12) << problem.id;
     EXPECT_GT(most, 0) << problem.id;
     EXPECT_GE(problem.spin_a.rotation.norm() * problem.t_max, 0.2) << problem.id;

@@ -1,4 +1,4 @@
-// What a writer wrote reads back to the same bits.
+// Every written case reads back to the same bits.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -1,6 +1,6 @@
 // The families about shapes and scenes: the exact quantity that each one's hardness is tied to moves with it.
-// Medians over the seeds of a level; the oracles answer in exact arithmetic, and what is read off the numbers
-// of a case is exact, or within the rounding that is stated beside it.
+// Medians over the seeds of a level. The oracles answer in exact arithmetic. Quantities read from the numbers
+// of a case are exact, or within the rounding that is stated beside them.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
@@ -28,8 +28,8 @@ const Family& family_of(const char* name) {
   return *family;
 }
 
-// The median of a quantity over the seeds of a level; where it has no value, the case does not count. At
-// least a quarter of the cases must.
+// The median of a quantity over the seeds of a level. A case without a value does not count. At least a
+// quarter of the cases must have a value.
 using Quantity = std::function<std::optional<double>(const Case&)>;
 double median_of(const Family& family, double level, const Quantity& quantity) {
   std::vector<double> values;
@@ -71,7 +71,7 @@ double diagonal(const Case& problem) {
   return std::max(extents(problem.a.shape).norm(), extents(problem.b.shape).norm());
 }
 
-// Of more than a point: the least extent over the largest.
+// The least extent over the largest, for a body that is more than a point.
 double aspect(const Shape<double>& shape) {
   const Vec3<double> extent = extents(shape);
   const double most = extent.maxCoeff();
@@ -211,13 +211,14 @@ TEST(Lattice, HoldsIntegersOfItsReachAlone) {
   }
 }
 
-// Of starts with one centre within the other body; those on their way are tied to the same offset, later.
+// The offset of starts with one centre within the other body. Cases that start apart have the same offset
+// later.
 TEST(Contained, AreAsNearlyConcentricAsTheHardnessSays) {
   const auto offset = [](const Case& problem) -> std::optional<double> {
     const double apart = (problem.b.position - problem.a.position).norm();
     return apart < 8 ? std::optional(apart) : std::nullopt;
   };
-  // Along one axis to three; sqrt(3) at the most.
+  // Along one axis to three, so sqrt(3) at the most.
   expect_medians(
       family_of("contained"), offset, [](double k) { return k > 16 ? 0 : 4 * tenth(k); }, 1.8);
 }
@@ -233,13 +234,13 @@ TEST(Contained, MeetAsNearlyConcentricAsTheHardnessSays) {
       const Vec3<double> x = problem.b.position - problem.a.position,
                          v = problem.b.displacement - problem.a.displacement;
       const double beside = v.isZero(0) ? x.norm() : x.cross(v).norm() / v.norm();
-      // Of a float, 32 units of 2^-24.
+      // For a float, 32 units of 2^-24.
       EXPECT_LE(beside, std::sqrt(3.0) * size * (1 + 0x1p-20) + 8 * 64 * 0x1p-24) << problem.id;
     }
   }
 }
 
-// Which of the axes support C at the contact, by the exact oracle, and the least |n.v| of theirs, over |v|.
+// The least |n.v| / |v| of the coordinate axes that support C at the contact, by the exact oracle.
 std::optional<double> tilt(const Case& problem) {
   Case reported = problem;
   reported.start_policy = StartPolicy::report;
@@ -287,7 +288,7 @@ TEST(Speeds, AreAsSlowOrAsFastAsTheHardnessSays) {
   for (const double level : family.levels) {
     const double median = median_of(family, level, [](const Case& problem) -> std::optional<double> {
       const Vec3<double> v = problem.b.displacement - problem.a.displacement;
-      // In sizes of 4; paths are 2 to 10 of them, and one in four is 2^8 faster or slower at the most.
+      // In sizes of 4. Paths are 2 to 10 of them, and one in four is 2^8 faster or slower at the most.
       const double most = v.cwiseAbs().maxCoeff();
       return most > 0 ? std::optional(std::abs(std::log10(most / 16))) : std::nullopt;
     });
@@ -368,7 +369,7 @@ TEST(PureSpin, IsClearOrDeepByExactlyItsHardnessAndMovesByTurningAlone) {
       const oracle::RotatingTruth truth(problem);
       if (truth.outcome() == Outcome::miss) {
         ++misses;
-        // Enclosed to 1/16; full doubles are turned and rounded, coordinates up to 256.
+        // Enclosed to 1/16. Full doubles are rotated and rounded, with coordinates up to 256.
         const oracle::Enclosure clearance = truth.clearance();
         EXPECT_LE(clearance.low, wanted + 0x1p-42) << problem.id;
         EXPECT_GE(clearance.high, wanted - 0x1p-42) << problem.id;

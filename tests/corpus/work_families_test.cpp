@@ -24,8 +24,8 @@ void for_each_case(const char* name, F f) {
   }
 }
 
-// How far A's bounding box is from B's along the axis along which they are farthest from overlapping; below 0:
-// how deep they are in each other.
+// The gap between the bounding boxes of A and B along the axis where they overlap least. Below 0: the depth
+// of their overlap.
 double gap_of_boxes(const Case& problem) {
   const Bounds a = bounds(problem.a.shape, problem.a.orientation),
                b = bounds(problem.b.shape, problem.b.orientation);
@@ -97,7 +97,7 @@ TEST(AtRest, LosesTheContactByAUnitInTheLastPlace) {
 TEST(Coaxial, HasAxesAsFarApartAsTheHardnessSays) {
   std::size_t along = 0;
   for_each_case("coaxial", [&](double level, const Case& problem) {
-    // A's axis, and B's centre from A's. What turns the scene may round them.
+    // A's axis, and B's centre from A's. The rotation of the scene may round them.
     const bool is_on_axis = level >= 17;
     Vec3<double> axis = rotate(problem.a.orientation, Vec3<double>(0, 0, 1));
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
@@ -175,7 +175,8 @@ TEST(SmoothDepths, AreConcentricAndBesideEachOtherWithDiscsAmongThem) {
   for_each_case("smooth_depths", [&](double level, const Case& problem) {
     const Vec3<double> v = problem.b.displacement - problem.a.displacement;
     const Vec3<double> d = problem.b.position - problem.a.position;
-    // Their centres coincide at the start; along the axes they are off as the hardness says. Turns of the scene round.
+    // Their centres coincide at the start. Along the axes they are off as the hardness says. Rotations of the
+    // scene round.
     if (v == Vec3<double>::Zero()) {
       ++total;
       concentric += d.norm() <= 8 * (level >= 17 ? 0 : std::pow(10, -level)) + 1e-5;

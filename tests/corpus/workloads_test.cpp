@@ -16,7 +16,7 @@
 namespace graze::corpus {
 namespace {
 
-// Made by g++ 12 on x86-64; any other compiler, flag or machine must give the same.
+// Made by g++ 12 on x86-64. Any other compiler, flag or machine must give the same.
 TEST(Workloads, AreTheSameBitsEverywhere) {
   const std::map<std::string_view, std::uint64_t> golden = {
       {"falling", 0x467c995d6b0e1fd8u},   {"sliding_on_tiles", 0x81d0e7c906c15d75u},

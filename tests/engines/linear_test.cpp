@@ -1,4 +1,4 @@
-// The engine table: every method, in its scalar; and the table of their guarantees.
+// The engine table, with every method in its scalar, and the table of their guarantees.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -176,7 +176,7 @@ std::string table_with(const std::string& kappa, const std::string& more) {
          kappa + R"(, "kappa_rounded": 1, "stall_cap": 0)" + more + "}]}";
 }
 
-// The message of the error that reading `text` throws; empty if it is read.
+// The message of the error that reading `text` throws, or empty if it is read.
 std::string error_of(const std::string& text) {
   try {
     return parse_guarantees(text).empty() ? "no rows" : "";

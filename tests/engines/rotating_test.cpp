@@ -17,7 +17,7 @@ using test::spinning_ball;
 using test::turning_bar;
 using test::turning_bar_above;
 
-// sin x + cos(x)/4 = 0.7, by halving; x over pi/2 is the time.
+// The root of sin x + cos(x)/4 = 0.7, by halving. x over pi/2 is the time.
 double contact_of_turning_bar() {
   double low = 0, high = 1;
   while (high - low > 1e-16 && low + (high - low) / 2 > low && low + (high - low) / 2 < high) {
@@ -50,8 +50,8 @@ TEST(RotatingMethods, FindTheContactOfABarThatTurnsInTheirOwnPrecision) {
   for (const Method& method : methods(Kind::rotating)) {
     const Answer answer = method.ask(turning_bar(), {.request = Request::everything});
     ASSERT_EQ(answer.outcome, Outcome::hit) << method.full_name();
-    // The published one stops within its slop, 0.005 of a scale of 6; the edge falls faster than 1 per unit
-    // of t.
+    // The published method stops within its slop, 0.005 of a scale of 6. The edge falls faster than 1 per
+    // unit of t.
     const double slack = method.name == "bilateral_published" ? 0.04
                          : method.is_certified()              ? 1e-8 + 4 * method.unit_roundoff
                                                               : 1e4 * method.unit_roundoff;

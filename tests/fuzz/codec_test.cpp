@@ -18,7 +18,7 @@ void expect_round_trip(const corpus::Case& problem) {
   const auto bytes = encode(problem);
   ASSERT_TRUE(bytes);
   corpus::Case back = decode(*bytes), numbers = problem;
-  // What the bytes do not carry.
+  // The bytes do not carry these fields.
   back.id = numbers.id;
   back.family = numbers.family;
   back.hardness = numbers.hardness;

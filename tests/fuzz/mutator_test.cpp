@@ -36,7 +36,7 @@ int changes(const Case& one, const Case& other) {
   return count;
 }
 
-// f(before, after) of every time that the move applies; how often that was.
+// Calls f for every case that the move makes, and returns their number.
 template <class F>
 int tried(Move move, const Case& problem, const F& f) {
   int count = 0;
@@ -91,8 +91,8 @@ TEST(Mutator, AScaleIsAPowerOfTwo) {
   EXPECT_EQ(count, 200);
 }
 
-// The least distance of a point of one body from a vertex, an edge or a plane of the other is what snapping
-// is about; a vertex on a vertex is the part that is easily told.
+// Snapping makes the least distance of a point of one body from a vertex, an edge or a plane of the other
+// small. A vertex on a vertex is the part that is easy to test.
 TEST(Mutator, ASnapPutsFeaturesTogether) {
   const Case problem = cube_over_tetrahedron();
   int on_vertex = 0;
@@ -231,7 +231,7 @@ TEST(Mutator, ABodyIsSwappedForAnotherCases) {
                              law::outline(after.b.shape) != law::outline(problem.b.shape);
                   }),
             200);
-  EXPECT_GE(other, 130);  // about 150, by the compiler; the others are swapped for their like
+  EXPECT_GE(other, 130);  // about 150, by the compiler, and the others get a shape of their kind
 }
 
 TEST(Mutator, EveryMoveAppliesToSomeCaseAndLeavesTheDomainToNone) {

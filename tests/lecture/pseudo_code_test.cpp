@@ -1,13 +1,16 @@
-// The lecture's ConservativeAdvancement, as printed, and what it answers. Each test names one line of it, a
-// case on which that line is wrong, what core answers there, and what is true.
+// The lecture's ConservativeAdvancement, as printed, and its answers. Each test names one line of it, a case
+// on which that line is wrong, core's answer there, and the truth.
 //
-//   while(distance < epsilon)                 runs while the shapes are near: it must run while they are
-//   apart if(toi > 1) return false;  ...; return true;    a contact beyond the end of the frame is returned
-//   as a hit dt = distance / Dot(normal, vB - vA)      positive only for the normal from B to A
-//                                             along an axis on which they do not approach it divides: that
-//                                             axis proves a miss
+//   while(distance < epsilon)
+//       runs while the shapes are near, but must run while they are apart
+//   if(toi > 1) return false;  ...; return true;
+//       returns a contact beyond the end of the frame as a hit
+//   dt = distance / Dot(normal, vB - vA)
+//       is positive only for the normal from B to A, and divides along an axis on which the bodies do not
+//       approach, although that axis proves a miss
+//
 // The loop is transliterated with one switch for each correction, so that a line is shown to be wrong with
-// all the others right; it has a budget, which the printed one has not.
+// all the others right. It has an iteration budget, unlike the printed one.
 #include <gtest/gtest.h>
 #include <graze/cast.hpp>
 #include <graze/distance.hpp>
@@ -32,7 +35,7 @@ struct Printed {
   bool ended = true;  // false: the budget ran out
 };
 
-// FindClosestFeatures: distance and unit normal from A to B at the time toi; NaN for a time that is not
+// FindClosestFeatures: distance and unit normal from A to B at the time toi, or NaN for a time that is not
 // finite.
 struct Features {
   double distance;
@@ -167,7 +170,7 @@ TEST(PrintedLoop, SweepingBothAndTestingOverlapSaysNothingOfWhen) {
   const Body<double> b{.shape = Box<double>{{1, 1, 1}}, .position = {0, -24, 0}, .displacement = {0, 48, 0}};
   const Body<double> swept_a{.shape = Box<double>{{7, 1, 1}}}, swept_b{.shape = Box<double>{{1, 25, 1}}};
   EXPECT_EQ(distance(swept_a, swept_b).upper, 0) << "the sweeps overlap";
-  // Both are at the crossing at t = 1/2; put B's passage to the start.
+  // Both are at the crossing at t = 1/2. This moves B's passage to the start.
   Body<double> early = b;
   early.position = {0, -4, 0};
   const Body<double> swept_early{.shape = Box<double>{{1, 25, 1}}, .position = {0, 20, 0}};

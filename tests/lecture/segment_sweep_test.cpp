@@ -1,13 +1,13 @@
-// The lecture: "a segment is not numerically stable with MPR"; a ray is not to be swept into a segment, the
-// shape is to be swept by it. Shown with numbers, and with the reason:
+// The lecture says "a segment is not numerically stable with MPR", so a ray should not be swept into a
+// segment but the shape be swept by it. This test shows the effect with numbers, and its reason:
 //
 //   A - (p + [0, 1] v)  =  (A - p) + [0, 1] (-v):     the two sweeps are the same set D, with the same
 //   supports.
 //
-// What is unstable is every portal that has corners from both ends of the sweep: the longer the path, the
-// thinner. And the time, t = 1 - d / |v|, d the penetration of D along -v, cancels all but u |v| of the path.
-// core's sweep keeps v out of the set (portals of C alone, seen along v) and counts from the start of the
-// path: its error does not depend on |v|.
+// Every portal that has corners from both ends of the sweep is unstable: the longer the path, the thinner.
+// The time, t = 1 - d / |v|, d the penetration of D along -v, cancels all but u |v| of the path. core's sweep
+// keeps v out of the set (portals of C alone, seen along v) and counts from the start of the path, so its
+// error does not depend on |v|.
 //
 // The textbook MPR below is written after Snethen, XenoCollide (Game Programming Gems 7, 2008), with the
 // lecture's first point v and its four steps.
@@ -131,7 +131,7 @@ struct Row {
   Tally segment, shape, ours;
 };
 
-// 200 rays at a polytope of 47 vertices, from a distance of 3, of a length of `length`; every one hits.
+// 200 rays at a polytope of 47 vertices, from a distance of 3, of a length of `length`. Every ray hits.
 Row measure(double length) {
   Draw draw{111};
   Row row;

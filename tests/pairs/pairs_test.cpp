@@ -1,5 +1,5 @@
-// All pairs of the ten shapes and of four combinators, cast by every method in double and in float: each
-// answer is judged by its proof and by the oracle, and must keep the method's row of the guarantee table.
+// All pairs of the ten shapes and of four combinators, cast by every method in double and in float. The proof
+// and the oracle judge each answer, which must keep the method's guarantee.
 #include <gtest/gtest.h>
 
 #include "corpus/random.hpp"

@@ -1,5 +1,6 @@
-// The bounds of a scene hold what they stand for: swept boxes the bodies, at every time; the meeting of two
-// boxes every time at which they meet. Against ball arithmetic, on inputs that they were not written for.
+// The bounds of a scene contain the true sets: swept boxes contain the bodies, at every time, and the meeting
+// of two boxes contains every time at which they meet. Against ball arithmetic, on inputs that they were not
+// written for.
 #include <gtest/gtest.h>
 #include <graze/scene/swept_box.hpp>
 #include <graze/scene/tree.hpp>
@@ -71,7 +72,7 @@ TEST(MeetingBounds, NoTimeAtWhichBoxesMeetIsLeftOut) {
   for (int k = 0; k < rounds(20000); ++k) {
     const double e = draw.between(-3, 3);
     const double p0 = near(draw, e), q0 = near(draw, e), p1 = near(draw, e), q1 = near(draw, e);
-    // On one axis: p from the left, its upper end; q's lower end. They meet where p(s) >= q(s).
+    // On one axis, p's upper end comes from the left towards q's lower end. They meet where p(s) >= q(s).
     const Ball gap0 = Ball(p0) - Ball(q0), gap1 = Ball(p1) - Ball(q1);
     SweptBox p{Vec3<double>::Constant(-9), Vec3<double>::Constant(9), Vec3<double>::Constant(-9),
                Vec3<double>::Constant(9)};

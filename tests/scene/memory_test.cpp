@@ -1,4 +1,5 @@
-// What a memory keeps from step to step, and that it may be of anything. The law (scene_law.cpp) has the rest.
+// The entries that a memory keeps from step to step, and a memory of an unrelated scene. The law
+// (scene_law.cpp) tests the rest.
 #include <gtest/gtest.h>
 #include <graze/scene/memory.hpp>
 
@@ -35,7 +36,7 @@ TEST(Memory, BodiesThatRestAsTheyDidAreNotCastAgain) {
 }
 
 TEST(Memory, AMissIsKnownByItsAxisAndAContactByItsPoints) {
-  // One slides along a corner of the still one; the third is in it, and goes with it.
+  // One slides along a corner of the still one. The third is in it, and moves with it.
   Scene scene{{box("still", {0, 0, 0}), box("past", {-0.75, 1.1, 0}, {0, 0, 0.05}),
                box("in", {-0.7, 1.2, 0.2}, {0, 0, 0.06})},
               {}};

@@ -1,5 +1,5 @@
-// scene_law SEED COUNT: the law of scenes on so many random scenes. 0: it holds, and every economy had
-// something to spare; 1: it is broken, or a kind of scene was never drawn; one line says which.
+// scene_law SEED COUNT: the law of scenes on COUNT random scenes. Exit code 0: it holds, and every economy
+// saved some work. Exit code 1: it is broken, or a kind of scene was never drawn. One line says which.
 #include <cstdio>
 #include <cstdlib>
 

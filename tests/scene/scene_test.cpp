@@ -1,4 +1,4 @@
-// What a scene answers, what it refuses, and what it leaves undone.
+// The answers of a scene, its refusals, and the work that it leaves undone.
 #include <gtest/gtest.h>
 #include <graze/cast_all.hpp>
 #include <graze/scene.hpp>

@@ -10,7 +10,7 @@
 
 namespace graze::test {
 
-// Whether this file's multiply-adds are fused; nothing where the machine has none.
+// True if this file's multiply-adds are fused, or nullopt if the machine has none.
 inline std::optional<bool> fuses() {
 #if defined(__FMA__)
   const volatile double given = 1 + 0x1p-30;

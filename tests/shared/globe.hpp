@@ -12,7 +12,7 @@ struct Globe {
   std::vector<std::array<std::uint32_t, 3>> faces;  // counter-clockwise seen from outside
 };
 
-// rings * around + 2 vertices, rounded to S: the quadrangles between two circles are flat but for that.
+// rings * around + 2 vertices, rounded to S: the quadrangles between two circles are flat except for that.
 template <class S>
 Globe<S> globe(int rings, int around, double radius) {
   const double pi = std::acos(-1.0);

@@ -37,7 +37,7 @@ corpus::Case case_of(const Body<S>& a, const Body<S>& b) {
   return out;
 }
 
-// The families of pairs, in contact more often than not; coordinates of order 1.
+// The families of pairs, in contact more often than not, with coordinates of order 1.
 enum class Pairs { hulls, boxes, lattice, flat, balls };
 inline constexpr Pairs kPairs[] = {Pairs::hulls, Pairs::boxes, Pairs::lattice, Pairs::flat, Pairs::balls};
 inline const char* name(Pairs pairs) {

@@ -26,8 +26,8 @@ inline corpus::Case turning_bar_above() {
   return problem;
 }
 
-// Its corners, at sqrt(1 + 1/16) from the axis, dip into the floor by 0.03 around t = 1/2; it is far from it
-// at both ends of the step.
+// Its corners, at sqrt(1 + 1/16) from the axis, dip into the floor by 0.03 around t = 1/2. At both ends of
+// the step it is far from the floor.
 inline corpus::Case dipping_bar() {
   corpus::Case problem = turning_bar();
   problem.id = "test/dipping-bar";

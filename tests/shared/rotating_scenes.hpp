@@ -1,14 +1,16 @@
 // Rotating cases whose first contact is known in closed form, and a small prover for them that shares nothing
-// with core or the oracles. Everything in long double (u = 2^-64); times are good to 1e-14 (see `settled`).
+// with core or the oracles. Everything is in long double (u = 2^-64), and times are accurate to 1e-14 (see
+// `settled`).
 //
-// Every scene comes down to one equation: a gap that is   base + 2 amplitude cos(theta - phase)   or a linear
-// function of such a cosine, theta = |w| t the angle turned, and contact while cos(theta - phase) <= kappa:
-//   orbit   two balls; one turns about a pivot off its centre, or both do with equal w:
-//           |P + R q|^2 = |P|^2 + |q|^2 + 2 (P.q cos + P.(w x q)/|w| sin) <= (sum of radii)^2
-//   tumble  a box, or a rounded one, that turns over a plate: each of its corners is at a height of
-//           c + |corner| cos(theta - phase)
-//   rod     a segment, or a rounded one, that turns about its end towards a ball: D sin(phase - theta)
-// and both bodies may drift along with one common velocity.
+// Every scene reduces to one equation: a gap that is   base + 2 amplitude cos(theta - phase)   or a linear
+// function of such a cosine, with the angle of rotation theta = |w| t. Contact lasts while cos(theta - phase)
+// <= kappa.
+//   orbit   Two balls. One rotates about a pivot off its centre, or both do with equal w:
+//           |P + R q|^2 = |P|^2 + |q|^2 + 2 (P.q cos + P.(w x q)/|w| sin) <= (sum of radii)^2.
+//   tumble  A box, or a rounded one, that rotates over a plate: each of its corners is at a height of
+//           c + |corner| cos(theta - phase).
+//   rod     A segment, or a rounded one, that rotates about its end towards a ball: D sin(phase - theta).
+// Both bodies may drift along with one common velocity.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -108,8 +110,8 @@ struct Mover {
 
 struct Scene {
   corpus::Case problem;
-  Long first = kNever;                // the time of first contact; kNever: none, however long it goes on
-  Long leaves = kNever;               // of two balls: when that contact ends
+  Long first = kNever;                // the time of first contact, or kNever without contact
+  Long leaves = kNever;               // the end of that contact, for two balls
   std::function<LongVec(Long)> axis;  // world, unit, from A to B: separates until `first`
   // Pairs and weights that prove contact soon after it, written into an empty contact.
   std::function<void(Long, RotatingProof&)> contact;
@@ -150,7 +152,7 @@ class Draw {
 
 // ---- the equation -----------------------------------------------------------------------------------------
 
-// cos(theta - phase) > kappa at theta = 0; when does it first fail, and when does it hold again?
+// Requires cos(theta - phase) > kappa at theta = 0. The angles at which it first fails and then holds again.
 struct Fall {
   Long first = kNever, leaves = kNever;  // angles
   bool settled = false;  // not near a double root, nor near contact at 0: an error of e in kappa is 50 e here
@@ -169,7 +171,7 @@ struct Fall {
 
 namespace detail {
 
-// Both in the same way; a velocity in common moves nothing relative to the other.
+// Moves both in the same way. A common velocity moves nothing relative to the other.
 inline void drift(Scene& scene, Draw& draw) {
   if (draw.below(2) == 0) return;
   scene.problem.a.displacement = scene.problem.b.displacement = draw.vector(2);
@@ -405,7 +407,8 @@ inline Shape<double> cycled(const Shape<double>& shape, int k) {
                    w * w * ((y.pivot - x.pivot).norm() + dv * end));
 }
 
-// Slices that separate over [0, end], end before `first`; in frames that are drawn. Empty: more than `most`.
+// Slices in drawn frames that separate over [0, end], end before `first`. Empty if they would be more than
+// `most`.
 [[nodiscard]] inline std::vector<TimeSlice> prove_chain(const Scene& scene, double end, Draw& draw,
                                                         std::size_t most = 3000) {
   std::vector<TimeSlice> chain;

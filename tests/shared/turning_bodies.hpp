@@ -1,4 +1,4 @@
-// Random turning bodies of every shape, for the tests of rotating casts.
+// Random rotating bodies of every shape, for the tests of rotating casts.
 #pragma once
 
 #include <graze/rotating_body.hpp>

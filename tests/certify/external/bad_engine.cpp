@@ -1,10 +1,11 @@
-// bad_engine FAULT [N]: an engine that casts balls, rightly, and errs on purpose: at its N-th question (the first by
-// default), and where the fault needs a hit, a miss, or a start in contact, at the first such from there on.
+// bad_engine FAULT [N]: an engine that casts balls correctly and errs on purpose at its N-th question (the
+// first by default). If the fault needs a hit, a miss, or a start in contact, it errs at the first such
+// question from there on.
 //
-// bad_engine none         never errs.
-// bad_engine has_margin   does not err, either: its balls are rounded by the margin that it declares, half of it each.
-// bad_engine misses_all_hits     says miss of every hit.
-// bad_engine hits_all_starts     says hit at time 0 of every start in contact.
+// bad_engine none                never errs.
+// bad_engine has_margin          does not err, either: its declared margin rounds its balls, half of it each.
+// bad_engine misses_all_hits     returns a miss for every hit.
+// bad_engine hits_all_starts     returns a hit at time 0 for every start in contact.
 // bad_engine declines_half       answers every second question with unsupported.
 // bad_engine documents_misses    does so, too, and declares a limit that every body is beyond.
 #include <sys/wait.h>
@@ -67,7 +68,7 @@ void say(const std::string& text) {
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(60));
 }
 
-// What it says at its start.
+// The description that the engine writes at its start.
 std::string description(const std::string& fault) {
   if (fault == "declares_nonsense") return R"({"schema": "graze.engine/1", "name": "bad", "scalar": "quad"})";
   if (fault == "declares_no_json") return "Bad Engine 1.0, ready";
@@ -81,7 +82,7 @@ std::string description(const std::string& fault) {
          R"("start_normal": "least_penetration"}}})";
 }
 
-// The answer to a question that is written with `text` in the place of one of its values.
+// The answer to a question with `text` instead of the value of `field`.
 std::string with(std::string line, const std::string& field, const std::string& text) {
   const std::size_t begin = line.find("\"" + field + "\": ") + field.size() + 4;
   std::size_t end = line.find(line[begin] == '[' ? ']' : ',', begin) + (line[begin] == '[' ? 1 : 0);
@@ -104,7 +105,7 @@ void fork_child(bool own_session, bool twice, bool holds_output) {
   sleep_for_ever();
 }
 
-// Faults that change an answer, and of which answers: nullptr leaves the line to be written by somebody else.
+// Faults that change an answer, and the answers that they change. nullptr leaves the line to another function.
 struct FaultKind {
   enum class Needs { anything, hit, miss, start } needs;
   std::string (*line)(const Question& q, const Answer& right);

@@ -1,5 +1,5 @@
-// graze certify --engine on the bad engine: every fault is in the report, under its name, with its case saved; the run
-// goes on to its end, and nothing of it stays.
+// graze certify --engine on the bad engine: the report has every fault under its name, with its case saved.
+// The run continues to its end and leaves no process behind.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -147,7 +147,7 @@ TEST(Certify, CountsApartWhatLiesBeyondDocumentedLimits) {
   EXPECT_EQ(corpus::read_file(folder.path() / "bad.jsonl").cases.size(), std::size_t{kHits});
 }
 
-// A hit is at a time above 0; and of two starts there is one line.
+// A hit is at a time above 0, and two starts give one line.
 TEST(Certify, TakesAHitAtTime0ForWrong) {
   const Folder folder;
   folder.write("balls.jsonl", cases());

@@ -132,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(Every, CampaignSins,
                                          std::pair{"flips_normals", "normal"}),
                          [](const auto& fault) { return std::string(fault.param.first); });
 
-// Its state holds what a summary needs where the engine is not; one of another engine is not gone on from.
+// The saved state holds all that a summary needs where the engine is missing. The state of another engine is
+// not continued.
 TEST(CampaignOfAnEngine, IsMergedWithoutIt) {
   const Folder folder;
   for (const char* shard : {"1", "2"}) {
@@ -164,7 +165,7 @@ constexpr const char* kStability = "stability --family size_ratio --count 6 ";
 TEST(StabilityOfAnEngine, AcquitsAnHonestOneBesideOurs) {
   const Folder folder;
   expect_says(folder.graze(kStability + engine("none")), 0, {"bad/double", "1e-09 scale", "yes"});
-  // Where ours are asked, too, the cases are everybody's.
+  // When our methods run too, the suite is everybody's, and the cases that the engine does not take are counted.
   expect_says(folder.graze(std::string(kStability) + "--method gjk/double " + engine("none")), 0,
               {"gjk/double", "are not asked of bad/double"});
 }
@@ -191,7 +192,7 @@ TEST(LawsOfAnEngine, HoldForAnHonestOne) {
   expect_says(run, 0,
               {"swapping", "never_late", "Every law holds", "laws are not asked of engines of others",
                "which nobody promised", "requesting"});
-  // Something was asked.
+  // At least one question was asked.
   EXPECT_EQ(folder.graze("laws --law swapping balls.jsonl " + engine("none")).exit_code, 0);
 }
 
@@ -258,7 +259,7 @@ TEST(TimesOfEngines, AreThoseOfTheirOwnLoopAlone) {
   const CommandRun timed =
       folder.graze("certify --queries 0 --method gjk/double --engine " BALL_LIBRARY " balls.jsonl");
   expect_says(timed, 0, {"Time of a call", "balls-c/double", "gjk/double"});
-  // One that does not time itself has no time: a pipe's is none.
+  // An engine that does not time itself has no time, because the time over a pipe does not count as one.
   const CommandRun untimed = folder.graze("certify --queries 0 balls.jsonl " + engine("none"));
   EXPECT_EQ(untimed.exit_code, 0) << untimed.err;
   EXPECT_EQ(untimed.out.find("Time of a call"), std::string::npos) << untimed.out;

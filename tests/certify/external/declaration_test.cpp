@@ -1,4 +1,5 @@
-// What an engine says of itself: read to the field, and refused in one line that names the field and what is right.
+// An engine's declaration is read field by field. A refusal is one line that names the field and the valid
+// values.
 #include "certify/external/declaration.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ constexpr const char* kLeast =
     R"({"schema": "graze.engine/1", "name": "mine", "scalar": "float", "shapes": ["box"], "queries": {"cast": )"
     R"({"answers": []}}})";
 
-// kLeast with `to` in the place of `from`.
+// kLeast with `to` instead of `from`.
 std::string with(const std::string& from, const std::string& to) {
   std::string line = kLeast;
   const std::size_t at = line.find(from);

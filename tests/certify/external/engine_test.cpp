@@ -96,7 +96,7 @@ TEST(Engine, IsNotHeldUpByWhatItWritesOnStandardError) {
   EXPECT_EQ(answer.toi_lower, 0.5);
 }
 
-// A question that does not fit into a pipe that nobody reads.
+// A question that does not fit into a pipe without a reader.
 TEST(Engine, ThatSaysSomethingElseOfItselfWhenStartedAgainIsFound) {
   Engine engine(bad_engine("declares_otherwise", 2));
   const engine::Method& cast = engine.methods().front();
@@ -124,7 +124,8 @@ TEST(Engine, ThatAnswersTwiceAnswersAnothersQuestionNext) {
 
 class Forks : public testing::TestWithParam<const char*> {};
 
-// The answers are right. What the engine forked is found when it ends, whether it stayed in its group or not.
+// The answers are right. Processes that the engine forked are found when it ends, in its group or outside of
+// it.
 TEST_P(Forks, AreFoundWhenItEnds) {
   Engine engine(bad_engine(GetParam(), 1));
   EXPECT_EQ(engine.methods().front().answer(test::hit()).failure, Failure::none);

@@ -1,5 +1,5 @@
-// A library that is asked in bytes is told what it is told in lines, and held to the same; a fault within it is found as
-// that of a program is.
+// A library that is called in bytes gets the same questions as one that is called in lines and is judged
+// alike. A fault within it is found in the same way as a fault of a program.
 #include "certify/external/frames.hpp"
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ TEST(Frames, TellWhatLinesTell) {
       for (std::size_t m = 0; m < by_lines.methods().size(); ++m) {
         corpus::Case problem = pair_of(a, b);
         const engine::Method& method = by_lines.methods()[m];
-        // Of rays and queries what they do not know.
+        // The ray and rotating methods do not know a target distance.
         if (method.name.ends_with("-ray")) problem.target_distance = 0;
         if (method.kind == engine::Kind::rotating) problem.target_distance = 0;
         if (!method.refuses(problem).empty()) continue;
@@ -94,7 +94,7 @@ TEST(Frames, TellWhatLinesTell) {
       }
     }
   }
-  // Every question is another; of a point and a point both turns of the loop are one.
+  // All questions differ, except that for two points both passes of the loop ask the same one.
   EXPECT_GT(asked, 100U);
   EXPECT_GE(heard.size() + 5, asked);
 }

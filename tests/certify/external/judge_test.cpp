@@ -1,5 +1,5 @@
-// What the judge holds against answers of others: starts in contact, and engines with a margin. Each fault stands beside
-// an answer that differs in nothing else and is acquitted.
+// The judge's faults for answers of third-party engines: starts in contact, and engines with a margin. Each
+// fault stands beside an answer that differs in nothing else and is acquitted.
 #include "properties/judge/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ Declaration promising_least_penetration() {
   return engine;
 }
 
-// `fields`: those of the answer, but for schema and id.
+// `fields`: the fields of the answer except schema and id.
 Judgement judged(const Declaration& engine, const Case& problem, const std::string& fields) {
   const std::string line =
       R"({"schema": "graze.answer/1", "id": ")" + problem.id + R"(", "outcome": )" + fields + "}";
@@ -70,7 +70,7 @@ Case start(double depth = 0.25) {
   problem.b.position = {1.5 - depth, 0, 0};
   return problem;
 }
-// The same kinds of start where the oracles are others: of curved bodies, and of one that turns.
+// The same kinds of start with other oracles: curved bodies, and a rotating body.
 Case curved_start() {
   Case problem = start();
   problem.b.shape = Ellipsoid<double>{{0.5, 0.25, 0.25}};
@@ -91,7 +91,7 @@ TEST(AStartInContact, NeedsNoNormalAndNoWitnesses) {
 
 TEST(AStartInContact, HasAUnitNormalIfAny) {
   for (const Case& problem : {start(), start(0), curved_start(), turning_start()}) {
-    // Any direction: what it means is the engine's own affair.
+    // Any direction: its meaning is up to the engine.
     EXPECT_EQ(bad_contact(engine_of(), problem, R"("initially_overlapping", "normal": [0, -1, 0])"), "");
     const Judgement shrunk =
         judged(engine_of(), problem, R"("initially_overlapping", "normal": [0.83, 0, 0])");
@@ -135,7 +135,8 @@ TEST(AStartInContact, HasTheNormalThatIsPromised) {
   EXPECT_NE(bad_contact(engine, near, normal("[0, 1, 0]")), "");
 }
 
-// The ball of 0.5 comes along x, and touches the one of 1 at x = 1.5; with the margin between them at 1.75.
+// The ball of radius 0.5 comes along x and touches the one of radius 1 at x = 1.5, with the margin between
+// them at 1.75.
 std::string hit(double x, double a, double b) {
   return R"("hit", "time": )" + std::to_string((4 - x) / 5) + R"(, "normal": [1, 0, 0], "point_a": [)" +
          std::to_string(a) + R"(, 0, 0], "point_b": [)" + std::to_string(b) + ", 0, 0]";

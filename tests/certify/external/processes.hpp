@@ -1,4 +1,5 @@
-// What is left of engines that this process, or those that it runs, have started: told by their mark.
+// The remaining processes of engines that this process, or its children, have started, recognised by their
+// mark.
 #pragma once
 
 #include <dirent.h>

@@ -1,4 +1,4 @@
-// A case in the terms of an engine: what it is asked, and what it is then judged on.
+// A case in the terms of an engine: the question that it gets, and the case that its answer is judged by.
 #include "certify/external/terms.hpp"
 
 #include <gtest/gtest.h>
@@ -89,7 +89,7 @@ TEST(Terms, BringLengthsIntoRangeByAPowerOfTwoAndAnswersBack) {
   ASSERT_LT(terms.exponent, 0);
   EXPECT_EQ(std::get<Sphere<double>>(terms.asked.a.shape).radius, std::ldexp(1, terms.exponent));
   EXPECT_EQ(terms.asked.b.position[0], std::ldexp(4, terms.exponent));
-  // What is judged is the case as it was, bit for bit.
+  // The judged case is the original, bit for bit.
   EXPECT_EQ(terms.seen.b.position[0], 4);
   EXPECT_EQ(terms.seen.b.displacement[0], -5);
   const double x = std::ldexp(1, terms.exponent);

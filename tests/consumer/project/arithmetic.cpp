@@ -1,4 +1,4 @@
-// Compiled with flags of every kind: does the door of a query let two balls in? Prints "kept" or "refused".
+// Compiled with flags of every kind: does a query's validation accept two balls? Prints "kept" or "refused".
 #include <graze/validate.hpp>
 
 #include <cstdio>

@@ -1,8 +1,10 @@
-// What a program keeps from query to query, as the README says: bodies that are prepared, and where a search ended.
+// The state that a program keeps from query to query, as in the README: prepared bodies, and the end of a
+// search.
 //
-// Prepared bodies answer as the bodies do, to the bit, and refuse what they refuse. A start of the step before, of another
-// pair or of NaN leaves a verdict that is clear by more than rounding, and distances within the rounding of each
-// other; the starts of a pair that moves slowly save supports. Exit code: 0, or 1 with what is otherwise on stderr.
+// Prepared bodies give the same answers as the bodies, to the bit, and refuse the same inputs. A start from
+// the previous step, from another pair or full of NaN changes no verdict that is clear by more than rounding.
+// It keeps distances within the rounding of each other. The starts of a pair that moves slowly save supports.
+// Exit code: 0, or 1 with the differences on stderr.
 #include <cstdio>
 #include <graze/distance.hpp>
 #include <graze/overlap.hpp>
@@ -72,7 +74,7 @@ struct Supports {
   long cold = 0, warm = 0;
 };
 
-// B passes A in small steps; every query begins where the one of the step before ended.
+// B passes A in small steps. Every query begins at the end of the previous step's search.
 template <class S>
 void walk(Scene<S> scene, int k, const graze::WarmStart& other, Supports& supports) {
   constexpr int kSteps = 8;

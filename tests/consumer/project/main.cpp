@@ -1,10 +1,10 @@
 // Casts with the user's own flags. usage: consumer DIRECTORY [flush | flushed]
 //
-//   flush     sets flush-to-zero and denormals-are-zero first;   flushed   insists that somebody has
+//   flush     sets flush-to-zero and denormals-are-zero first;   flushed   requires that they are already set
 //
-// Writes every answer and every proof to DIRECTORY, for others to judge, and looks itself at what needs no
-// judge: no stall, and answers that do not change by one bit when all lengths are multiplied by a power of
-// two. Exit code: 0, or 1 with the reason on stderr.
+// Writes every answer and every proof to DIRECTORY for judge_answers. Checks itself the two properties that
+// need no judge: every cast converges, and answers do not change by one bit when all lengths are multiplied
+// by a power of two. Exit code: 0, or 1 with the reason on stderr.
 #include <limits>
 #include <string>
 #include <string_view>
@@ -54,8 +54,8 @@ bool same(const graze::CastResult<S>& one, const graze::CastResult<S>& other) {
          one.toi_upper == other.toi_upper && one.normal == other.normal;
 }
 
-// The scene by every method, at its own size and at others: lengths by 2^40 up and down, and as far as the
-// scalar's range of exponents and graze's (1e-60 .. 1e60) leave room.
+// The scene by every method, at its own size and at others: lengths by 2^40 up and down, and up to the limits
+// of the scalar's range of exponents and graze's (1e-60 .. 1e60).
 template <class S>
 void run(const std::string& id, const Scene<S>& scene, Records& records, Tally& tally) {
   constexpr int far = sizeof(S) == 4 ? 100 : 175;

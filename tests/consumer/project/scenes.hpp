@@ -34,7 +34,7 @@ struct Scene {
   S t_max = 1, target_distance = 0;
 };
 
-// What a scene is made of: small integers, where everything ties, or 20 bits, where nothing does.
+// Makes the numbers of a scene: small integers, where everything ties, or 20 bits, where nothing does.
 class Maker {
  public:
   explicit Maker(std::uint64_t seed) : random_(seed), ties_(random_.integer(0, 3) == 0) {}

@@ -1,4 +1,4 @@
-// One header, one query: when do two boxes touch? What else is in the object file is what it costs.
+// One header, one query: when do two boxes touch? The rest of the object file is the cost of that query.
 #include <graze/cast.hpp>
 
 int main() {

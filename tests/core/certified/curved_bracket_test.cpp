@@ -1,6 +1,7 @@
-// Brackets of cylinders, cones and ellipsoids that come from the curved walk: each holds the time of impact, by the
-// oracle; and it is the walk that answers. A bracket here is some hundred roundings wide, and the search that it stands
-// in for proves its own in pairs of doubles: the two have a time in common, and both agree on the verdict.
+// Brackets of cylinders, cones and ellipsoids that come from the curved walk: each holds the time of impact,
+// by the oracle, and the answer comes from the walk. A bracket here is some hundred roundings wide. The
+// search that the walk replaces proves its own bracket in pairs of doubles. The two have a time in common,
+// and both agree on the verdict.
 #include <gtest/gtest.h>
 
 #include <cmath>

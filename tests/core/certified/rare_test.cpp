@@ -1,5 +1,5 @@
-// What tier certified says where a start can neither be proved nor refuted: nothing, consistently. And where
-// the target distance is the whole scale.
+// The certified tier claims nothing, consistently, about a start that can neither be proved nor refuted.
+// Another rare case is a target distance that is the whole scale.
 #include <gtest/gtest.h>
 
 #include <graze/cast.hpp>
@@ -80,8 +80,8 @@ TEST(CertifiedRare, ATargetDistanceFarBeyondTheBodiesIsContact) {
   }
 }
 
-// Round and curved bodies in each other, at rest or not, whatever symmetry the line has: four points around the origin, or
-// a portal at s <= 0 on either side, and nothing is refined that no one asks for.
+// Round and curved bodies in each other, at rest or not, whatever symmetry the line has: four points around
+// the origin, or a portal at s <= 0 on either side. Nothing is refined without a request for it.
 TEST(CertifiedRare, BodiesInEachOtherCostFewSupports) {
   const std::vector<Shape<double>> shapes = {
       Sphere<double>{1},        Capsule<double>{0.5, 1}, Ellipsoid<double>{{1, 0.5, 0.75}},

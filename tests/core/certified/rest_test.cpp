@@ -1,8 +1,9 @@
-// Bodies at rest in the certified tier: a ball, a capsule, a rounded box, a cylinder, a cone or an ellipsoid on a plane
-// face, placed so that they touch exactly, and one unit in the last place on either side.
+// Bodies at rest in the certified tier. A ball, a capsule, a rounded box, a cylinder, a cone or an ellipsoid
+// lies on a plane face, placed so that they touch exactly, and one unit in the last place on either side.
 //
-// The scene is made of integers and then rotated by an integer quaternion q, with all lengths times |q|^2, so that every
-// number is a double (or float) and every tie stays exact. The expected verdict is known by construction.
+// The scene is made of integers and then rotated by an integer quaternion q, with all lengths times |q|^2, so
+// that every number is a double (or float) and every tie stays exact. The expected verdict is known by
+// construction.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// Brackets of spheres, capsules and polytopes at a distance, which the exact tier answers from the round walk: each holds
-// the time of impact, by the oracle, to its last bit; and it is the walk that answers. Near and far from the origin, balls
-// large and small, grazes, in float and in double.
+// Brackets of spheres, capsules and polytopes at a distance, which the exact tier answers from the round
+// walk. Each holds the time of impact, by the oracle, to its last bit, and the answer comes from the walk.
+// Near and far from the origin, balls large and small, grazes, in float and in double.
 #include <gtest/gtest.h>
 
 #include <cmath>

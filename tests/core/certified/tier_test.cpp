@@ -1,4 +1,4 @@
-// Tier certified of linear casts: brackets that hold, narrow ones, for every pair of shapes and every
+// The certified tier of linear casts: brackets that hold, and are narrow, for every pair of shapes and every
 // hardness, judged by the oracles.
 #include <gtest/gtest.h>
 #include <graze/validate.hpp>
@@ -48,7 +48,7 @@ bool moves_in_subnormals(const corpus::Case& seen) {
   return false;
 }
 
-// A fault of the answer to `seen`, which holds what S holds; or nothing.
+// A fault of the answer to `seen`, which holds the values that S holds. Empty if there is no fault.
 template <Scalar S>
 std::string judged(const corpus::Case& seen, Count& count) {
   const CastResult<S> result = [&] {
@@ -129,7 +129,7 @@ std::vector<Shape<double>> shapes() {
           hull_of<double>(ball, posed<double>(box, {0.5, 0.5, 0}, {}))};
 }
 
-// Straight at each other along an axis, off centre, past each other, from contact; aligned and turned.
+// Straight at each other along an axis, off centre, past each other, and from contact, aligned and rotated.
 TEST(CertifiedTier, EveryPairOfShapes) {
   const std::vector<Shape<double>> all = shapes();
   struct Way {

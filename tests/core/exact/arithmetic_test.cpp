@@ -21,7 +21,7 @@ TEST(Expansion, KeepsWhatADoubleLoses) {
   EXPECT_EQ(e.size(), 0);
 }
 
-// Bit for bit, over the whole range that is asked of it: answers must not depend on the processor.
+// Bit for bit, over the whole range in use: answers must not depend on the processor.
 TEST(FusedPairs, AreTheSamePairs) {
   if (!fuses()) GTEST_SKIP() << "the compiler may fuse anyway, or the processor cannot";
   Draw draw{52};
@@ -107,7 +107,7 @@ TEST(Pierce, TieOnADiagonalIsDecided) {
   const double third = 1.0 / 3;
   const Body<double> box{.shape = Box<double>{{third, 0.1, 0.7}}, .position = {0.3, 0.3, 0.3}};
   const Body<double> ray{.shape = Point<double>{}, .position = {5.3, 0.3, 0.3}, .displacement = {-9, 0, 0}};
-  // The face x = +1/3: corners 1, 3, 5, 7; diagonal 1-7.
+  // The face x = +1/3 has corners 1, 3, 5, 7 and diagonal 1-7.
   const Pierced pierced = pierce(box, ray, corners(1, 3, 7), 1, 0, 3);
   EXPECT_TRUE(pierced.pierced);
   EXPECT_NEAR(pierced.t_upper, (5.3 - 0.3 - third) / 9, 1e-15);

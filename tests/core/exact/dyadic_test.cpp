@@ -59,13 +59,13 @@ TEST(Dyadic, SumsDifferencesAndProductsAreGmps) {
       const Both& y = known[random.below(known.size())];
       const std::uint64_t what = random.below(3);
       Both next = what == 0 ? x + y : what == 1 ? x - y : x * y;
-      // Exponents spread as they multiply: beyond the room it says so, and is not asked for more.
+      // Exponents spread as they multiply. A number beyond the room is invalid, and is not used further.
       if (!next.own.valid()) continue;
       expect_equal(next);
       if (HasFatalFailure()) return;
       known.push_back(next);
     }
-    // What cancels to the last bit.
+    // Differences that cancel to the last bit.
     const Both& last = known.back();
     EXPECT_EQ((last.own - last.own).sign(), 0);
     EXPECT_EQ((last.own + -last.own).sign(), 0);
@@ -80,7 +80,7 @@ TEST(Dyadic, NeighboursDifferByTheLastBit) {
   }
 }
 
-// The room is for 10,240 bits; one more is refused, and stays refused.
+// There is room for 10,240 bits. One more is refused, and stays refused.
 TEST(Dyadic, BeyondItsRoomItIsInvalidAndStaysSo) {
   const Dyadic one(1), small(0x1p-1000);
   Dyadic power = small;

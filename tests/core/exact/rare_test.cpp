@@ -1,5 +1,5 @@
-// What exact casts rarely meet: a C that has no area seen along the path, bodies at rest that touch, slivers
-// that are turned, and numbers that outgrow their room in the queries beside the cast.
+// Rare inputs of exact casts: a C that has no area seen along the path, bodies at rest that touch, slivers
+// that are rotated, and numbers that outgrow their room in the queries beside the cast.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -111,7 +111,7 @@ TEST(ExactRare, BodiesAtRestThatTouchArePassedOver) {
   }
 }
 
-// --- turned slivers
+// --- rotated slivers
 
 // A sliver 2^31 long and 2^-31 high, no edge of it short, turned by a quaternion of full length: its normal
 // is the turned z axis. The point that meets it is given in the same axes, so that it is in its plane
@@ -145,7 +145,7 @@ TEST(ExactRare, TheNormalOfATurnedSliverIsExact) {
 
 // --- too complex
 
-// Numbers that outgrow their room are said to, by every query.
+// Every query reports numbers that outgrow their room.
 TEST(ExactRare, AQueryTooComplexIsRefused) {
   Draw draw{232};
   int refused = 0;
@@ -265,7 +265,7 @@ TEST(ExactRare, APointOfTheInsideIsOfItsOwnVertices) {
   EXPECT_EQ(scene.exact_decisions(), 0);
 }
 
-// --- many vertices of one face, in bodies that are turned
+// --- many vertices of one face, in rotated bodies
 
 // Level faces of 24 vertices each at z = -1/2 and 1/2, whose x and y are no short numbers.
 Hull<double> level_prism(Draw& draw) {
@@ -329,8 +329,9 @@ TEST(ExactRare, ThePartsOfACombinatorAreNotTakenForLeaves) {
 
 // --- thousands of vertices within rounding of the last plane
 
-// Two discs whose caps are parallel but for the last bits, as one orientation is the other's over its length. Of the
-// vertices beyond the portal's plane the farthest is taken: any of them would do, and cost the walk hundreds of steps.
+// Two discs whose caps are parallel except for the last bits, as one orientation is the other's over its
+// length. The walk takes the farthest of the vertices beyond the portal's plane. Any of them would be
+// correct, but would cost hundreds of steps.
 TEST(ExactRare, CapsThatAreNearlyParallelTakeFewSteps) {
   Draw draw{37};
   std::vector<V> disc;

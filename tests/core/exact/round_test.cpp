@@ -72,7 +72,7 @@ std::string text(const Question<S>& q) {
   return out;
 }
 
-// What is wrong with the answer; empty if nothing is.
+// The fault of the answer, or empty if the answer is right.
 template <class S>
 std::string fault(const Question<S>& q, const CastResult<S>& r, const RoundTruth& truth, Tally& tally) {
   if (r.invalid != Invalid::none) return "refused: " + std::string(to_text(r.invalid));
@@ -103,7 +103,8 @@ std::string fault(const Question<S>& q, const CastResult<S>& r, const RoundTruth
   }
   if (!(std::abs(r.normal.template cast<double>().norm() - 1) < 8 * double(kUnitRoundoff<S>)))
     return "the normal's length";
-  // n supports C where the path meets it: H(n) + R - TOI n.v is 0, and of second order in n's error but for the face.
+  // n supports C where the path meets it: H(n) + R - TOI n.v is 0, and of second order in n's error except on
+  // a face.
   const test::Point3 n = test::rational(r.normal);
   const Rational above = truth.reach(n) + truth.radius() - upper * test::dot(n, truth.motion());
   const Rational size = truth.radius() + abs(truth.reach(n)) + abs(truth.reach(Rational(-1) * n)) +

@@ -1,11 +1,12 @@
-// When are two moving rounded polytopes first in contact? By closed forms in rational numbers, feature by feature: the
-// truth that the exact tier's tests of rounded shapes are held to. It shares nothing with the search.
+// When are two moving rounded polytopes first in contact? By closed forms in rational numbers, feature by
+// feature. This is the reference for the exact tier's tests of rounded shapes. It shares nothing with the
+// search.
 //
 //   K + ball(R) is the union of balls about K's vertices, cylinders about its edges and prisms over its triangles, K the
-//   hull of the differences of the cores' vertices, and of K itself. Every triple of vertices is taken for a face: more
-//   than the faces are in K, so nothing wrong is added.
-//   Over the times when the foot of t v is in the feature, which is an interval with rational ends, its squared distance
-//   less R^2 is a quadratic, whose least value there is rational: its sign says whether the path is in contact.
+//   hull of the differences of the cores' vertices, and of K itself. Every triple of vertices is taken for a face.
+//   The additional triangles are in K, so nothing wrong is added.
+//   The foot of t v is in the feature during an interval with rational ends. Over it, the squared distance less R^2
+//   is a quadratic, whose least value there is rational. Its sign decides whether the path is in contact.
 #pragma once
 
 #include <gmpxx.h>
@@ -111,7 +112,8 @@ class RoundTruth {
   [[nodiscard]] bool starts_in_contact() const {
     return meets(v_, radius_, 0, Rational(0)) || holds_origin();
   }
-  // Is there contact at some t in [0, end]; `before`: in [0, end)? Not in contact at 0. No end: a ray.
+  // Is there contact at some t in [0, end], or, if `before`, in [0, end)? Requires no contact at 0. No end: a
+  // ray.
   [[nodiscard]] bool contact_until(const std::optional<Rational>& end, bool before = false) const {
     return meets(v_, radius_, 0, end, before);
   }
@@ -155,7 +157,7 @@ class RoundTruth {
       }
       empty = empty || (low && high && *low > *high);
     }
-    // Is it <= 0 somewhere; `strictly`: < 0; `before`: before the end?
+    // Is it <= 0 somewhere, or, if `strictly`, < 0? If `before`: before the end?
     [[nodiscard]] bool meets(const Rational& a, const Rational& b, const Rational& c, bool before,
                              bool strictly) const {
       if (empty) return false;

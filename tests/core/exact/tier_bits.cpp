@@ -1,8 +1,9 @@
-// Prints a hash of the exact tier's verdicts, bounds, normals and contact points, one line for each kind of case: the
-// same lines with every compiler and every flag. usage: exact_tier_bits [flush]   (flush: subnormals are flushed)
+// Prints a hash of the exact tier's verdicts, bounds, normals and contact points, one line for each kind of
+// case. The lines are the same with every compiler and every flag. usage: exact_tier_bits [flush]   (flush:
+// subnormals are flushed)
 //
 // The cases must not depend on the flags either: every number of them is an integer times a power of two, and
-// whatever is added stays within 53 bits, before it is rounded once.
+// every sum stays within 53 bits, before it is rounded once.
 #include <cstdio>
 #include <cstring>
 #include <graze/cast.hpp>

@@ -12,7 +12,7 @@ namespace {
 
 using test::Draw;
 
-// |x| as a double, within a unit in the last place; below the range of doubles: 0.
+// x| as a double, within a unit in the last place, or 0 below the range of doubles.
 double magnitude_of(const Dyadic& x) {
   return x.sign() == 0 ? 0 : std::ldexp(std::abs(x.leading()), std::max(x.order(), -2000));
 }
@@ -44,7 +44,7 @@ Worst measure(int rounds, int levels, bool turned) {
       b.orientation = draw.turn<double>();
     }
     a.position = draw.vector<double>(round % 3 == 0 ? 1000 : 1);
-    // Far away and back again: what is added cancels.
+    // Far away and back again: the terms cancel.
     b.position = round % 3 == 0 ? Vec3<double>(a.position + draw.vector<double>(1)) : draw.vector<double>(1);
     a.displacement = draw.vector<double>(1);
     b.displacement = draw.vector<double>(1);
@@ -102,8 +102,8 @@ TEST(FineBound, HoldsForEveryNesting) {
   }
 }
 
-// The plane's normal in the leaf's own axes says what three terms in world axes do: of turned bodies and of those that
-// are not, of steps of either, of vertices beyond the plane and in it.
+// The plane's normal in the leaf's own axes gives the same signs as three terms in world axes. The cases are
+// rotated bodies and others, steps of either body, and vertices beyond the plane and in it.
 TEST(Heights, HaveTheSignsOfDeterminants) {
   Draw draw{78};
   int counted[3] = {};
@@ -147,9 +147,10 @@ TEST(Heights, HaveTheSignsOfDeterminants) {
   EXPECT_GT(exact, 100);
 }
 
-// Report: two prisms of 512 vertices off their own origin, whose caps are parallel but for the last bits, took 104 ms, and
-// 13 us with one quaternion. Mechanism: each near tie was decided by itself, and what the prism is away from its origin
-// counted as its size, so that pairs of doubles did not decide. An exact decision takes 10 us and more.
+// Report: two prisms of 512 vertices off their own origin, whose caps are parallel except for the last bits,
+// took 104 ms, and 13 us with one quaternion. Mechanism: each near tie was decided by itself, and the prism's
+// distance from its origin counted as its size, so that pairs of doubles did not decide. An exact decision
+// takes 10 us and more.
 TEST(Heights, NearlyParallelCapsTakeFewDecisions) {
   Draw draw{79};
   int hits = 0;

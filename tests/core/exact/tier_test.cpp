@@ -113,7 +113,7 @@ class Lattice {
       default:
         break;
     }
-    // Flat and collinear sets, and duplicates, come by themselves; more of them by the plane.
+    // Flat and collinear sets, and duplicates, occur by themselves. The plane adds more of them.
     std::vector<Vec3<double>> vertices(1 + random.below(9));
     for (Vec3<double>& v : vertices) v = point();
     const int flat = random.integer(0, 5);
@@ -346,8 +346,8 @@ TEST(ExactTier, TimesBelowTheLeastNormalDouble) {
   }
 }
 
-// Rotations nested as deep as the door lets them: right, or refused as too complex; and shallow ones are
-// right.
+// For rotations nested as deep as validation admits, answers are right or refused as too complex. Shallow
+// ones are right.
 TEST(ExactTier, NestedRotationsAreRightOrRefused) {
   Lattice lattice(20260404);
   int refused = 0, right = 0;

@@ -33,7 +33,7 @@ double support_value(const SolidCore& core, const Vec3<double>& n) {
 
 struct Touch {
   Vec3<double> x, n;
-  Vec3<double> other;  // the normal of another place that the largest ball touches; zero: not known
+  Vec3<double> other;  // normal of another place that the largest ball touches, or zero if not known
 };
 
 // A place on a face or a smooth part, with its normal.
@@ -133,7 +133,7 @@ TEST(InnerBall, IsTheLargest) {
   }
 }
 
-// Whoever asks of a point that is not in the shape learns nothing of its depth: a cone's base, at its apex.
+// For a point that is not in the shape the result gives no depth: a cone's base, at its apex.
 TEST(InnerBall, IsLessThanAnyOfPointsOutside) {
   const Vec3<double> one(1, 1, 1), up(0, 0, 1);
   EXPECT_EQ(detail::inner_ball({Kind::box, one}, {1.1, 0, 1}, up), -kInfinity<double>);

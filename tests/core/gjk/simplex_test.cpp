@@ -8,8 +8,8 @@ namespace {
 
 using test::Draw;
 
-// v is closest to the origin among the hull of y_i iff v.y_i >= v.v for all i (Wolfe 1976); here with n = -v
-// / |v|, which is found from the feature and is good where v is small.
+// v is closest to the origin among the hull of y_i iff v.y_i >= v.v for all i (Wolfe 1976). Here n = -v / |v|
+// is found from the feature and is accurate where v is small.
 template <class S>
 void expect_closest(const detail::Simplex<S>& simplex, const char* what, int round) {
   const detail::Closest<S> closest = detail::closest_to_origin(simplex, Vec3<S>(Vec3<S>::Zero()));

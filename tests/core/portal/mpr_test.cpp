@@ -63,7 +63,7 @@ TEST(MprOverlap, FlatShapesInOnePlane) {
   EXPECT_EQ(overlap(square, triangle), Outcome::miss);
 }
 
-// The line from C's inside runs in the plate's own plane, as far as float can tell: no face of the portal
+// The line from C's inside runs in the plate's own plane, within the rounding of float: no face of the portal
 // says where along it the plate ends. They are 0.07 of their size apart.
 TEST(MprOverlap, APlateSeenEdgeOnEnds) {
   const Body<float> plate{.shape = Box<float>{{2.1763108F, 3.2389083F, 2.5e-6F}},
@@ -79,7 +79,7 @@ TEST(MprOverlap, APlateSeenEdgeOnEnds) {
   EXPECT_EQ(overlap(plate, triangle), Outcome::miss);
 }
 
-// What projects to 1e-23 of the scale has products that vanish in float: it lies on the line.
+// A point that projects to 1e-23 of the scale has products that vanish in float: it lies on the line.
 TEST(MprOverlap, APointAlmostOnTheLineIsOnIt) {
   const Body<float> high{.shape = Point<float>{},
                          .position = {3.8461538e-13F, 9.2307692e-13F, 3.4512241e10F}};

@@ -1,16 +1,17 @@
-// Ray against every face of a hull: the lecture's baseline, slow, for polytopes only. For tests and bench.
+// Intersects a ray with every face of a hull: the lecture's baseline, slow, for polytopes only. For tests and
+// bench.
 //
 //   t = the least t in [0, t_max] with origin + t direction in the hull (touching counts), or none.
 //
 // Inputs: the hull's vertices and all its faces as triangles, counter-clockwise seen from outside, of any
-// fineness; origin and direction in the same frame and unit. Standard arithmetic, no proof.
+// fineness. The origin and the direction are in the same frame and unit. Standard arithmetic, no proof.
 // Notation   p_i = corner i - origin, d = direction, c_ij = d.(p_i x p_j): on which side the line passes the
-// edge. The line meets the triangle iff no two of c_12, c_20, c_01 differ in sign, n = (p_1 - p_0) x (p_2 -
-// p_0),
+// edge. The line meets the triangle iff no two of c_12, c_20, c_01 differ in sign, n = (p_1 - p_0) x (p_2 - p_0),
 //   t = n.p_0 / n.d.
 // c_ij = -c_ji to the last bit, so that the two faces of an edge agree and no ray slips between them.
-// Cf. Moeller, Trumbore, Fast Minimum Storage Ray/Triangle Intersection, 1997. Differs: the edges' signs are
-// taken before anything is divided; the whole line is asked, not the ray, so that a start inside is seen.
+// Cf. Moeller, Trumbore, Fast Minimum Storage Ray/Triangle Intersection, 1997. Differs from the source in two ways:
+// the edges' signs are taken before any division, and the whole line is tested instead of the ray, so that a
+// start inside is seen.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,8 +24,8 @@ namespace graze {
 template <Scalar S>
 struct BruteForceRay {
   bool hit = false;
-  S t = kInfinity<S>;    // of a hit; 0 for a start inside
-  std::size_t face = 0;  // hit: the face that the line enters by
+  S t = kInfinity<S>;    // of a hit, or 0 for a start inside
+  std::size_t face = 0;  // of a hit: the face through which the line enters
 };
 
 template <Scalar S>

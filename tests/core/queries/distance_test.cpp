@@ -82,8 +82,8 @@ TYPED_TEST(DistanceQuery, PointBesideATetrahedronIsOutside) {
   EXPECT_EQ(overlap_mpr(tetrahedron, inside).outcome, Outcome::initially_overlapping);
 }
 
-// The foot on an edge or a face, as near to a corner or an edge as rounding can tell: |v| says nothing any
-// more, the axis must (reports fcl 408 and 493, parry's ray fuzzer, turned into distances).
+// The foot on an edge or a face is as near to a corner or an edge as rounding resolves. |v| then decides
+// nothing, so the axis must (reports fcl 408 and 493, parry's ray fuzzer, translated into distances).
 TYPED_TEST(DistanceQuery, FootBesideACornerKeepsItsAxis) {
   using S = TypeParam;
   const S beside = std::sqrt(kUnitRoundoff<S>) / 4;
@@ -121,10 +121,11 @@ TYPED_TEST(DistanceQuery, AFarVertexDoesNotHideANearerOne) {
 
 // Prisms of six corners about z whose ends are level and whose edges lean by about the root of u.
 //
-// Report: 205 of 24,000 distances of such prisms stalled, with an upper end and witnesses up to 2e7 u scale
-// off. Mechanism: at the foot on a vertex the next support point, the other end of its leaning edge, brings v
-// nearer by less than u |v| (refine_axis.hpp), and the search ended; the axis that this edge turns by the
-// root of u finds the vertex that is nearer by the root of u. Threshold: 64 u scale, the row's.
+// Report: 205 of 24,000 distances of such prisms did not converge, with an upper end and witnesses up to 2e7
+// u scale off. Mechanism: the foot was on a vertex. The next support point, the other end of its leaning
+// edge, brought v nearer by less than u |v| (refine_axis.hpp), and the search ended. The axis that this edge
+// rotates by the root of u finds the vertex that is nearer by the root of u. Threshold: 64 u scale, as
+// guaranteed.
 TYPED_TEST(DistanceQuery, EdgesThatHardlyLeanHideNoNearerOne) {
   using S = TypeParam;
   Draw draw{63};

@@ -1,5 +1,5 @@
-// What the queries beside the cast do with their options, and what they say of their work: a bad option is
-// refused, a spent budget is no verdict, a bracket that stays wide says so, and counters count.
+// The options and the counters of the queries beside the cast. A bad option is refused, and an exhausted
+// budget gives no verdict. A bracket that stays wide is reported as such, and the counters count the work.
 #include <gtest/gtest.h>
 
 #include <graze/detail/proving/named_point.hpp>
@@ -151,7 +151,7 @@ TEST(QueryOptions, ALineIsBracketedAsNarrowlyAsAsked) {
       // Beyond the rounding: kappa u scale is below 1e-12.
       EXPECT_LE(4 * (r.in_lower - best.in_upper), 1e-12) << round;
       EXPECT_LE(4 * (best.out_lower - r.out_upper), 1e-12) << round;
-      // Scale is the distance of the centres, below 3.2; speed 4.
+      // The scale is the distance of the centres, below 3.2, and the speed is 4.
       EXPECT_LE(4 * (r.in_upper - r.in_lower), 3.2 * tolerance) << round;
       EXPECT_LE(4 * (r.out_upper - r.out_lower), 3.2 * tolerance) << round;
     }
@@ -210,7 +210,7 @@ TEST(QueryOptions, AMissNearTheNoiseHasAnAxis) {
   EXPECT_GT(contacts, 100);
 }
 
-// Where a point of a proof stands off by the target distance, it is no farther, however it rounds.
+// A point of a proof that is off by the target distance is within it, however it rounds.
 TEST(QueryOptions, APointOfATargetDistanceIsWithinIt) {
   Draw draw{76};
   const Body<double> b{.shape = Box<double>{{1, 1, 1}}, .position = {4, 0, 0}};

@@ -41,7 +41,8 @@ bool check(const Body<S>& a, const Body<S>& b, const PenetrationResult<S>& r, do
   EXPECT_LE(r.lower, r.upper);
   if (r.stalled) return true;
   EXPECT_LE(double(r.upper) - double(r.lower), limit) << what << ' ' << round;
-  // h(n) of the normal itself, exact; the witnesses on their bodies, and as far apart as the depth, along it.
+  // h(n) of the normal itself, exact. The witnesses are on their bodies and as far apart as the depth, along
+  // n.
   const Vec3<double> n = widened<S>(r.normal);
   EXPECT_NEAR(n.norm(), 1, 8 * double(kUnitRoundoff<S>));
   EXPECT_LE(truth.normal_error(n).high, depth + limit) << what << ' ' << round;
@@ -178,7 +179,8 @@ TYPED_TEST(Penetration, CurvedBodiesByTheirClosedForms) {
   EXPECT_NEAR(r.lower, 0.25, slack);
 }
 
-// What the header says of the points, also where cores are apart, and the axis is known to the root of the rounding only.
+// The header's claims about the points, also for cores that are apart and an axis that is known only to the
+// root of the rounding.
 TYPED_TEST(Penetration, ShallowPointsOfRoundedBodiesAreBroughtTogether) {
   using S = TypeParam;
   Draw draw{62};
@@ -191,7 +193,7 @@ TYPED_TEST(Penetration, ShallowPointsOfRoundedBodiesAreBroughtTogether) {
     b.position -= (apart.upper + std::pow(S(2), S(-2 - round % 12))) * apart.normal;
     const auto r = penetration(a, b);
     if (r.outcome != Outcome::initially_overlapping || r.stalled) continue;
-    // The scale is below 4; twice the slack for the coordinates' own rounding.
+    // The scale is below 4. The slack is doubled for the rounding of the coordinates.
     const double limit = 2 * 64 * double(kUnitRoundoff<S>) * 4, depth = double(r.upper);
     const Vec3<double> n = r.normal.template cast<double>(),
                        x = r.point_a.template cast<double>() - r.point_b.template cast<double>();

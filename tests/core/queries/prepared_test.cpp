@@ -180,7 +180,7 @@ TEST(FastSearches, VerticesThatFloatsTakeForEqualAreTold) {
   }
 }
 
-// What a hull says of its bounds holds every vertex, and its inside is in them.
+// A hull's bounds contain every vertex and its interior point.
 TEST(FastSearches, AHullKnowsItsReach) {
   Draw draw{6};
   for (const double far : {0.0, 1.0, 1e6}) {

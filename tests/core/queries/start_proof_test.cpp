@@ -36,8 +36,8 @@ TEST(StartProof, DeepOverlapsOfSolidsAreProved) {
   EXPECT_GE(proved, asked * 4 / 5);
 }
 
-// A start that touches may have no four pairs beyond rounding; then nothing is claimed, and the checker
-// believes it.
+// A start that touches may have no four pairs beyond rounding. Then nothing is claimed, and the checker
+// accepts that.
 TEST(StartProof, ATouchClaimsNothingThatIsNotProved) {
   corpus::Case problem;
   problem.a.shape = Box<double>{{1, 1, 1}};

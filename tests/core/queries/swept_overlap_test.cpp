@@ -105,7 +105,8 @@ TYPED_TEST(SweptOverlap, TouchingAtTheLastMomentAndSlidingCount) {
   }
 }
 
-// The search ends its path where A is left behind; the axis of a miss has to part the bodies for all of it.
+// The search ends its path where A is left behind, but the axis of a miss must separate the bodies for all of
+// it.
 TYPED_TEST(SweptOverlap, TheAxisOfAMissPartsTheBodiesToTheEnd) {
   using S = TypeParam;
   const double u = kUnitRoundoff<S>;
@@ -152,7 +153,7 @@ TEST(SweptOverlapCost, BeforeAndAfterIsTheSumWithTwiceTheScan) {
     of_sum += sum.counters.supports;
     of_both += both.counters.supports;
   }
-  EXPECT_NEAR(double(of_both) / of_sum, 1, 0.05);  // but for ties between the two ends
+  EXPECT_NEAR(double(of_both) / of_sum, 1, 0.05);  // except for ties between the two ends
 }
 
 TEST(SweptOverlapDoor, BadInputIsRefused) {

@@ -1,6 +1,5 @@
-// Distance and penetration to a tolerance of the caller's: the bracket is as narrow as asked, holds the
-// closed answer, and costs less than the narrowest one; and the depth of rounded bodies whose cores are
-// apart.
+// Distance and penetration to a tolerance of the caller's. The bracket is as narrow as requested, holds the
+// closed answer, and costs less than the narrowest one. The depth of rounded bodies whose cores are apart.
 #include <gtest/gtest.h>
 
 #include <graze/distance.hpp>
@@ -39,8 +38,9 @@ TEST(QueryTolerance, DistanceIsBracketedAsNarrowlyAsAsked) {
   EXPECT_GE(cheaper, apart);
 }
 
-// However wide the bracket, the points are as far apart as its upper end says: also where the axis, which a tolerance or
-// the rounding of a small distance leaves tilted, is not the way from one to the other.
+// However wide the bracket, the points are as far apart as its upper end. This also holds where the axis,
+// which a tolerance or the rounding of a small distance leaves tilted, is not the way from one point to the
+// other.
 TEST(QueryTolerance, TheClosestPointsAreAsFarApartAsUpper) {
   Draw draw{54};
   int tilted = 0;
@@ -63,7 +63,7 @@ TEST(QueryTolerance, TheClosestPointsAreAsFarApartAsUpper) {
   EXPECT_GT(tilted, 20);
 }
 
-// Balls' depth has a closed form; their cores are points, apart.
+// The depth of balls has a closed form, and their cores are points, apart.
 TEST(QueryTolerance, PenetrationOfRoundedBodiesWithCoresApart) {
   Draw draw{52};
   for (int round = 0; round < 200; ++round) {
@@ -76,7 +76,7 @@ TEST(QueryTolerance, PenetrationOfRoundedBodiesWithCoresApart) {
     for (const double tolerance : {0.0, 1e-4}) {
       const auto r = penetration(a, b, {.request = Request::everything, .tolerance = tolerance});
       ASSERT_EQ(r.outcome, Outcome::initially_overlapping);
-      const double slack = 1e-12 + 10 * tolerance;  // scale is below 10; roots of the ellipsoid's support
+      const double slack = 1e-12 + 10 * tolerance;  // scale below 10, roots of the ellipsoid's support
       EXPECT_LE(r.lower, depth + slack);
       EXPECT_GE(r.upper, depth - slack);
       EXPECT_LE(r.upper - r.lower, slack);
@@ -111,7 +111,7 @@ TEST(QueryTolerance, RefinedAxesOfSmoothCoresApart) {
     const auto wide = penetration(both.a, both.b, {.request = Request::everything});
     if (narrow.outcome != Outcome::initially_overlapping || wide.outcome != narrow.outcome) continue;
     ++contacts;
-    // Inputs rounded to float: 2^-24 of scale, below 5 here, a few times over; kappa of the row is 64.
+    // Inputs rounded to float: 2^-24 of scale, below 5 here, a few times over. The guarantee's kappa is 64.
     EXPECT_NEAR(narrow.upper, wide.upper, 64 * 0x1p-24 * 5);
   }
   EXPECT_GE(contacts, 150);

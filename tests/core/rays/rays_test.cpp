@@ -41,7 +41,7 @@ struct Known {
   V normal;
 };
 
-// Each ray lies in a grid, so that all of the answer is rational; every length is times s = |q|^2.
+// Each ray lies in a grid, so that the whole answer is rational. Every length is times s = |q|^2.
 std::vector<Known> known_rays(double s) {
   const double never = kInfinity<double>;
   return {
@@ -106,7 +106,7 @@ TEST(Rays, AreWhatClosedFormsSay) {
   }
 }
 
-// At t_max, and one double before it; a start inside, and one on the surface.
+// At t_max and one double before it, from a start inside, and from one on the surface.
 TEST(Rays, EndWhereTheyEnd) {
   const Body<double> ball{.shape = Sphere<double>{1}};
   const Body<double> box{.shape = Box<double>{{1, 1, 1}}};
@@ -142,8 +142,8 @@ TEST(Rays, KeepATargetDistance) {
   EXPECT_LE((r.point_b - V(-3, 0, 0)).norm(), 1e-15);
 }
 
-// What a random ray is aimed at: anything about the body, a corner, an edge, a point of a face, from near, far or the
-// surface, along an axis or anyhow.
+// The target of a random ray is anything about the body, a corner, an edge or a point of a face. The start is
+// near, far or on the surface, and the direction is along an axis or arbitrary.
 struct Shot {
   Body<double> body, point;
 };

@@ -20,7 +20,7 @@ RotatingResult<double> published(const RotatingBody<double>& a, const RotatingBo
   return cast(a, b, by(RotatingMethod::bilateral_published));
 }
 
-// A cube's corner turns into a wall's face: the axis is the face's, whichever body it belongs to.
+// A cube's corner rotates into a wall's face: the axis is the face's, whichever body it belongs to.
 TEST(BilateralPublished, ACornerTurnsIntoAWall) {
   const RotatingBody<double> cube{.body = {.shape = Box<double>{{1, 1, 1}}}, .rotation = {0, 0, 1}};
   const RotatingBody<double> wall{.body = {.shape = Box<double>{{1, 2, 2}}, .position = {2.25, 0.125, 0.25}}};
@@ -47,8 +47,8 @@ TEST(BilateralPublished, StopsAtTheTolerance) {
     options.tolerance = tolerance;
     const auto r = cast(rod, ball, options);
     ASSERT_EQ(r.outcome, Outcome::hit);
-    // Scale is sqrt(5/4) at most; at the hit the rod's point nears the ball at a speed of 2 cos(asin(1/3))
-    // 3/4.
+    // The scale is sqrt(5/4) at most. At the hit the rod's point approaches the ball at a speed of 2
+    // cos(asin(1/3)) 3/4.
     const double speed = 2 * 0.75 * std::cos(std::asin(1.0 / 3));
     EXPECT_LE(r.toi_lower, toi);
     EXPECT_GE(r.toi_lower, toi - 2 * tolerance * 1.25 / speed);
@@ -56,7 +56,7 @@ TEST(BilateralPublished, StopsAtTheTolerance) {
 }
 
 TEST(BilateralPublished, MissesAContactThatBeginsAndEndsWithinTheStep) {
-  // A flat blade sweeps half a turn across a small ball, and is far from it at both ends of the step.
+  // A flat blade sweeps half a rotation across a small ball, and is far from it at both ends of the step.
   const RotatingBody<double> blade{.body = {.shape = Box<double>{{2, 0.03125, 0.25}}, .position = {0, 0, 0}},
                                    .rotation = {0, 0, 3},
                                    .pivot = {-2, 0, 0}};

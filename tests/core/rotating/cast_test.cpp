@@ -53,7 +53,7 @@ TEST(RotatingCast, ClosedAnswers) {
   const CornerAndWall two;
   for (const RotatingMethod method : kSafe) {
     for (const Tier tier : {Tier::standard, Tier::certified}) {
-      // Of the bracket's width: a length over scale, twice, where the speeds are below 2 and the sines above
+      // From the bracket's width: twice a length over scale, as the speeds are below 2 and the sines above
       // 1/2.
       const double width = tier == Tier::standard ? 1e-11 : 1e-8;
       expect_hit(cast(one.rod, one.ball, with<double>(method, tier)), one.toi, 2, width);
@@ -168,13 +168,14 @@ TEST(RotatingCast, EntersAndLeavesWithinTheStep) {
   options.time_steps = 2;
   const auto steps = cast(gear, stop, options);
   EXPECT_EQ(steps.outcome, Outcome::miss);
-  // What it may miss is said: the tip moves by 20 * 1.13 * 1/16.
+  // The cast reports the motion that it may miss: the tip moves by 20 * 1.13 * 1/16.
   EXPECT_NEAR(steps.hidden_motion, 20 * std::sqrt(1 + 0.125 * 0.125) / 16, 1e-6);
   options.time_steps = 64;
   EXPECT_EQ(cast(gear, stop, options).outcome, Outcome::hit);
 }
 
-// Where bodies graze, the angular bound alone goes on in small steps; the chord goes over them.
+// When bodies graze, the angular bound alone advances in small steps, but the chord bound steps over the
+// graze.
 TEST(RotatingCast, BilateralGoesOverGrazes) {
   CornerAndWall scene;
   scene.wall.body.position[0] = 1 + std::numbers::sqrt2 + 0x1p-20;
@@ -187,9 +188,9 @@ TEST(RotatingCast, BilateralGoesOverGrazes) {
   EXPECT_GT(slow.counters.supports, 20 * quick.counters.supports);
 }
 
-// A fan that turns fast beside what it never reaches is clear by the cylinder that it sweeps, whatever its
-// angle; a face that two bodies turn with is clear by an axis that turns as well. Few slices, however many
-// radians.
+// A fan that rotates fast beside a body that it never reaches is clear by its swept cylinder, whatever its
+// angle. A face that two bodies rotate with is clear by an axis that rotates as well. Both take few slices
+// for many radians.
 TEST(RotatingCast, ManyRadiansInFewSlices) {
   const RotatingBody<double> fan{.body = {.shape = Box<double>{{0.0625, 1, 0.125}}},
                                  .rotation = {0, 0, 5000}};
@@ -205,7 +206,7 @@ TEST(RotatingCast, ManyRadiansInFewSlices) {
   RotatingBody<double> right{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {2.0001, 0, 0}},
                              .rotation = {0, 0, 500},
                              .pivot = {-2.0001, 0, 0}};
-  right.body.displacement = {0, 0, 1e-6};  // as one, but for a slow slide along the axis
+  right.body.displacement = {0, 0, 1e-6};  // as one, except for a slow slide along the axis
   const auto slide = cast(left, right, with<double>({}));
   EXPECT_EQ(slide.outcome, Outcome::miss);
   ASSERT_TRUE(slide.proof);
@@ -323,7 +324,7 @@ TEST(RotatingCast, RefusesWhatItCannotAnswer) {
   EXPECT_EQ(cast(broken.cube, broken.wall).invalid, Invalid::not_finite);
   broken.cube.rotation = {0, 0, 0x1p31};
   EXPECT_EQ(cast(broken.cube, broken.wall).invalid, Invalid::out_of_range);
-  // A turn that cannot be seen takes nothing away from a linear motion.
+  // A rotation without effect on the shape does not restrict a linear motion.
   const RotatingBody<double> ball{.body = {.shape = Sphere<double>{1}, .displacement = {1, 0, 0}},
                                   .rotation = {0, 0, 7}};
   const RotatingBody<double> wall{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {50, 0, 0}}};
@@ -391,8 +392,8 @@ TEST(RotatingCast, WithoutATurnEveryMethodGivesTheLinearAnswer) {
       ASSERT_EQ(r.outcome, linear.outcome);
       if (linear.outcome != Outcome::hit) continue;
       ++hits;
-      // Near in distance, by GJK's bound from above, which is the rougher one on a cone's rim; where the path
-      // grazes, times differ by the root of that.
+      // The distance is small by GJK's upper bound, which is rougher on a cone's rim. If the path grazes,
+      // times differ by the root of that.
       EXPECT_LE(r.distance, 1e-10);
       EXPECT_NEAR(r.toi_lower, linear.toi_lower, 1e-6);
     }
@@ -414,7 +415,7 @@ TEST(RotatingCast, ABoxThatYawsOntoALevelTileIsAHit) {
     EXPECT_NEAR(r.normal.norm(), 1, 1e-14);
     EXPECT_LE(r.counters.supports, 64);
   }
-  // With a proof only what is proved is contact.
+  // With a proof, only proved contact counts as contact.
   EXPECT_NE(cast(tile, box, {.request = Request::everything}).outcome, Outcome::miss);
 }
 

@@ -41,7 +41,7 @@ TEST(FarArms, PivotsAnUlpOffTheAxisAreNotAsOne) {
       EXPECT_FALSE(r.plan.has(PlanReason::as_one)) << scene.name;
       ASSERT_EQ(r.outcome, Outcome::hit) << scene.name;
       EXPECT_LE(r.toi_lower, scene.toi) << scene.name;
-      // Of the standard tier bodies within 4,096 u of their scale, here the arm, are in contact.
+      // In the standard tier, bodies within 4,096 u of their scale, here the arm, are in contact.
       const double early = tier == Tier::certified ? 0 : 1e-3;
       EXPECT_GE(r.toi_upper, scene.toi - early) << scene.name;
       EXPECT_LT(r.counters.supports, 200) << scene.name;
@@ -49,7 +49,7 @@ TEST(FarArms, PivotsAnUlpOffTheAxisAreNotAsOne) {
   }
 }
 
-// Where the difference of far pivots is parallel to w, exactly, nothing moves: rounded to doubles or not.
+// If the difference of far pivots is exactly parallel to w, nothing moves, rounded to doubles or not.
 TEST(FarArms, PivotsOnOneAxisAreAsOne) {
   RotatingBody<double> a = cube(), b = cube();
   a.rotation = b.rotation = {0.1, 0.3, -0.7};
@@ -107,8 +107,9 @@ TEST(FarArms, BodiesAtRestFarOutInTheirOwnFramesReachAsFarAsTheyDo) {
   }
 }
 
-// Two balls on long arms about axes an ulp apart, which point along the line between the balls as far as a
-// product in doubles can tell: n x w was 0, and so were the bounds of speed and acceleration along n.
+// Two balls on long arms rotate about axes an ulp apart, which point along the line between the balls to
+// within the rounding of a product of doubles. n x w was 0, and so were the bounds of speed and acceleration
+// along n.
 TEST(FarArms, AxesParallelButForAnUlpMoveFarBodies) {
   const double more = 1.7578748123442727, less = 1.757874812344273;
   struct Scene {
@@ -129,9 +130,9 @@ TEST(FarArms, AxesParallelButForAnUlpMoveFarBodies) {
   }
 }
 
-// A ball put 2^36 out in its own frame and turned back. What a quick walk through its poses rounded, 6e-6,
-// made its bounds those of a point at the origin, which no turn of the body moves: the certified bracket of a
-// linear cast began 7e-7 after the contact.
+// A ball put 2^36 out in its own frame and rotated back. The rounding of a quick walk through its poses,
+// 6e-6, made its bounds those of a point at the origin, which no rotation of the body moves. The certified
+// bracket of a linear cast then began 7e-7 after the contact.
 TEST(FarArms, PartsPutOutAndTurnedBackAreWhereTheyAre) {
   const Vec3<double> there{-32985348833.28, 41231686041.6, 43980465111.04},
       back{4773817793.885956, 32747595716.898575, 60226008678.16984};

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-// What a cast needs at most (docs/reference/guarantees.md), in supports.
+// The most supports that a cast needs (docs/reference/guarantees.md).
 constexpr int kMostSupports = 1024;
 
 // Lengths in metres. A floor whose top is z = 0, and a crate that stands on it, unless turned by `tilt` and moved.
@@ -105,15 +105,16 @@ TYPED_TEST(FollowContact, ABoxThatTipsIntoTheFloorIsAHitAtOnce) {
     scene.crate.rotation = {0, 1, 0};
     if (tilted) scene.tilt({1, 2, 2, 4});
     const RotatingResult<S> found = scene.cast_in(Tier::standard);
-    // The far corner goes down by 1/2 a unit of t; kappa u scale is 23 metres times 4,096 u, in float 64 u.
+    // The far corner goes down by 1/2 a unit of t. kappa u scale is 23 metres times 4,096 u, in float 64 u.
     const double deep = 23 * (sizeof(S) == 4 ? 64 * 0x1p-24 : 4096 * 0x1p-53);
     expect_hit(found, 0, 2.1 * deep);
     EXPECT_GT(found.toi_upper, 0);
   }
 }
 
-// About an edge on the floor the crate lifts off with everything else. It lands on its end after a quarter of a turn less
-// the angle of the diagonal; here it has landed on the face beside when the edge's other face is down.
+// About an edge on the floor the crate lifts off with all its other points. It lands on its end after a
+// quarter of a rotation less the angle of the diagonal. Here it has landed on the adjacent face when the
+// edge's other face is down.
 TYPED_TEST(FollowContact, ABoxThatTipsAboutItsEdgeIsAHitWhereTheNextFaceLands) {
   using S = TypeParam;
   const double quarter = std::acos(-1.0) / 2;
@@ -161,8 +162,8 @@ TYPED_TEST(FollowContact, ABoxThatLiftsAndLandsIsAHitWhereItLands) {
   }
 }
 
-// About an axis within the table the crate rises on its right and comes down on its left; lifted a little it starts apart
-// and does the same.
+// The crate rotates about an axis within the table, so it rises on its right and comes down on its left.
+// Lifted a little, it starts apart and does the same.
 TYPED_TEST(FollowContact, ABoxThatLeavesIsAHitWhereItMeetsTheBodyAgain) {
   using S = TypeParam;
   Scene<S> scene;

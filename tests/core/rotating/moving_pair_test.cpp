@@ -1,5 +1,5 @@
-// What a rotating cast rests on: the turn, the placed pair and the bounds of its motion, against arithmetic
-// of 50 digits.
+// Tests the foundations of a rotating cast, namely the rotation, the placed pair and the bounds of its
+// motion, against arithmetic of 50 digits.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -59,7 +59,7 @@ TEST(Turn, SineAndCosineAreWithin2ToMinus90) {
   }
 }
 
-// Every support point that the pair gives is a point of the true CSO, within its own bound; far pivots and
+// Every support point that the pair gives is a point of the true CSO, within its own bound. Far pivots and
 // large common positions are in the draw.
 TEST(MovingPair, PlacesThePointsWhereTheyAre) {
   Draw draw{72};
@@ -91,8 +91,8 @@ TEST(MovingPair, PlacesThePointsWhereTheyAre) {
   EXPECT_GT(worst, 1e-3);  // the bound is of the right size
 }
 
-// The bounds of speed and acceleration along n hold for the sets, sampled; and they vanish for a ball about
-// its centre, a capsule and a cylinder about their own axes.
+// The bounds of speed and acceleration along n hold for the sets, sampled. They vanish for a ball about its
+// centre, and for a capsule and a cylinder about their own axes.
 TEST(Mobility, BoundsTheMotionOfTheSet) {
   Draw draw{73};
   for (int round = 0; round < 300; ++round) {

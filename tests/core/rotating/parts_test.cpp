@@ -1,4 +1,4 @@
-// Parts of the proof that turning bodies meet: weights of the origin, and a passage through a flat C.
+// Parts of the proof of contact of rotating bodies: weights of the origin, and a passage through a flat C.
 #include <gtest/gtest.h>
 
 #include <graze/detail/rotating/crossing.hpp>

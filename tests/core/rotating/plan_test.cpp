@@ -101,7 +101,7 @@ TEST(Plan, ChangesNoVerdict) {
   }
 }
 
-// In tier certified only what is not there at all is left away.
+// The certified tier omits only motion that is exactly zero.
 TEST(Plan, CertifiedLeavesNoTurnAway) {
   auto options = asked();
   options.tier = Tier::certified;

@@ -42,7 +42,7 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     const Vec3<double> h_a = half(), h_b = half(), d = draw.vector<double>(3);
     const Boxes boxes(h_a, h_b, d);
     const double unit = power_of_two(-boxes.pair.cso().length_exponent());
-    // Of boxes along the axes the distance is that of the gaps along each.
+    // The distance of boxes along the axes is that of the gaps along each.
     const double truth = unit * (d.cwiseAbs() - h_a - h_b).cwiseMax(0).norm();
     detail::Simplex<double> simplex;
     detail::Distance<double> found;
@@ -67,7 +67,7 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
     }
     ++apart;
     EXPECT_GE(found.upper, truth - noise) << round;
-    // Known to the gap asked for, or to a sixteenth of itself.
+    // Known to the requested gap, or to a sixteenth of itself.
     EXPECT_LE(found.upper - found.lower, std::max(gap, found.lower / 16)) << round;
     EXPECT_NEAR(found.n.norm(), 1, 4 * kUnitRoundoff<double>) << round;
     EXPECT_LE(found.lower, -unit * farthest(h_a, h_b, d, found.n) + noise) << round;
@@ -77,7 +77,8 @@ TEST(FastNearest, ItsBoundsAreThoseOfBoxesSideBySide) {
   EXPECT_GT(quick, 1800);
 }
 
-// Warm from another time, and where it gives up: what is handed out is that of the robust search.
+// With a warm start from another time, and where the fast search gives up, the result is that of the robust
+// search.
 TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
   Draw draw{312};
   for (int round = 0; round < 300; ++round) {
@@ -103,8 +104,9 @@ TEST(FastNearest, FromAnotherTimeItFindsTheSame) {
   }
 }
 
-// Three corners at 1e-8 of the origin and one far from it: the volume has a sign, the weights hardly a digit. What is
-// said to be inside has weights that say so; what they leave far from the origin is given up.
+// Three corners at 1e-8 of the origin and one far from it: the volume has a sign, but the weights have hardly
+// a digit. Weights confirm every claim that the origin is inside. If they leave it far from the origin,
+// the search gives up.
 TEST(FastNearest, ATetrahedronWithoutWeightsIsGivenUp) {
   Draw draw{313};
   const Boxes boxes({1, 1, 1}, {1, 1, 1}, {0, 0, 0});

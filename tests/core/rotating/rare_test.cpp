@@ -1,5 +1,5 @@
-// What casts of turning bodies rarely meet: spheres of bounds that meet where the bodies do, a contact
-// between two times, a published step that stands still; and what plans say.
+// Rare cases of rotating casts: spheres of bounds that meet where the bodies do, a contact between two times,
+// a published step that stands still, and the statements of plans.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,9 +55,9 @@ TEST(RotatingRare, ACrossingSaysFromWhen) {
   EXPECT_LE(0.5, r.proof->toi_upper);
 }
 
-// Ellipsoids a little farther apart than the tolerance, which GJK knows to a quarter of it only: where the
-// pair that is pushed back is within the tolerance already, the step stands still. That is contact by the
-// tolerance.
+// Ellipsoids are a little farther apart than the tolerance, and GJK knows their distance only to a quarter of
+// it. If the pair that is pushed back is within the tolerance already, the step stands still. It is in
+// contact by the tolerance.
 TEST(RotatingRare, AStepThatStandsStillIsContact) {
   Draw draw{1};
   int contacts = 0;
@@ -100,8 +100,9 @@ TEST(RotatingRare, AStartThatTouchesHasItsClosestPoints) {
   EXPECT_LE((r.point_b - V(-4, -1, -3)).norm(), 1e-9);
 }
 
-// Two points, at one place at t = 0, one of which turns about a pivot beside it: what is left of arms that
-// cancel is known to 2^-90 of them, so the certified tier cannot tell, and must not say miss.
+// Two points are at one place at t = 0, and one of them rotates about a pivot beside it. The remainder of
+// arms that cancel is known to 2^-90 of them, so the certified tier cannot decide, and must not return a
+// miss.
 TEST(RotatingRare, ArmsThatCancelLeaveAStartOpen) {
   const RotatingBody<double> a{.body = {.position = {1, 1, 0}}};
   const RotatingBody<double> b{.body = {.position = {1, 1, 0}, .orientation = {0, 0, 1, 32}},
@@ -115,8 +116,8 @@ TEST(RotatingRare, ArmsThatCancelLeaveAStartOpen) {
   EXPECT_EQ(r.toi_lower, 0);
 }
 
-// A rod and a needle with a square for a tip, on one line and 4e-8 into each other: the origin is amid the
-// square, on the diagonal of its corners, and of four corners of C none surround it.
+// A rod and a needle with a square for a tip, on one line and 4e-8 into each other. The origin is amid the
+// square, on the diagonal of its corners, and no four corners of C surround it.
 TEST(RotatingRare, AContactThatNoFourCornersSurroundIsOneAtTheStart) {
   const double thick = 0x1p-14;
   const std::vector<V> tip = {
@@ -154,8 +155,8 @@ TEST(RotatingRare, APointOnTheAxisOfAConeIsContact) {
   }
 }
 
-// An octahedron that spins about its diagonal: on it no four of the six corners have the origin inside. Three and the
-// mean of two do, and a square pyramid's five as well; a hexagon's tip has four.
+// An octahedron that spins about its diagonal: on it no four of the six corners have the origin inside. Three
+// corners and the mean of two do, and so do a square pyramid's five. A hexagon's tip has four such corners.
 TEST(RotatingRare, ATipOnAPointIsContact) {
   const RotatingBody<double> a{.body = {.shape = Point<double>{}}};
   for (const int corners : {4, 6}) {
@@ -190,9 +191,10 @@ TEST(RotatingRare, ATipOnAPointIsContact) {
   }
 }
 
-// A crate that yaws slides from one floor tile onto the next, level with it: before they touch the axis is that of the
-// tile's edge, along which the crate goes on, in contact that of its top, along which nothing moves. The contact is a tie
-// and stays open; that must not cost a look at every millionth of the step.
+// A crate that yaws slides from one floor tile onto the next, level with it. Before they touch, the axis is
+// that of the tile's edge, along which the crate advances. In contact it is that of the tile's top, along
+// which nothing moves. The contact is a tie and stays undecided. It must not cost an evaluation at every
+// millionth of the step.
 TEST(RotatingRare, AContactThatStaysATieIsNotLookedAtAllAlong) {
   const RotatingBody<double> tile{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {3, 0, -1}}};
   for (const double spin : {1e-3, 1.0, 10.0}) {
@@ -210,7 +212,7 @@ TEST(RotatingRare, AContactThatStaysATieIsNotLookedAtAllAlong) {
   }
 }
 
-// The start is asked before the rest of the motion is looked at.
+// The start is decided before the rest of the motion.
 TEST(RotatingRare, ABoxThatSpinsWhereItRestsIsInContactAtOnce) {
   const RotatingBody<double> floor{.body = {.shape = Box<double>{{50, 50, 1}}}};
   const RotatingBody<double> box{.body = {.shape = Box<double>{{1, 1, 1}}, .position = {0, 0, 2}},

@@ -1,5 +1,5 @@
-// What a cast's tolerance may change, and what it may not; that the work is counted; and parts of an answer
-// that a right time does not show to be right.
+// Tests which results a cast's tolerance may change, and which it may not. Tests that the work is counted,
+// and parts of an answer that a right time does not confirm.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <graze/detail/pairs/side.hpp>
@@ -83,9 +83,9 @@ TEST(CastOptions, AToleranceMakesNoContactOfANearStart) {
 
 // Report: a prism that slides onto another of nearly the same base was hit late, by up to 2.6e-3 of the
 // scene, where the tolerance is the prism's height. Mechanism: by the plane of a steep portal its bracket was
-// as narrow as asked; the portal's own point lay later and made it wider, and a wider one was taken to have
-// been closed to rounding, with the contact at its later end. Threshold: 64 u scale, scale being the way at
-// most.
+// as narrow as requested. The portal's own point lay later and made it wider, and a wider bracket was taken
+// to have been closed to rounding, with the contact at its later end. Threshold: 64 u scale, where the scale
+// is at most the way.
 TEST(CastOptions, AToleranceMakesNoTimeLate) {
   Draw draw{82};
   const auto prism = [&](double height, double jitter) {
@@ -218,7 +218,7 @@ TEST(CastOptions, ACertifiedHitIsProvedFromBothSides) {
   ASSERT_EQ(r.outcome, Outcome::hit);
   ASSERT_TRUE(r.proof.has_value());
   EXPECT_EQ(r.proof->portal_size, 3);
-  // The tier's width, over the speed; the scale is the distance of the centres.
+  // The tier's width, over the speed. The scale is the distance of the centres.
   const double width = kLinearCertifiedWidth * b.position.norm() / b.displacement.norm();
   EXPECT_NEAR(r.proof->toi_upper, 0.3125, width);
   EXPECT_NEAR(r.proof->toi_lower, 0.3125, width);

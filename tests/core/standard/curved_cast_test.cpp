@@ -62,9 +62,10 @@ class CurvedWitnesses : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(CurvedWitnesses, Scalars);
 
-// Report: contact points of the curved walk off their body by 12,253 u scale in double, and by 0.7 % of the scale in
-// float: the weights of a contact were cut off at 0 and not divided by their sum. In 76 of 350,000 hits of an ellipsoid, a
-// cone or a cylinder on a long rod or a plate, whose corners make needles as seen along the path.
+// Report: contact points of the curved walk were off their body by 12,253 u scale in double, and by 0.7 % of
+// the scale in float. Mechanism: the weights of a contact were cut off at 0 and not divided by their sum.
+// This occurred in 76 of 350,000 hits of an ellipsoid, a cone or a cylinder on a long rod or a plate, whose
+// corners make needles as seen along the path.
 TYPED_TEST(CurvedWitnesses, LieOnTheirBodies) {
   using S = TypeParam;
   Draw draw{76};
@@ -90,7 +91,7 @@ TYPED_TEST(CurvedWitnesses, LieOnTheirBodies) {
     b.shape = Box<S>{half};
     if (round % 2 == 0) a.orientation = draw.turn<S>();
     if (round % 5 == 0) b.orientation = draw.turn<S>();
-    // Where A meets the rod, near an end of it or anywhere along.
+    // The place where A meets the rod: near an end of it or anywhere along.
     Vec3<S> there = draw.vector<S>(1);
     if (round % 7 == 0) there = {S(0.999), S(0.999), S(0.999)};
     const Mat3<double> turn = detail::rotation_matrix(detail::as_double(b.orientation));
@@ -104,7 +105,7 @@ TYPED_TEST(CurvedWitnesses, LieOnTheirBodies) {
     const detail::Cso<double> cso(a, b);
     const double scale = std::ldexp(double(cso.scale()), cso.length_exponent());
     for (const auto& [body, point] : {std::pair(&a, &result.point_a), std::pair(&b, &result.point_b)}) {
-      // Half of what the guarantee leaves; and the rounding of the point's coordinates.
+      // Half of the guarantee's bound is left for this, and the rounding of the point's coordinates.
       EXPECT_LE(outside<S>(body->shape, in_own_axes(*body, *point, result.toi_lower)),
                 32 * u * scale + 2 * u * double(point->norm()))
           << "round " << round;

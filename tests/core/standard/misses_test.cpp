@@ -34,8 +34,8 @@ TEST(Misses, AClipThatMissesHasAnAxis) {
   }
 }
 
-// Thin plates, and points a few roundings above them: the line to the middle runs nearly in the plate, so
-// that neither a portal's height nor its plane says on which side of it the origin is.
+// Thin plates, and points a few roundings above them. The line to the middle runs nearly in the plate, so
+// neither a portal's height nor its plane says on which side of it the origin is.
 class ThinPlate : public testing::Test {
  protected:
   // The plate, 2 wide or so, and B's radius.
@@ -131,8 +131,8 @@ TEST(Misses, AtRestBesideALongSegmentIsProved) {
 }
 
 // Report: gjk/double missed a triangle that a point meets 1.3e-8 of its way before the path ends. Mechanism:
-// at a contact, rounding had put the point beyond the plane, by less than the noise; the axis of what was
-// left of the distance then showed the triangle behind, and a bound of 2e-16 along it was taken for a miss.
+// at a contact, rounding had put the point beyond the plane, by less than the noise. The axis of the
+// remaining distance then showed the triangle behind, and a bound of 2e-16 along it was taken for a miss.
 TEST(Misses, AnAxisOfRoundingAtAContactIsNone) {
   const Body<double> a{
       .shape = Triangle<double>{{2, 3, 1},

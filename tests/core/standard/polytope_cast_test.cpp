@@ -50,8 +50,8 @@ double scale_of(const Body<S>& a, const Body<S>& b) {
   return std::ldexp(double(cso.scale()), cso.length_exponent());
 }
 
-// What the search claims, against the exact tier and against the robust search. `thin`: the verdict may be
-// that of shapes that are moved by the noise of contact.
+// Compares the claims of the search with the exact tier and with the robust search. `thin`: the verdict may
+// be that of shapes that are moved by the noise of contact.
 template <class Search, class S = typename Search::Number>
 void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally& tally) {
   CastOptions<S> options;
@@ -103,7 +103,7 @@ void expect_right(const Body<S>& a, const Body<S>& b, S t_max, bool thin, Tally&
   // A plane that is moved by the noise is met that much earlier or later.
   const Vec3<double> v = b.displacement.template cast<double>() - a.displacement.template cast<double>();
   const double closing = -quick.normal.template cast<double>().dot(v);
-  // Of a contact that the path grazes the unit normal rounds.
+  // At a contact that the path grazes, the unit normal rounds.
   EXPECT_GT(closing, -8 * double(kUnitRoundoff<S>) * speed);
   const double slack = noise / std::max(closing, 1e-300) + 4 * double(kUnitRoundoff<S>) * double(t_max);
   EXPECT_LE(quick.toi_lower, double(exact.toi_upper) + slack);
@@ -214,8 +214,8 @@ TYPED_TEST(FastCast, LatticesAreRightOrGivenUp) {
 }
 
 // The path passes C's silhouette at a distance from a thousandth of the scale down to a thousandth of u
-// scale, on either side: a miss that is claimed is one, a hit may be one of shapes that are moved by the
-// noise.
+// scale, on either side. A claimed miss is a true miss, and a hit may be a hit of shapes that are moved by
+// the noise.
 TYPED_TEST(FastCast, GrazesAreRightOrGivenUp) {
   using S = typename TypeParam::Number;
   Draw draw{73};
@@ -298,9 +298,9 @@ TYPED_TEST(FastCast, PowersOfTwoChangeNoBit) {
 }
 
 // Report: mpr/double missed a needle that crosses a bar of 5e-12 by 5e-12, 2.3e-13 of scale deep. Mechanism:
-// the first portal lay behind the start, and the exit of the line was looked for; an axis that rounding had
-// tilted towards the path by 1e-5 was held to the start alone, as if it faced the path. One in 500,000 of
-// such pairs.
+// the first portal lay behind the start, and the exit of the line was searched. An axis that rounding had
+// tilted towards the path by 1e-5 was tested at the start alone, as if it faced the path. This occurred in
+// one of 500,000 such pairs.
 TEST(FastWalk, NeedlesThatCrossAreNotMissed) {
   const Quaternion<double> turn{2, 2, -3, 0};
   const Body<double> a{.shape = Segment<double>{{1.14007115829736, 2.5e-12, 2.5e-12},
@@ -339,7 +339,7 @@ TYPED_TEST(SweptPolytopes, StartsThatTouchAreRight) {
       return Hull<S>(std::span<const Vec3<S>>(list));
     };
     Body<S> a{.shape = shape()}, b{.shape = shape()};
-    // Vertex on vertex, along the axes or askew; or one unit of the lattice apart.
+    // Vertex on vertex, along the axes or askew, or one unit of the lattice apart.
     const detail::Cso<double> cso(a, b);
     const Vec3<double> n =
         round % 2 == 0 ? Vec3<double>(Vec3<double>::Unit(round / 2 % 3)) : draw.vector<double>(1);

@@ -41,8 +41,8 @@ TEST(RoundCast, IsNeverLateWhereFloatsCannotTellVerticesApart) {
   EXPECT_GT(hits, 400);
 }
 
-// Of a hit with a tolerance the normal is the axis that the lower end is proved by: nothing of C lies beyond its plane
-// through the path's point then.
+// For a hit with a tolerance, the normal is the axis that proves the lower end: nothing of C lies beyond its
+// plane through the path's point then.
 TEST(RoundCast, TheNormalSupportsWhatTheLowerEndSays) {
   Draw draw{312};
   int hits = 0;

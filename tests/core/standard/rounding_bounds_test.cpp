@@ -16,7 +16,7 @@ using V = Vec3<double>;
 
 constexpr double kU = kUnitRoundoff<double>;
 
-// A part that is turned with what holds it is known no better than where it is put.
+// A part that rotates with its parent is known no better than its place.
 TEST(RoundingBounds, APartIsAsUncertainAsItsPlace) {
   const Shape<double> part = Box<double>{{0.5, 0.25, 0.125}};
   const auto point = [&](const V& place, const Quaternion<double>& turn) {
@@ -25,7 +25,7 @@ TEST(RoundingBounds, APartIsAsUncertainAsItsPlace) {
   };
   const Quaternion<double> none{1, 0, 0, 0}, turn{1, 2, 3, 4};
   EXPECT_EQ(point(V(8, -4, 2), none), point(V::Zero(), none));
-  // 9 u of a vector that is turned, at the least (tree.hpp), of a place of size 9.
+  // At least 9 u of a rotated vector (tree.hpp), for a place of size 9.
   EXPECT_GE(point(V(8, -4, 2), turn), point(V::Zero(), turn) + 9);
 }
 
@@ -38,7 +38,7 @@ TEST(RoundingBounds, ACombinatorFarOutHasItsOwnExtent) {
   EXPECT_EQ(bounds.center + bounds.middle, V(64, 32, -16));
 }
 
-// Per component 4 u M + kTurn u (|a| + |b|) + point_error (cso.hpp), and nothing for a turn that permutes axes.
+// Per component 4 u M + kTurn u (|a| + |b|) + point_error (cso.hpp), and nothing for a rotation that permutes axes.
 TEST(RoundingBounds, ATurnCountsForTheErrorOfPoints) {
   const auto error = [](const Quaternion<double>& q) {
     const Body<double> a{.shape = Box<double>{{1, 0.5, 0.25}}, .orientation = q};
@@ -66,7 +66,7 @@ TEST(RoundingBounds, WhatCancelsIsNoBetterThanSumsOfTwoDoubles) {
   const Shape<double> there = translated<double>(Point<double>{}, far);
   const Shape<double> back = posed<double>(there, far, half_turn);
   EXPECT_GE(error(back, V::Zero(), {1, 0, 0, 0}), 0x1p-98 * far.norm());
-  // What does not cancel has its own rounding, and no more.
+  // Terms that do not cancel add their own rounding, and no more.
   EXPECT_LE(error(Box<double>{{1, 1, 1}}, V(4, 0, 0), {1, 2, 3, 4}), 0x1p-45);
 }
 
@@ -84,7 +84,7 @@ TEST(RoundingBounds, ARateOfTurningIsNotBelowTheTrueOne) {
   }
 }
 
-// A turns about z, B is a point at rest: seen from A it runs a circle of radius c, and bends by w^2 c.
+// A rotates about z, B is a point at rest: seen from A it runs a circle of radius c, and bends by w^2 c.
 TEST(RoundingBounds, ABendInATurningFrameCountsTheWayToTheOther) {
   const RotatingBody<double> a{.body = {.shape = Box<double>{{1, 1, 1}}}, .rotation = {0, 0, 2}};
   const RotatingBody<double> b{.body = {.shape = Point<double>{}, .position = {3, 0, 0}}};
@@ -94,7 +94,7 @@ TEST(RoundingBounds, ABendInATurningFrameCountsTheWayToTheOther) {
   EXPECT_LE(pair.bend(AxisFrame::a, V(1, 0, 0), 1.0), 4 * c * (1 + 1e-12));
 }
 
-// The same with B flying by at v, and A turning: the distance grows by v t, and 2 w v is Coriolis'.
+// The same with B flying by at v, and A rotating: the distance grows by v t, and 2 w v is Coriolis'.
 TEST(RoundingBounds, ABendInATurningFrameCountsTheFlight) {
   const RotatingBody<double> a{.body = {.shape = Box<double>{{1, 1, 1}}}, .rotation = {0, 0, 2}};
   const RotatingBody<double> b{
@@ -130,14 +130,13 @@ TEST(RoundingBounds, ASumHasTheNodesOfItsParts) {
 TEST(RoundingBounds, PointsOfACombinatorAreDrawnInFarther) {
   const Body<double> plain{.shape = Sphere<double>{1}};
   const Body<double> tree{.shape = rounded<double>(sum<double>(Box<double>{{1, 1, 1}}, Point<double>{}), 1)};
-  // A unit vector within 4 u, and one product; of a combinator two sums besides, of the radius and the
+  // A unit vector within 4 u, and one product. For a combinator, two sums besides, of the radius and the
   // excess.
   EXPECT_GE(detail::inside_slack(plain), 5 * kU);
   EXPECT_GE(detail::inside_slack(tree), detail::inside_slack(plain) + 2 * kU);
 }
 
-// What a name says exactly is the point that sums of two doubles made, whatever is turned inside of the
-// shape.
+// The exact meaning of a name is the point that sums of two doubles made, for any rotation inside the shape.
 TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
   Draw draw{212};
   for (int round = 0; round < 100; ++round) {
@@ -162,8 +161,8 @@ TEST(RoundingBounds, ANamedPointIsWhereItsNameSays) {
   }
 }
 
-// A name is of the point that was found, also along a direction where two points of a part tie: the rims of
-// a cylinder seen from its side, the apex of a cone and its rim.
+// A name belongs to the point that was found, even along a direction in which two points of a part tie: the
+// rims of a cylinder seen from its side, the apex of a cone and its rim.
 TEST(RoundingBounds, ANameIsOfThePointThatWasFound) {
   const Shape<double> cylinder = Cylinder<double>{1, 2}, cone = Cone<double>{3, 2};
   const V from_side(0.6, 0.8, 0), over_slant = V(0.36, 0.48, 0.45) / 0.75;

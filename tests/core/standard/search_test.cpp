@@ -89,7 +89,7 @@ TEST(SearchParts, AHullKnowsTheRangeOfItsNumbers) {
   EXPECT_EQ(hull.smallest_nonzero(), 0x1p-50);
 }
 
-// What heights are compared by is about the middle of the bounds, along every axis.
+// Heights are compared relative to a point near the middle of the bounds, along every axis.
 TEST(SearchParts, HeightsAreComparedAboutTheMiddle) {
   std::vector<V> far;
   for (const double x : {0.0, 2.0}) far.push_back(V(x, 2 * x, -4 * x));
@@ -212,7 +212,8 @@ TEST(SearchParts, ASilhouetteIsFoundFromEverySide) {
   }
 }
 
-// Of a start that goes in, a search cut short says neither that it does nor that it does not.
+// For a start whose motion enters the body, a search cut short claims neither that it enters nor that it does
+// not.
 TEST(SearchParts, ASpentBudgetLeavesAStartOpen) {
   Draw draw{227};
   int open = 0;
@@ -262,7 +263,8 @@ int proved_hits(std::uint64_t seed, const Pair& pair, const CastOptions<double>&
   return hits;
 }
 
-// A row of 64 u of the scale for the bracket, and as much for the proof; scale is below 8, the speed above 8.
+// The guarantee grants 64 u of the scale to the bracket, and as much to the proof. The scale is below 8, the
+// speed above 8.
 TEST(SearchParts, AHitOfPolytopesIsProvedFromBothSides) {
   const auto pair = [](Draw& draw) {
     const Body<double> a{.shape = draw.hull<double>(12, 1)};
@@ -322,8 +324,8 @@ TEST(SearchParts, AGrazeBetweenFloatAndDoubleIsDecidedInDouble) {
   EXPECT_GT(misses, 50);
 }
 
-// Every step of the quick walk, of discovery and of refinement, asks for one support point; two come before
-// them, and where it ends one is asked for in double.
+// Every step of the quick walk, of discovery and of refinement, evaluates one support point. Two come before
+// them, and one in double comes at the end.
 TEST(SearchParts, PortalStepsAreCountedAsSupportsAre) {
   Draw draw{226};
   int long_walks = 0;

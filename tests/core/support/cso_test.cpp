@@ -45,7 +45,7 @@ TEST(Cso, SupportIsTheGreatestVertexDifference) {
       for (const auto& y : posed(b)) brute = std::max(brute, n.dot(x - y));
     }
     const detail::CsoPoint<double> p = cso.support(n);
-    // reach_error() bounds the support's error; the brute force has as much of its own.
+    // reach_error() bounds the support's error, and the brute force has as much of its own.
     const double slack = 2 * cso.to_length(cso.reach_error()) * n.norm();
     EXPECT_NEAR(cso.to_length(n.dot(p.w)), brute, slack) << round;
     EXPECT_LT(slack, 1e-11);

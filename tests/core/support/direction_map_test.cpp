@@ -1,4 +1,5 @@
-// The map of a large hull against its scan, to the bit; and what a list leaves out against heights in long double.
+// Compares the map of a large hull with its scan, to the bit, and the vertices that a list omits with heights
+// in long double.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,8 +21,8 @@ Vec3<S> scan_point(const Hull<S>& hull, std::uint32_t k) {
   return {hull.choice_scan(0)[k], hull.choice_scan(1)[k], hull.choice_scan(2)[k]};
 }
 
-// Random ones; axes, diagonals and other borders of squares; normals of and perpendiculars to edges of the hull; some
-// with a component that hardly counts, and all but the first off by an ulp as well.
+// Random directions, axes, diagonals and other borders of squares, and normals of and perpendiculars to edges
+// of the hull. Some have a component that hardly counts, and all but the first occur off by an ulp as well.
 template <class S, class Given>
 std::vector<Vec3<S>> directions(const Hull<Given>& hull, Draw& draw, int count) {
   std::vector<Vec3<S>> out;
@@ -109,7 +110,7 @@ TEST(DirectionMap, TheSameVertexAsAScanOfAll) {
   EXPECT_GT(listed, asked * 99 / 100);
 }
 
-// Of two points whose heights floats hardly tell apart both are kept.
+// If floats hardly resolve the heights of two points, both are kept.
 TEST(DirectionMap, TheSameOfPointsWithATwinBesideThem) {
   for (const double apart : {1e-8, 1e-7, 3e-7}) {
     const std::vector<Vec3<double>> points = large_hull<double>(Family::sphere, 300, 5);
@@ -159,8 +160,8 @@ TEST(DirectionMap, TheSameFarFromTheOriginAndOfPointsGivenTwice) {
   }
 }
 
-// What the map promises, of directions 2^-15 beside the one that was looked up as well: what is not in the list is lower
-// than something in it by 10 u B, B the sum of |d_i| times the reach.
+// The promise of the map, also for directions 2^-15 beside the one that was looked up. A vertex that is not
+// in the list is lower than one in it by 10 u B, B the sum of |d_i| times the reach.
 TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
   using Long = long double;
   constexpr Long kRounding = 10 * Long(kUnitRoundoff<float>);
@@ -199,7 +200,7 @@ TEST(DirectionMap, WhatAListLeavesOutIsLowerByMoreThanFloatsRound) {
   EXPECT_GT(left_out, 100000);
 }
 
-// Measured: 16 vertices a list on a sphere, 96 to 192 bytes a vertex; 155 of 4,096 on two rings.
+// Measured: 16 vertices a list on a sphere, 96 to 192 bytes a vertex. On two rings 155 of 4,096.
 TEST(DirectionMap, ListsAreShortAndTakeLittleRoom) {
   for (const int vertices : {256, 1024, 2048, 4096}) {
     const Hull<double> hull = mapped<double>(Family::sphere, vertices);

@@ -31,7 +31,8 @@ std::size_t first_of_greatest(const std::vector<float>& xyz, const Vec3<float>& 
   return best;
 }
 
-// Apart; on a lattice, where many tie; or a few ulps about one point, where rounding decides.
+// Vertices apart, vertices on a lattice, where many tie, or a few ulps about one point, where rounding
+// decides.
 enum class Kind { apart, lattice, near };
 
 // Whole blocks, of which the last points are copies of the first, as hulls pad them.

@@ -55,7 +55,7 @@ TEST(PreparedCore, FewPointsAreWhereTheyAre) {
   EXPECT_GT(kept, 1000);
 }
 
-// Of a triangle that is thin along one axis, and lies aside along it, there is no centre to turn.
+// A triangle that is thin along one axis, and lies aside along it, has no centre to rotate.
 TEST(PreparedCore, AThinTriangleNearTheOriginHasNoCentre) {
   const Body<double> body{.shape = Triangle<double>{{0.3, 1, 0}, {0.31, -1, 0.5}, {0.3, 0, -0.5}}};
   EXPECT_EQ(detail::PreparedCore<double>(body).center().vector(), V::Zero());

@@ -127,7 +127,7 @@ TEST(PointSet, CoordinatesWhoseProductsUnderflowAreRefused) {
 }
 
 TEST(HeightSign, WidelySpreadTermsAreSummedExactly) {
-  // The first components tie; the second decides, 2^-900 as large.
+  // The first components tie, and the second decides, 2^-900 as large.
   EXPECT_EQ(detail::exact::height_sign({1, 0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), 1);
   EXPECT_EQ(detail::exact::height_sign({1, -0x1p-900, 0}, {1, 1, 0}, {1, -1, 0}), -1);
   EXPECT_EQ(detail::exact::height_sign({0x1p-1000, 0x1p-1000, 0}, {1, -1, 3}, {-1, 1, 0}), 0);
@@ -261,7 +261,7 @@ TEST(HullGraph, LargeCommonOffsetIsNoObstacle) {
 
 class HintedBox : public testing::Test {
  protected:
-  // Vertex k has x_i = 1 where bit i of k is set; the faces anticlockwise from outside.
+  // Vertex k has x_i = 1 where bit i of k is set. The faces are anticlockwise from outside.
   HintedBox() {
     for (unsigned k = 0; k < 8; ++k) points.emplace_back(k & 1u ? 1 : 0, k & 2u ? 1 : 0, k & 4u ? 1 : 0);
   }

@@ -13,7 +13,7 @@ TEST(Hull, KeepsEveryVertexAsGivenDuplicatesToo) {
   EXPECT_EQ(hull.vertex(1), Vec3<double>(1, 2, 3));
 }
 
-// Every list of points names its scalar, and a hull keeps none of them.
+// Every list of points names its scalar, and a hull does not keep the list.
 TEST(Hull, IsMadeOfAnyListOfPointsAndOwnsThem) {
   std::vector<Eigen::Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const Hull hull(points);
@@ -68,7 +68,7 @@ TEST(Hull, PadsItsScanWithVertexZero) {
 }
 
 TEST(Hull, LargeCommonOffsetIsRemovedExactly) {
-  // 1e8 + 1/8 is a double; the vertices differ by eighths.
+  // 1e8 + 1/8 is a double, and the vertices differ by eighths.
   const Hull<double> hull{{1e8, 0, 0}, {1e8 + 0.125, 1, 0}, {1e8 + 0.25, 0, 1}};
   const double unit = std::ldexp(1.0, hull.exponent());
   for (std::size_t k = 0; k < hull.size(); ++k) {

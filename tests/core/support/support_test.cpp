@@ -1,6 +1,6 @@
-// Every shape's support function against the definition of its set: h(n) from a formula that shares nothing
-// with the code, the point inside the set (m.x <= h(m) for many m), greatest along n (n.x = h(n): then n is
-// in the normal cone at x).
+// Every shape's support function against the definition of its set. The value h(n) comes from a formula that
+// shares nothing with the code. The point is inside the set (m.x <= h(m) for many m) and greatest along n
+// (n.x = h(n): then n is in the normal cone at x).
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <graze/detail/pairs/cso.hpp>
@@ -155,7 +155,7 @@ TYPED_TEST(Support, IsInTheShapeAndGreatest) {
   }
 }
 
-// Where the leaf is a polytope, never a bit below the greatest of its vertices, in tie or not.
+// For a leaf that is a polytope, the support is never a bit below the greatest of its vertices, tied or not.
 TYPED_TEST(Support, OfSmallPolytopesIsTheFirstOfTheGreatest) {
   using S = TypeParam;
   const std::array<Vec3<S>, 3> tie = {Vec3<S>(0, 0, 1), Vec3<S>(0, 0, 1), Vec3<S>(0, 0, -1)};

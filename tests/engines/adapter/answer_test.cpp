@@ -1,4 +1,5 @@
-// What is written is JSON, has the protocol's fields and no others, and the loop answers, times and refuses.
+// An answer is written as JSON with the protocol's fields and no others, and the loop answers, times and
+// refuses.
 #include <gtest/gtest.h>
 #include <graze_adapter.hpp>
 

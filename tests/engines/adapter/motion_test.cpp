@@ -1,4 +1,4 @@
-// Where a body is at time t: the pivot moves evenly, the body turns about it.
+// The position of a body at time t: the pivot moves evenly, and the body rotates about it.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -96,7 +96,7 @@ TEST(Number, UnderflowIsTheNearestDoubleAndOverflowIsRefused) {
 
 TEST(Number, TheLocaleDoesNotMatter) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
-  // Not every machine has one with a comma; where none is, the plain one is tried again.
+  // Not every machine has a locale with a comma. If there is no such locale, the plain one is tried again.
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
     if (std::setlocale(LC_NUMERIC, name) == nullptr) continue;
     expect_round_trip(0.1);

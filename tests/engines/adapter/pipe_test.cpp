@@ -116,7 +116,8 @@ TEST(TinyLibrary, AnswersThroughTheHost) {
       R"("upper": 2}, "normal": [1, 0, 0], "point_a": [0.5, 0, 0], "point_b": [2.5, 0, 0]})");
   EXPECT_EQ(engine.ask(question("2", "distance", ball(0.5, 0, 0), ball(0.5, 0.5, 0))),
             R"({"schema": "graze.answer/1", "id": "2", "outcome": "initially_overlapping"})");
-  // What is named in the description and not filled in is no number, and shows.
+  // A field that the description names but the adapter does not fill in is not a number, and the answer shows
+  // it.
   EXPECT_EQ(engine.ask(question("3", "penetration", ball(0.5, 0, 0), ball(0.5, 0.5, 0))),
             R"({"schema": "graze.answer/1", "id": "3", "outcome": "initially_overlapping", "depth": "nan"})");
   EXPECT_EQ(engine.ask(R"({"schema": "graze.question/1", "id": "4", "query": "ray", "a": )" + ball(1, 0, 0) +

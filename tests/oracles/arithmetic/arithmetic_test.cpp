@@ -30,7 +30,7 @@ struct Values {
 
 Values of(double x) { return {Filtered(x), Extended(x), Dyadic(x), mpq_class(x)}; }
 
-// Exponents around 0, or over the whole range; short and long mantissas; equal values often.
+// Exponents around 0, or over the whole range. Mantissas are short or long, and equal values are frequent.
 double draw_double(corpus::Random& random, bool wide) {
   const double mantissa = random.once_in(3) ? random.integer(-9, 9) : random.uniform(-2, 2);
   const double x = std::scalbn(mantissa, wide ? random.integer(-1000, 1000) : random.integer(-3, 3));

@@ -1,4 +1,4 @@
-// The oracles say the same whatever the floating-point environment of who asks, and give it back.
+// The oracles give the same answer in every floating-point environment of the caller, and restore it.
 #include <gtest/gtest.h>
 
 #include "corpus/format/case_io.hpp"

@@ -1,4 +1,4 @@
-// What a function gives in each floating-point environment that a process may be in: every direction of
+// The results of a function in each floating-point environment that a process may be in: every direction of
 // rounding, and subnormals flushed, counted as zeros, or both (a library linked with -ffast-math sets these
 // for the whole process).
 #pragma once

@@ -1,6 +1,7 @@
-// check_bracket says of a proof, and of it with either bound moved to the other, what check_proof says of
-// each alone: on proofs of the exact tier as they are, and with bounds that are wider, narrower, or missing,
-// axes turned about and portals with a wrong point; on those of the certified tier, with a target distance.
+// check_bracket gives the verdicts that check_proof gives for each bound alone, for a proof and for the proof
+// with either bound moved to the other. The proofs of the exact tier come as they are, and with bounds that
+// are wider, narrower or missing, axes reversed, and portals with a wrong point. Those of the certified tier
+// come with a target distance.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
-// The checker of proofs against an independent decision in rationals (proof_reference.hpp): what is true is
-// accepted, what is false by one unit in the last place is refused under the name of the claim that fails.
+// The checker of proofs against an independent decision in rationals (proof_reference.hpp): true proofs are
+// accepted, and proofs that are false by one unit in the last place are refused under the name of the false
+// claim.
 #include "oracles/checker/check_proof.hpp"
 
 #include <gtest/gtest.h>
@@ -265,7 +266,7 @@ TEST(CheckProofMiss, InfiniteHorizon) {
 
 // ---- portals ----------------------------------------------------------------------------------------------
 
-// s0 and s1 of the portal, rounded to the double below or above; nothing if the portal is off the line.
+// s0 and s1 of the portal, rounded to the double below or above, or nothing if the portal is off the line.
 struct PortalReference {
   std::optional<Rational> low, high;
 
@@ -505,7 +506,7 @@ TEST(CheckProofUpper, OffsetsReachTheSphereAndNotOneUnitFurther) {
   EXPECT_GT(too_long, 1000);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 struct Good {
   Case c;
@@ -608,7 +609,7 @@ TEST(CheckProofDoor, EveryRefusalHasItsCause) {
   EXPECT_EQ(spoilt([](Good& g) { g.proof.portal[0].a.vertex = 1; }), Refusal::portal_off_path);
   // Claims nothing, and needs nothing.
   EXPECT_EQ(judge(good().c, Proof{}), Refusal::none);
-  // A true bound later than the end of the path is a true bound; the contact at T itself counts.
+  // A true bound later than the end of the path is a true bound. Contact at T itself counts.
   EXPECT_EQ(spoilt([](Good& g) { g.c.t_max = 0.5; }), Refusal::none);
   EXPECT_EQ(spoilt([](Good& g) { g.c.t_max = down(0.5); }), Refusal::upper_not_proved);
 }

@@ -1,5 +1,5 @@
-// What a record says against what its proof proves: by hand, every outcome with every kind of true proof, and
-// brackets beside it.
+// Compares the claims of a record with those of its proof: by hand, every outcome with every kind of true
+// proof, and brackets beside it.
 #include "oracles/checker/check_record.hpp"
 
 #include <gtest/gtest.h>
@@ -241,7 +241,7 @@ TEST(CheckRecord, BracketsBesideOtherOutcomes) {
 }
 
 TEST(CheckRecord, WhatAnHonestRecordCannotProveIsNotRefused) {
-  // Of a miss by the rounding alone tier standard may hand in no proof.
+  // The standard tier may give no proof for a miss that is decided by rounding alone.
   ProofRecord record = hit(0, kInf);
   record.outcome = Outcome::miss;
   record.tier = Tier::standard;

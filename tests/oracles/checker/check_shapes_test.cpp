@@ -1,5 +1,6 @@
-// The checker of proofs on every kind of shape, against the references of shape_reference.hpp: what is true
-// is accepted, what is false by one unit in the last place is refused under the name of the claim that fails.
+// The checker of proofs on every kind of shape, against the references of shape_reference.hpp: true proofs
+// are accepted, and proofs that are false by one unit in the last place are refused under the name of the
+// false claim.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +71,7 @@ Case draw_case(Draw& draw, Kind kind, Pose pose) {
   if (draw.random.once_in(4)) c.target_distance = draw.random.uniform(0, 1);
   return c;
 }
-// Along the line of centres or near it; small integers now and then, for ties.
+// Along the line of centres or near it, with small integers now and then, for ties.
 Vec3<double> draw_axis(Draw& draw, const Case& c) {
   const Vec3<double> between = c.b.position - c.a.position;
   if (draw.random.once_in(4)) return Vec3<double>((between * (4 / between.norm())).array().rint());
@@ -148,7 +149,7 @@ TEST(CheckShapesMiss, ClaimsAtAndAroundTheLastHorizonAgreeWithTheReference) {
   }
 }
 
-// A cylinder and a cone turned by integers: along the cylinder's axis n = M (0, 0, 1), |n| = |q|^2 = 30,
+// A cylinder and a cone rotated by integers. Along the cylinder's axis n = M (0, 0, 1), |n| = |q|^2 = 30,
 // every root is a whole number, and h(n) = t n.v is met exactly.
 TEST(CheckShapesLower, TiesBehindARotationAreEqualities) {
   Case c;
@@ -379,7 +380,7 @@ TEST(CheckShapesPoint, PointsOnTheSurfaceExactlyAreInside) {
 
 TEST(CheckShapesPoint, OffsetsReachTheSumOfTheRadiiAndNotOneUnitFurther) {
   Feature feature;
-  // 1 + 2 + 2 through roundings, a sphere and a capsule; the hull's other part has its own radius.
+  // 1 + 2 + 2 through roundings, a sphere and a capsule. The hull's other part has its own radius.
   const Shape<double> ball = sum<double>(
       rounded<double>(posed<double>(Sphere<double>{1}, {1, 1, 1}, {1, 2, 3, 4}), 2), Capsule<double>{2, 1});
   const Shape<double> hull = hull_of<double>(ball, rounded<double>(Box<double>{{1, 1, 1}}, 0.5));
@@ -468,7 +469,7 @@ TEST(CheckShapesPoint, MoreCurvedPartsThanAFeatureHoldsIsMalformed) {
   EXPECT_EQ(there(hull_of<double>(two, Ellipsoid<double>{{1, 1, 1}}), {}), Refusal::portal_off_path);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 TEST(CheckShapesDoor, WhatIsNoShapeIsMalformed) {
   const SharedShape<double> none, point = share<double>(Point<double>{});

@@ -1,5 +1,6 @@
-// Proofs that are true but for rounding: refused as they are, accepted of shapes within kappa u of scale; and not
-// accepted where they are false by more, or where each half is true of a set nearby and both are of none.
+// Proofs that are true except for rounding are refused by the exact check, and accepted for shapes within
+// kappa u of scale. They are not accepted if they are false by more. They are not accepted, either, if each
+// half is true of a nearby set but no single set satisfies both.
 #include "oracles/checker/check_within.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +111,7 @@ TEST(CheckWithin, GrantsPointsThatLieJustOutside) {
   EXPECT_TRUE(holds(record, 0));
   record.proof.portal[0].a.offset = {1 + 0x1p-40, 0, 0};
   record.proof.toi_lower = 0.75 - 0x1p-42;
-  // 2^-40 outside is drawn in by a sixteenth of what is granted; the scale is 4.
+  // Points are drawn in by a sixteenth of the allowance, and this one is 2^-40 outside. The scale is 4.
   expect_needs(record, 1.0625 * 16 * 0x1p-40 / (4 * kU), "an offset");
   record = ball_and_point();
   record.problem.a.shape = Ellipsoid<double>{{1, 2, 3}};
@@ -130,9 +131,9 @@ TEST(CheckWithin, TakesTheUnitRoundoffOfTheScalar) {
   EXPECT_TRUE(holds(record, 8));
 }
 
-// A point passes another by `apart`, where t is 1/2. An axis along the path proves that there is no contact before 0.9;
-// a portal of the two points themselves lies on the path to within `apart`. No set within that has its first
-// contact at 0.9: the points are 3.2 apart then.
+// A point passes another by `apart`, where t is 1/2. An axis along the path proves that there is no contact
+// before 0.9. A portal of the two points themselves lies on the path to within `apart`. No set within that
+// has its first contact at 0.9, since the points are 3.2 apart then.
 TEST(CheckWithin, WantsOneSetForBothHalves) {
   constexpr double kApart = 0x1p-20;
   ProofRecord record;
@@ -154,7 +155,7 @@ TEST(CheckWithin, WantsOneSetForBothHalves) {
   half.proof.toi_upper = kNever;
   half.proof.portal_size = 0;
   EXPECT_TRUE(check_proof(half.problem, half.proof).accepted());
-  // What is true of one: contact at 1/2.
+  // One set has contact at 1/2.
   record.proof.toi_lower = record.proof.toi_upper = 0.5;
   record.proof.axis = {1, 0, 0};
   EXPECT_FALSE(holds(record, 0));

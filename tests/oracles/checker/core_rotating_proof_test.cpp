@@ -28,7 +28,7 @@ struct Pair {
 };
 
 // A point inside a flat shape, off its middle: rods that meet in the middle of both have the origin on an
-// edge of every triangle of their four pairs. Of the others one that is inside, or near.
+// edge of every triangle of their four pairs. For other shapes, a point that is inside, or near.
 Vec3<double> inner(const Shape<double>& shape, Draw& draw) {
   const double p = draw.between(0.25, 0.4), q = draw.between(0.25, 0.4);
   if (const auto* s = std::get_if<Segment<double>>(&shape)) return p * s->a + (1 - p) * s->b;
@@ -36,7 +36,7 @@ Vec3<double> inner(const Shape<double>& shape, Draw& draw) {
   return Vec3<double>::Zero();
 }
 
-// Where the body takes its point x.
+// The position of the body's point x at time t.
 Vec3<double> placed(const RotatingBody<double>& body, const Vec3<double>& x, double t) {
   const auto& q = body.body.orientation;
   const Vec3<double> arm = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized() * (x - body.pivot);
@@ -45,7 +45,8 @@ Vec3<double> placed(const RotatingBody<double>& body, const Vec3<double>& x, dou
   return body.body.position + pivot + turn * arm + t * body.body.displacement;
 }
 
-// Every other pair is of two flat bodies; most are led to meet within the time, some start near each other.
+// Every other pair is of two flat bodies. Most pairs are led to meet within the time, and some start near
+// each other.
 Pair draw_pair(Draw& draw, int round) {
   Pair out{turning_body(draw), turning_body(draw)};
   const double from = round % 2 == 0 ? 9 : 0;

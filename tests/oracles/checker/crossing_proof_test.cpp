@@ -1,5 +1,5 @@
-// Contact of flat pairs by crossing: what holds is accepted; what is false, known in closed form or by
-// volumes in long double whose errors are below 1e-15 here, is refused.
+// Contact of flat pairs by crossing: true claims are accepted, and false ones are refused. The truth is known
+// in closed form or by volumes in long double whose errors are below 1e-15 here.
 //
 // Notation   c_i = a_i - b_i;   d = det(c_0, c_1, c_2): on which side of the triangle the origin is.
 #include <gtest/gtest.h>
@@ -53,8 +53,8 @@ void expect_refused(RotatingRefusal why, const Case& problem, const RotatingProo
   EXPECT_EQ(verdict.detail.find('\n'), std::string::npos);
 }
 
-// An equilateral triangle with corners at distance 1, one of them on the x axis, that turns in its plane, z =
-// 0; and a point above it.
+// An equilateral triangle rotates in its plane, z = 0, with corners at distance 1, one of them on the x axis.
+// A point is above it.
 Case spinning_triangle(double rate) {
   Case problem;
   const double s = std::sqrt(3) / 2;
@@ -148,7 +148,7 @@ TEST(CrossingProof, CurvedPointsMustLieInTheirShapes) {
 }
 
 // A point goes round the edge x = 0 of a triangle that ends there: from above it, inside, to below it,
-// inside, by the outside. Every end is as a crossing's; there is no contact.
+// inside, by the outside. Every end looks like that of a crossing, but there is no contact.
 TEST(CrossingProof, AroundTheEdgeIsNotThroughTheTriangle) {
   Draw draw(11);
   for (int round = 0; round < 200; ++round) {
@@ -232,7 +232,7 @@ TEST(CrossingProof, TurnsBackBeforeThePlane) {
 struct Drawn {
   Case problem;
   Three pairs;
-  double at = 0;  // the triangle of the pairs holds the origin, at the weights, but for rounding
+  double at = 0;  // up to rounding, the triangle of the pairs holds the origin at the weights
   std::array<Long, 3> weight;
 
   [[nodiscard]] std::array<LongVec, 3> corners(Long t, const Three& named) const {
@@ -279,7 +279,8 @@ Shape<double> flat_or_not(Draw& draw, std::size_t kind) {
   }
 }
 
-// Both turn and move; B is put where a point of the triangle of three drawn pairs is the origin at `at`.
+// Both bodies rotate and move. B is placed so that a point of the triangle of three drawn pairs is the origin
+// at `at`.
 Drawn draw_crossing(Draw& draw) {
   constexpr std::array<std::uint32_t, 5> kVertices = {1, 2, 3, 2, 8};
   for (;;) {

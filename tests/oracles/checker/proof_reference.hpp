@@ -1,5 +1,6 @@
-// The claims of a proof, decided once more: rationals with division, every vertex pair, Gaussian elimination.
-// Slow, and shares no line with the checker; its formulas differ wherever there was a choice.
+// Decides the claims of a proof independently: rationals with division, every vertex pair, Gaussian
+// elimination. It is slow and shares no line with the checker. Its formulas differ wherever there was a
+// choice.
 #pragma once
 
 #include <gmpxx.h>
@@ -70,7 +71,7 @@ inline Rational radius_of(const Shape<double>& shape) {
   return sphere == nullptr ? Rational(0) : Rational(sphere->radius);
 }
 
-// H = max n.(a - b), n.v, R and |n|^2 of an axis; what it proves.
+// H = max n.(a - b), n.v, R and |n|^2 of an axis, and the bound that it proves.
 struct AxisReference {
   Rational support, approach, radius, n_sq;
 
@@ -105,7 +106,8 @@ struct AxisReference {
   // The largest double t > 0 with lower_holds(t), if there is one.
   [[nodiscard]] std::optional<double> tightest() const {
     if (!(approach < 0)) return std::nullopt;
-    // An estimate to start from; quotients first, so that extreme magnitudes do not leave double's range.
+    // An estimate to start from. Quotients come first, so that extreme magnitudes do not leave double's
+    // range.
     double t = Rational(support / approach).get_d();
     if (radius > 0) t += Rational(radius / approach).get_d() * std::sqrt(n_sq.get_d());
     if (!(t > 1e-200)) return std::nullopt;
@@ -147,8 +149,8 @@ void for_each_subset(std::size_t count, std::size_t most, const Visit& visit) {
   }
 }
 
-// {s : s v in hull(points)}, empty if the line misses it; v != 0. Basic solutions of
-// sum lambda_i p_i - s v = 0, sum lambda_i = 1.
+// {s : s v in hull(points)}, empty if the line misses it. Requires v != 0. Basic solutions of sum lambda_i
+// p_i - s v = 0, sum lambda_i = 1.
 struct SpanOnLine {
   std::optional<Rational> low, high;
 
@@ -179,7 +181,8 @@ struct SpanOnLine {
 inline Rational distance_sq(const std::vector<RationalVec>& points) {
   std::optional<Rational> least;
   for_each_subset(points.size(), 4, [&](const std::vector<std::size_t>& subset) {
-    // Minimise |sum mu_i z_i|^2, sum mu = 1: z_k.x = lambda for all k, and the sum; unknowns mu, lambda.
+    // Minimise |sum mu_i z_i|^2, sum mu = 1: z_k.x = lambda for all k, and the sum. The unknowns are mu and
+    // lambda.
     const std::size_t k = subset.size();
     std::vector<std::vector<Rational>> rows(k + 1, std::vector<Rational>(k + 2, Rational(0)));
     for (std::size_t r = 0; r < k; ++r) {

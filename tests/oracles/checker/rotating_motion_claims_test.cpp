@@ -1,5 +1,5 @@
-// What a rotating proof may make of a body's pivot, of its ball, of where its own frame is, of its speed, and
-// of the floating-point environment that it is checked in. The truth can be read off each case.
+// The claims that a rotating proof may make about a body's pivot, its ball, the place of its own frame and
+// its speed, in every floating-point environment of the check. The truth can be read off each case.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,8 +39,8 @@ std::string refusal_of_swapped(Case problem, RotatingProof proof) {
   return refusal(problem, proof);
 }
 
-// A bar turns once about its middle, through a post. The post does not turn, so no point of it is a pivot
-// that counts; that which the case names is the bar's own, and if it counted in one bound and not in another,
+// A bar rotates once about its middle, through a post. The post does not rotate, so none of its points is a
+// pivot that counts. The pivot in the case is the bar's own. If it counted in one bound and not in another,
 // the post would seem not to move in the bar's axes.
 TEST(RotatingMotion, ThePivotOfAPostDoesNotHoldItStillInTheBarsAxes) {
   Case problem;
@@ -93,7 +93,7 @@ TEST(RotatingMotion, ABallByAnyNameSweepsItsRadius) {
   }
 }
 
-// A plate turns under a tile, whose own frame is far out, as that of a piece of a level is; in the plate's
+// A plate rotates under a tile, whose own frame is far out, as that of a piece of a level is. In the plate's
 // axes the tile's points bend by their distance from the plate's axis, wherever the tile's frame is.
 TEST(RotatingMotion, ABodyAtRestFarOutInItsOwnFrameCostsNoMore) {
   Case problem;
@@ -114,9 +114,9 @@ TEST(RotatingMotion, ABodyAtRestFarOutInItsOwnFrameCostsNoMore) {
   EXPECT_LT(near, 32);
 }
 
-// Over 1e9 radians a bound by the second derivatives alone would want slices of a few hundred thousandths;
-// the speed along an axis that is nearly that of the turn is a hundred, for one of size 1 at a distance of
-// 200.
+// Over 1e9 radians, a bound by the second derivatives alone would need slices of a few hundred thousandths.
+// The speed along an axis that is nearly that of the rotation is a hundred, for a body of size 1 at a
+// distance of 200.
 TEST(RotatingMotion, ASliceOfAHundredMillionRadiansIsProvedByItsSpeed) {
   Case problem;
   problem.a.shape =
@@ -137,7 +137,7 @@ TEST(RotatingMotion, ASliceOfAHundredMillionRadiansIsProvedByItsSpeed) {
   EXPECT_EQ(refusal(problem, miss(V(5e-8, 0, 1), AxisFrame::world)), "slice_false");
 }
 
-// In overlap at the start; the bound claims a time that is above 0 by a bit, and needs a chain.
+// The bodies overlap at the start. The bound claims a time that is above 0 by a bit, and needs a chain.
 TEST(RotatingMotion, TheCallersEnvironmentChangesNothingAndIsGivenBack) {
   Case overlap;
   overlap.a.shape = Box<double>{V(3, 3, 3)};

@@ -1,4 +1,4 @@
-// Rotating proofs made by hand, whose truth can be read off the case; and what is refused, by name.
+// Rotating proofs made by hand, whose truth can be read off the case, and refusals by name.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,8 +75,8 @@ RotatingProof swapped(RotatingProof proof) {
   return proof;
 }
 
-// A cube of half width 1 a `height` above a plate with its upper face at z = 0; it turns a quarter about x.
-// Its lowest edge is at height - (sin t + cos t).
+// A cube of half width 1 a `height` above a plate with its upper face at z = 0. It rotates by a quarter about
+// x. Its lowest edge is at height - (sin t + cos t).
 Case box_over_plate(double height) {
   Case problem;
   problem.a.shape = Box<double>{V(100, 100, 1)};
@@ -141,7 +141,7 @@ TEST(RotatingProof, RodAboutItsEndInTheFrameOfEitherBody) {
 }
 
 TEST(RotatingProof, BallWithAPivotOffItsCentre) {
-  // Its centre goes round the origin at distance 2; the other ball stands at distance 4, a quarter ahead.
+  // Its centre goes round the origin at distance 2. The other ball stands at distance 4, a quarter ahead.
   Case problem;
   problem.a.shape = Sphere<double>{1};
   problem.a.position = V(2, 0, 0);
@@ -249,8 +249,9 @@ TEST(RotatingProof, ScrewMotionsAndBothTurningAreCutIntoPieces) {
 }
 
 TEST(RotatingProof, WhatTheBudgetLeavesIsRefused) {
-  // Two cubes side by side turn alike, one an eighth of a turn ahead: together they reach 2 (cos + sin)(22.5
-  // degrees) = 2.613, each by itself 1.414. Neither is at all angles while the other is as far as it comes.
+  // Two cubes side by side rotate alike, one an eighth of a rotation ahead. Together they reach 2 (cos +
+  // sin)(22.5 degrees) = 2.613, each by itself 1.414. Neither is at all angles while the other is at its
+  // greatest reach.
   Case problem;
   problem.a.shape = problem.b.shape = Box<double>{V(1, 1, 1)};
   problem.a.orientation = {std::cos(kPi / 8), 0, 0, std::sin(kPi / 8)};
@@ -326,12 +327,12 @@ TEST(RotatingProof, MoreThanFourPairsHoldTheOriginByAMean) {
     return other;
   };
   EXPECT_ACCEPTED(problem, weighted(1, 0.25, 0.5));
-  // A mean that is a corner, or none; no weights.
+  // The mean is a corner, or there is no mean, or there are no weights.
   EXPECT_REFUSED(undecided, problem, weighted(0, 1, 0));
   EXPECT_REFUSED(contact_not_proved, problem, weighted(1, 0, 0));
   EXPECT_REFUSED(weights_missing, problem, weighted(0, 0, 0));
   EXPECT_REFUSED(weights_missing, problem, weighted(1, 1, -0.5));
-  // Which are the three counts.
+  // The choice of the three corners counts.
   EXPECT_REFUSED(contact_not_proved, problem, upper(0.5, {{0, 0}, {1, 0}, {2, 0}, {4, 0, 1}, {3, 0, 0.25}}));
   problem.b.position = V(0, 0, 1.25);
   EXPECT_REFUSED(contact_not_proved, problem, five);
@@ -341,7 +342,7 @@ TEST(RotatingProof, MoreThanFourPairsHoldTheOriginByAMean) {
 // Points of balls are named by an offset, in world axes where they are placed: it ends within the ball, and
 // what is left of the radius counts on.
 TEST(RotatingProof, OffsetsEndWithinTheirBalls) {
-  // Balls of radii 1 and 2, their centres 2.5 apart at t = 0.5; the one turns, which moves none of its
+  // Balls of radii 1 and 2, their centres 2.5 apart at t = 0.5. One of them rotates, which moves none of its
   // points.
   Case problem;
   problem.a.shape = Sphere<double>{1};

@@ -1,8 +1,9 @@
-// The trial of the checker of rotating proofs: proofs of drawn scenes are accepted up to 1e-9 of first
-// contact, and what claims a little too much, made from them by a change that is wrong for sure, is refused.
+// The trial of the checker of rotating proofs. Proofs of drawn scenes are accepted up to 1e-9 of first
+// contact. From each of them, a change that is certainly wrong makes a proof that claims a little too much.
+// It is refused.
 //
-// "For sure" rests on the closed form of first contact (rotating_scenes.hpp) and on separations in long
-// double, whose errors are below 1e-15 here: every change goes at least kSure beyond what is true.
+// "Certainly" rests on the closed form of first contact (rotating_scenes.hpp) and on separations in long
+// double, whose errors are below 1e-15 here: every change goes at least kSure beyond the truth.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
@@ -47,7 +48,7 @@ struct Proved {
   RotatingProof proof;
 };
 
-// A hit between first contact less `gap` and first contact plus `gap`, both in time; a miss without it.
+// Proves a hit between first contact less `gap` and first contact plus `gap`, both in time, or a miss.
 [[nodiscard]] std::optional<Proved> prove(Draw& draw, bool miss, double gap) {
   Proved out{draw_scene(draw, miss), {}};
   RotatingProof& proof = out.proof;

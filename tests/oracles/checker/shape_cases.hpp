@@ -111,7 +111,7 @@ inline Shape<double> draw_kind(Draw& draw, Kind kind, Numbers numbers, Pose pose
   }
 }
 
-// A point of the part, up to its boundary but for a hundredth.
+// A point of the part, up to a hundredth from its boundary.
 inline Vec3<double> draw_inside(Draw& draw, const Shape<double>& part) {
   Vec3<double> u = draw.vector(Numbers::doubles, 1);
   if (const auto* s = std::get_if<Ellipsoid<double>>(&part))

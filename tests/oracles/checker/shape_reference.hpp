@@ -1,5 +1,6 @@
-// Shapes of every kind once more, for the tests of the proof checker: the support point in numbers of 2,048
-// bits (the checker has support values, division-free), and all named vertices of a core by enumeration.
+// A second definition of every kind of shape, for the tests of the proof checker. It has the support point in
+// numbers of 2,048 bits (the checker has support values, division-free), and all named vertices of a core by
+// enumeration.
 #pragma once
 
 #include "tests/oracles/checker/proof_reference.hpp"
@@ -9,7 +10,7 @@ namespace graze::test {
 using High = mpf_class;
 using HighVec = std::array<High, 3>;
 
-// Results with a relative error of some 2^-2040; sums of numbers near 1 to 1e6 that differ by less than
+// Results have a relative error of some 2^-2040. Sums of numbers near 1 to 1e6 that differ by less than
 // 2^-1500 are taken as equal (two that differ at all, of roots of numbers this short, differ by far more).
 inline constexpr int kHighBits = 2048, kEqualBits = 1500;
 inline const bool kHighPrecision = (mpf_set_default_prec(kHighBits), true);
@@ -25,7 +26,7 @@ inline HighVec operator*(const High& s, const HighVec& a) {
 inline High inner(const HighVec& a, const HighVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline High length(const HighVec& a) { return sqrt(inner(a, a)); }
 
-// q x conj(q) / |q|^2 by the vector form of proof_reference.hpp; inverse: by conj(q).
+// q x conj(q) / |q|^2 by the vector form of proof_reference.hpp. inverse: by conj(q).
 inline HighVec turned(const Quaternion<double>& q, const HighVec& x, bool inverse) {
   const High w = q.w;
   HighVec u = high({q.x, q.y, q.z});
@@ -39,7 +40,7 @@ inline HighVec turned(const Quaternion<double>& q, const HighVec& x, bool invers
   return x + High(two_over * w) * once + two_over * cross(u, once);
 }
 
-// The vertices of a polytope's core in its own frame, the centre of a ball; nothing for other shapes.
+// The vertices of a polytope's core in its own frame, or the centre of a ball. Empty for other shapes.
 inline std::vector<Vec3<double>> core_vertices(const Shape<double>& shape) {
   if (const auto* s = std::get_if<Segment<double>>(&shape)) return {s->a, s->b};
   if (const auto* s = std::get_if<Triangle<double>>(&shape)) return {s->a, s->b, s->c};
@@ -136,7 +137,7 @@ struct HighAxis {
   }
 };
 
-// A vertex of a core: fixed + sum over its curved parts of map x, x in the part; within `radius` of that.
+// A vertex of a core, within `radius` of fixed + sum over its curved parts of map x, x in the part.
 struct NamedVertex {
   struct Slot {
     const Shape<double>* part;

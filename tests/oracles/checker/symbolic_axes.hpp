@@ -1,5 +1,5 @@
-// Symbolic axes for the tests and the benchmark of the proof checker: made by hand, drawn, and found as the
-// facet of C through which the path enters; and what they are in rationals.
+// Symbolic axes for the tests and the benchmark of the proof checker, with their values in rationals: made by
+// hand, drawn, and found as the facet of C through which the path enters.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -102,7 +102,7 @@ inline AxisFactor draw_factor(Draw& draw, const std::vector<NamedVertex>& of_a,
   return difference(from, to);
 }
 
-// A cross product of two factors, from A to B as far as doubles tell.
+// A cross product of two factors. It points from A to B within the rounding of doubles.
 inline Proof draw_symbolic(Draw& draw, const corpus::Case& c) {
   const auto of_a = named_vertices(c.a.shape), of_b = named_vertices(c.b.shape);
   const AxisFactor first = draw_factor(draw, of_a, of_b), second = draw_factor(draw, of_a, of_b);
@@ -112,9 +112,9 @@ inline Proof draw_symbolic(Draw& draw, const corpus::Case& c) {
   return rounded.dot(c.b.position - c.a.position) < 0 ? flipped(proof) : proof;
 }
 
-// The axis of the facet of C = A - B through which t v enters C, or its line does: of all cross products of
-// edges that support C to rounding, the one of the latest h(n) / (n.v). Polytopes with facets of their own;
-// by brute force, in double.
+// The axis of the facet of C = A - B through which t v, or its line, enters C. Among all cross products of
+// edges that support C to rounding, it is the one of the latest h(n) / (n.v). For polytopes with facets of
+// their own, by brute force, in double.
 class EnteringFacet {
  public:
   explicit EnteringFacet(const corpus::Case& c)
@@ -155,7 +155,7 @@ class EnteringFacet {
     return far;
   }
 
-  // Visits the triples that lie in facets; their edges.
+  // Visits the triples that lie in facets, and returns their edges.
   template <class Visit>
   static Edges facets(const Points& x, const Visit& visit) {
     std::vector<std::vector<bool>> found(x.size(), std::vector<bool>(x.size(), false));

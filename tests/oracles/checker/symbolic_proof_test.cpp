@@ -65,7 +65,7 @@ void check_axis(const Case& c, const Proof& proof, const Reference& truth, Count
   ASSERT_EQ(judge(c, flipped(claiming(proof, *tight))), Refusal::axis_not_approaching);
 }
 
-// Of any shape; n.v is rounded once, so that its sign is right.
+// For any shape. n.v is rounded once, so that its sign is right.
 HighAxis high_reference(const Case& c, const RationalVec& n) {
   HighAxis truth(c, rounded_high(n));
   truth.approach = High(Rational(inner(n, rational(c.b.displacement) - rational(c.a.displacement))));
@@ -340,7 +340,7 @@ TEST(SymbolicMiss, FacesThatTouchInAnyRotationAreContact) {
   report("touching faces", cost, 600, 200);
 }
 
-// ---- the door ---------------------------------------------------------------------------------------------
+// ---- validation -------------------------------------------------------------------------------------------
 
 struct Good {
   Case c;

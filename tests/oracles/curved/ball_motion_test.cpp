@@ -35,7 +35,7 @@ Moving random_body(CurvedPairs& make, Kind kind) {
   return moving;
 }
 
-// Where the body's own point x is at a time.
+// The position of the body's own point x at time t.
 Vec world(const Moving& m, const Vec& x, double t) {
   const Vec arm = oriented(m.body.orientation, m.spin.pivot);
   const Vec from_pivot = oriented(m.body.orientation, x) - arm;
@@ -113,8 +113,8 @@ TEST(BallMotion, ThePivotOfABodyThatDoesNotTurnIsIdle) {
   EXPECT_LT(BallMotion(body, resting).magnitude(), 10);
 }
 
-// Supports along n at three times: their second difference is that of a maximum, so it is no less than minus
-// the bound (and exceeds no bound where the support jumps); the first difference is within the first bound.
+// Supports along n at three times. Their second difference is that of a maximum, so it is no less than minus
+// the bound (and exceeds no bound where the support jumps). The first difference is within the first bound.
 TEST(BallMotion, BoundsHoldForDifferencesOfSupports) {
   CurvedPairs make(2);
   double least_slack = kInfinity<double>;

@@ -1,5 +1,5 @@
-// What BallMotion and SweptBody say of a moving body bounds that body, whatever its shape: against supports,
-// which another code computes (ball_body.hpp), in balls, so that no tolerance is needed.
+// BallMotion and SweptBody bound a moving body of any shape. The reference is supports that other code
+// computes (ball_body.hpp), in balls, so that no tolerance is needed.
 #include <gtest/gtest.h>
 
 #include "oracles/curved/ball_motion.hpp"
@@ -13,7 +13,7 @@ using Vec = Vec3<double>;
 
 constexpr int kBodies = 2000;
 
-// A point of a body, or a support value, is known to some 2^-100 of the body's size; of what is equal,
+// A point of a body, or a support value, is known to some 2^-100 of the body's size. If two values are equal,
 // neither is certainly less.
 void expect_at_most(const Ball& l, const Ball& r, const char* what, int seed) {
   EXPECT_FALSE(certainly_less(r, l)) << what << ", body " << seed << ": " << l.mid_double() << " beyond "
@@ -98,7 +98,7 @@ TEST(BodyBounds, ABallByAnyNameSweepsTheSame) {
 }
 
 // A maximum of functions that bend by no more than M lies above its chord by no more than M d^2 / 8 in the
-// middle, and changes by no more than the first bound says.
+// middle. It changes by no more than the first bound.
 TEST(BodyBounds, SupportsBendAndChangeNoFasterAlongAxesOfTheWorld) {
   AnyBody any(13);
   double least_slack = kInfinity<double>;
@@ -147,8 +147,8 @@ TEST(BodyBounds, SupportsBendNoFasterAlongAxesThatTurn) {
   EXPECT_LT(least_slack, 0.5);
 }
 
-// As it stands in the world the body is the same; a pivot amid it keeps its place in its own frame, and the
-// one that the case gives, out of what the motion is bounded by.
+// In the world the body is the same. Its motion is bounded about a pivot amid the body, so neither the place of
+// its own frame nor the case's pivot enters the bounds.
 TEST(BodyBounds, ABodyAtRestIsBoundedByItsOwnSizeWhereverItsFrameIs) {
   AnyBody any(15);
   for (int i = 0; i < kBodies; ++i) {

@@ -61,7 +61,7 @@ TEST(ExactBody, PosesAreAppliedFromTheInsideOut) {
   EXPECT_EQ(vertices(inner), (Points{at(10, 1, 0), at(8, 0, 0)}));
   const ExactBody outer = exact_body({.shape = inner, .position = Vec(0, 0, 7), .orientation = half_about_x});
   EXPECT_EQ(outer.vertices, (Points{at(10, -1, 7), at(8, 0, 7)}));
-  // (3, 4, 0, 0): cosine -7/25, sine 24/25 about x; no double holds them.
+  // (3, 4, 0, 0): cosine -7/25, sine 24/25 about x. No double holds them.
   const Points turned =
       vertices(posed<D>(Segment<D>{Vec(0, 25, 0), Vec(0, 1, 0)}, Vec(0, 0, 0), {3, 4, 0, 0}));
   EXPECT_EQ(turned[0], at(0, -7, 24));

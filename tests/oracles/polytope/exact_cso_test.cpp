@@ -53,7 +53,7 @@ std::set<std::pair<IntVec, Integer>> planes(const ConvexHull& hull, int shift) {
 TEST(ExactCso, OfAnySizeTheHullIsTheSame) {
   std::mt19937_64 random(17);
   for (int round = 0; round < 8; ++round) {
-    // Of 97 bits; of up to 160, which fit into the wide integers; of 161 and of 497.
+    // Coordinates of 97 bits, of up to 160, which fit into the wide integers, of 161 and of 497.
     const std::vector<IntVec> points = differences(random, 96);
     const ConvexHull hull = convex_hull(points);
     ASSERT_EQ(hull.dimension, 3);

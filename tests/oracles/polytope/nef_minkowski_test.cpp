@@ -43,7 +43,7 @@ TEST(NefSum, HasTheExtremePointsOfTheHullOfDifferencesAndItsLineInterval) {
              std::holds_alternative<Triangle<double>>(shape);
     };
     flat_bodies += is_flat(problem.a.shape) || is_flat(problem.b.shape);
-    // Each extreme point of the sum is a difference of vertices; each difference lies in the sum's
+    // Each extreme point of the sum is a difference of vertices, and each difference lies in the sum's
     // half-spaces.
     const ExactBody a = exact_body(problem.a), b = exact_body(problem.b);
     std::set<RationalPoint> differences;

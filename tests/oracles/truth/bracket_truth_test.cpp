@@ -1,5 +1,5 @@
-// The bracket oracle against closed forms, against the exact oracle, against itself on other names of one
-// shape; and wrong answers that it must tell from right ones.
+// The bracket oracle against closed forms, against the exact oracle, and against itself on other names of one
+// shape. It must tell wrong answers from right ones.
 #include "oracles/truth/bracket_truth.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(BracketTruth, HoldsEveryClosedForm) {
   }
 }
 
-// sign(t - TOI) by the exact oracle; 0 where only a double could tell.
+// sign(t - TOI) by the exact oracle, or 0 where only a double could decide.
 int order(const LinearTruth& exact, const Rational& t) {
   if (exact.outcome() == Outcome::miss) return -1;
   if (!exact.toi_exact().empty()) return cmp(t, Rational(exact.toi_exact()));
@@ -179,7 +179,7 @@ TEST(BracketTruth, HoldsTheExactAnswersOfPolytopesAndSpheres) {
     EXPECT_GT(tally[o], 30);
 }
 
-// The path passes two unit balls at a height of 2; the target distance 10^-k is the depth.
+// The path passes two unit balls at a height of 2. The target distance 10^-k is the depth.
 TEST(BracketTruth, GrazesAreDecidedDownToTheWidth) {
   constexpr double kWidth = 1e-20;
   corpus::Case problem;
@@ -355,7 +355,7 @@ TEST(BracketTruth, FindsClosestPointsAndLeastPenetration) {
   EXPECT_LT((inside.axis - Vec(0, 0, 1)).norm(), 1e-8);
 }
 
-// What has no depth is undecided, and says so within its budget.
+// Shapes without depth are undecided, and the oracle reports so within its budget.
 TEST(BracketTruth, IsSilentWhereShapesTouchOrAreFlat) {
   corpus::Case touching;
   touching.a.shape = Cylinder<double>{1, 1};
@@ -415,7 +415,7 @@ TEST(BracketTruth, DepthUnderPassOverIsThatOfTheRay) {
 }
 
 TEST(BracketTruth, DepthUnderPassOverCountsWhatMakesAStart) {
-  corpus::Case problem;  // 1/64 beyond the target distance; slides past, a third of it within
+  corpus::Case problem;  // 1/64 beyond the target distance, then slides past, a third of it within
   problem.a.shape = Ellipsoid<double>{Vec(1, 1, 1)};
   problem.b.shape = Cone<double>{1, 1};
   problem.b.position = Vec(0, 0, 3 + 0x1p-6);

@@ -124,7 +124,7 @@ TEST(PlantedError, AnEndOfTheIntervalOffByALittleIsTold) {
   corpus::Case problem;
   problem.a.shape = Box<double>{Vec(1, 1, 1)};
   problem.b.position = Vec(4, 0.5, 0);
-  problem.b.displacement = Vec(-3, 0, 0);  // in C for t in [1, 5/3]; sideways 0.5 to leave
+  problem.b.displacement = Vec(-3, 0, 0);  // in C for t in [1, 5/3], with 0.5 to leave sideways
   const LinearTruth truth(problem);
   EXPECT_EQ(truth.entry_error(1).high, 0);
   EXPECT_EQ(truth.entry_error(std::nextafter(1.0, 0)).low, 3 * 0x1p-53);

@@ -1,4 +1,4 @@
-// What the corpus stores comes from the oracle of the case's kind, with its name.
+// The truth that the corpus stores comes from the oracle of the case's kind, with its name.
 #include "oracles/truth/derive.hpp"
 
 #include <gtest/gtest.h>

@@ -168,7 +168,7 @@ TEST(LinearTruth, HorizonEndsThePathAndTouchingAtItIsContact) {
 TEST(LinearTruth, PassOverDropsStartsThatLeaveOrSlide) {
   corpus::Case problem = boxes_a_unit_apart();
   problem.start_policy = corpus::StartPolicy::pass_over;
-  problem.b.position[0] = 2;  // touching; moves into A
+  problem.b.position[0] = 2;  // touching, and moves into A
   EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::initially_overlapping);
   problem.b.displacement = Vec(1, 0, 0);
   EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::miss);
@@ -192,7 +192,7 @@ TEST(LinearTruth, DepthUnderPassOverIsThatOfTheRay) {
   EXPECT_TRUE(holds(LinearTruth(problem).depth(), 1.25));
   problem.start_policy = corpus::StartPolicy::pass_over;
   EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.25));
-  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray goes on beyond the horizon, through all of A
+  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray continues beyond the horizon, through all of A
   problem.b.position[1] = 2.875;
   EXPECT_TRUE(holds(LinearTruth(problem).depth(), 0.125));
 }
@@ -207,7 +207,7 @@ TEST(LinearTruth, ClearanceOfAPassedOverStartIsThatOfItsRay) {
   EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::miss);
   EXPECT_TRUE(holds(LinearTruth(problem).clearance(), 0.25));
   problem.b.position = Vec(2.5, 3.125, 0);
-  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray goes on beyond the horizon, over A
+  problem.b.displacement = Vec(-0.125, 0, 0);  // the ray continues beyond the horizon, over A
   EXPECT_EQ(LinearTruth(problem).outcome(), Outcome::miss);
   EXPECT_TRUE(holds(LinearTruth(problem).clearance(), 0.125));
   problem.b.position = Vec(2.875, 0, 0);  // the start is the lesser: 1/8 in

@@ -258,8 +258,8 @@ TEST(Penetration, IsWhatTheOtherJudgesSay) {
   EXPECT_GE(ways_out, 60);
 }
 
-// A rounded pair's least depth: every direction of a fan reaches at least as far, and one of them nearly so;
-// and a move by it, found apart by the quadratic program.
+// The least depth of a rounded pair. Every direction of a fan reaches at least as far, and one of them nearly
+// so. After a move by it, the quadratic program finds the bodies apart.
 TEST(Penetration, OfRoundedPairsIsTheLeastReachOfAnyDirection) {
   SmallPairs pairs(59);
   int inside = 0, outside = 0;

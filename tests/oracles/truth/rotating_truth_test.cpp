@@ -1,6 +1,6 @@
-// The oracle of casts of bodies that turn: against closed answers in 50 digits, computed here, against
-// sampled separating axes, against the linear oracles; what it may leave open, and wrong times that it must
-// tell from right ones.
+// The oracle of casts of rotating bodies against closed answers in 50 digits, computed here, against sampled
+// separating axes, and against the linear oracles. Tests which cases it may leave undecided, and wrong times
+// that it must tell from right ones.
 #include "oracles/truth/rotating_truth.hpp"
 
 #include <gtest/gtest.h>
@@ -138,7 +138,7 @@ TEST(RotatingTruth, PivotAHundredSizesAway) {
   problem.spin_a.rotation = Vec(0, 0, 1.5);
   problem.b.shape = Box<double>{Vec(200, 1, 200)};
   problem.b.position = Vec(0, 81, 0);  // its lower face at y = 80
-  // Of the edges at (100 +- 1/2, 1/2) the inner one is higher late, the outer one first at small angles.
+  // Among the edges at (100 +- 1/2, 1/2) the inner one is higher late, the outer one first at small angles.
   const auto gap = [](const Real& t) {
     const Real angle = Real(1.5) * t;
     const Real outer = Real(100.5) * sin(angle) + cos(angle) / 2;
@@ -359,7 +359,7 @@ TEST(RotatingTruth, ContactWithinTheStepOnly) {
   EXPECT_GT(truth.distance_at(0.48004).low, 0);
 }
 
-// box2d #115: 513 radians, or a quarter of one from 513 on; never in contact.
+// box2d #115: a rotation by 513 radians, or by a quarter of a radian from 513 on. Never in contact.
 TEST(RotatingTruth, FiveHundredRadians) {
   corpus::Case problem;
   problem.a.shape = Box<double>{Vec(25, 5, 1)};
@@ -388,7 +388,8 @@ TEST(RotatingTruth, FiveHundredRadians) {
   EXPECT_LE(clearance.high, 1.1 * clearance.low);
 }
 
-// An edge of a box over a plane, at a height that it reaches but for `margin`: decided down to the width.
+// An edge of a box rotates over a plane and stays `margin` above it at its lowest, or dips into it. The
+// outcome is decided down to the width.
 TEST(RotatingTruth, GrazesAreDecidedDownToTheWidth) {
   int hits = 0, misses = 0, open = 0;
   for (int exponent = 1; exponent <= 17; ++exponent) {
@@ -491,7 +492,7 @@ TEST(RotatingTruth, RandomBoxesAgreeWithSampledAxes) {
   EXPECT_GE(count[static_cast<std::size_t>(Outcome::initially_overlapping)], 5);
 }
 
-// Without a turn: as the linear oracles say, for every pair of kinds.
+// Without a rotation: the same answers as the linear oracles, for every pair of kinds.
 void expect_as_linear(const corpus::Case& problem, std::array<int, 5>& count) {
   const RotatingTruth truth(problem);
   const CaseTruth linear(problem);
@@ -537,7 +538,8 @@ TEST(RotatingTruth, LinearMotionAgreesWithTheLinearOracles) {
   EXPECT_GE(count[static_cast<std::size_t>(Outcome::initially_overlapping)], 10);
 }
 
-// Any two shapes at random: where it decides, the width is kept; a body that only slides past leaves it open.
+// Any two shapes at random: where the oracle decides, the width is kept. A body that only slides past is
+// undecided.
 TEST(RotatingTruth, EveryPairOfShapesKeepsTheWidth) {
   CurvedPairs make(29);
   int hits = 0;
@@ -629,7 +631,7 @@ TEST(RotatingTruth, Starts) {
   EXPECT_EQ(just.outcome(), Outcome::hit);
   EXPECT_EQ(just.toi_lower(), 0);
   EXPECT_EQ(just.compare(1e-6), 1);
-  // Of curved shapes that touch at t = 0, balls cannot say; contact later on is proved.
+  // For curved shapes that touch at t = 0, balls cannot decide. Contact later on is proved.
   corpus::Case curved;
   curved.a.shape = Ellipsoid<double>{Vec(1, 2, 3)};
   curved.spin_a.rotation = Vec(0, 0, 1);

@@ -84,7 +84,8 @@ TEST(IntegerTurn, ThereAre24PermutationsOfTheAxes) {
     const auto turned = turned_by(problem, axis_permutation(k), true);
     ASSERT_TRUE(turned);
     const auto& segment = std::get<Segment<double>>(turned->a.shape);
-    // Stretched by |p|^2, the lengths are; without that, the same numbers in another order and with signs.
+    // With stretching the lengths grow by |p|^2. Without it the numbers are the same in another order and
+    // with signs.
     const double norm = segment.a.norm() / Vec3<double>(1, 2, 3).norm();
     EXPECT_NEAR(std::abs(segment.a.dot(segment.b)), 68 * norm * norm, 1e-9);
     images.push_back({segment.a[0] / norm, segment.a[1] / norm, segment.a[2] / norm});
@@ -112,7 +113,7 @@ TEST(IntegerTurn, VerticesOrOrientationTurnedAreOneBody) {
         const Body<double>&one = (*in_place).*body, &two = (*by_pose).*body;
         const corpus::Bounds left = corpus::bounds(one.shape, one.orientation),
                              right = corpus::bounds(two.shape, two.orientation);
-        // Of a point far from its origin as well.
+        // The size of the farthest point, also for a body far from its origin.
         const double size = left.high.cwiseAbs().cwiseMax(left.low.cwiseAbs()).maxCoeff();
         EXPECT_LE((left.high - right.high).cwiseAbs().maxCoeff(), 1e-14 * size);
         EXPECT_LE((left.low - right.low).cwiseAbs().maxCoeff(), 1e-14 * size);

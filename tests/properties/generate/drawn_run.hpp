@@ -11,15 +11,16 @@
 
 namespace graze::law {
 
-// RC_PARAMS of the environment, or `usual`; to be called before RapidCheck first reads its configuration.
-// True if the environment had it: then it says how many cases, too.
+// Uses RC_PARAMS of the environment, or `usual`. Call it before RapidCheck first reads its configuration.
+// True if the environment sets RC_PARAMS, which then gives the number of cases, too.
 inline bool takes_given_parameters(const char* usual) {
   const bool given = std::getenv("RC_PARAMS") != nullptr;
   setenv("RC_PARAMS", usual, 0);
   return given;
 }
 
-// Empty if the law held for every case, else the report. cases: how many; none for what RC_PARAMS says.
+// Empty if the law held for every case, else the report. cases: their number, or nullopt for that of
+// RC_PARAMS.
 [[nodiscard]] inline std::string fault_of_drawn(LawRun& run, const rc::Gen<Drawn>& generator,
                                                 std::optional<int> cases) {
   rc::detail::TestParams parameters = rc::detail::configuration().testParams;
@@ -32,7 +33,8 @@ inline bool takes_given_parameters(const char* usual) {
       rc::detail::TestMetadata{run.law().name, run.law().sentence}, parameters);
   run.print();
   if (result.is<rc::detail::SuccessResult>()) return "";
-  // RapidCheck's own shrinking stops where another method breaks the law; on from there by one method.
+  // RapidCheck's own shrinking stops where another method breaks the law. From there the case shrinks by one
+  // method.
   run.minimise();
   std::ostringstream text;
   rc::detail::printResultMessage(result, text);

@@ -78,7 +78,7 @@ TEST(DrawFar, RodsAreOutAtEveryPowerAndTipToTipByAUnitAtMost) {
     EXPECT_TRUE(problem.spin_b.rotation.isZero(0));
     EXPECT_FALSE(problem.spin_a.rotation.isZero(0));
     if (!now) continue;
-    // On the axis x from the start: A's tip is B's but for a unit of either frame, or two where both are out.
+    // On the axis x from the start, A's tip is B's within a unit of either frame, or two where both are out.
     ++starts;
     const double tip_a = problem.a.position[0] + corpus::bounds(problem.a.shape).high[0];
     const double tip_b = problem.b.position[0] + corpus::bounds(problem.b.shape).low[0];
@@ -106,7 +106,7 @@ TEST(DrawFar, ArmsAreLongAndTurnAlikeButForAUnitOrTwo) {
     ++tens[std::ilogb(arm) / 10];
     const Vec3<double> difference = problem.spin_b.rotation - problem.spin_a.rotation;
     one_vector += difference.isZero(0);
-    // Components of up to 9 have units of 2^-49; A's moves as well as B's.
+    // Components of up to 9 have units of 2^-49. Both A's and B's rotations may differ by them.
     EXPECT_LE(difference.cwiseAbs().maxCoeff(), 4 * 0x1p-49);
     balls += std::holds_alternative<Sphere<double>>(problem.a.shape) &&
              std::holds_alternative<Ellipsoid<double>>(problem.b.shape);
@@ -118,7 +118,7 @@ TEST(DrawFar, ArmsAreLongAndTurnAlikeButForAUnitOrTwo) {
   EXPECT_GE(balls, kCases / 20);
 }
 
-// Whether it is a hull with a map of directions.
+// True for a hull with a map of directions.
 bool is_mapped(const Shape<double>& shape) {
   const auto* hull = std::get_if<Hull<double>>(&shape);
   return hull != nullptr && hull->has_adjacency() && !hull->graph().map.empty();
@@ -166,7 +166,7 @@ TEST(DrawLargeHull, IsAFunctionOfItsBits) {
     EXPECT_TRUE(same_input(draw_turning_large_hull(one), draw_turning_large_hull(two)));
 }
 
-// What an oracle said of one is not what it says of the other.
+// An oracle's answer for one start policy is not the answer for the other.
 TEST(SameInput, TellsTheStartPoliciesApart) {
   corpus::Random random(99);
   corpus::Case reported = draw_case(random, 50), passed_over = reported;
@@ -225,7 +225,7 @@ TEST(CaseEdit, TrueAnswersAreRelatedAsTheLawsSay) {
              its.toi_upper() == truth.toi_upper();
     };
     EXPECT_TRUE(same(swapped(problem))) << shown;
-    // A superset may have a ball where others have none, and then is none of the exact oracle's.
+    // A superset may have a ball where others have no ball. Then it is not a case of the exact oracle.
     if (const corpus::Case larger = grown(problem, hash_of(problem)); is_exactly_decided(larger)) {
       EXPECT_LE(oracle::LinearTruth(larger).toi_lower(), truth.toi_lower()) << shown;
     }

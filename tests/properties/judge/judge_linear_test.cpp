@@ -19,7 +19,7 @@ namespace {
 constexpr double kU = kUnitRoundoff<double>;
 constexpr double kInf = kInfinity<double>;
 
-// Of a made-up method: only its answers, which are handed in, are judged.
+// A made-up method. Only its given answers are judged.
 engine::Method method_of(const engine::Guarantee& row, double unit_roundoff = kU) {
   return {.name = row.method,
           .scalar = row.scalar,
@@ -57,7 +57,7 @@ engine::Answer right_answer() {
   return answer;
 }
 
-// Axis z proves t >= 1/4; the pair of vertices (1, 1, 1) of A and (1, 1, -1) of B, with three others of their
+// Axis z proves t >= 1/4. The pair of vertices (1, 1, 1) of A and (1, 1, -1) of B, with three others of their
 // faces, meets the path. One corner pair is not on the path, so the portal takes a triangle around it.
 Proof right_proof() {
   Proof proof;
@@ -185,7 +185,7 @@ TEST(Judge, AStallIsCountedAndItsBracketStillJudged) {
   EXPECT_FALSE(judged(answer).early.empty());
 }
 
-// No width is promised of it: its errors are measured, and held against nothing.
+// An answer that did not converge has no promised width. Its errors are measured and compared with no limit.
 TEST(Judge, WhatHasNotConvergedIsOverNoLimit) {
   engine::Answer answer = right_answer();
   answer.toi_lower = 0.2;
@@ -322,7 +322,7 @@ TEST(JudgeExact, ConvictsWhatIsADoubleLateOrEarly) {
   answer = exact_answer();
   answer.toi_upper = answer.proof->toi_upper = answer.toi_lower;
   EXPECT_FALSE(judged_exactly(answer, false).false_proof.empty());
-  // What the proof claims is right, and the answer is something else.
+  // The claim of the proof is right, but the answer is something else.
   answer = exact_answer();
   answer.toi_lower = answer.toi_upper;
   EXPECT_FALSE(judged_exactly(answer, false).wrong.empty());
@@ -359,7 +359,7 @@ TEST(JudgeExact, CountsApartWhatTheTierIsNotAsked) {
   EXPECT_TRUE(judged_exactly(refusal, false, problem).faulty());
 }
 
-// Is an answer a fault, or a stall where the row allows none?
+// Is an answer a fault, or unconverged although the guarantee allows no such answer?
 bool fails_as_linear(const corpus::Case& problem) {
   bool fails = false;
   for (const engine::Method& method : engine::methods(engine::Kind::linear)) {

@@ -50,7 +50,7 @@ Judgement judged(const Case& problem, const Answer& answer) {
   return judge_query(truth, method_for(problem.query), answer);
 }
 
-// Our answer stands; with the change it falls, by the fault named.
+// The judge accepts our answer, and finds the named fault in it after the change.
 void falls(const Case& problem, std::string Judgement::*fault, const std::function<void(Answer&)>& change) {
   Answer answer = ours(problem);
   const Judgement before = judged(problem, answer);
@@ -90,7 +90,7 @@ TEST(QueryJudge, Distance) {
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.normal *= -1; });
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_a.x() += kOff; });
   falls(apart, &Judgement::bad_contact, [](Answer& a) { a.point_b.y() += 0.125; });
-  // Wide and said to be wide is a stall, not a fault; wide and false is one.
+  // A wide answer that reports that it did not converge has no fault. A wide and false one has.
   Answer wide = ours(apart);
   wide.stalled = true;
   wide.separation = Interval{0.25, 0.75};
@@ -125,7 +125,7 @@ TEST(QueryJudge, Line) {
   falls(past, &Judgement::wrong, [](Answer& a) { a.outcome = Outcome::hit; });
 }
 
-// Of bodies that do not move and touch, contact has no end on either side; of any other, it has.
+// For bodies that do not move and touch, contact has no end on either side. For all others it has both ends.
 TEST(QueryJudge, ALineWithoutEnds) {
   const Case still = cubes(Query::line, {1.25, 0, 0});
   falls(still, &Judgement::off, [](Answer& a) { a.t_in->lower = -1; });

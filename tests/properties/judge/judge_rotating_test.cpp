@@ -25,7 +25,7 @@ Judgement judged(const Case& problem, const char* name, const Answer& answer, Re
   return judge(truth, method(name), answer, request, true);
 }
 
-// The method's own answer stands; with the change it falls, by the fault named.
+// The judge accepts the method's own answer, and finds the named fault in it after the change.
 void falls(const Case& problem, const char* name, std::string Judgement::*fault,
            const std::function<void(Answer&)>& change, Request request = kPlain) {
   Answer answer = method(name).ask(problem, {.request = request});
@@ -36,7 +36,7 @@ void falls(const Case& problem, const char* name, std::string Judgement::*fault,
   EXPECT_NE(judged(problem, name, answer, request).*fault, "") << name;
 }
 
-// In time; the lower edge falls at about 1.4 per unit of t, and the scale is 5.7.
+// An offset in time. The lower edge falls at about 1.4 per unit of t, and the scale is 5.7.
 constexpr double kOff = 1e-9;
 
 void become_miss(Answer& a) {

@@ -42,7 +42,7 @@ const char* coordinates_of(const Case& problem) {
 
 class Judging {
  public:
-  // Both scalars, where the case is a question for the tier; each is one cast. False once one is wrong.
+  // Casts the case in both scalars if it is a question for the tier. False once one answer is wrong.
   [[nodiscard]] bool judge(const Case& problem) {
     for (const char* name : {"exact/double", "exact/float"}) {
       const engine::Method& method = *engine::find_method(engine::Kind::linear, name);
@@ -146,7 +146,7 @@ TEST(ExactTier, EqualsTheOracleOnDrawnCasts) {
   EXPECT_GT(judging.count("by linear program"), judging.casts() / 2000);
 }
 
-// What the filters leave open, and supports that differ by the last bits of their coordinates.
+// Cases that the filters leave undecided, and supports that differ by the last bits of their coordinates.
 TEST(ExactTier, EqualsTheOracleOnNearTies) {
   Judging judging;
   corpus::Random random(20261122);

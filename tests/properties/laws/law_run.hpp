@@ -17,18 +17,18 @@ class LawRun {
  public:
   LawRun(Law law, std::string source) : law_(std::move(law)), source_(std::move(source)), tally_(law_) {}
 
-  // Asks every method; true if the law holds or does not apply.
+  // Calls every method. True if the law holds or does not apply.
   bool holds_for(const corpus::Case& problem, std::string_view family = {});
 
-  // The broken case made small by the law and the method that it broke; what breaks it then may be another
-  // reason. At most `budget` calls of the law.
+  // Makes the broken case small by the law and the method that it broke. The small case may break the law for
+  // another reason. At most `budget` calls of the law.
   void minimise(int budget = 3000);
 
-  // What the last broken case was, saved as files (certify/law_finding.hpp) in GRAZE_FINDINGS_DIR or
-  // findings/ of the build. seed: how to draw the first one again.
+  // The last broken case, saved as files (certify/law_finding.hpp) in GRAZE_FINDINGS_DIR or findings/ of the
+  // build. seed: how to draw the first one again.
   [[nodiscard]] std::string report(std::string_view seed) const;
 
-  // Empty, or which outcome was never drawn, or which method stalled too often.
+  // Empty, or the outcome that was never drawn, or the method that failed to converge too often.
   [[nodiscard]] std::string shortfall() const;
   // The same, or which family was never reached.
   [[nodiscard]] std::string shortfall_over_families() const;

@@ -1,5 +1,5 @@
-// What a run lacked is noticed: a law that never applied, an outcome or a family that was never reached, more
-// stalls than a row allows, and a declaration that is not true any more.
+// The tally reports the gaps of a run: a law that never applied, an outcome or a family that was never
+// reached, more unconverged answers than the guarantee allows, and a declaration that is not true any more.
 #include "properties/laws/law_tally.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(LawTally, AQueryMayKnowContactByEitherName) {
   EXPECT_EQ(tally.shortfall_of_outcomes(), "apart_or_not saw no contact");
   tally.add(0, "", holds({"initially_overlapping"}));
   EXPECT_EQ(tally.shortfall_of_outcomes(), "");
-  // Where the law did not apply nothing was seen, but an oracle asked in vain is counted.
+  // A law that did not apply saw nothing, but an oracle called in vain is counted.
   LawResult open = not_applicable("the oracle is open");
   open.labels = {"undecided"};
   tally.add(0, "", open);
@@ -98,7 +98,7 @@ TEST(LawTally, TwoHalvesAreTheWhole) {
   EXPECT_TRUE(one.reached("random"));
 }
 
-// Every declaration names a law, and families and outcomes that there are; and every name is one law's.
+// Every declaration names a law, and existing families and outcomes. Every name belongs to one law.
 TEST(LawReach, DeclaresNothingThatIsNotThere) {
   std::set<std::string> names;
   for (const Law& law : laws()) {

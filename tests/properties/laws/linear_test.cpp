@@ -1,9 +1,9 @@
 // Every law of linear casts, for every method, over cases drawn by RapidCheck, the families, and the curated
 // corpus.
 //
-// The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in the environment
-// draws others, and as large a share of the families; with a small one a law may meet no case of a family
-// that it applies to, and says so.
+// The seed is fixed, and printed with a failure. RC_PARAMS="seed=... max_success=..." in the environment
+// draws other cases, and as large a share of the families. With a small share, a law may meet no case of a
+// family that it applies to, and reports so.
 #include <gtest/gtest.h>
 
 #include "corpus/families.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 const bool kGiven = takes_given_parameters("seed=20260117");
 
-// Cases a law; with an oracle a case costs milliseconds, without one microseconds.
+// Cases for each law. With an oracle a case costs milliseconds, without one microseconds.
 int budget(Needs needs) { return needs == Needs::oracle ? 2000 : 4000; }
 int family_seeds(Needs needs) {
   const int usual = needs == Needs::oracle ? 40 : 200;

@@ -1,7 +1,7 @@
 // Every law of the queries beside the cast, for every method, over cases drawn by RapidCheck, the families,
 // and the curated corpus.
 //
-// The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in the environment
+// The seed is fixed, and printed with a failure. RC_PARAMS="seed=... max_success=..." in the environment
 // draws others.
 #include <gtest/gtest.h>
 
@@ -19,12 +19,13 @@ namespace {
 
 const bool kGiven = takes_given_parameters("seed=20260117");
 
-// The door tries every number of a case with four bad ones; the oracle takes milliseconds.
+// The law of bad input replaces every number of a case by four bad ones. The oracle takes milliseconds.
 bool is_slow(const Law& law) {
   return law.needs == Needs::oracle || law.name == "query_bad_input_is_refused";
 }
 
-// Of the families' levels and of the curated cases a law sees a share, and each law another.
+// Each law sees a share of the families' levels and of the curated cases. The share depends on this index of
+// the law.
 std::size_t turn_of(const Law& law) {
   const auto named = [&](const Law& one) { return one.name == law.name; };
   return static_cast<std::size_t>(
@@ -47,7 +48,7 @@ TEST_P(QueryLaws, HoldForTheFamilies) {
   const Law& law = GetParam();
   LawRun run(law, "families");
   for (const corpus::Family& family : families_of(Kind::query)) {
-    // Every second level, of slow laws every fourth; one at least.
+    // Every second level, and every fourth for slow laws, but at least one.
     const std::size_t levels = family.levels.size(), stride = is_slow(law) ? 4 : 2;
     for (std::size_t i = 0; i < levels; i += stride) {
       const std::size_t level = (i + turn_of(law)) % levels;
@@ -57,7 +58,7 @@ TEST_P(QueryLaws, HoldForTheFamilies) {
       run.minimise();
       FAIL() << run.report(seed_of(family.name, hardness, seed));
     }
-    // Where the law applied to none of these, more of them.
+    // If the law applied to none of these cases, more cases are drawn.
     for (std::uint64_t seed = 0; seed < 32 && !run.tally().reached(std::string(family.name)); ++seed) {
       const double hardness = family.levels[seed % levels];
       EXPECT_TRUE(run.holds_for(family.generate(hardness, seed), family.name))

@@ -1,7 +1,7 @@
 // Every law of rotating casts, for every rotating method, over drawn cases, the families, and the corpus.
 //
 // The oracle's answer to a case costs more than all laws about it, so a case goes through every law before
-// the next is drawn. The seed is fixed, and printed with a failure; RC_PARAMS="seed=... max_success=..." in
+// the next is drawn. The seed is fixed, and printed with a failure. RC_PARAMS="seed=... max_success=..." in
 // the environment draws others.
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -27,8 +27,8 @@ namespace {
 
 const bool kGiven = takes_given_parameters("seed=20261121");
 constexpr int kDrawnCases = 120;
-// The easier half of the levels, where a case takes every law together a tenth of a second; the hardest take
-// the oracle and conservative advancement many seconds, and are for campaigns.
+// For the easier half of the levels, all laws together take a tenth of a second a case. On the hardest levels
+// the oracle and conservative advancement take many seconds, so these are left to campaigns.
 constexpr int kFamilySeeds = 1;
 
 // All laws over many cases: what was drawn is counted, what broke is kept.
@@ -48,7 +48,7 @@ class RotatingRun {
     return true;
   }
 
-  // The broken case made small by the law and the method that it broke; saved, and what to do with it.
+  // The saved case, made small by the law and the method that it broke, and instructions for it.
   [[nodiscard]] std::string report(const std::string& seed, bool make_small = true) {
     if (make_small) broken_->minimise(2000);
     return broken_->report(seed);
@@ -281,7 +281,7 @@ TEST(CaseEdit, TrueRotatingAnswersAreRelatedAsTheLawsSay) {
   EXPECT_GE(restarts, 3);
 }
 
-// The same of the edits of turns alone; every case is seen by one of them in turn, for the oracle's time.
+// The same for the edits of rotations alone. Every case goes through one edit in turn, for the oracle's time.
 TEST(TurningEdit, TrueAnswersAreRelatedAsTheLawsSay) {
   corpus::Random random(19);
   std::map<std::string, int> seen;
@@ -322,7 +322,7 @@ TEST(TurningEdit, TrueAnswersAreRelatedAsTheLawsSay) {
           ++seen["missed both ways"];
         } else if (there->contact_proved() && there->depth().low > way->error) {
           EXPECT_NE(back->outcome(), Outcome::miss) << shown;
-          // Where the way back has its first contact, the way there has one.
+          // The way there is in contact at the time of the way back's first contact.
           const double t = problem.t_max - back->toi_upper();
           EXPECT_LE(there->distance_at(t).low, way->error + 0x1p-50 * problem.t_max * top_speed_of(problem))
               << shown;

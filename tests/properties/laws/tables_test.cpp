@@ -1,4 +1,4 @@
-// A file of laws ends with their table. One that tables.hpp does not name compiles, and is never asked; a law
+// A file of laws ends with their table. A table that tables.hpp does not name compiles, but never runs. A law
 // that its table does not name is an unused function, which does not compile.
 #include "properties/laws/tables.hpp"
 
@@ -20,7 +20,7 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// What the group of the pattern matches, each time.
+// All matches of the pattern's group.
 std::multiset<std::string> found(const std::string& text, const char* pattern) {
   const std::regex wanted(pattern);
   std::multiset<std::string> names;

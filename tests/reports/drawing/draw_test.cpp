@@ -188,7 +188,7 @@ TEST(PageOfFamilies, HasASectionAndAPictureOfEachAndOfNothingElse) {
   EXPECT_EQ(pictures, names) << "redraw them: graze draw --families docs/pictures/families";
 }
 
-// The outcome line up to its first number, and that number; the last digits of a time may differ by compiler.
+// The outcome line up to its first number, and that number. The last digits of a time may differ by compiler.
 std::pair<std::string, double> outcome_of(const std::string& svg) {
   const std::size_t title = svg.find("<text "), line = svg.find("<text ", title + 1);
   const std::size_t begin = svg.find('>', line) + 1, end = svg.find('<', begin);

@@ -81,8 +81,8 @@ TEST(Mesh, OfCurvedShapesLiesInThemAndComesNearTheirSupports) {
 TEST(Mesh, IsFinestWhereTheShapeTouches) {
   const Vec towards = Vec(1, 2, 2).normalized();
   const Mesh mesh = show::mesh_of(Sphere<double>{1}, towards);
-  // Between two rings a direction is within 0.42 of its angle of a vertex; of the place of contact alone it would be the
-  // angle off, and the height short by half its square.
+  // Between two rings a direction is within 0.42 of its angle of a vertex. With the place of contact as the
+  // only vertex it would be the angle off, and the height short by half its square.
   const Vec side = towards.unitOrthogonal();
   for (const Real angle : {Real(1e-5), Real(1e-3), Real(0.1)}) {
     const Vec3<double> n = (std::cos(angle) * towards + std::sin(angle) * side).cast<double>();

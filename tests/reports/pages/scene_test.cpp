@@ -84,7 +84,7 @@ TEST(Scene, SetsWhatIsClaimedBesideWhatIsTrue) {
   EXPECT_EQ(scene["answers"][1]["toi"]["lower"], 0.625);
   EXPECT_EQ(scene["command"], "again");
   EXPECT_NE(scene["still"].get<std::string>().find("</svg>"), std::string::npos);
-  // What is drawn can be read again.
+  // The drawn case can be read again.
   const corpus::ReadResult read = corpus::read_text(scene["case"].get<std::string>(), "case", false);
   ASSERT_TRUE(read.ok());
   EXPECT_TRUE(corpus::same_case(read.cases[0], problem));

@@ -1,4 +1,4 @@
-// Which contender is taken for whom, of planted figures.
+// Checks on planted figures which contender is advised for which user.
 #include "reports/price/advice.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(PriceAdvice, ARobotTakesNothingThatIsLateOrWrong) {
   EXPECT_EQ(one.label, "certified/double");
   EXPECT_EQ(one.call, "// Body<double>\ngraze::cast(a, b, {.tier = graze::Tier::certified})");
   EXPECT_EQ(one.because, "the next cheaper, ca/double (3.00 times), is late in 2 of 10, by 1e-16 of scale");
-  // Who was right by chance has promised nothing.
+  // A contender that was right by chance has no guarantee.
   Document document = planted_document();
   for (Row& row : document.tables[0].rows) row.late = row.wrong = 0;
   EXPECT_EQ(advice(document, "a robot", "that do not turn").label, "certified/double");
@@ -81,7 +81,7 @@ TEST(PriceAdvice, TierExactIsTakenWhereItCostsNoMore) {
   for (Row& row : document.tables[0].rows) {
     if (row.tier == "certified") row.backward.worst = 0;
   }
-  // 5 times against 4; then 4.1.
+  // 5 times against 4, then 4.1.
   EXPECT_EQ(advice(document, "a CAD tool", "that are polytopes").label, "certified/double");
   document.tables[0].rows.back().ratio = Spread{.median = 4.1, .low = 4, .high = 4.2};
   EXPECT_EQ(advice(document, "a CAD tool", "that are polytopes").label, "exact/double");

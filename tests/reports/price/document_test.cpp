@@ -77,7 +77,7 @@ TEST(PriceDocument, TheCsvHasALineARowAndAsManyCellsInEach) {
     commas.push_back(std::count(line.begin(), line.end(), ','));
     start = end + 1;
   }
-  // Of a row one comma is in quotes.
+  // In each row one comma is in quotes.
   for (std::size_t i = 1; i < commas.size(); ++i) EXPECT_EQ(commas[i], commas[0] + 1);
   EXPECT_NE(csv.find("\"round, and flat\""), std::string::npos);
   EXPECT_EQ(csv.find("nan"), std::string::npos);

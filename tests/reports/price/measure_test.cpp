@@ -158,7 +158,7 @@ TEST(PriceRun, ATableHasEveryContenderThatTakesACase) {
   EXPECT_GT(on_front, 0U);
 }
 
-// Where a search has to close in, a loose tolerance is seen in the error, and is kept.
+// If a search has to close in, a loose tolerance is visible in the error, and is kept.
 TEST(PriceRun, ALooseToleranceIsSeenWhereTheSearchClosesIn) {
   Topic topic = few_balls();
   topic.draw = [](corpus::Random&, std::size_t place) {
@@ -190,7 +190,7 @@ TEST(PriceRun, ARunThatIsStoppedKeepsWholeTablesAndGoesOnFromThere) {
   const Document whole = run(settings, half);
   EXPECT_TRUE(whole.finished);
   ASSERT_EQ(whole.tables.size(), 2U);
-  // What was there is not measured again.
+  // The earlier measurements are not repeated.
   EXPECT_EQ(whole.tables[0].rows[0].time->median, half.tables[0].rows[0].time->median);
 }
 

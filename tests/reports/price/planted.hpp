@@ -31,7 +31,7 @@ inline Row planted_row(const std::string& method, double tolerance, double ratio
   return row;
 }
 
-// gjk is the baseline; ca is dearer, mpr cheaper and coarse, certified and exact dearer and right.
+// gjk is the baseline. ca is dearer, mpr cheaper and coarse, and certified and exact are dearer and right.
 inline Document planted_document() {
   PriceTable table{.part = Part::family, .name = "round", .group = "smooth", .kind = "linear"};
   table.title = "Round things";

@@ -1,4 +1,4 @@
-// A planted slowdown and a planted loss of accuracy are found; noise is not.
+// A planted slowdown and a planted loss of accuracy are found, and noise is not reported.
 #include "reports/price/price_compare.hpp"
 
 #include <gtest/gtest.h>

@@ -61,7 +61,7 @@ TEST(PriceStatistics, ADigitThatCostsATenthIsSaidTo) {
   EXPECT_DOUBLE_EQ(price->to, 100 * std::pow(1.1, 12));
 }
 
-// A tolerance that has to be shown can cost more than the least: nobody pays that for a coarser answer.
+// A tolerance that has to be shown can cost more than the least. A coarser answer is not worth that price.
 TEST(PriceStatistics, ADigitIsPaidOnTheMethodsOwnFront) {
   const std::vector<Point> points = {{1, 1e-2}, {9, 1e-8}, {2, 1e-16}};
   const std::optional<DigitPrice> price = price_of_a_digit(points);

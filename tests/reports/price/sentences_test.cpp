@@ -1,4 +1,4 @@
-// What is said of planted figures.
+// The sentences of the report on planted figures.
 #include "reports/price/sentences.hpp"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 using corpus::Case;
 using corpus::Query;
 
-// A number of the JSON as the block writes it; an infinite one is a string, or null where nothing is known.
+// A number of the JSON as the block writes it. An infinite number is a string, or null where nothing is
+// known.
 std::string number(const Json& json) {
   if (json.is_null()) return "inf";
   return json.is_string() ? json.get<std::string>() : fmt::format("{}", json.get<double>());
@@ -29,7 +30,7 @@ std::string vector(const Json& json) {
   return fmt::format("({}, {}, {})", number(json.at(0)), number(json.at(1)), number(json.at(2)));
 }
 
-// What a line of the block must be, from the JSON alone; throws for a field that the JSON has not.
+// The expected line of the block, from the JSON alone. Throws for a field that the JSON has not.
 std::string expected(const std::string& name, const Json& json) {
   const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
   if (name == "method") return fmt::format("{}, {}, tier {}", text("method"), text("scalar"), text("tier"));
@@ -57,7 +58,7 @@ std::string expected(const std::string& name, const Json& json) {
   throw std::out_of_range("no JSON is known for the line " + name);
 }
 
-// Every line of the block but the first, which is the id; the names that it has.
+// Checks every line of the block except the first, which is the id. Returns the names of the lines.
 std::set<std::string> expect_said(const std::string& block, const std::string& json_line) {
   SCOPED_TRACE(block + json_line);
   const Json json = Json::parse(json_line);

@@ -19,7 +19,7 @@ const std::string kSmall =
 
 class CampaignCommand : public testing::Test {
  protected:
-  // `command` of a shell, in the folder, with GRAZE the command; its exit code.
+  // Runs `command` in a shell, in the folder, with GRAZE the command. Returns its exit code.
   [[nodiscard]] int shell(const std::string& command) const {
     folder.write("script", "cd \"$(dirname \"$0\")\"; export GRAZE='" GRAZE_COMMAND "'\n" + command);
     const int status = std::system(("bash '" + folder.path().string() + "/script' >/dev/null 2>&1").c_str());
@@ -90,7 +90,7 @@ TEST_F(CampaignCommand, OtherMethodsQueriesAndTurningBodiesArePartsOfOneCampaign
 }
 
 TEST_F(CampaignCommand, SignalsStopItAndTheSameCommandGoesOn) {
-  // Ended by signals again and again until it is done; 143 says that it kept what it had.
+  // Ended by signals again and again until it is done. Exit code 143 says that it kept its results.
   const std::string command = "campaign --casts 600 --block 4 --family many_vertices ";
   const CommandRun whole = folder.graze(command + "--json whole.json");
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
@@ -135,7 +135,7 @@ TEST_F(CampaignCommand, TheSlurmJobCastsItsShardAndGoesOn) {
             0);
   EXPECT_EQ(folder.graze("merge part1.json part2.json part3.json").out, whole.out);
   EXPECT_EQ(folder.read("failures2.jsonl"), "");
-  // One task again, which has nothing left to do; and what would be another share of it.
+  // The same task again, which has nothing left to do, and a task of another share, which is refused.
   EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=2 GRAZE_SHARDS=3 bash " + job + options), 0);
   EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=2 GRAZE_SHARDS=4 bash " + job + options), 2);
   EXPECT_EQ(shell("bash " + job + options), 2);

@@ -1,5 +1,5 @@
-// graze check compares what a record says with what its proof proves, and says in one line what a file holds
-// that is none of proofs.
+// graze check compares the claims of a record with those of its proof. One line names the lines of a file
+// that are not proofs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST_F(CheckRecords, CastWritesTheTierAndTheBracketOfItsAnswer) {
     const CommandRun run = folder.graze("check proofs.jsonl");
     EXPECT_EQ(run.exit_code, 0) << run.out;
     EXPECT_EQ(run.out, "1 accepted, 0 refused\n");
-    // What was written before records said so much is read as ever.
+    // Records from before these fields existed are read as ever.
     Json old = record;
     old.erase("tier");
     old.erase("toi");

@@ -72,7 +72,7 @@ TEST(Cast, JsonLinesHaveExactlyThePromisedFieldsAndReadBackToTheSameBits) {
     const CommandRun run = folder.graze("cast hit.json --json --method all --scalar " + scalar);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const std::vector<std::string> lines = lines_of(run.out);
-    // Of a case with a ball there is no exact answer.
+    // A case with a ball has no exact answer.
     ASSERT_EQ(lines.size(), 4U);
     for (const std::string& line : lines) {
       const Json json = Json::parse(line);
@@ -281,7 +281,7 @@ TEST(Certify, ExitsWith1AndNamesRowAndCaseIfAMethodBreaksItsRow) {
   EXPECT_FALSE(saved.cases.empty());
 }
 
-// What no method takes is refused, and a refusal keeps no guarantee.
+// A case that no method supports is refused, and a refusal keeps no guarantee.
 TEST(Certify, ARunThatJudgesNothingSaysWhyAndIsNoSuccess) {
   const Folder folder;
   folder.write(
@@ -342,7 +342,7 @@ TEST(Certify, TheVerdictsDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(without_times(one.out), without_times(three.out));
 }
 
-// Two runs of the same cases do the same work, whatever the clock says; a planted change of it is found.
+// Two runs of the same cases do the same work, whatever the clock says. A planted change of it is found.
 TEST(Price, ARunIsComparedWithAnotherAndAPlantedChangeIsFound) {
   const Folder folder;
   const std::string few = "price --only polytopes --only 'face gap 2' --rounds 2 --json ";

@@ -29,7 +29,7 @@ constexpr const char* kCube =
 constexpr const char* kKnown =
     R"({"schema": "graze.case/1", "id": "known/rim", "family": "known", "comment": "A cylinder whose rim meets a point.",)"
     R"( "a": {"shape": {"type": "cylinder", "radius": 1, "half_height": 1}}, "b": {"shape": {"type": "point"}, "position": [3, 0, 0], "displacement": [-4, 0, 0]}})";
-// What a campaign saves: a generated case, as it came.
+// The case that a campaign saves: a generated case, unchanged.
 constexpr const char* kFinding =
     R"({"schema": "graze.case/1", "id": "grazing/h9/s1", "family": "grazing", "hardness": 9,)"
     R"( "b": {"shape": {"type": "point"}, "position": [0, 0, 3], "displacement": [0, 0, -3]}, "a": {"shape": {"type": "box", "half_extents": [1, 1, 1]}}})";

@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 using test::CommandRun;
 using test::Folder;
 
-// Meets the cube's face at t = 0.375; lifted by 2.5 it passes it by one.
+// Meets the cube's face at t = 0.375. Lifted by 2.5 it passes it by one.
 corpus::Case flying_ball(const std::string& id, double height) {
   corpus::Case problem;
   problem.id = id;

@@ -1,4 +1,4 @@
-// graze laws, as a user runs it; and the page of the laws.
+// graze laws, as a user runs it, and the page of the laws.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -52,7 +52,7 @@ TEST(LawCommand, DrawsFamiliesAndTakesLawsAndMethodsByName) {
   EXPECT_NE(run.out.find("swapping"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("translating"), std::string::npos) << run.out;
   EXPECT_EQ(run.out, folder.graze(arguments + "--threads 3").out);
-  // Of a law that no case is one for.
+  // A law that applies to no case.
   const CommandRun idle =
       folder.graze("laws --family aligned_boxes --count 2 --law certified_decides --method mpr");
   EXPECT_EQ(idle.exit_code, 0);

@@ -19,7 +19,7 @@ constexpr const char* kHit = R"({"schema": "graze.case/1", "id": "test/hit", "fa
  "b": {"shape": {"type": "sphere", "radius": 0.3}, "position": [0.1, 0.2, 1.4], "displacement": [0.1, 0, -10]}}
 )";
 
-// One line that is not long and names `part`; nothing is judged or written before.
+// One short line names `part`, and nothing is judged or written before.
 void expect_one_complaint(const CommandRun& run, const std::string& part) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

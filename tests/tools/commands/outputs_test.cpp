@@ -1,4 +1,4 @@
-// What the command graze writes: never over what it reads, and never lost in silence.
+// The command graze never writes over its input, and reports every output that is lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>

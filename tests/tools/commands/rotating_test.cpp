@@ -92,7 +92,7 @@ TEST(CastRotating, ByAMethodOrATierThatIsNamed) {
     EXPECT_EQ(json["outcome"], "hit");
     EXPECT_EQ(json["tier"], choice.find("certified") != std::string::npos ? "certified" : "standard");
   }
-  // A linear case may have a rotating method; one that turns no linear one.
+  // A linear case may have a rotating method, but a rotating case has no linear one.
   EXPECT_EQ(Json::parse(scene.graze("cast straight.json --json --method bilateral").out)["method"],
             "bilateral");
   expect_one_complaint(scene.graze("cast bar.json --method gjk"),

@@ -24,8 +24,8 @@ class Folder {
   [[nodiscard]] std::string read(const std::string& name) const;
   // `graze arguments < input`, in this folder.
   [[nodiscard]] CommandRun graze(const std::string& arguments, const std::string& input = "") const;
-  // The same with what a shell makes of the line: `graze` is the command, and redirections are its own. What
-  // it leaves alone goes to the files stdout and stderr.
+  // Runs a line through a shell: `graze` is the command, and redirections are the shell's. Output that is not
+  // redirected goes to the files stdout and stderr.
   [[nodiscard]] CommandRun shell(const std::string& line, const std::string& input = "") const;
 
  private:
