@@ -27,7 +27,8 @@ using law::LawResult;
 // (law, method): what breaks, until now the first of its cases.
 using Breaches = std::map<std::pair<std::size_t, std::size_t>, LawBreach>;
 
-// Adds a broken answer; the first in the order of suites and cases stays, whichever thread came first.
+// Adds a broken answer. The first in the order of suites and cases is kept, independent of the order of
+// threads.
 void add_breach(Breaches& breaches, LawBreach one) {
   LawBreach& kept = breaches.try_emplace({one.law, one.method}).first->second;
   const std::size_t times = kept.times + one.times;
@@ -46,7 +47,7 @@ LawResult check(const Law& law, const corpus::Case& problem, const engine::Metho
   return method.is_ours() ? law.check(problem, method) : check_other(law, problem, method);
 }
 
-// An engine of others may take its time limit for every answer that it owes.
+// A third-party engine may use up its time limit for every answer.
 constexpr std::chrono::seconds kMostOfAnother{20};
 
 void make_small(LawBreach& breach, const LawSettings& settings) {

@@ -15,9 +15,9 @@ struct ReportInput {
   const WorstCases& worst;
   const std::vector<EngineFinding>& findings;
   double seconds = 0;
-  std::string command;           // that made the report
+  std::string command;           // the command that made the report
   std::string plain;             // the tables as text, for a page without the viewer
-  std::size_t most_scenes = 40;  // of the cases that are named, those that can be looked at; the worst first
+  std::size_t most_scenes = 40;  // named cases that can be viewed, the worst first
 };
 
 // The whole of index.html.

@@ -15,10 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What is 0, or too small to matter, is drawn on the lowest line; what is above the highest on that.
+// A value of 0, or one too small to matter, is drawn on the lowest line. A value above the highest line is
+// drawn on that.
 constexpr const char* kShown = "f(x) = x != x ? NaN : x < 1e-20 ? 1e-20 : x > 10 ? 10 : x";
 
-// Okabe and Ito's colours, told apart by the colour-blind; filled marks for double, hollow ones for float.
+// Okabe and Ito's colours, which colour-blind readers can tell apart. Marks are filled for double and hollow
+// for float.
 struct Look {
   const char* color;
   int filled, hollow;
@@ -126,7 +128,7 @@ void write_panel(OutputFile& script, const Panel& panel, const std::string& data
   script.write_line(plots);
 }
 
-// The title; and the legend, which has a strip of its own below the panels.
+// Writes the title and the legend, which has a strip of its own below the panels.
 void write_legend(OutputFile& script, const std::vector<Curve>& curves,
                   const std::vector<std::string>& styles, const FamilyStability& family) {
   script.write_line("unset title; unset xlabel; unset ylabel; unset tics; unset border; unset grid");

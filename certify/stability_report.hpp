@@ -14,7 +14,7 @@ namespace graze::tool {
 // The curves of a family, a row a level.
 [[nodiscard]] std::string level_table(const FamilyStability& family);
 
-// A row for each method and family, at its worst; by method, the worst family first.
+// A row for each method and family at its worst level, by method, the worst family first.
 [[nodiscard]] std::string stability_table(const std::vector<Curve>& curves);
 
 // The levels from which on forward errors, verdicts and stalls get bad, for the curves where they do.
@@ -23,7 +23,7 @@ namespace graze::tool {
 // A row for each method: where it is at its worst, what it claims, and whether that holds.
 [[nodiscard]] std::string summary_table(const std::vector<Curve>& curves);
 
-// What does not hold, a line each.
+// The broken guarantees, one line each.
 [[nodiscard]] std::vector<std::string> breaches(const std::vector<Curve>& curves);
 
 }  // namespace graze::tool

@@ -21,7 +21,7 @@ Vec3<double> widened(const Vec3<S>& v) {
   return v.template cast<double>();
 }
 
-// What all results have in common.
+// Starts an answer with the fields that all results share.
 template <class Result>
 Answer begun(const Result& result, Outcome outcome) {
   Answer answer;
@@ -32,7 +32,7 @@ Answer begun(const Result& result, Outcome outcome) {
   return answer;
 }
 
-// Unasked for they are zero; where they are not, it shows.
+// Witnesses that were not requested are zero. If they are not, the answer shows them.
 template <class Result>
 void add_points(Answer& answer, const Result& result, Request request) {
   if (!asks_for(request, Request::witnesses) && result.point_a.isZero(0) && result.point_b.isZero(0)) return;
@@ -76,7 +76,7 @@ Answer of_penetration(const PenetrationResult<S>& result, const Ask& ask) {
   }
   return answer;
 }
-// What an Ask says of every search.
+// Copies the part of an Ask that every search has.
 template <Scalar S, class Options>
 Options searching(Options options, const Ask& ask) {
   if constexpr (requires { options.tolerance; }) options.tolerance = static_cast<S>(ask.tolerance);

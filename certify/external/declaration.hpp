@@ -1,4 +1,4 @@
-// What an engine says of itself, graze.engine/1 (docs/reference/protocol.md has a sentence about each field).
+// An engine's declaration about itself, graze.engine/1 (docs/reference/protocol.md describes each field).
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace graze::external {
 
 enum class Question { cast, rotating_cast, ray, overlap, distance, penetration };
 [[nodiscard]] std::string_view to_text(Question question);
-// Of bodies that move; the others are about t = 0.
+// True for questions about moving bodies. The others are about t = 0.
 [[nodiscard]] constexpr bool is_cast(Question question) {
   return question == Question::cast || question == Question::rotating_cast || question == Question::ray;
 }
@@ -32,7 +32,7 @@ struct Offer {
   double early = 0;                       // a length by which its times stop short by design
   bool starts = true;                     // it is asked about starts in contact
   double stalls = 0;                      // the fraction of a family in which it may say not_converged
-  std::optional<int> most_supports = {};  // what an answer's `supports` stays below or at
+  std::optional<int> most_supports = {};  // upper bound on an answer's `supports`
   bool takes_target_distance = false, takes_pass_over = false;
 
   [[nodiscard]] bool promises_errors() const { return tolerance || relative_tolerance || kappa; }

@@ -30,7 +30,7 @@ Answer failure(Failure kind, std::string what) {
   return answer;
 }
 
-// What ends a process: all but an answer that can be read, though its numbers make no sense.
+// True for failures that end a process. An answer that can be read but has invalid numbers does not.
 bool is_dead(Failure failure) {
   switch (failure) {
     case Failure::none:
@@ -127,7 +127,8 @@ void Engine::add_method(const Offer& offer) {
   methods_.push_back(std::move(method));
 }
 
-// One whose first line is read, or, where none waits, a new one; of one that says nothing of itself, why.
+// A process whose first line has been read, or a new one if none is waiting. If the engine declares nothing
+// about itself, the error says why.
 std::unique_ptr<Process> Engine::take(Line& first) {
   Waiting next;
   {

@@ -1,5 +1,5 @@
-// An engine of others: a command that speaks the protocol, its processes, and the methods that it adds to the
-// list of those that are judged.
+// A third-party engine: a command that speaks the protocol, its processes, and its methods, which are added
+// to the list of judged methods.
 #pragma once
 
 #include <atomic>
@@ -17,8 +17,8 @@
 namespace graze::external {
 
 struct EngineOptions {
-  // Words apart by blanks, "..." and '...' around a word with blanks in it; no shell. One that ends in .so is
-  // a shared library, which `library_host` is given as its last word.
+  // Words separated by blanks, with "..." and '...' around a word that contains blanks. No shell is used. A
+  // command that ends in .so is a shared library, and `library_host` receives it as its last word.
   std::string command;
   std::vector<std::string> library_host = {};
   bool host_takes_frames = false;  // questions and answers of a shared library are bytes, not lines
@@ -45,13 +45,13 @@ class Engine {
   // A method for each thing that it can be asked. They live as long as the engine.
   [[nodiscard]] std::span<const engine::Method> methods() const { return methods_; }
 
-  // Asks one question, from any thread; `repeat` > 0 asks for the time of a call.
+  // Asks one question, from any thread. `repeat` > 0 also requests the time of a call.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const corpus::Case& problem, int repeat = 0);
   // The same of terms that are not refused.
   [[nodiscard]] engine::Answer ask(const Offer& offer, const Terms& terms, int repeat = 0);
 
-  // Every process is asked to end. How many processes they left behind, those that were ended before
-  // included; to be asked once, at the end.
+  // Asks every process to end. Returns the number of processes that they left behind, including those that
+  // were ended before. Call it once, at the end.
   int finish();
   [[nodiscard]] std::size_t starts() const { return starts_; }  // processes that were started
 

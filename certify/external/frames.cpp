@@ -140,7 +140,7 @@ std::string write_question_frame(const Offer& offer, const Terms& terms, std::ui
   std::string out;
   append(out, head);
   write_body(out, asked.a, asked.spin_a, turns);
-  // Of a ray there is no B.
+  // A ray has no body B.
   write_body(out, is_ray ? Body<double>{.shape = Point<double>{}} : asked.b,
              is_ray ? corpus::Spin{} : asked.spin_b, turns);
   head.size = out.size();

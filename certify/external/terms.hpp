@@ -17,13 +17,13 @@
 namespace graze::external {
 
 struct Terms {
-  // Why the engine is not asked; empty if it is, and then the rest holds.
+  // The reason why the engine is not asked. If it is empty, the other fields are valid.
   std::string refused = {};
   bool beyond_limits = false;  // beyond a documented limit: refused for that alone, or asked all the same
 
   corpus::Case asked = {}, seen = {};
   int exponent = 0;      // lengths of `asked` are those of the case times 2^exponent
-  bool swapped = false;  // of a ray: A of the case is the point, and B stands in A's place
+  bool swapped = false;  // for a ray: A of the case is the point, and B takes A's place
   // How the margin is shared by the bodies is the engine's own affair: either may be rounded by as much as all of it. So by
   // how much each of them may reach beyond the one that is seen, lengths of the case.
   double reach_a = 0, reach_b = 0;

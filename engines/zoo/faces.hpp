@@ -1,7 +1,7 @@
 // The faces of a hull, for engines that want them with its vertices.
 //
-// faces_of(points) = the facets of conv(points), each anticlockwise from outside, vertices between the ends of an edge
-//                    left out; nothing if the hull is flat or what was found is no closed surface.
+// faces_of(points) = the facets of conv(points), each anticlockwise from outside, without the vertices between the ends of
+//                    an edge. Nothing if the hull is flat or the faces found do not form a closed surface.
 //
 // Gift wrapping: over each edge the facet whose plane leaves all points behind it. Points within kFlat · size of a
 // facet's plane belong to it. In doubles, for the easy and the merely awkward: an adapter answers `unsupported` where it
@@ -146,7 +146,8 @@ class Wrapping {
       normal = normalized(n);
     }
     if (second == low) return {};
-    // Of the vertices in that plane, which holds a line along z through both, one edge of the hull within it.
+    // Finds one edge of the hull among the vertices in that plane. The plane holds a line along z through both
+    // vertices.
     Face in;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (before(i, low, normal) > -4 * kFlat * size_) in.push_back(i);

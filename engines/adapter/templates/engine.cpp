@@ -34,7 +34,8 @@ Answer cast(const Question& q) {
   const Vector motion = q.b.displacement - q.a.displacement;
   const double along = dot(gap, motion), speed = dot(motion, motion), apart = length(gap);
   if (apart <= reach) return Answer::overlapping();
-  // The squared distance of the centres is least at t = -along / speed; rest is what remains of the gap there.
+  // The squared distance of the centres is least at t = -along / speed. `rest` is the part of the gap that remains
+  // there.
   if (along >= 0) return Answer::miss();
   const Vector rest = gap - (along / speed) * motion;
   const double aside = length(rest);
