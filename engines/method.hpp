@@ -53,7 +53,7 @@ struct Answer {
   // For third-party engines with a margin: the lengths by which their bodies, on which the witnesses lie, may reach
   // beyond those of the case as the engine sees it.
   double reach_a = 0, reach_b = 0;
-  double distance = 0;       // for casts: bound at toi_lower, beyond the target distance
+  double distance = 0;       // for casts: upper bound at toi_lower, beyond the target distance
   bool passed_over = false;  // a miss by the start policy
   std::optional<Proof> proof = {};
   Counters counters = {};
@@ -66,7 +66,7 @@ struct Answer {
   // Fields of the queries. Absent: not part of the query, or of this outcome.
   std::optional<Interval> separation = {}, depth = {};  // brackets of distance and penetration depth, lengths
   std::optional<Interval> t_in = {}, t_out = {};        // brackets of the ends of {t : the bodies touch at t}
-  Vec3<double> normal_out = Vec3<double>::Zero();  // for a line: the normal at its exit
+  Vec3<double> normal_out = Vec3<double>::Zero();  // for a line: at the exit, `normal` is at the entry
   bool has_points = false;                         // witnesses were asked for and found
   bool stalled = false;                            // the bracket is wider than was asked for
 
@@ -103,7 +103,7 @@ inline constexpr Request kPlain = Request::normal | Request::witnesses;
 
 // A case in the terms of a third-party engine, formed once for all its uses.
 struct EngineView {
-  std::string refused = {};    // why it is not asked, if empty, the other fields are valid
+  std::string refused = {};    // why it is not asked, empty if the other fields are valid
   bool beyond_limits = false;  // it lies beyond a limit that the engine documents
   corpus::Case seen = {};
   std::function<Answer(const Ask&)> ask = nullptr;  // while the engine lives

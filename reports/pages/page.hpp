@@ -6,7 +6,7 @@
 
 namespace graze::show {
 
-// Was the viewer built into this program? (It takes Node to build; docs/howto/show.md.)
+// True if the viewer was built into this program. Building it takes Node (docs/howto/show.md).
 [[nodiscard]] bool has_viewer();
 
 // The whole page. `data` is graze.page/1 (docs/reference/page-format.md): what there is to see. Without the viewer the page holds the

@@ -17,7 +17,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr auto kPace = std::chrono::milliseconds(100);
 constexpr double kFirstLine = 10, kNextLine = 20;
 
-// Of the command, whatever it is that runs: seconds from its start at which the next line of a log is due.
+// The start of the command. The next line of a log is due a number of seconds after it.
 const Clock::time_point g_start = Clock::now();
 std::atomic<double> g_due = kFirstLine;
 

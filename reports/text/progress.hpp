@@ -1,5 +1,5 @@
-// What a long command does, on stderr: on a terminal one line that is kept up to date, with what is left; in
-// a log a line every 20 s, the first once the command has run for 10.
+// Reports the progress of a long command on stderr. A terminal shows one line that is kept up to date, with
+// the time left. A log has a line every 20 s, the first once the command has run for 10 s.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // From any thread: one more is done; or so many are, and what else there is to say.
+  // From any thread: one more is done, or so many are done, with a text to add.
   void step();
   void reach(std::uint64_t done, const std::string& more = {});
   // So many more are done.
