@@ -19,7 +19,7 @@ class Bounds {
     low_ = low_.cwiseMin(p);
     high_ = high_.cwiseMax(p);
   }
-  // The part of the bounds within `most` of the place. If there is none, a window of some length.
+  // The part of the bounds within `most` of the place. Its half widths are at least `least`.
   [[nodiscard]] Window window(Real most, Real least) const {
     const Flat edge(most, most);
     const Flat low = low_.cwiseMax(-edge), high = high_.cwiseMin(edge);
@@ -144,7 +144,7 @@ class Picture {
     return chosen;
   }
 
-  // The position of the frames, given the picture's height.
+  // Places the frames, and returns the picture's height.
   Real frames() {
     Window window = whole();
     details_ = details(std::max(window.half_width, window.half_height));

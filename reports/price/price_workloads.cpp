@@ -15,7 +15,7 @@ namespace graze::price {
 namespace {
 
 constexpr const char* kMethods[] = {"plan/float", "plan/double", "certified/double"};
-constexpr int kRepeats = 3;  // of each cast, so that other load on the machine falls on one of them
+constexpr int kRepeats = 3;  // of each cast, since other load on the machine falls on one of them
 
 std::string place_of(double level) { return level > 0 ? "1 km out" : "origin"; }
 

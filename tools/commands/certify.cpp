@@ -27,11 +27,11 @@ namespace {
 
 using engine::Kind;
 
-// To make a finding of an engine of others small.
+// The number of calls that may reduce a finding of a third-party engine.
 constexpr int kSmallerAsks = 2000;
 constexpr double kSmallerSeconds = 20;
 
-// Whether an engine took no case of those that were judged: its verdict would be that of nothing.
+// True if an engine took none of the judged cases. Its verdict would rest on nothing.
 bool complain_of_unasked(const Engines& engines, const Certification& certification) {
   bool is_any = false;
   for (const auto& engine : engines.all()) {
@@ -52,7 +52,7 @@ bool complain_of_unasked(const Engines& engines, const Certification& certificat
   return is_any;
 }
 
-// Whether no answer at all was judged, and no stop was the reason.
+// True if no answer at all was judged and the run was not stopped.
 bool complain_of_no_answer(const Certification& certification) {
   if (certification.answers > 0 || !certification.unfinished.empty()) return false;
   complain(fmt::format("no answer was judged: of {} no method takes any{}",
@@ -129,7 +129,7 @@ bool is_given(const CLI::App& command, const std::string& option) {
   return command.get_option(option)->count() > 0;
 }
 
-// What moved to a command of its own answers with that command, for one version.
+// For one version, an option that became a command of its own prints that command.
 void refuse_old_spellings(const CLI::App& command) {
   for (const auto& [option, now] :
        {std::pair{"--laws", "laws"}, std::pair{"--law", "laws --law"}, std::pair{"--stability", "stability"},

@@ -1,4 +1,4 @@
-// What the command line of `graze certify` says.
+// The command line of `graze certify`.
 #pragma once
 
 #include <cstddef>

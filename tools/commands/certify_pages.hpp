@@ -1,4 +1,4 @@
-// What `graze certify` prints and writes of what was judged.
+// The output of `graze certify`, on the screen and in files.
 #pragma once
 
 #include <cstdio>
@@ -43,7 +43,7 @@ void print_certification(const CertifyArguments& arguments, const Selection& sel
                          const Certification& certification, const Settings& settings, const Intake& intake,
                          double seconds);
 
-// What is known to be wrong and not mended yet.
+// The file of known failures that are not fixed yet.
 [[nodiscard]] std::filesystem::path known_failures();
 
 }  // namespace graze::tool

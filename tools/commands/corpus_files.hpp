@@ -26,7 +26,7 @@ void replace_file(const std::string& name, const std::vector<corpus::Case>& case
 // about.
 void fill_in(const std::string& file, corpus::Case& problem);
 
-// Cases that fail by a mechanism that is not mended yet; the built-in corpus may have none.
+// Cases that fail by a mechanism that is not fixed yet. The built-in corpus may have none.
 [[nodiscard]] std::string known_failures_file();
 
 }  // namespace graze::tool

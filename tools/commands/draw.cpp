@@ -71,7 +71,7 @@ std::string file_name(const std::string& id) {
   return name + ".svg";
 }
 
-// Why our default method refuses the case; empty if it answers.
+// The reason why our default method refuses the case. Empty if it answers.
 std::string why_refused(const corpus::Case& problem) {
   if (problem.query == corpus::Query::cast) {
     const engine::Answer answer =

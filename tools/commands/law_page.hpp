@@ -17,8 +17,8 @@ struct PlantedDefect {
   std::vector<std::string> laws;
 };
 
-// Of every .patch in the folder, by name. Throws std::runtime_error with one line to show where there is none
-// or one lacks its lines "Defect: ..." and "Law: ...".
+// Reads every .patch in the folder, by name. Throws std::runtime_error with a one-line message if there is no patch or
+// one lacks its lines "Defect: ..." and "Law: ...".
 [[nodiscard]] std::vector<PlantedDefect> read_defects(const std::filesystem::path& directory);
 
 // Name and sentence, by what the laws need.

@@ -1,4 +1,4 @@
-// What every option of every command has in common.
+// Properties that every option of every command has.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -29,7 +29,7 @@ struct ServeArguments {
   std::string method = "mpr", scalar = "double";
 };
 
-// What answers a question: the method of the name given, or the default of the question.
+// The method that answers a question: the one with the given name, or the default for the question.
 const Method* method_for(Question question, const ServeArguments& arguments) {
   const std::string name = arguments.method + "/" + arguments.scalar;
   switch (question) {

@@ -66,7 +66,7 @@ void take(std::vector<LawSuite>& suites, const std::string& name, const std::vec
 }
 
 LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, const Engines& engines) {
-  // Where bodies turn, the easier half of the levels: the hardest take the oracle minutes.
+  // For rotating families, the easier half of the levels. The hardest levels take the oracle minutes.
   const std::size_t levels = family.rotating ? (family.levels.size() + 1) / 2 : family.levels.size();
   const std::size_t count = family.rotating ? arguments.rotating.value_or(kRotatingLawCases)
                                             : arguments.count.value_or(kLinearLawCases);
@@ -91,7 +91,8 @@ LawSuite suite_of(const corpus::Family& family, const LawArguments& arguments, c
   return one;
 }
 
-// How the smallest case of a breach is looked at; `file` holds it, empty: nothing was saved.
+// The command that shows the smallest case of a breach. `file` holds the case, and is empty if nothing was
+// saved.
 std::string look_command(const LawBreach& breach, const std::string& file) {
   const law::Finding& finding = breach.finding;
   const bool is_ours = std::ranges::any_of(
